@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Typed errors that carry the offending items. Thrown by any room, caught once, in app/, and mapped to an exit status.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh {
+
+/// What went wrong, by who can mend it; each kind has one exit status of the command line.
+enum class ErrorKind {
+  usage = 2,           ///< command line or project file (a missing file, an unknown key, an option not offered)
+  invalid_input = 3,   ///< the data given are broken (NaN, crossing facets where crossings are refused, ...)
+  cannot_mesh = 4,     ///< valid or repaired input that cannot be meshed as asked (nothing enclosed, too thin, ...)
+  interrupted = 130,   ///< the cancel token was set
+};
+
+/// Places and items an error speaks of, for messages and for dumps. All lists may be empty.
+struct ErrorContext {
+  std::vector<Index> facets;         ///< facets of the PLC / soup, or triangles of a surface
+  std::vector<Index> segments;       ///< segments of the PLC
+  std::vector<VertexIndex> vertices; ///< vertices of the PLC
+  std::vector<Vec3> places;          ///< coordinates of the trouble, the most telling first
+};
+
+/// The one exception type of geomesh. `what()` is a sentence that a user of the program understands: what is wrong, where, what
+/// to do about it.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorKind kind, const std::string& message, ErrorContext context = {})
+      : std::runtime_error(message), kind_(kind), context_(std::move(context)) {}
+  ErrorKind kind() const { return kind_; }
+  const ErrorContext& context() const { return context_; }
+
+ private:
+  ErrorKind kind_;
+  ErrorContext context_;
+};
+
+/// An invariant of ours does not hold: our bug, never the user's (exit 1).
+class InternalError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+namespace detail {
+[[noreturn]] void fail_check(const char* invariant, const char* file, int line);
+}
+
+}  // namespace geomesh
+
+/// Checks by cost. CHECK: constant time, always on. EXPENSIVE_CHECK: linear or worse, only in builds with
+/// GEOMESH_EXPENSIVE_CHECKS (the debug preset). Both name the invariant and throw InternalError.
+#define GEOMESH_CHECK(invariant) \
+  ((invariant) ? static_cast<void>(0) : ::geomesh::detail::fail_check(#invariant, __FILE__, __LINE__))
+#ifdef GEOMESH_EXPENSIVE_CHECKS
+#define GEOMESH_EXPENSIVE_CHECK(invariant) GEOMESH_CHECK(invariant)
+#else
+#define GEOMESH_EXPENSIVE_CHECK(invariant) static_cast<void>(0)
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Exact intersection of all surfaces with each other, with the box and with wells, into a polygon soup in doubles whose facets meet
+/// only in shared vertices and edges. CGAL stays behind this header.
+///
+/// Pipeline: pairs (broad phase) -> exact constructions (narrow phase) -> constrained triangulation inside each triangle ->
+/// identification of vertices -> clipping (box, bodies with cuts_all) -> rounding with an exact check, repeated where needed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+enum class SoupVertexKind : std::uint8_t { input, intersection, triple_point };
+
+/// Triangles that meet only in shared vertices and edges, each with all its origins.
+///
+/// Invariants (validate_soup, which shares no code with the arrangement, lists every fault): indices in range; points distinct; no
+/// degenerate facet; no two facets equal as sets; facets, segments and isolated points meet only in shared vertices and edges.
+struct PolygonSoup {
+  std::vector<Vec3> points;
+  std::vector<SoupVertexKind> kind;
+  std::vector<Index> input_point;  ///< per point: row in the concatenated points of the input surfaces (first of equal ones), else no_index
+
+  std::vector<Triangle> facets;
+  /// One origin of a facet. `reversed`: the facet's orientation is opposite to that triangle's.
+  struct Origin {
+    Index surface, triangle;
+    bool reversed;
+    friend bool operator==(const Origin&, const Origin&) = default;
+  };
+  /// Facet f has origins[origin_offsets[f]] .. [f+1], ordered by (surface, triangle); the first one's orientation is the facet's.
+  std::vector<Origin> origins;
+  std::vector<Index> origin_offsets{0};
+
+  /// Pieces of polylines (wells); `polyline` is the row in the input.
+  struct Segment {
+    VertexIndex a, b;
+    Index polyline;
+  };
+  std::vector<Segment> segments;
+  struct IsolatedPoint {
+    VertexIndex v;
+    Index point;
+  };
+  std::vector<IsolatedPoint> isolated_points;
+};
+
+/// Where something of note was seen, for messages, for the report and for the VTP of offending spots.
+struct Spot {
+  std::string what;           ///< "crossing", "self-crossing", "free border", "overlap", "clipped", "moved", ...
+  Index surface_a = no_index, surface_b = no_index;
+  std::size_t count = 0;      ///< pairs of triangles, edges ...
+  double measure = 0;         ///< area (m2) or length (m) where that makes sense
+  Vec3 place;
+};
+
+struct ArrangementOptions {
+  std::optional<Box3> box;  ///< clip to it; its sides are then surfaces n .. n+5 in the order xmin xmax ymin ymax zmin zmax
+  enum class Crossings { resolve, refuse } crossings = Crossings::resolve;
+  unsigned max_rounding_rounds = 8;
+};
+
+struct Displacement {
+  double largest = 0, mean = 0;
+  Vec3 where;
+  std::size_t points_moved = 0;
+};
+
+struct ArrangementResult {
+  PolygonSoup soup;
+  std::vector<TriangulatedSurface> box_sides;  ///< six where a box was asked for; surface row n + i
+  Displacement rounding;
+  /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length left.
+  std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
+  std::vector<Spot> spots;
+  std::vector<std::string> warnings;
+  std::size_t n_pairs = 0, n_crossing_pairs = 0, n_rounding_rounds = 0;
+};
+
+/// Throws Error{invalid_input} where crossings are refused (names the pairs and places) or coordinates are not finite;
+/// Error{cannot_mesh} where no valid rounding is found (with the place).
+ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
+                          const std::vector<NamedPoint>& points, const ArrangementOptions& options, const RunContext& context = {});
+
+/// Winding number of point p with respect to one input surface taken as a closed oriented surface, decided exactly (p in doubles, not
+/// on the surface). Zero outside. Used for `inside` and for bodies that cross themselves.
+/// Complexity: linear in the surface; callers ask once a region.
+int winding_number(const TriangulatedSurface& surface, const Vec3& p);
+
+struct SoupFault {
+  std::string what;
+  std::vector<Index> facets;
+  Vec3 place;
+};
+/// Exact check of the soup's invariants, written apart from the arrangement; collects all faults (at most `limit`).
+std::vector<SoupFault> validate_soup(const PolygonSoup& soup, std::size_t limit = 100);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The named mesh: what writers write and what the report speaks of (output contract of docs/output-files.md).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+struct Region {
+  std::int32_t id;  ///< from 1, stable between runs
+  std::string name;
+  std::vector<std::string> inside;  ///< bodies it lies in
+  std::size_t n_tetrahedra = 0;
+  double volume = 0;  ///< m3, summed without cancellation
+};
+
+struct NamedSurface {
+  std::int32_t id;  ///< disjoint from region ids
+  std::string name;
+  SurfaceKind kind;
+  double area = 0;  ///< of the faces in the mesh that carry it
+};
+
+struct NamedCurve {
+  std::int32_t id;  ///< disjoint from region and surface ids
+  std::string name;
+  std::string kind;  ///< "intersection", "border", "fault_tip", "well"
+  double length = 0;
+};
+
+/// Named mesh, plain data.
+///
+/// Invariants (validate_model_mesh): every tetrahedron positive and of a named region; no unused point; no two equal points; a face once;
+/// region_minus / region_plus agree with the tetrahedra at the face; ids disjoint.
+struct ModelMesh {
+  std::string name;
+  std::vector<Vec3> points;                 ///< in the written frame
+  std::vector<std::uint8_t> point_kind;     ///< 0 input, 1 intersection, 2 on a segment, 3 on a facet, 4 inside
+  std::vector<std::int32_t> input_vertex;   ///< row in the concatenated vertices of the surfaces as read; -1 where added
+  std::vector<Tetrahedron> tetrahedra;
+  std::vector<std::int32_t> tet_region;     ///< region id
+
+  struct Face {
+    Triangle vertices;  ///< normal from minus to plus
+    std::int32_t surface;      ///< id of the first surface in project order
+    std::int32_t surface_set;  ///< row in surface_sets
+    std::int32_t patch;        ///< from 1
+    std::int32_t region_minus, region_plus;  ///< 0: outside
+    std::int32_t source_triangle;  ///< 0-based in `surface` as read
+  };
+  std::vector<Face> faces;
+  std::vector<std::vector<std::int32_t>> surface_sets;  ///< lists of surface ids
+
+  struct CurveEdge {
+    VertexIndex a, b;
+    std::int32_t curve;
+  };
+  std::vector<CurveEdge> curve_edges;
+  struct MarkedPoint {
+    VertexIndex v;
+    std::int32_t id;
+    std::string name;
+  };
+  std::vector<MarkedPoint> marked_points;
+
+  std::vector<Region> regions;
+  std::vector<NamedSurface> surfaces;
+  std::vector<NamedCurve> curves;
+  Vec3 origin{0, 0, 0};  ///< was subtracted from the project's coordinates
+};
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The project file as understood (docs/project-file.md). Reading reports every mistake of one run together.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+struct SurfaceSpec {
+  std::string name;
+  SurfaceKind kind = SurfaceKind::horizon;
+  std::filesystem::path file;  ///< absolute, resolved against the project file
+  std::string file_as_written;
+  bool cuts_all = false;  ///< `cuts: all`; default true for bodies
+  int line = 0;           ///< where it stands in the project file, from 1
+};
+
+struct WellSpec {
+  std::string name;
+  std::filesystem::path file;
+  std::string file_as_written;
+  int line = 0;
+};
+
+struct CrsSpec {
+  std::string horizontal = "local";
+  bool depth = false;  ///< z: depth
+  std::string unit = "m";
+};
+
+struct MeshSpec {
+  TetrahedralizeOptions options;
+  std::string refine = "none";
+};
+
+struct OutputSpec {
+  std::filesystem::path directory;  ///< absolute
+  std::vector<std::string> formats{"vtu"};
+  Vec3 origin{0, 0, 0};
+  bool has_origin = false;
+};
+
+struct Project {
+  std::filesystem::path file;
+  std::string name;
+  CrsSpec crs;
+  std::optional<Box3> box;
+  std::vector<SurfaceSpec> surfaces;
+  std::vector<WellSpec> wells;
+  std::vector<NamedPoint> points;
+  /// unit, horizon, unit, horizon, ..., unit; youngest first. Empty where not given.
+  std::vector<std::string> column;
+  MeshSpec mesh;
+  OutputSpec output;
+};
+
+/// Throws Error{usage} whose message lists every problem found, each as "file:line:column: what is wrong; what was expected":
+/// unknown key (with the nearest known one), wrong type, missing file, duplicate key, column naming an unknown surface ...
+Project read_project(const std::filesystem::path& file);
+
+}  // namespace geomesh::geomodel

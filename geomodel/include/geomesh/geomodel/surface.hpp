@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Triangulated surfaces and polylines as read: what readers give and model building and the arrangement take.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel {
+
+/// What a surface stands for in the rules of geology.
+enum class SurfaceKind {
+  surface,  ///< nothing known (files given to `geomesh mesh`)
+  horizon,
+  fault,
+  body,  ///< closed: salt, an intrusion, a grain
+  box,   ///< a side of the model volume
+};
+const char* to_string(SurfaceKind kind);
+
+/// Triangles as read: equal coordinates are not merged yet, any defect may be there (the arrangement and `geomesh info` speak of
+/// them). Rows of `triangles` are the `source_triangle` of the output.
+struct TriangulatedSurface {
+  std::string name;
+  SurfaceKind kind = SurfaceKind::surface;
+  bool cuts_all = false;  ///< bodies: remove the parts of horizons and faults inside
+  std::string file;       ///< where it came from, as the user wrote it; empty where made by rule
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+};
+
+/// A polyline: well path, fault trace.
+struct Polyline {
+  std::string name;
+  std::string file;
+  std::vector<Vec3> points;  ///< in order; consecutive points are joined
+};
+
+struct NamedPoint {
+  std::string name;
+  Vec3 point;
+};
+
+/// A region told by a closed list of oriented triangles' patches (GOCAD Model3d): name only; the volume is found by a point inside.
+struct RegionHint {
+  std::string name;
+  /// Oriented boundary as (surface row, triangle row, orientation as stored (true) or reversed); the region lies on the side that the
+  /// normal points away from (outward normals).
+  struct Side {
+    Index surface, triangle;
+    bool as_stored;
+  };
+  std::vector<Side> boundary;
+};
+
+/// What one file held.
+struct FileContents {
+  std::string format;  ///< "GOCAD TSurf", "OFF", ...
+  std::vector<TriangulatedSurface> surfaces;
+  std::vector<Polyline> polylines;
+  std::vector<NamedPoint> points;
+  std::vector<RegionHint> regions;
+  std::vector<std::string> notes;     ///< what was understood beyond the obvious (z negated: Depth, unit ft, ...)
+  std::vector<std::string> warnings;  ///< in a user's words
+};
+
+}  // namespace geomesh::geomodel
