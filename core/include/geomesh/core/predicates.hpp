@@ -15,6 +15,8 @@
 
 #include <span>
 
+#include "geomesh/core/error.hpp"
+
 #include "geomesh/core/geometry.hpp"
 
 namespace geomesh {
