@@ -1,143 +1,160 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Floating-point expansions: exact sums and products of doubles (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast
-/// robust geometric predicates", sections 2.1 to 2.7). An expansion is a sum of non-overlapping doubles in increasing magnitude, zeros
-/// left out; its sign is that of its last component.
+/// Floating-point expansions: exact sums and products of doubles as unevaluated sums of non-overlapping doubles, smallest first
+/// (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", section 2).
 ///
-/// Precondition of every operation: no component over- or underflows (see `exponents_are_safe`); round to nearest even; no contraction.
+/// Precondition throughout: round-to-even doubles, no contraction into fused operations, no over- or underflow (exponents_are_safe).
+/// All results are non-adjacent, which is what fast_expansion_sum asks of its arguments (theorem 13 and section 2.4 there).
 #pragma once
 
-#include <cmath>
-#include <utility>
+#include <cstddef>
 
 #include "geomesh/core/geometry.hpp"
 
 namespace geomesh::exact {
 
-/// a + b == sum + error exactly.
-inline void two_sum(double a, double b, double& sum, double& error) {
-  sum = a + b;
-  const double bb = sum - a;
-  error = (a - (sum - bb)) + (b - bb);
+/// head + tail == a + b exactly (Knuth 1969).
+inline void two_sum(double a, double b, double& head, double& tail) {
+  head = a + b;
+  const double b_virtual = head - a;
+  const double a_virtual = head - b_virtual;
+  tail = (a - a_virtual) + (b - b_virtual);
 }
 
-/// As two_sum, where |a| >= |b| or a == 0.
-inline void fast_two_sum(double a, double b, double& sum, double& error) {
-  sum = a + b;
-  error = b - (sum - a);
+/// head + tail == a + b exactly, where |a| >= |b| (Dekker 1971).
+inline void fast_two_sum(double a, double b, double& head, double& tail) {
+  head = a + b;
+  tail = b - (head - a);
 }
 
-/// a * b == product + error exactly. std::fma is exact by definition, in hardware or not.
-inline void two_product(double a, double b, double& product, double& error) {
-  product = a * b;
-  error = std::fma(a, b, -product);
+/// head + tail == a - b exactly.
+inline void two_difference(double a, double b, double& head, double& tail) { two_sum(a, -b, head, tail); }
+
+/// a == high + low with at most 26 bits each (Veltkamp's splitting).
+inline void split(double a, double& high, double& low) {
+  const double c = 134217729.0 * a;
+  high = c - (c - a);
+  low = a - high;
 }
 
-/// Fixed capacity, on the stack. N bounds the number of components.
-template <int N>
+/// head + tail == a * b exactly, b split already.
+inline void two_product(double a, double b, double b_high, double b_low, double& head, double& tail) {
+  double a_high, a_low;
+  head = a * b;
+  split(a, a_high, a_low);
+  tail = a_low * b_low - (((head - a_high * b_high) - a_low * b_high) - a_high * b_low);
+}
+
+inline void two_product(double a, double b, double& head, double& tail) {
+  double b_high, b_low;
+  split(b, b_high, b_low);
+  two_product(a, b, b_high, b_low, head, tail);
+}
+
+/// A sum of at most Capacity doubles, non-overlapping, of increasing magnitude, without zeros; zero is the empty sum.
+template <int Capacity>
 struct Expansion {
-  double component[N];
-  int n = 0;
+  int size = 0;
+  double term[Capacity];
 
+  Expansion() = default;
+  /// Copies the used terms alone.
+  Expansion(const Expansion& other) : size(other.size) {
+    for (int i = 0; i < size; ++i) term[i] = other.term[i];
+  }
+  Expansion& operator=(const Expansion&) = delete;
+
+  void append(double x) {
+    if (x != 0) term[size++] = x;
+  }
   Sign sign() const {
-    if (n == 0) return Sign::zero;
-    return component[n - 1] > 0 ? Sign::positive : Sign::negative;
-  }
-  double estimate() const {
-    double sum = 0;
-    for (int i = 0; i < n; ++i) sum += component[i];
-    return sum;
-  }
-  void push(double value) {
-    if (value != 0) component[n++] = value;
+    if (size == 0) return Sign::zero;
+    return term[size - 1] > 0 ? Sign::positive : Sign::negative;
   }
 };
 
 /// a - b exactly.
 inline Expansion<2> difference(double a, double b) {
-  Expansion<2> result;
-  double sum, error;
-  two_sum(a, -b, sum, error);
-  result.push(error);
-  result.push(sum);
-  return result;
+  double head, tail;
+  two_difference(a, b, head, tail);
+  Expansion<2> r;
+  r.append(tail);
+  r.append(head);
+  return r;
 }
 
-/// Merges by magnitude and sums with carry: "fast expansion sum" with zero elimination.
-template <int A, int B>
-Expansion<A + B> operator+(const Expansion<A>& a, const Expansion<B>& b) {
-  Expansion<A + B> result;
+inline Expansion<1> single(double a) {
+  Expansion<1> r;
+  r.append(a);
+  return r;
+}
+
+/// e + sign * f, sign being 1 or -1: fast_expansion_sum with zero elimination (Shewchuk 1997, figure 8).
+template <int N, int M>
+Expansion<N + M> sum(const Expansion<N>& e, const Expansion<M>& f, double sign = 1) {
+  Expansion<N + M> h;
   int i = 0, j = 0;
-  const auto next = [&] {
-    if (j == b.n || (i < a.n && std::abs(a.component[i]) < std::abs(b.component[j]))) return a.component[i++];
-    return b.component[j++];
+  auto next = [&] {
+    if (j >= f.size) return e.term[i++];
+    if (i >= e.size) return sign * f.term[j++];
+    const double a = e.term[i], b = f.term[j];
+    const bool take_e = (a < 0 ? -a : a) < (b < 0 ? -b : b);
+    return take_e ? (++i, a) : (++j, sign * b);
   };
-  const int total = a.n + b.n;
-  if (total == 0) return result;
+  const int n = e.size + f.size;
+  if (n == 0) return h;
   double q = next();
-  for (int k = 1; k < total; ++k) {
-    double sum, error;
-    two_sum(q, next(), sum, error);
-    result.push(error);
-    q = sum;
+  for (int k = 1; k < n; ++k) {
+    double head, tail;
+    two_sum(q, next(), head, tail);
+    h.append(tail);
+    q = head;
   }
-  result.push(q);
-  return result;
+  h.append(q);
+  return h;
 }
 
-template <int A>
-Expansion<A> operator-(const Expansion<A>& a) {
-  Expansion<A> result;
-  result.n = a.n;
-  for (int i = 0; i < a.n; ++i) result.component[i] = -a.component[i];
-  return result;
+template <int N, int M>
+Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
+  return sum(e, f);
+}
+template <int N, int M>
+Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
+  return sum(e, f, -1.0);
 }
 
-template <int A, int B>
-Expansion<A + B> operator-(const Expansion<A>& a, const Expansion<B>& b) {
-  return a + (-b);
-}
-
-/// a times one double: "scale expansion" with zero elimination.
-template <int A>
-Expansion<2 * A> scale(const Expansion<A>& a, double s) {
-  Expansion<2 * A> result;
-  if (a.n == 0 || s == 0) return result;
-  double q, error;
-  two_product(a.component[0], s, q, error);
-  result.push(error);
-  for (int i = 1; i < a.n; ++i) {
-    double product, product_error, sum;
-    two_product(a.component[i], s, product, product_error);
-    two_sum(q, product_error, sum, error);
-    result.push(error);
-    fast_two_sum(product, sum, q, error);
-    result.push(error);
+/// e * b exactly: scale_expansion with zero elimination (Shewchuk 1997, figure 13).
+template <int N>
+Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
+  Expansion<2 * N> h;
+  if (e.size == 0 || b == 0) return h;
+  double b_high, b_low, q, tail;
+  split(b, b_high, b_low);
+  two_product(e.term[0], b, b_high, b_low, q, tail);
+  h.append(tail);
+  for (int i = 1; i < e.size; ++i) {
+    double product, product_tail, s;
+    two_product(e.term[i], b, b_high, b_low, product, product_tail);
+    two_sum(q, product_tail, s, tail);
+    h.append(tail);
+    fast_two_sum(product, s, q, tail);
+    h.append(tail);
   }
-  result.push(q);
-  return result;
+  h.append(q);
+  return h;
 }
 
-namespace detail {
-/// Sum of a * b[first .. last) by halving, so that the parts stay of like length.
-template <int A, int B>
-Expansion<2 * A * B> product_range(const Expansion<A>& a, const Expansion<B>& b, int first, int last) {
-  Expansion<2 * A * B> result;
-  for (int i = first; i < last; ++i) {
-    const Expansion<2 * A> part = scale(a, b.component[i]);
-    Expansion<2 * A * B> sum;
-    const auto both = result + part;
-    sum.n = both.n;
-    for (int k = 0; k < both.n; ++k) sum.component[k] = both.component[k];
-    result = sum;
-  }
-  return result;
-}
-}  // namespace detail
-
-template <int A, int B>
-Expansion<2 * A * B> operator*(const Expansion<A>& a, const Expansion<B>& b) {
-  return detail::product_range(a, b, 0, b.n);
+/// a * b - c * d exactly.
+inline Expansion<4> minor2(double a, double b, double c, double d) {
+  Expansion<2> ab, cd;
+  double head, tail;
+  two_product(a, b, head, tail);
+  ab.append(tail);
+  ab.append(head);
+  two_product(c, d, head, tail);
+  cd.append(tail);
+  cd.append(head);
+  return ab - cd;
 }
 
 }  // namespace geomesh::exact
