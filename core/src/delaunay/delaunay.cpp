@@ -18,7 +18,7 @@ void check_coordinates(std::span<const Vec3> points) {
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && exponents_are_safe(points.subspan(i, 1))) continue;
     throw Error(ErrorKind::invalid_input,
                 "point " + std::to_string(i) + " has a coordinate that is not finite, or so large or so near zero that exact arithmetic "
-                "would over- or underflow (allowed: 0 and magnitudes from 2^-142 to 2^195)",
+                "would over- or underflow (allowed: 0 and magnitudes from 2^-148 to 2^148)",
                 {{}, {}, {static_cast<VertexIndex>(i)}, {p}});
   }
 }

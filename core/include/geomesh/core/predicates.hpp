@@ -15,8 +15,6 @@
 
 #include <span>
 
-#include "geomesh/core/error.hpp"
-
 #include "geomesh/core/geometry.hpp"
 
 namespace geomesh {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The simplicial complex that every stage of the engine works on: a structure of arrays with ghost cells, in 2 or 3 dimensions.
+/// The simplicial complex that every stage of the engine works on: cells with ghosts, in 2 or 3 dimensions.
 ///
 /// Orientation, drawn once. A cell's vertices v0..vD are positively oriented (orient3d > 0, orient2d > 0). Face i is opposite
 /// vertex i. In 3D face i lists its vertices in the order `face_vertices[i]`, counter-clockwise seen from vertex i, so that
@@ -34,6 +34,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/core/pod_array.hpp"
 
 namespace geomesh {
 
@@ -60,6 +61,9 @@ inline constexpr std::array<std::array<std::uint8_t, 3>, 4> face_vertices{{{1, 3
 inline constexpr std::array<std::array<std::uint8_t, 2>, 6> edge_vertices{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
 /// D+1 vertices and D+1 neighbours a cell, recycled slots, one byte of flags. No coordinates: those live with the caller.
+///
+/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity read both; flags
+/// are an array of their own.
 template <int Dim>
 class SimplexMesh {
   static_assert(Dim == 2 || Dim == 3);
@@ -69,28 +73,32 @@ class SimplexMesh {
   static constexpr int n_cell_vertices = Dim + 1;
   using CellVertices = std::array<VertexIndex, Dim + 1>;
   using CellNeighbors = std::array<FaceRef, Dim + 1>;
+  struct Cell {
+    CellVertices vertices;
+    CellNeighbors neighbors;
+  };
 
   /// Slots, live and free. Iterate cells as `for (c = 0; c < n_slots(); ++c) if (is_live(c))`.
-  CellIndex n_slots() const { return static_cast<CellIndex>(vertices_.size()); }
+  CellIndex n_slots() const { return static_cast<CellIndex>(cells_.size()); }
   CellIndex n_live() const { return n_slots() - static_cast<CellIndex>(free_.size()); }
-  bool is_live(CellIndex c) const { return vertices_[c][0] != no_vertex; }
+  bool is_live(CellIndex c) const { return cells_[c].vertices[0] != no_vertex; }
   bool is_ghost(CellIndex c) const { return ghost_index(c) >= 0; }
   /// Position of the infinite vertex in c, or -1.
   int ghost_index(CellIndex c) const {
     for (int i = 0; i <= Dim; ++i)
-      if (vertices_[c][i] == infinite_vertex) return i;
+      if (cells_[c].vertices[i] == infinite_vertex) return i;
     return -1;
   }
 
-  VertexIndex vertex(CellIndex c, unsigned i) const { return vertices_[c][i]; }
-  const CellVertices& vertices(CellIndex c) const { return vertices_[c]; }
-  FaceRef mirror(FaceRef f) const { return neighbors_[f.cell()][f.face()]; }
-  FaceRef neighbor(CellIndex c, unsigned i) const { return neighbors_[c][i]; }
-  CellIndex neighbor_cell(CellIndex c, unsigned i) const { return neighbors_[c][i].cell(); }
+  VertexIndex vertex(CellIndex c, unsigned i) const { return cells_[c].vertices[i]; }
+  const CellVertices& vertices(CellIndex c) const { return cells_[c].vertices; }
+  FaceRef mirror(FaceRef f) const { return cells_[f.cell()].neighbors[f.face()]; }
+  FaceRef neighbor(CellIndex c, unsigned i) const { return cells_[c].neighbors[i]; }
+  CellIndex neighbor_cell(CellIndex c, unsigned i) const { return cells_[c].neighbors[i].cell(); }
   /// Local index of vertex v in c; c must have it.
   unsigned index_of(CellIndex c, VertexIndex v) const {
     for (unsigned i = 0; i <= static_cast<unsigned>(Dim); ++i)
-      if (vertices_[c][i] == v) return i;
+      if (cells_[c].vertices[i] == v) return i;
     return 4u;
   }
   bool has_vertex(CellIndex c, VertexIndex v) const { return index_of(c, v) <= static_cast<unsigned>(Dim); }
@@ -104,45 +112,74 @@ class SimplexMesh {
     if (!free_.empty()) {
       c = free_.back();
       free_.pop_back();
-      vertices_[c] = v;
-      neighbors_[c] = CellNeighbors{};
-      flags_[c] = 0;
     } else {
-      c = static_cast<CellIndex>(vertices_.size());
+      c = n_slots();
       GEOMESH_CHECK(c < no_cell);
-      vertices_.push_back(v);
-      neighbors_.emplace_back();
-      flags_.push_back(0);
+      cells_.grow_to(std::size_t{c} + 1);
+      flags_.grow_to(std::size_t{c} + 1);
     }
+    cells_[c] = Cell{v, CellNeighbors{}};
+    flags_[c] = 0;
     return c;
   }
   void free_cell(CellIndex c) {
-    vertices_[c][0] = no_vertex;
+    cells_[c].vertices[0] = no_vertex;
     free_.push_back(c);
   }
-  void set_vertices(CellIndex c, const CellVertices& v) { vertices_[c] = v; }
-  void set_vertex(CellIndex c, unsigned i, VertexIndex v) { vertices_[c][i] = v; }
+  void set_vertices(CellIndex c, const CellVertices& v) { cells_[c].vertices = v; }
+  void set_vertex(CellIndex c, unsigned i, VertexIndex v) { cells_[c].vertices[i] = v; }
   /// Links two faces with each other.
   void link(FaceRef a, FaceRef b) {
-    neighbors_[a.cell()][a.face()] = b;
-    neighbors_[b.cell()][b.face()] = a;
+    cells_[a.cell()].neighbors[a.face()] = b;
+    cells_[b.cell()].neighbors[b.face()] = a;
   }
   void reserve(std::size_t n) {
-    vertices_.reserve(n);
-    neighbors_.reserve(n);
+    cells_.reserve(n);
     flags_.reserve(n);
   }
   void clear() {
-    vertices_.clear();
-    neighbors_.clear();
+    cells_.clear();
     flags_.clear();
     free_.clear();
   }
 
+  /// @name For builders that fill slots themselves
+  /// @{
+  Cell* cells() { return cells_.data(); }
+  const Cell* cells() const { return cells_.data(); }
+  std::uint8_t* cell_flags() { return flags_.data(); }
+  std::size_t capacity() const { return cells_.capacity(); }
+  /// Makes slots up to n; the new ones are neither initialised nor on the free list, so fill them or let `compact` drop them after
+  /// marking them with `vertices[0] = no_vertex`.
+  void grow_to(std::size_t n) {
+    GEOMESH_CHECK(n <= no_cell);
+    cells_.grow_to(n);
+    flags_.grow_to(n);
+  }
+  /// Moves the last live cells into the slots that are not live, in order, and drops the rest: no free slot is left.
+  void compact() {
+    CellIndex hole = 0, last = n_slots();
+    for (;; ++hole) {
+      while (last > 0 && !is_live(last - 1)) --last;
+      while (hole < last && is_live(hole)) ++hole;
+      if (hole >= last) break;
+      --last;
+      cells_[hole] = cells_[last];
+      flags_[hole] = flags_[last];
+      for (unsigned i = 0; i <= static_cast<unsigned>(Dim); ++i) {
+        const FaceRef n = cells_[hole].neighbors[i];
+        cells_[n.cell()].neighbors[n.face()] = FaceRef(hole, i);
+      }
+    }
+    cells_.truncate(last);
+    flags_.truncate(last);
+    free_.clear();
+  }
+  /// @}
+
  private:
-  std::vector<CellVertices> vertices_;
-  std::vector<CellNeighbors> neighbors_;
-  std::vector<std::uint8_t> flags_;
+  PodArray<Cell> cells_;
+  PodArray<std::uint8_t> flags_;
   std::vector<CellIndex> free_;
 };
 
