@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/writers.hpp"
+
+namespace geomesh::geomodel {
+
+const std::vector<std::string>& known_formats() {
+  static const std::vector<std::string> formats{"vtu", "msh", "inp"};
+  return formats;
+}
+
+std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format, const std::filesystem::path& stem) {
+  const auto with = [&](const char* ending) { return std::filesystem::path(stem.string() + ending); };
+  if (format == "vtu") {
+    const std::vector<std::filesystem::path> files{with(".vtu"), with(".faces.vtp"), with(".curves.vtp")};
+    write_vtu(mesh, files[0]);
+    write_faces_vtp(mesh, files[1]);
+    write_curves_vtp(mesh, files[2]);
+    return files;
+  }
+  if (format == "msh") {
+    write_gmsh41(mesh, with(".msh"));
+    return {with(".msh"), with(".msh.json")};
+  }
+  if (format == "inp") {
+    write_abaqus_inp(mesh, with(".inp"));
+    return {with(".inp"), with(".inp.json")};
+  }
+  std::string known;
+  for (const std::string& f : known_formats()) known += (known.empty() ? "" : ", ") + f;
+  throw Error(ErrorKind::usage, "output format '" + format + "' is not known; known are " + known);
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/sidecar.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "writers/text_buffer.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json entry(std::int32_t id, const std::string& name, const std::vector<SidecarGroup>& groups) {
+  ordered_json names = ordered_json::array();
+  for (const SidecarGroup& g : groups)
+    if (std::find(g.members.begin(), g.members.end(), id) != g.members.end()) names.push_back(g.name);
+  return {{"id", id}, {"name", name}, {"groups", names}};
+}
+
+}  // namespace
+
+void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups, const std::filesystem::path& mesh_file) {
+  ordered_json root;
+  root["mesh"] = mesh_file.filename().string();
+  root["groups"] = ordered_json::array();
+  for (const SidecarGroup& g : groups) {
+    ordered_json group{{"type", g.type}, {"dimension", g.dimension}};
+    if (g.id != 0) group["id"] = g.id;
+    group["name"] = g.name;
+    group["full_name"] = g.full_name;
+    root["groups"].push_back(std::move(group));
+  }
+  root["regions"] = root["surfaces"] = root["curves"] = root["points"] = ordered_json::array();
+  for (const Region& r : mesh.regions) root["regions"].push_back(entry(r.id, r.name, groups));
+  for (const NamedSurface& s : mesh.surfaces) {
+    ordered_json surface = entry(s.id, s.name, groups);
+    surface["kind"] = to_string(s.kind);
+    root["surfaces"].push_back(std::move(surface));
+  }
+  for (const NamedCurve& c : mesh.curves) {
+    ordered_json curve = entry(c.id, c.name, groups);
+    curve["kind"] = c.kind;
+    root["curves"].push_back(std::move(curve));
+  }
+  for (const auto& p : mesh.marked_points) root["points"].push_back(entry(p.id, p.name, groups));
+  write_text_file(mesh_file.string() + ".json", root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Text of solver files: numbers independent of the locale, doubles as the shortest text that reads back to the same double.
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel {
+
+class TextBuffer {
+ public:
+  TextBuffer& operator<<(std::string_view text) {
+    text_.append(text);
+    return *this;
+  }
+  template <std::integral T>
+  TextBuffer& operator<<(T value) {
+    return number(value);
+  }
+  TextBuffer& operator<<(double value) { return number(value); }
+  /// Three numbers with blanks between.
+  TextBuffer& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
+  const std::string& text() const { return text_; }
+
+ private:
+  template <class T>
+  TextBuffer& number(T value) {
+    char buffer[32];
+    text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+    return *this;
+  }
+  std::string text_;
+};
+
+/// Complete or absent. Throws Error{usage} where the file cannot be written.
+void write_text_file(const std::filesystem::path& file, std::string_view content);
+
+}  // namespace geomesh::geomodel

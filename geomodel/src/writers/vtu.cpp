@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// NAME.vtu: tetrahedra of named regions.
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "geomesh/geomodel/writers.hpp"
+#include "writers/vtk_arrays.hpp"
+
+namespace geomesh::geomodel {
+
+void write_vtu(const ModelMesh& mesh, const std::filesystem::path& file) {
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(vtk_points(mesh.points));
+  vtkSmartPointer<vtkCellArray> cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(static_cast<vtkIdType>(mesh.tetrahedra.size()), static_cast<vtkIdType>(4 * mesh.tetrahedra.size()));
+  for (const Tetrahedron& t : mesh.tetrahedra) {
+    const vtkIdType v[4] = {t[0], t[1], t[2], t[3]};
+    cells->InsertNextCell(4, v);
+  }
+  grid->SetCells(VTK_TETRA, cells);
+  grid->GetCellData()->AddArray(int_array("region", mesh.tet_region.size(), [&](std::size_t i) { return mesh.tet_region[i]; }));
+  grid->GetCellData()->SetActiveScalars("region");
+  grid->GetPointData()->AddArray(int_array("kind", mesh.point_kind.size(), [&](std::size_t i) { return mesh.point_kind[i]; }));
+  grid->GetPointData()->AddArray(
+      int_array("input_vertex", mesh.input_vertex.size(), [&](std::size_t i) { return mesh.input_vertex[i]; }));
+  add_region_names(mesh, *grid->GetFieldData());
+  add_origin(mesh, *grid->GetFieldData());
+  vtkSmartPointer<vtkXMLUnstructuredGridWriter> writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
+  write_vtk_xml(*writer, *grid, file);
+}
+
+}  // namespace geomesh::geomodel
