@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "geomesh/core/error.hpp"
 #include "geomesh/core/geometry.hpp"
 
 namespace geomesh {
@@ -84,5 +86,15 @@ struct PiecewiseLinearComplex {
     return static_cast<Index>(n_facets() - 1);
   }
 };
+
+/// One fault of a PLC.
+struct PlcFault {
+  std::string message;  ///< names the items and, where it helps, the place
+  ErrorContext context;
+};
+
+/// Lists every structural fault (indices, coordinates, equal points, degenerate or repeated facets, segments of no length). Whether facets
+/// cross is not searched for here: recovery cannot miss it, and tells. O(n log n).
+std::vector<PlcFault> validate_plc(const PiecewiseLinearComplex& plc);
 
 }  // namespace geomesh

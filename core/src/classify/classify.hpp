@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Classification by flood fill (section 4 of the paper) and the result in plain arrays.
+#pragma once
+
+#include "geomesh/core/plc.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "recover/constrained_mesh.hpp"
+#include "recover/declare.hpp"
+
+namespace geomesh::classify {
+
+/// Components of the recovered mesh between its locked faces, numbered, seeded, without the outside, as ConstrainedTetrahedralization
+/// documents. Throws Error{cannot_mesh} where nothing is enclosed, Error{invalid_input} for a hole seed on a facet.
+ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, const recover::DeclaredModel& model,
+                                       const PiecewiseLinearComplex& plc, const RunContext& context, bool keep_hull);
+
+}  // namespace geomesh::classify

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "recover/constrained_mesh.hpp"
+
+#include <algorithm>
+
+namespace geomesh::recover {
+
+namespace {
+
+Triangle sorted(VertexIndex a, VertexIndex b, VertexIndex c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {a, b, c};
+}
+
+Triangle sorted_face(const TetMesh& mesh, FaceRef f) {
+  const auto& local = face_vertices[f.face()];
+  const auto& v = mesh.vertices(f.cell());
+  return sorted(v[local[0]], v[local[1]], v[local[2]]);
+}
+
+}  // namespace
+
+ConstrainedMesh::ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input)
+    : mesh_(std::move(mesh)), points_(std::move(points)), cell_of_(points_.size(), no_cell), n_input_(n_input) {
+  for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
+    if (!mesh_.is_live(c)) continue;
+    mesh_.flags(c) = 0;
+    for (VertexIndex v : mesh_.vertices(c))
+      if (v != infinite_vertex) cell_of_[v] = c;
+  }
+}
+
+VertexIndex ConstrainedMesh::add_point(const Vec3& p) {
+  points_.push_back(p);
+  cell_of_.push_back(no_cell);
+  return static_cast<VertexIndex>(points_.size() - 1);
+}
+
+void ConstrainedMesh::drop_last_point() {
+  GEOMESH_CHECK(cell_of_.back() == no_cell);
+  points_.pop_back();
+  cell_of_.pop_back();
+}
+
+void ConstrainedMesh::lock(FaceRef f) {
+  mesh_.flags(f.cell()) |= static_cast<std::uint8_t>(1u << f.face());
+  const FaceRef g = mesh_.mirror(f);
+  mesh_.flags(g.cell()) |= static_cast<std::uint8_t>(1u << g.face());
+}
+
+void ConstrainedMesh::unlock(FaceRef f) {
+  mesh_.flags(f.cell()) &= static_cast<std::uint8_t>(~(1u << f.face()));
+  const FaceRef g = mesh_.mirror(f);
+  mesh_.flags(g.cell()) &= static_cast<std::uint8_t>(~(1u << g.face()));
+}
+
+void ConstrainedMesh::star(VertexIndex v, std::vector<CellIndex>& out) {
+  if (visited_.size() < mesh_.n_slots()) visited_.resize(mesh_.n_slots() + mesh_.n_slots() / 2, 0);
+  if (++epoch_ == 0) {
+    std::fill(visited_.begin(), visited_.end(), 0);
+    epoch_ = 1;
+  }
+  out.assign(1, cell_of_[v]);
+  visited_[cell_of_[v]] = epoch_;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const CellIndex c = out[i];
+    for (unsigned f = 0; f < 4; ++f) {
+      if (mesh_.vertex(c, f) == v) continue;
+      const CellIndex n = mesh_.neighbor_cell(c, f);
+      if (visited_[n] == epoch_) continue;
+      visited_[n] = epoch_;
+      out.push_back(n);
+    }
+  }
+}
+
+std::vector<VertexIndex> ConstrainedMesh::neighbors(VertexIndex v) {
+  std::vector<CellIndex> cells;
+  star(v, cells);
+  std::vector<VertexIndex> out;
+  for (CellIndex c : cells)
+    for (VertexIndex w : mesh_.vertices(c))
+      if (w != v && w != infinite_vertex) out.push_back(w);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
+  // A walk in the star of a towards b; a star is small, so a walk that has not arrived soon gives way to a search of it.
+  CellIndex c = cell_of_[a];
+  for (unsigned step = 0; step < 24; ++step) {
+    if (mesh_.has_vertex(c, b)) return c;
+    if (mesh_.is_ghost(c)) break;
+    const unsigned i = mesh_.index_of(c, a);
+    const auto& v = mesh_.vertices(c);
+    unsigned exit = 4, outside = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned r = face_vertices[i][k], p = face_vertices[i][(k + 1) % 3], q = face_vertices[i][(k + 2) % 3];
+      if (orient(a, v[p], v[q], b) != Sign::positive) continue;
+      if (random(++outside) == 0) exit = r;
+    }
+    if (exit == 4) return no_cell;
+    c = mesh_.neighbor_cell(c, exit);
+  }
+  std::vector<CellIndex> cells;
+  star(a, cells);
+  for (CellIndex s : cells)
+    if (mesh_.has_vertex(s, b)) return s;
+  return no_cell;
+}
+
+bool ConstrainedMesh::ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const {
+  out.p = a;
+  out.q = b;
+  out.cells.clear();
+  out.ring.clear();
+  CellIndex c = cell;
+  unsigned i = mesh_.index_of(c, a), j = mesh_.index_of(c, b);
+  VertexIndex first = mesh_.vertex(c, even_completion[i][j][0]);
+  do {
+    if (mesh_.is_ghost(c)) return false;
+    i = mesh_.index_of(c, a);
+    j = mesh_.index_of(c, b);
+    const unsigned k = 6 - i - j - mesh_.index_of(c, first);
+    out.cells.push_back(c);
+    out.ring.push_back(first);
+    const FaceRef next = mesh_.mirror(FaceRef(c, mesh_.index_of(c, first)));
+    first = mesh_.vertex(c, k);
+    c = next.cell();
+  } while (c != cell);
+  return true;
+}
+
+FaceRef ConstrainedMesh::face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const {
+  const unsigned i = mesh_.index_of(cell, a), j = mesh_.index_of(cell, b), k = mesh_.index_of(cell, c);
+  const unsigned d = 6 - i - j - k;
+  const FaceRef f(cell, d);
+  // (a,b,c,d) is positive exactly where (i,j,k,d) is an even permutation.
+  return even_completion[i][j][0] == k ? f : mesh_.mirror(f);
+}
+
+FaceRef ConstrainedMesh::find_face(VertexIndex a, VertexIndex b, VertexIndex c) {
+  const CellIndex start = find_edge(a, b);
+  if (start == no_cell) return {};
+  CellIndex cell = start;
+  VertexIndex pivot = mesh_.vertex(cell, even_completion[mesh_.index_of(cell, a)][mesh_.index_of(cell, b)][0]);
+  do {
+    if (mesh_.has_vertex(cell, c)) return face_in_cell(cell, a, b, c);
+    const unsigned i = mesh_.index_of(cell, a), j = mesh_.index_of(cell, b), p = mesh_.index_of(cell, pivot);
+    const VertexIndex next_pivot = mesh_.vertex(cell, 6 - i - j - p);
+    cell = mesh_.neighbor_cell(cell, p);
+    pivot = next_pivot;
+  } while (cell != start);
+  return {};
+}
+
+CellIndex ConstrainedMesh::locate(const Vec3& p, CellIndex start) {
+  CellIndex c = start;
+  const std::size_t limit = 1000 + mesh_.n_slots();
+  for (std::size_t step = 0; step < limit; ++step) {
+    const int ghost = mesh_.ghost_index(c);
+    if (ghost >= 0) return no_cell;
+    const auto& v = mesh_.vertices(c);
+    const unsigned first = random(4);
+    unsigned exit = 4;
+    for (unsigned k = 0; k < 4 && exit == 4; ++k) {
+      const unsigned f = (first + k) & 3u;
+      const auto& l = face_vertices[f];
+      if (orient3d(points_[v[l[0]]], points_[v[l[1]]], points_[v[l[2]]], p) == Sign::negative) exit = f;
+    }
+    if (exit == 4) return c;
+    c = mesh_.neighbor_cell(c, exit);
+  }
+  for (c = 0; c < mesh_.n_slots(); ++c) {
+    if (!mesh_.is_live(c) || mesh_.is_ghost(c)) continue;
+    const auto& v = mesh_.vertices(c);
+    bool inside = true;
+    for (const auto& l : face_vertices)
+      inside = inside && orient3d(points_[v[l[0]]], points_[v[l[1]]], points_[v[l[2]]], p) != Sign::negative;
+    if (inside) return c;
+  }
+  return no_cell;
+}
+
+void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra) {
+  if (journal_depth_ > 0) {
+    journal_.emplace_back();
+    for (CellIndex c : old_cells) journal_.back().removed.push_back(mesh_.vertices(c));
+  }
+  for (CellIndex c : old_cells) mesh_.flags(c) |= cavity_flag;
+  links_.clear();
+  for (CellIndex c : old_cells)
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef outer = mesh_.neighbor(c, i);
+      if (!(mesh_.flags(outer.cell()) & cavity_flag)) links_.push_back({sorted_face(mesh_, FaceRef(c, i)), outer});
+    }
+  for (CellIndex c : old_cells) mesh_.free_cell(c);
+  created_.clear();
+  for (const Tetrahedron& t : tetrahedra) {
+    const CellIndex c = mesh_.add_cell(t);
+    created_.push_back(c);
+    for (unsigned i = 0; i < 4; ++i) links_.push_back({sorted_face(mesh_, FaceRef(c, i)), FaceRef(c, i)});
+    for (VertexIndex v : t) cell_of_[v] = c;
+  }
+  link_created();
+  if (journal_depth_ > 0) journal_.back().created.assign(tetrahedra.begin(), tetrahedra.end());
+}
+
+void ConstrainedMesh::link_created() {
+  std::sort(links_.begin(), links_.end(), [](const LinkEntry& a, const LinkEntry& b) {
+    return a.key != b.key ? a.key < b.key : a.face.code < b.face.code;
+  });
+  GEOMESH_CHECK(links_.size() % 2 == 0);
+  for (std::size_t i = 0; i < links_.size(); i += 2) {
+    GEOMESH_CHECK(links_[i].key == links_[i + 1].key);
+    const FaceRef f = links_[i].face, g = links_[i + 1].face;
+    mesh_.link(f, g);
+    if (is_locked(f) || is_locked(g)) lock(f);
+  }
+}
+
+std::size_t ConstrainedMesh::mark() {
+  ++journal_depth_;
+  return journal_.size();
+}
+
+void ConstrainedMesh::keep() {
+  if (--journal_depth_ == 0) journal_.clear();
+}
+
+void ConstrainedMesh::roll_back(std::size_t mark) {
+  const std::size_t depth = journal_depth_;
+  journal_depth_ = 0;
+  std::vector<CellIndex> cells;
+  while (journal_.size() > mark) {
+    const JournalEntry entry = std::move(journal_.back());
+    journal_.pop_back();
+    cells.clear();
+    // By vertices, as slots are reused: a positive cell (a,b,c,d) is the one above its face a,b,c.
+    for (const Tetrahedron& t : entry.created) cells.push_back(find_face(t[0], t[1], t[2]).cell());
+    replace(cells, entry.removed);
+  }
+  journal_depth_ = depth;
+  keep();
+}
+
+}  // namespace geomesh::recover

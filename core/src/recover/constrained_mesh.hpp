@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The mesh under recovery: cells, vertices, and the one operation by which recovery changes it.
+///
+/// Invariants:
+///   1. every finite cell is exactly positive in the doubles of `points` (nothing is rounded later);
+///   2. bit i of flags(c) is set where face i of c is a recovered subfacet ("locked"), on both of its cells;
+///   3. cell_of(v) is a live cell with v, for every vertex in the mesh;
+///   4. the model lies strictly inside a box of eight auxiliary vertices (`is_box_vertex`), so that every constraint is interior and
+///      ghost cells are never touched.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+#include "recover/flat_map.hpp"
+
+namespace geomesh::recover {
+
+inline constexpr std::uint8_t locked_faces_mask = 0x0F;
+inline constexpr std::uint8_t cavity_flag = 0x80;  ///< set while a replacement runs
+
+/// The cells about an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
+struct EdgeRing {
+  VertexIndex p = no_vertex, q = no_vertex;
+  std::vector<CellIndex> cells;
+  std::vector<VertexIndex> ring;
+};
+
+/// local_edge[i][j]: the other two local vertices k, l such that (i, j, k, l) is an even permutation.
+inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+
+class ConstrainedMesh {
+ public:
+  /// `n_input` vertices of the model come first, then the eight of the box.
+  ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input);
+
+  const TetMesh& cells() const { return mesh_; }
+  const std::vector<Vec3>& points() const { return points_; }
+  const Vec3& point(VertexIndex v) const { return points_[v]; }
+  std::size_t n_input() const { return n_input_; }
+  bool is_box_vertex(VertexIndex v) const { return v >= n_input_ && v < n_input_ + 8; }
+  /// A vertex not yet in any cell.
+  VertexIndex add_point(const Vec3& p);
+  /// Only for vertices whose star the caller has checked (or that is in no cell).
+  void move_point(VertexIndex v, const Vec3& p) { points_[v] = p; }
+  void drop_last_point();
+
+  Sign orient(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
+    return orient3d(points_[a], points_[b], points_[c], points_[d]);
+  }
+  bool positive(const Tetrahedron& t) const { return orient(t[0], t[1], t[2], t[3]) == Sign::positive; }
+
+  CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
+  bool in_mesh(VertexIndex v) const { return cell_of_[v] != no_cell; }
+  void forget(VertexIndex v) { cell_of_[v] = no_cell; }
+
+  bool is_locked(FaceRef f) const { return (mesh_.flags(f.cell()) >> f.face()) & 1u; }
+  void lock(FaceRef f);
+  void unlock(FaceRef f);
+
+  /// All cells with v (ghosts too). The order depends on the mesh alone.
+  void star(VertexIndex v, std::vector<CellIndex>& out);
+  /// Vertices joined with v by an edge, the infinite one left out, sorted.
+  std::vector<VertexIndex> neighbors(VertexIndex v);
+  /// A cell with both vertices, or no_cell. Walks about a towards b, so a must be in the mesh; exact.
+  CellIndex find_edge(VertexIndex a, VertexIndex b);
+  /// The cells about edge a-b, `cell` being one. False where a ghost is among them.
+  bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
+  /// The face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
+  FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
+  /// As find_face, for one given cell with all three.
+  FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
+
+  /// A finite cell that has p inside or on its boundary, walking from `start`; no_cell where p is outside the box. Exact.
+  CellIndex locate(const Vec3& p, CellIndex start);
+
+  /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks on the boundary are kept, locks
+  /// inside the old set are lost. The caller answers for positivity. Indices of the new cells: last_created(). O(k log k).
+  void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
+  const std::vector<CellIndex>& last_created() const { return created_; }
+
+  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
+  std::size_t mark();
+  void roll_back(std::size_t mark);
+  /// Ends what mark() began, keeping the changes.
+  void keep();
+
+  /// Deterministic source of direction choices in walks.
+  unsigned random(unsigned n) {
+    seed_ = seed_ * 1664525u + 1013904223u;
+    return (seed_ >> 16) % n;
+  }
+
+ private:
+  struct JournalEntry {
+    std::vector<Tetrahedron> created;
+    std::vector<Tetrahedron> removed;
+  };
+  struct LinkEntry {
+    Triangle key;
+    FaceRef face;
+  };
+
+  void link_created();
+
+  TetMesh mesh_;
+  std::vector<Vec3> points_;
+  std::vector<CellIndex> cell_of_;
+  std::size_t n_input_;
+  std::vector<JournalEntry> journal_;
+  std::size_t journal_depth_ = 0;
+  std::vector<CellIndex> created_;
+  std::vector<LinkEntry> links_;
+  std::vector<std::uint32_t> visited_;
+  std::uint32_t epoch_ = 0;
+  std::uint32_t seed_ = 1;
+};
+
+}  // namespace geomesh::recover

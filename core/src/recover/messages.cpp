@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "recover/messages.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace geomesh::recover {
+
+namespace {
+
+std::string coordinates(const Vec3& p) {
+  char text[100];
+  std::snprintf(text, sizeof text, "(%.17g, %.17g, %.17g)", p.x, p.y, p.z);
+  return text;
+}
+
+std::string list(const std::vector<Index>& facets) {
+  std::string out = facets.size() == 1 ? "facet " : "facets ";
+  for (std::size_t i = 0; i < facets.size() && i < 8; ++i) out += (i ? ", " : "") + std::to_string(facets[i]);
+  return out;
+}
+
+/// A contradiction among input vertices is the input's fault; one that involves added vertices comes of rounding them.
+ErrorKind kind_for(const Recovery& recovery, std::initializer_list<VertexIndex> vertices) {
+  return all_input(recovery, vertices) ? ErrorKind::invalid_input : ErrorKind::cannot_mesh;
+}
+
+const char* advice(ErrorKind kind) {
+  return kind == ErrorKind::invalid_input
+             ? "; facets and segments may meet only in shared vertices and edges: intersect the surfaces first"
+             : "; the geometry there is too thin for double precision: move or merge what nearly touches";
+}
+
+ErrorContext context_of(const Recovery& recovery, std::vector<Index> facets, std::initializer_list<VertexIndex> vertices) {
+  ErrorContext out;
+  out.facets = std::move(facets);
+  for (VertexIndex v : vertices) {
+    out.places.push_back(recovery.mesh.point(v));
+    if (recovery.input_vertex[v] != no_vertex) out.vertices.push_back(recovery.input_vertex[v]);
+  }
+  return out;
+}
+
+std::vector<Index> join(std::vector<Index> a, const std::vector<Index>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end());
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+}  // namespace
+
+bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return v < recovery.mesh.n_input(); });
+}
+
+std::string describe_vertex(const Recovery& recovery, VertexIndex v) {
+  const VertexIndex row = v < recovery.input_vertex.size() ? recovery.input_vertex[v] : no_vertex;
+  return (row != no_vertex ? "vertex " + std::to_string(row) : "an added vertex") + " at " + coordinates(recovery.mesh.point(v));
+}
+
+std::string describe_edge(const Recovery& recovery, VertexIndex a, VertexIndex b) {
+  return "from " + describe_vertex(recovery, a) + " to " + describe_vertex(recovery, b);
+}
+
+std::string describe_subfacet(const Recovery& recovery, Index subfacet) {
+  const Subfacet& f = recovery.constraints.subfacets[subfacet];
+  return "facet " + std::to_string(f.facet) + " (" + describe_vertex(recovery, f.vertices[0]) + ", " +
+         describe_vertex(recovery, f.vertices[1]) + ", " + describe_vertex(recovery, f.vertices[2]) + ")";
+}
+
+std::vector<Index> facets_of_subsegment(const Recovery& recovery, Index subsegment) {
+  std::vector<Index> out;
+  for (Index f : recovery.constraints.subsegments[subsegment].subfacets) out.push_back(recovery.constraints.subfacets[f].facet);
+  return join(std::move(out), {});
+}
+
+void fail_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment) {
+  const Subsegment& s = recovery.constraints.subsegments[subsegment];
+  const ErrorKind kind = kind_for(recovery, {v, s.a, s.b});
+  const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
+  throw Error(kind,
+              describe_vertex(recovery, v) + " lies on the segment " + describe_edge(recovery, s.a, s.b) +
+                  (facets.empty() ? "" : " of " + list(facets)) + " without being declared part of it" + advice(kind),
+              context_of(recovery, facets, {v, s.a, s.b}));
+}
+
+void fail_segments_cross(const Recovery& recovery, Index si, Index ti) {
+  const Subsegment& s = recovery.constraints.subsegments[si];
+  const Subsegment& t = recovery.constraints.subsegments[ti];
+  const ErrorKind kind = kind_for(recovery, {s.a, s.b, t.a, t.b});
+  const std::vector<Index> facets = join(facets_of_subsegment(recovery, si), facets_of_subsegment(recovery, ti));
+  throw Error(kind,
+              "the segments " + describe_edge(recovery, s.a, s.b) + " and " + describe_edge(recovery, t.a, t.b) + " cross" +
+                  (facets.empty() ? "" : " (" + list(facets) + ")") + advice(kind),
+              context_of(recovery, facets, {s.a, s.b, t.a, t.b}));
+}
+
+void fail_vertex_on_facet(const Recovery& recovery, VertexIndex v, Index subfacet) {
+  const Subfacet& f = recovery.constraints.subfacets[subfacet];
+  const ErrorKind kind = kind_for(recovery, {v, f.vertices[0], f.vertices[1], f.vertices[2]});
+  throw Error(kind,
+              describe_vertex(recovery, v) + " lies inside " + describe_subfacet(recovery, subfacet) +
+                  " without being declared part of it" + advice(kind),
+              context_of(recovery, {f.facet}, {v, f.vertices[0], f.vertices[1], f.vertices[2]}));
+}
+
+void fail_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet) {
+  const Subfacet& f = recovery.constraints.subfacets[subfacet];
+  const Subsegment& s = recovery.constraints.subsegments[subsegment];
+  const ErrorKind kind = kind_for(recovery, {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]});
+  const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
+  throw Error(kind,
+              "the segment " + describe_edge(recovery, s.a, s.b) + (facets.empty() ? "" : " of " + list(facets)) + " pierces " +
+                  describe_subfacet(recovery, subfacet) + advice(kind),
+              context_of(recovery, join({f.facet}, facets), {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]}));
+}
+
+void fail_segment_not_recovered(const Recovery& recovery, Index subsegment) {
+  const Subsegment& s = recovery.constraints.subsegments[subsegment];
+  const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
+  throw Error(ErrorKind::cannot_mesh,
+              "the segment " + describe_edge(recovery, s.a, s.b) + (facets.empty() ? "" : " of " + list(facets)) +
+                  " cannot be recovered: no double near it makes positive cells" + advice(ErrorKind::cannot_mesh),
+              context_of(recovery, facets, {s.a, s.b}));
+}
+
+void fail_facet_not_recovered(const Recovery& recovery, Index subfacet) {
+  const Subfacet& f = recovery.constraints.subfacets[subfacet];
+  throw Error(ErrorKind::cannot_mesh,
+              describe_subfacet(recovery, subfacet) + " cannot be recovered: no double near it makes positive cells" +
+                  advice(ErrorKind::cannot_mesh),
+              context_of(recovery, {f.facet}, {f.vertices[0], f.vertices[1], f.vertices[2]}));
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The stages of recovery in constrained mode, in the paper's order (section 3): segments, facets, what is still missing. All work is
+/// local to what is missing.
+#pragma once
+
+#include "geomesh/core/plc.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "recover/constrained_mesh.hpp"
+#include "recover/constraints.hpp"
+#include "recover/edge_removal.hpp"
+
+namespace geomesh::recover {
+
+/// What every stage works on.
+struct Recovery {
+  ConstrainedMesh& mesh;
+  Constraints& constraints;
+  RecoveryStatistics& statistics;
+  const RunContext& context;
+  /// Row in plc.points per vertex (no_vertex where added), for messages.
+  const std::vector<VertexIndex>& input_vertex;
+};
+
+/// Every live subsegment is an edge of the mesh afterwards: flips first (segments_by_flips.cpp), then points on segments
+/// (segments_by_points.cpp). Throws Error{invalid_input} where a vertex lies on a segment or two segments cross.
+void recover_segments(Recovery& recovery);
+
+/// Tries flips alone to make a-b an edge. False: still missing.
+bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth);
+
+/// Every live subfacet is a locked face of the mesh afterwards; all subsegments are present before and after. Flips first, then points
+/// where mesh edges pierce the facet. Throws Error{invalid_input} where a segment or a vertex pierces a facet.
+void recover_facets(Recovery& recovery);
+
+/// Counts declared simplices that are not in the mesh.
+std::size_t count_missing_subsegments(Recovery& recovery);
+std::size_t count_missing_subfacets(Recovery& recovery);
+
+/// The cells as they are at the end satisfy every invariant of ConstrainedMesh and hold every constraint; throws InternalError else.
+void validate_recovered(Recovery& recovery);
+
+}  // namespace geomesh::recover

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+/// Segments that flips do not recover get points. The stepping insertion always ends: the point stands where the line first crosses the
+/// mesh, so that the part before it is an edge and the part behind it crosses one simplex less.
+#include <algorithm>
+#include <cmath>
+
+#include "recover/crossing.hpp"
+#include "recover/messages.hpp"
+#include "recover/recover.hpp"
+#include "recover/star_insertion.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// Parameter on a-b where the line meets the plane of p, q, r; floating point is enough, as membership is declared.
+double plane_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r) {
+  const Vec3 n = cross(q - p, r - p);
+  const double da = dot(n, a - p), db = dot(n, b - p);
+  return da == db ? 0.5 : da / (da - db);
+}
+
+/// Parameter on a-b nearest to the line p-q.
+double line_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
+  const Vec3 u = b - a, v = q - p, w = a - p;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), d = uu * vv - uv * uv;
+  return d == 0 ? 0.5 : (uv * dot(v, w) - vv * dot(u, w)) / d;
+}
+
+double crossing_parameter(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& a, const Vec3& b) {
+  const Vec3 &p = mesh.point(c.v[0]), &q = mesh.point(c.v[1]);
+  return c.kind == CrossingKind::edge ? line_parameter(a, b, p, q) : plane_parameter(a, b, p, q, mesh.point(c.v[2]));
+}
+
+Vec3 on_segment(const Vec3& a, const Vec3& b, double t) { return t <= 0.5 ? a + t * (b - a) : b + (1 - t) * (a - b); }
+
+/// The cells of the simplex crossed: two of a face, all of an edge.
+std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing& c) {
+  if (c.kind == CrossingKind::face) return {c.cell, mesh.cells().mirror(c.face).cell()};
+  EdgeRing ring;
+  if (!mesh.ring(c.cell, c.v[0], c.v[1], ring)) return {};
+  return ring.cells;
+}
+
+bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& seeds, VertexIndex& x) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  x = mesh.add_point(p);
+  if (!seeds.empty() && insert_in_star(mesh, recovery.constraints, x, seeds)) return true;
+  const CellIndex start = seeds.empty() ? mesh.cell_of(0) : seeds[0];
+  const CellIndex at = mesh.locate(p, start);
+  if (at != no_cell && insert_in_star(mesh, recovery.constraints, x, cells_about(mesh, p, at))) return true;
+  mesh.drop_last_point();
+  return false;
+}
+
+/// A point on the missing subsegment: in its middle for the first halvings, then where the line first crosses the mesh.
+VertexIndex insert_on_segment(Recovery& recovery, Index s, unsigned halvings) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  const VertexIndex a = recovery.constraints.subsegments[s].a, b = recovery.constraints.subsegments[s].b;
+  const Vec3 pa = mesh.point(a), pb = mesh.point(b);
+  VertexIndex x = no_vertex;
+  const Crossing from_a = first_crossing(mesh, a, b), from_b = first_crossing(mesh, b, a);
+  const double ta = crossing_parameter(mesh, from_a, pa, pb), tb = 1 - crossing_parameter(mesh, from_b, pb, pa);
+  const bool a_is_nearer_middle = std::fabs(ta - 0.5) <= std::fabs(tb - 0.5);
+  const std::vector<CellIndex> cells_a = crossed_cells(mesh, from_a), cells_b = crossed_cells(mesh, from_b);
+  if (halvings < 2 && try_point(recovery, on_segment(pa, pb, 0.5), {from_a.cell}, x)) return x;
+  const double first = a_is_nearer_middle ? ta : tb, second = a_is_nearer_middle ? tb : ta;
+  if (try_point(recovery, on_segment(pa, pb, first), a_is_nearer_middle ? cells_a : cells_b, x)) return x;
+  if (try_point(recovery, on_segment(pa, pb, second), a_is_nearer_middle ? cells_b : cells_a, x)) return x;
+  for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
+    if (try_point(recovery, on_segment(pa, pb, t), {from_a.cell}, x)) return x;
+  return no_vertex;
+}
+
+struct Missing {
+  Index subsegment;
+  unsigned halvings;
+};
+
+void recover_by_points(Recovery& recovery, Missing first) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  Constraints& constraints = recovery.constraints;
+  std::vector<Missing> stack{first};
+  while (!stack.empty()) {
+    const Missing item = stack.back();
+    stack.pop_back();
+    if (!constraints.subsegments[item.subsegment].live) continue;
+    const Subsegment s = constraints.subsegments[item.subsegment];
+    // Deep flips may bring back what points have removed; beyond a few halvings points alone step on, which ends.
+    const unsigned depth = item.halvings < 6 ? 3 : 0;
+    if (mesh.find_edge(s.a, s.b) != no_cell) continue;
+    if (item.halvings < 12 && recover_segment_by_flips(recovery, s.a, s.b, depth)) continue;
+    const VertexIndex x = insert_on_segment(recovery, item.subsegment, item.halvings);
+    if (x == no_vertex) fail_segment_not_recovered(recovery, item.subsegment);
+    const bool inside_facet = s.segment == no_index;
+    constraints.vertices.resize(mesh.points().size());
+    constraints.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment, inside_facet ? s.facet : s.segment};
+    const auto split = constraints.split_subsegment(item.subsegment, x);
+    for (Index inner : split.inner) stack.push_back({inner, item.halvings});
+    stack.push_back({split.second, item.halvings + 1});
+    stack.push_back({split.first, item.halvings + 1});
+  }
+}
+
+}  // namespace
+
+std::size_t count_missing_subsegments(Recovery& recovery) {
+  std::size_t n = 0;
+  for (const Subsegment& s : recovery.constraints.subsegments)
+    if (s.live && recovery.mesh.find_edge(s.a, s.b) == no_cell) ++n;
+  return n;
+}
+
+void recover_segments(Recovery& recovery) {
+  Constraints& constraints = recovery.constraints;
+  std::vector<Index> missing;
+  for (Index s = 0; s < constraints.subsegments.size(); ++s)
+    if (recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell) missing.push_back(s);
+  recovery.statistics.missing_edges_initial = missing.size();
+  std::size_t n_missing_before = missing.size();
+  for (unsigned depth : {0u, 1u, 2u, 3u}) {
+    recovery.context.check_cancelled();
+    std::erase_if(missing, [&](Index s) {
+      return recover_segment_by_flips(recovery, constraints.subsegments[s].a, constraints.subsegments[s].b, depth);
+    });
+  }
+  for (Index s : missing) {
+    recovery.context.check_cancelled();
+    recover_by_points(recovery, {s, 0});
+  }
+  recovery.statistics.edges_reinserted += n_missing_before;
+}
+
+}  // namespace geomesh::recover

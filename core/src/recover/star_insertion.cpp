@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "recover/star_insertion.hpp"
+
+#include <algorithm>
+
+namespace geomesh::recover {
+
+namespace {
+
+constexpr std::size_t max_cavity = 400;
+
+bool contains(std::span<const CellIndex> cells, CellIndex c) { return std::find(cells.begin(), cells.end(), c) != cells.end(); }
+
+/// Boundary faces as (f0, f1, f2, x), or false where the cavity has to grow over `*grow` (no_cell: it cannot).
+bool stellate(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, VertexIndex x, std::vector<Tetrahedron>& out,
+              CellIndex& grow) {
+  const TetMesh& cells = mesh.cells();
+  out.clear();
+  grow = no_cell;
+  for (CellIndex c : cavity)
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef f(c, i);
+      const CellIndex n = cells.neighbor_cell(c, i);
+      if (contains(cavity, n)) {
+        if (mesh.is_locked(f)) return false;
+        continue;
+      }
+      const auto& v = cells.vertices(c);
+      const auto& l = face_vertices[i];
+      const Tetrahedron t{v[l[0]], v[l[1]], v[l[2]], x};
+      if (mesh.positive(t)) {
+        out.push_back(t);
+      } else {
+        if (!mesh.is_locked(f) && !cells.is_ghost(n)) grow = n;
+        return false;
+      }
+    }
+  return true;
+}
+
+/// Whether every vertex and subsegment of the cavity (but `split`) is on its boundary.
+bool keeps_constraints(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const CellIndex> cavity,
+                       std::span<const Tetrahedron> star, Index split) {
+  std::vector<std::array<VertexIndex, 2>> kept;
+  std::vector<VertexIndex> vertices;
+  for (const Tetrahedron& t : star)
+    for (unsigned i = 0; i < 3; ++i) {
+      kept.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+      vertices.push_back(t[i]);
+    }
+  std::sort(kept.begin(), kept.end());
+  std::sort(vertices.begin(), vertices.end());
+  for (CellIndex c : cavity)
+    for (const auto& e : edge_vertices) {
+      const VertexIndex a = mesh.cells().vertex(c, e[0]), b = mesh.cells().vertex(c, e[1]);
+      if (!std::binary_search(vertices.begin(), vertices.end(), a)) return false;
+      if (!std::binary_search(vertices.begin(), vertices.end(), b)) return false;
+      const std::array<VertexIndex, 2> key{std::min(a, b), std::max(a, b)};
+      if (std::binary_search(kept.begin(), kept.end(), key)) continue;
+      const Index s = constraints.subsegment_of(a, b);
+      if (s != no_index && s != split) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x, std::span<const CellIndex> seeds, Index split) {
+  std::vector<CellIndex> cavity(seeds.begin(), seeds.end());
+  std::vector<Tetrahedron> star;
+  CellIndex grow = no_cell;
+  while (!stellate(mesh, cavity, x, star, grow)) {
+    if (grow == no_cell || cavity.size() >= max_cavity) return false;
+    cavity.push_back(grow);
+  }
+  if (!keeps_constraints(mesh, constraints, cavity, star, split)) return false;
+  mesh.replace(cavity, star);
+  return true;
+}
+
+std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell) {
+  const TetMesh& cells = mesh.cells();
+  std::vector<CellIndex> out{cell};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto v = cells.vertices(out[i]);
+    for (unsigned f = 0; f < 4; ++f) {
+      const auto& l = face_vertices[f];
+      if (orient3d(mesh.point(v[l[0]]), mesh.point(v[l[1]]), mesh.point(v[l[2]]), p) != Sign::zero) continue;
+      const CellIndex n = cells.neighbor_cell(out[i], f);
+      if (!cells.is_ghost(n) && !contains(out, n)) out.push_back(n);
+    }
+  }
+  return out;
+}
+
+}  // namespace geomesh::recover
