@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "plc_reader.hpp"
+#include "recovered_mesh_checks.hpp"
+
+using namespace geomesh;
+
+namespace {
+
+/// Reports and returns false where the outside data are not there.
+bool have_shared_data() {
+  if (std::filesystem::exists(GEOMESH_SHARED_DATA "/classic")) return true;
+  WARN("skipped: no outside data in " GEOMESH_SHARED_DATA);
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("classic adversarial models are meshed", "[recover][shared]") {
+  if (!have_shared_data()) return;
+  for (const char* name : {"schonhardt.off", "schonhardt_5.off", "schonhardt_59.off", "chazelle_slits_2.poly", "chazelle_slits_4.poly",
+                           "chazelle_slits_8.poly", "lattice_3.poly", "lattice_8.poly", "pillar_holes_regions.poly",
+                           "schonhardt_in_box_hole.poly", "schonhardt_in_box_regions.poly", "wedge_0.01deg.poly", "wedge_1deg.poly",
+                           "wedge_1e-6.poly"}) {
+    INFO(name);
+    CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/classic/") + name)) == "");
+  }
+}
+
+TEST_CASE("solids are meshed", "[recover][shared]") {
+  if (!have_shared_data()) return;
+  for (const char* name : {"bunny25k.obj", "cow25k.obj", "sphere1.obj", "sphere2.obj", "res.obj", "bamboo_pen.obj", "cube_minus_sphere.obj",
+                           "humanoid.off", "soccerball.obj", "1002_tray_bottom.STL", "7_8ths_cube.stl", "round.stl", "shared.STL",
+                           "multibody.stl", "ballA.off", "ballB.off"}) {
+    INFO(name);
+    CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name)) == "");
+  }
+}
+
+TEST_CASE("crossing facets are refused with both named", "[recover][shared]") {
+  if (!have_shared_data()) return;
+  for (const char* name : {"two_spheres.obj", "Gravgen.obj"}) {
+    INFO(name);
+    try {
+      tetrahedralize(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name));
+      FAIL("crossing facets were meshed");
+    } catch (const Error& e) {
+      CHECK(e.kind() == ErrorKind::invalid_input);
+      CHECK(e.context().facets.size() >= 2);
+      CHECK(!e.context().places.empty());
+    }
+  }
+}
