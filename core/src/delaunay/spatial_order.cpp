@@ -2,85 +2,176 @@
 #include "delaunay/spatial_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cstdint>
+#include <utility>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
 
 namespace geomesh {
 namespace {
 
-/// Hilbert index of a cell of a 2^bits grid in 3D (Skilling 2004, "Programming the Hilbert curve").
-std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x, int bits) {
-  for (std::uint32_t q = 1u << (bits - 1); q > 1; q >>= 1) {
-    const std::uint32_t p = q - 1;
-    for (auto& xi : x) {
-      if (xi & q) {
-        x[0] ^= p;
-      } else {
-        const std::uint32_t t = (x[0] ^ xi) & p;
-        x[0] ^= t;
-        xi ^= t;
+/// The Hilbert curve in 3D as a finite automaton (Hamilton 2006, "Compact Hilbert indices", algorithm 2): a state is the entry corner
+/// and the axis of the curve in the current octant; a step maps an octant's bits to its rank on the curve and to the next state.
+struct HilbertAutomaton {
+  std::array<std::array<std::uint8_t, 8>, 24> rank{};
+  std::array<std::array<std::uint8_t, 8>, 24> next{};
+};
+
+constexpr unsigned rotate_left(unsigned x, unsigned k) { return (x << k | x >> (3 - k)) & 7u; }
+
+constexpr HilbertAutomaton make_automaton() {
+  HilbertAutomaton a;
+  for (unsigned entry = 0; entry < 8; ++entry)
+    for (unsigned axis = 0; axis < 3; ++axis)
+      for (unsigned octant = 0; octant < 8; ++octant) {
+        const unsigned turn = (axis + 1) % 3;
+        const unsigned gray = rotate_left(octant ^ entry, (3 - turn) % 3);
+        const unsigned w = gray ^ gray >> 1 ^ gray >> 2;
+        const unsigned even = w == 0 ? 0 : (w - 1) / 2 * 2;
+        const unsigned corner = w == 0 ? 0 : even ^ even >> 1;
+        const unsigned run = w == 0 ? 0 : static_cast<unsigned>(std::countr_one(w % 2 == 0 ? w - 1 : w)) % 3;
+        const unsigned state = 3 * entry + axis;
+        a.rank[state][octant] = static_cast<std::uint8_t>(w);
+        a.next[state][octant] = static_cast<std::uint8_t>(3 * (entry ^ rotate_left(corner, turn)) + (axis + run + 1) % 3);
       }
-    }
-  }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  std::uint32_t t = 0;
-  for (std::uint32_t q = 1u << (bits - 1); q > 1; q >>= 1)
-    if (x[2] & q) t ^= q - 1;
-  for (auto& xi : x) xi ^= t;
-  std::uint64_t index = 0;
-  for (int b = bits - 1; b >= 0; --b)
-    for (const auto xi : x) index = index << 1 | (xi >> b & 1u);
-  return index;
+  return a;
 }
 
-/// A well mixed hash of the coordinates: decides the round, so that the order does not depend on the numbering.
+constexpr HilbertAutomaton hilbert = make_automaton();
+
+/// Places of points on the curve that fills the cube about their box, 2^levels cells a side.
+class HilbertPlaces {
+ public:
+  HilbertPlaces(std::span<const Vec3> points, std::span<const VertexIndex> subset, int levels) : levels_(levels) {
+    Box3 box;
+    for (const VertexIndex v : subset) box.add(points[v]);
+    low_ = box.min;
+    extent_ = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+    scale_ = extent_ > 0 ? 0x0.fffffffp0 * static_cast<double>(std::uint32_t{1} << levels) / extent_ : 0;
+  }
+  bool single_place() const { return !(extent_ > 0); }
+  std::uint64_t operator()(const Vec3& p) const {
+    const auto x = static_cast<std::uint32_t>((p.x - low_.x) * scale_), y = static_cast<std::uint32_t>((p.y - low_.y) * scale_),
+               z = static_cast<std::uint32_t>((p.z - low_.z) * scale_);
+    std::uint64_t place = 0;
+    unsigned state = 0;
+    for (int b = levels_ - 1; b >= 0; --b) {
+      const unsigned octant = (x >> b & 1u) | (y >> b & 1u) << 1 | (z >> b & 1u) << 2;
+      place = place << 3 | hilbert.rank[state][octant];
+      state = hilbert.next[state][octant];
+    }
+    return place;
+  }
+
+ private:
+  int levels_;
+  Vec3 low_;
+  double extent_, scale_;
+};
+
+/// About 2^6 cells of the curve a point.
+int levels_for(std::size_t n) { return std::clamp((static_cast<int>(std::bit_width(n)) + 2) / 3 + 2, 3, 11); }
+
+/// A well mixed hash of the coordinates (-0 as 0).
 std::uint64_t coordinate_hash(const Vec3& p) {
   std::uint64_t h = 0x9E3779B97F4A7C15ull;
-  for (std::size_t i = 0; i < 3; ++i) {
-    h ^= std::bit_cast<std::uint64_t>(p[i] + 0.0);
-    h *= 0xBF58476D1CE4E5B9ull;
-    h ^= h >> 31;
-    h *= 0x94D049BB133111EBull;
-    h ^= h >> 29;
+  for (const double x : {p.x, p.y, p.z}) {
+    h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0xBF58476D1CE4E5B9ull;
+    h ^= h >> 32;
   }
-  return h;
+  h *= 0x94D049BB133111EBull;
+  return h ^ h >> 29;
+}
+
+// An item is a key in the high bits and a position below 2^28 in the low ones.
+constexpr int index_bits = 28;
+constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
+constexpr unsigned n_rounds = 8;
+
+/// Stable sort by the key's low `bits` bits: least significant digit first.
+void radix_sort(std::vector<std::uint64_t>& items, int bits) {
+  constexpr int digit = 12;
+  std::vector<std::uint64_t> other(items.size());
+  std::vector<std::size_t> start(std::size_t{1} << digit);
+  for (int shift = index_bits; shift < index_bits + bits; shift += digit) {
+    std::fill(start.begin(), start.end(), 0);
+    for (const std::uint64_t x : items) ++start[x >> shift & (start.size() - 1)];
+    std::size_t sum = 0;
+    for (std::size_t& s : start) sum += std::exchange(s, sum);
+    for (const std::uint64_t x : items) other[start[x >> shift & (start.size() - 1)]++] = x;
+    items.swap(other);
+  }
+}
+
+void sort_small(std::span<const Vec3> points, std::span<VertexIndex> run) {
+  std::sort(run.begin(), run.end(), [&](VertexIndex a, VertexIndex b) {
+    const int c = compare_lexicographic(points[a], points[b]);
+    return c != 0 ? c < 0 : a < b;
+  });
+}
+
+/// Orders points that share a cell of a coarser curve by a curve of their own.
+void refine_run(std::span<const Vec3> points, std::span<VertexIndex> run) {
+  if (run.size() <= 4) return sort_small(points, run);
+  const HilbertPlaces place(points, run, levels_for(run.size()));
+  if (place.single_place()) return sort_small(points, run);
+  std::vector<std::pair<std::uint64_t, VertexIndex>> items;
+  items.reserve(run.size());
+  for (const VertexIndex v : run) items.emplace_back(place(points[v]), v);
+  std::sort(items.begin(), items.end());
+  for (std::size_t i = 0; i < run.size(); ++i) run[i] = items[i].second;
+  for (std::size_t i = 0, j; i < run.size(); i = j) {
+    for (j = i + 1; j < run.size() && items[j].first == items[i].first;) ++j;
+    if (j - i > 1) refine_run(points, run.subspan(i, j - i));
+  }
+}
+
+/// Cuts the curve where the largest round has equal shares, and gives each point the number of its part.
+void assign_places(const std::vector<std::uint64_t>& items, std::uint64_t place_mask, SpatialOrder& result) {
+  const std::size_t first = result.round_begin[result.round_begin.size() - 2], n = items.size() - first;
+  std::vector<std::uint64_t> cut;
+  for (unsigned i = 1; i < SpatialOrder::n_places; ++i)
+    cut.push_back(items[first + n * i / SpatialOrder::n_places] >> index_bits & place_mask);
+  result.place.resize(items.size());
+  for (std::size_t r = 0; r + 1 < result.round_begin.size(); ++r) {
+    std::size_t part = 0;
+    for (std::size_t i = result.round_begin[r]; i < result.round_begin[r + 1]; ++i) {
+      const std::uint64_t key = items[i] >> index_bits & place_mask;
+      while (part < cut.size() && cut[part] <= key) ++part;
+      result.place[i] = static_cast<std::uint16_t>(part);
+    }
+  }
 }
 
 }  // namespace
 
-std::vector<VertexIndex> spatial_order(std::span<const Vec3> points, std::vector<VertexIndex> subset) {
-  constexpr int bits = 20;
-  Box3 box;
-  for (const VertexIndex v : subset) box.add(points[v]);
-  Vec3 scale;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double extent = box.max[i] - box.min[i];
-    scale[i] = extent > 0 ? ((1 << bits) - 1) / extent : 0;
+SpatialOrder spatial_order(std::span<const Vec3> points) {
+  GEOMESH_CHECK(points.size() <= index_mask);
+  SpatialOrder result;
+  result.order.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) result.order[i] = static_cast<VertexIndex>(i);
+  const int levels = levels_for(points.size());
+  const HilbertPlaces place(points, result.order, levels);
+  std::vector<std::uint64_t> items(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto zeros = static_cast<unsigned>(std::countr_zero(coordinate_hash(points[i]) | std::uint64_t{1} << 3 * (n_rounds - 1)) / 3);
+    const std::uint64_t round = n_rounds - 1 - zeros;
+    items[i] = (round << 3 * levels | place(points[i])) << index_bits | i;
   }
-  struct Key {
-    std::uint64_t round_and_place;
-    VertexIndex v;
-  };
-  std::vector<Key> keys;
-  keys.reserve(subset.size());
-  // A round holds 7/8 of what is left: the last round is the largest, and comes last.
-  for (const VertexIndex v : subset) {
-    const Vec3& p = points[v];
-    const auto zeros = static_cast<std::uint64_t>(std::countr_zero(coordinate_hash(p) | (1ull << 24)) / 3);
-    std::array<std::uint32_t, 3> cell;
-    for (std::size_t i = 0; i < 3; ++i) cell[i] = static_cast<std::uint32_t>((p[i] - box.min[i]) * scale[i]);
-    keys.push_back({(8 - zeros) << 60 | hilbert_index(cell, bits), v});
+  radix_sort(items, 3 * levels + 3);
+  for (std::size_t i = 0; i < items.size(); ++i) result.order[i] = static_cast<VertexIndex>(items[i] & index_mask);
+  result.round_begin.push_back(0);
+  for (std::size_t i = 1; i < items.size(); ++i)
+    if (items[i] >> (index_bits + 3 * levels) != items[i - 1] >> (index_bits + 3 * levels)) result.round_begin.push_back(i);
+  if (!items.empty()) result.round_begin.push_back(items.size());
+  if (!items.empty()) assign_places(items, (std::uint64_t{1} << 3 * levels) - 1, result);
+  for (std::size_t i = 0, j; i < items.size(); i = j) {
+    for (j = i + 1; j < items.size() && items[j] >> index_bits == items[i] >> index_bits;) ++j;
+    if (j - i > 1) refine_run(points, std::span(result.order).subspan(i, j - i));
   }
-  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-    if (a.round_and_place != b.round_and_place) return a.round_and_place < b.round_and_place;
-    const Vec3 &p = points[a.v], &q = points[b.v];
-    if (p.x != q.x) return p.x < q.x;
-    if (p.y != q.y) return p.y < q.y;
-    return p.z < q.z;
-  });
-  for (std::size_t i = 0; i < keys.size(); ++i) subset[i] = keys[i].v;
-  return subset;
+  return result;
 }
 
 }  // namespace geomesh

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Insertion order: biased randomized insertion order (Amenta, Choi and Rote 2003) with a Hilbert curve inside each round.
+/// The order of insertion: rounds of growing size (BRIO, Amenta, Choi and Rote 2003), each along a Hilbert curve.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,7 +12,17 @@
 
 namespace geomesh {
 
-/// Permutation of `subset` (rows of points). Deterministic; depends on the coordinates only. O(n log n).
-std::vector<VertexIndex> spatial_order(std::span<const Vec3> points, std::vector<VertexIndex> subset);
+struct SpatialOrder {
+  std::vector<VertexIndex> order;
+  std::vector<std::size_t> round_begin;  ///< positions in `order`; one more entry than rounds
+  /// Per position: place along the curve in `n_places` parts that hold about as many points each, over all rounds.
+  std::vector<std::uint16_t> place;
+  static constexpr unsigned n_places = 4096;
+};
+
+/// Depends on the coordinates alone, but for equal points, which stand by index. A round holds 7/8 of the points that the later rounds
+/// leave. The curve is refined where points crowd, so that clusters of any density are ordered within. O(n) on points that are spread
+/// evenly, O(n log n) else. At most 2^28 points.
+SpatialOrder spatial_order(std::span<const Vec3> points);
 
 }  // namespace geomesh

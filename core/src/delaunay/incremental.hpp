@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1): the first simplex
+/// with its ghosts, point location, ownership of cells in parallel runs. The algorithms derive from it: cavity_insertion.hpp and flip_insertion.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+#include "delaunay/point_record.hpp"
+#include "delaunay/slots.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+
+namespace geomesh {
+
+enum class InsertionOutcome {
+  inserted,
+  duplicate,  ///< equals a vertex: IncrementalTriangulation::twin()
+  too_near,   ///< nearer to a vertex than the cluster distance; nothing changed
+  not_owned,  ///< the work would touch cells of another part; nothing changed
+};
+
+/// Part [first, end) of the Hilbert curve that one insertion may change cells of; cells with a vertex elsewhere are only read.
+struct Ownership {
+  std::uint16_t first = 0, end = 0xFFFF;
+};
+
+/// Inside the stage, vertices are positions in insertion order, and the infinite vertex is the one after the last.
+template <class Space, bool Shared>
+class IncrementalTriangulation {
+ public:
+  static constexpr unsigned dimension = Space::dimension;
+  static constexpr unsigned n_faces = dimension + 1;
+  using Mesh = SimplexMesh<Space::dimension>;
+  using Cell = typename Mesh::Cell;
+  using CellVertices = typename Mesh::CellVertices;
+  static constexpr std::uint8_t ghost_flag = 1, cavity_flag = 2;
+
+  IncrementalTriangulation(Mesh& mesh, const Space& space, SlotSource slots, Ownership owned = {})
+      : mesh_(mesh), space_(space), slots_(std::move(slots)), owned_(owned), infinite_(space.infinite()) {
+    refresh();
+  }
+
+  /// First simplex of an empty mesh: affinely independent vertices, positively oriented.
+  void start(const CellVertices& first);
+
+  void set_hint(CellIndex c) { hint_ = c; }
+  CellIndex hint() const { return hint_; }
+  VertexIndex twin() const { return twin_; }
+  std::size_t walk_steps() const { return walk_steps_; }
+  const Space& space() const { return space_; }
+  const SlotSource& slots() const { return slots_; }
+  SlotSource& slots() { return slots_; }
+
+ protected:
+  /// A cell in conflict with p: the cell that contains it, or the ghost of a hull face that it lies beyond. no_cell where the walk
+  /// leaves the owned part.
+  CellIndex walk(const Vec3& p);
+  /// Vertex of c equal to p, or no_vertex.
+  VertexIndex equal_vertex(const CellVertices& v, const Vec3& p) const;
+
+  bool owns(VertexIndex v) const {
+    if constexpr (!Shared) return true;
+    if (v == infinite_) return true;
+    const std::uint16_t place = space_.record(v).place;
+    return owned_.first <= place && place < owned_.end;
+  }
+  bool owns_cell(const CellVertices& v) const {
+    if constexpr (!Shared) return true;
+    for (const VertexIndex u : v)
+      if (!owns(u)) return false;
+    return true;
+  }
+  bool is_ghost(const CellVertices& v) const {
+    bool r = false;
+    for (const VertexIndex u : v) r |= u == infinite_;
+    return r;
+  }
+  /// Room for n more cells: grows the mesh, or, where it is shared and full, returns false.
+  bool make_room(std::size_t n) {
+    if (slots_.has(n)) return true;
+    if constexpr (Shared) return false;
+    mesh_.grow_to(mesh_.n_slots() + n / SlotSource::block * SlotSource::block + 16 * SlotSource::block);
+    slots_.raise_limit(mesh_.n_slots());
+    refresh();
+    return true;
+  }
+  void refresh() {
+    cells_ = mesh_.cells();
+    flags_ = mesh_.cell_flags();
+  }
+  unsigned random() {
+    random_ = random_ * 1664525u + 1013904223u;
+    return random_ >> 24;
+  }
+
+  Mesh& mesh_;
+  Space space_;
+  SlotSource slots_;
+  Ownership owned_;
+  VertexIndex infinite_;
+  Cell* cells_ = nullptr;
+  std::uint8_t* flags_ = nullptr;
+  CellIndex hint_ = no_cell;
+  VertexIndex twin_ = no_vertex;
+  std::uint32_t random_ = 1;
+  std::size_t walk_steps_ = 0;
+};
+
+/// Local vertices of face i in the order that makes (face, vertex i) positive.
+template <unsigned Dim>
+constexpr std::array<std::uint8_t, Dim> face_of(unsigned i) {
+  if constexpr (Dim == 3)
+    return face_vertices[i];
+  else
+    return {static_cast<std::uint8_t>((i + 1) % 3), static_cast<std::uint8_t>((i + 2) % 3)};
+}
+
+template <class Space, bool Shared>
+void IncrementalTriangulation<Space, Shared>::start(const CellVertices& first) {
+  make_room(n_faces + 1);
+  const CellIndex inner = slots_.take();
+  cells_[inner].vertices = first;
+  flags_[inner] = 0;
+  std::array<CellIndex, n_faces> ghost;
+  for (unsigned i = 0; i < n_faces; ++i) {
+    // The ghost beyond face i sees that face from the other side: two of its vertices change places.
+    CellVertices v = first;
+    v[i] = infinite_;
+    std::swap(v[face_of<dimension>(i)[0]], v[face_of<dimension>(i)[1]]);
+    ghost[i] = slots_.take();
+    cells_[ghost[i]].vertices = v;
+    flags_[ghost[i]] = ghost_flag;
+    mesh_.link({inner, i}, {ghost[i], i});
+  }
+  for (unsigned i = 0; i < n_faces; ++i)
+    for (unsigned j = i + 1; j < n_faces; ++j)
+      mesh_.link({ghost[i], mesh_.index_of(ghost[i], first[j])}, {ghost[j], mesh_.index_of(ghost[j], first[i])});
+  hint_ = inner;
+}
+
+/// Remembering walk (Devillers, Pion and Teillaud 2002): never back through the face it came by; faces in random order.
+template <class Space, bool Shared>
+CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
+  CellIndex c = hint_;
+  unsigned entered = n_faces;
+  if (flags_[c] & ghost_flag) {
+    unsigned g = 0;
+    while (cells_[c].vertices[g] != infinite_) ++g;
+    const FaceRef inner = cells_[c].neighbors[g];
+    if constexpr (Shared)
+      if (!owns_cell(cells_[inner.cell()].vertices)) return no_cell;
+    c = inner.cell();
+  }
+  for (;;) {
+    ++walk_steps_;
+    if (flags_[c] & ghost_flag) return c;
+    const Cell& cell = cells_[c];
+    unsigned i = random() % n_faces;
+    FaceRef next;
+    for (unsigned k = 0; k < n_faces; ++k, i = i + 1 == n_faces ? 0 : i + 1) {
+      if (i == entered || space_.side(cell.vertices, i, p) != Sign::negative) continue;
+      next = cell.neighbors[i];
+      break;
+    }
+    if (!next.valid()) return c;
+    c = next.cell();
+    entered = next.face();
+    if constexpr (Shared)
+      if (!owns_cell(cells_[c].vertices)) return no_cell;
+  }
+}
+
+template <class Space, bool Shared>
+VertexIndex IncrementalTriangulation<Space, Shared>::equal_vertex(const CellVertices& v, const Vec3& p) const {
+  for (const VertexIndex u : v)
+    if (u != infinite_ && static_cast<const Vec3&>(space_.record(u)) == p) return u;
+  return no_vertex;
+}
+
+}  // namespace geomesh

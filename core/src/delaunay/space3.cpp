@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "delaunay/space3.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace geomesh {
+
+bool Space3::finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p, double value) {
+  Sign s;
+  if (within_exact_reach(a, p) && within_exact_reach(b, p) && within_exact_reach(c, p) && within_exact_reach(d, p))
+    s = sign_of(value);
+  else
+    s = detail::in_sphere_after_filter(a, b, c, d, p, exact_calls_);
+  return s != Sign::zero ? s == Sign::positive : tie_conflict(a, b, c, d, p);
+}
+
+/// As detail::in_sphere_tie, selecting the greatest point left instead of sorting: the first decides nearly always.
+bool Space3::tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
+  std::array<const Vec3*, 4> v{&a, &b, &c, &d};
+  for (unsigned left = 4; left > 0; --left) {
+    unsigned greatest = 4;
+    for (unsigned i = 0; i < 4; ++i)
+      if (v[i] && (greatest == 4 || compare_lexicographic(*v[i], *v[greatest]) > 0)) greatest = i;
+    if (compare_lexicographic(p, *v[greatest]) > 0) return false;
+    std::array<const Vec3*, 4> with_p{&a, &b, &c, &d};
+    with_p[greatest] = &p;
+    const Sign s = orientation(*with_p[0], *with_p[1], *with_p[2], *with_p[3]);
+    if (s != Sign::zero) return s == Sign::positive;
+    v[greatest] = nullptr;
+  }
+  return false;
+}
+
+double coordinate_unit(std::span<const Vec3> points) {
+  int least = 2000, greatest = -2000;
+  for (const Vec3& p : points)
+    for (const double x : {p.x, p.y, p.z}) {
+      if (x == 0) continue;
+      const auto bits = std::bit_cast<std::uint64_t>(x);
+      const int exponent = static_cast<int>(bits >> 52 & 0x7FF) - 1023;
+      const std::uint64_t mantissa = (bits & 0xFFFFFFFFFFFFFull) | 1ull << 52;
+      least = std::min(least, exponent - 52 + std::countr_zero(mantissa));
+      greatest = std::max(greatest, exponent);
+      if (greatest - least > 40) return 0;
+    }
+  return least == 2000 ? 0 : std::ldexp(1.0, least);
+}
+
+}  // namespace geomesh

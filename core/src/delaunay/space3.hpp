@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The predicates of incremental triangulation in space, on point records, with the fast paths inlined.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "delaunay/point_record.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+#include "predicates/exact_stage.hpp"
+#include "predicates/filters.hpp"
+
+namespace geomesh {
+
+/// A space answers, about points given by their records: on which side of a face a point lies, and which cells it conflicts with. It
+/// is the one part of the incremental algorithms that differs between the plane, a facet's plane and space, apart from the dimension.
+///
+/// Where all coordinates are multiples of one power of two (lattices, rounded data), differences of up to 512 units make the plain
+/// determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
+class Space3 {
+ public:
+  static constexpr int dimension = 3;
+  using Record = PointRecord;
+  using CellVertices = TetMesh::CellVertices;
+
+  /// `points[infinite]` must exist; its coordinates are never used. `unit`: the coordinates are multiples of it, or 0.
+  Space3(PointRecord* points, VertexIndex infinite, double unit) : points_(points), infinite_(infinite), exact_reach_(512 * unit) {}
+
+  PointRecord& record(VertexIndex v) const { return points_[v]; }
+  VertexIndex infinite() const { return infinite_; }
+  std::size_t exact_calls() const { return exact_calls_; }
+
+  /// Sign of the orientation of face `face` of a finite cell with p: negative where p is beyond it.
+  Sign side(const CellVertices& v, unsigned face, const Vec3& p) {
+    const auto& f = face_vertices[face];
+    return orientation(points_[v[f[0]]], points_[v[f[1]]], points_[v[f[2]]], p);
+  }
+
+  bool finite_conflict(const CellVertices& v, const Vec3& p) {
+    const Vec3 &a = points_[v[0]], &b = points_[v[1]], &c = points_[v[2]], &d = points_[v[3]];
+    const filter::Estimate estimate = filter::in_sphere(a, b, c, d, p);
+    if (estimate.certain()) [[likely]]
+      return estimate.value > 0;
+    return finite_conflict_after_filter(a, b, c, d, p, estimate.value);
+  }
+
+  /// The ghost's face has p strictly beyond it, or in its plane and inside its circle.
+  bool ghost_conflict(const CellVertices& v, const Vec3& p) {
+    unsigned g = 0;
+    while (v[g] != infinite_) ++g;
+    const auto& f = face_vertices[g];
+    const Vec3 &a = points_[v[f[0]]], &b = points_[v[f[1]]], &c = points_[v[f[2]]];
+    const Sign s = orientation(a, b, c, p);
+    if (s != Sign::zero) return s == Sign::positive;
+    return in_circle_coplanar_perturbed(a, b, c, p) == Sign::positive;
+  }
+
+  double squared_distance(VertexIndex v, const Vec3& p) const {
+    const Vec3 d = points_[v] - p;
+    return dot(d, d);
+  }
+
+  Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const filter::Estimate estimate = filter::orient3d(a, b, c, p);
+    if (estimate.certain()) [[likely]]
+      return estimate.sign();
+    if (within_exact_reach(a, p) && within_exact_reach(b, p) && within_exact_reach(c, p)) return sign_of(estimate.value);
+    return detail::orient3d_after_filter(a, b, c, p, exact_calls_);
+  }
+
+ private:
+  static Sign sign_of(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
+  bool within_exact_reach(const Vec3& a, const Vec3& p) const {
+    return std::fabs(a.x - p.x) <= exact_reach_ && std::fabs(a.y - p.y) <= exact_reach_ && std::fabs(a.z - p.z) <= exact_reach_;
+  }
+  bool finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p, double value);
+  bool tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
+
+  PointRecord* points_;
+  VertexIndex infinite_;
+  double exact_reach_;
+  std::size_t exact_calls_ = 0;
+};
+
+/// The largest power of two that divides all coordinates, 0 where that leaves no room for exact plain determinants.
+double coordinate_unit(std::span<const Vec3> points);
+
+}  // namespace geomesh

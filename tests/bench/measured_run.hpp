@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One run of one triangulator in a process of its own.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace geomesh::bench {
+
+/// What a triangulator tells of itself; it may throw.
+struct Answer {
+  std::size_t tetrahedra = 0;
+  std::size_t exact_calls = 0, walk_steps = 0, deferred = 0;
+};
+using Job = std::function<Answer()>;
+
+struct Measurement {
+  bool ok = false;
+  std::string message;  ///< where the triangulator refused or died
+  double cpu_s = 0, wall_s = 0;
+  std::size_t peak_bytes = 0;  ///< peak resident size during the run less that before it
+  Answer answer;
+};
+
+/// Forks, runs each job and measures it there, so that no run sees the heap that another left and a crash is a result. Several jobs
+/// run side by side.
+std::vector<Measurement> measure(const std::vector<Job>& side_by_side);
+
+}  // namespace geomesh::bench
