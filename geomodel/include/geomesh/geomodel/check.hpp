@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh check`: exact verification of any tool's mesh. Shares only file reading and the exact number type with what it judges:
-/// no code of the engine, the arrangement, the naming or the writers is used here.
+/// `geomesh check`: exact verification of any tool's mesh. Shares only file reading and the exact number type with what it
+/// judges: no code of the engine, the arrangement, the naming or the writers is used here.
+///
+/// What decides is a sign computed exactly from the doubles in the file (a floating-point filter first). The one tolerance is
+/// that of coverage, since added points lie on their facet up to rounding only: see CheckRequest::tolerance. docs/checking.md
+/// lists every check with the name of its fault.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,22 +18,26 @@
 namespace geomesh::geomodel {
 
 struct CheckRequest {
-  std::filesystem::path mesh;                    ///< .vtu (any tool's), .msh, .inp as far as readers go
-  std::filesystem::path project;                 ///< empty: none
-  std::vector<std::filesystem::path> surfaces;   ///< each triangle must be covered by mesh faces
+  std::filesystem::path mesh;     ///< .vtu, .vtk, .msh (2.2 and 4.1 ASCII) or .inp; NAME.faces.vtp beside it is judged too
+  std::filesystem::path project;  ///< empty: none
+  std::vector<std::filesystem::path> surfaces;  ///< each triangle must be covered by mesh faces
   bool delaunay = false;
+  /// How far a mesh face may be off the input triangle that it stands for, in the mesh's unit. Negative: 8 ulps of the largest
+  /// coordinate, or what NAME.report.json beside the mesh says that rounding moved, where that is more.
+  double tolerance = -1;
 };
 
 struct CheckFault {
+  std::string id;    ///< stable name, as listed in docs/checking.md: "inverted_tetrahedra", ...
   std::string what;  ///< one sentence with counts
   std::size_t count = 0;
   std::vector<std::size_t> examples;  ///< cells, faces or points, at most ten
-  Vec3 place;
+  Vec3 place;                         ///< of the first example
 };
 
 struct CheckResult {
   std::size_t n_points = 0, n_tetrahedra = 0;
-  double volume = 0;
+  double volume = 0;  ///< summed exactly, then rounded once
   struct RegionVolume {
     std::int32_t id;
     std::string name;
@@ -36,10 +45,18 @@ struct CheckResult {
     double volume;
   };
   std::vector<RegionVolume> regions;
-  std::vector<std::string> checks_done;  ///< what was checked, in words
+  std::vector<std::string> checks_done;  ///< what was checked, in words; and what was not, and why
   std::vector<CheckFault> faults;        ///< empty: the mesh passes
 };
 
+/// Collects every fault; never stops at the first. Throws Error{usage} where a file cannot be opened, Error{invalid_input} where
+/// one cannot be understood (a cell that names a point which is not there, a truncated file ...). Near-linear in the cells, plus
+/// the triangles of the surfaces.
 CheckResult check_mesh(const CheckRequest& request);
+
+/// For a person: counts, what was checked, each fault on a line of its own, and the verdict.
+std::string to_text(const CheckResult& result);
+/// For a program: the members of CheckResult under their own names, and "passes".
+std::string to_json(const CheckResult& result);
 
 }  // namespace geomesh::geomodel

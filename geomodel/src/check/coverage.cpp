@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coverage. A mesh face stands for a part of an input triangle where all its points lie within the tolerance of the triangle's
+// plane. Mesh faces of a sound mesh never overlap, so a triangle is covered where the areas that such faces have in common with
+// it add up to the area that is due: all of it, or what of it lies in the box. What is short of that must be inside a body that
+// cuts: there the faces' open edges must run along that body (or the box or the triangle's sides), and points of the triangle
+// that no face covers must lie in the body, decided exactly.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "check/box_tree.hpp"
+#include "check/crossing.hpp"
+#include "check/faults.hpp"
+#include "check/judged_mesh.hpp"
+#include "check/plane_triangle.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+constexpr const char* box_side_names[] = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+
+BoxTree tree_over(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+  std::vector<Box3> boxes;
+  for (const Triangle& t : triangles) boxes.push_back(box_of(points[t[0]], points[t[1]], points[t[2]]));
+  return BoxTree(std::move(boxes));
+}
+
+/// A body that removes horizons and faults inside it.
+struct CuttingBody {
+  const TriangulatedSurface* surface;
+  BoxTree tree;
+};
+
+/// Everything the coverage checks share.
+class CoverageJudge {
+ public:
+  CoverageJudge(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces, const std::vector<Triangle>& set_faces,
+                double tolerance)
+      : mesh_(mesh),
+        claim_(claim),
+        faces_(faces),
+        tolerance_(tolerance),
+        candidates_(candidate_faces(set_faces)),
+        tree_(tree_over(mesh.file.points, candidates_)) {
+    for (const TriangulatedSurface& s : claim.surfaces)
+      if (s.cuts_all) bodies_.push_back({&s, tree_over(s.points, s.triangles)});
+    if (!faces_) return;
+    for (Index i = 0; i < claim.surfaces.size(); ++i)
+      for (const auto& [id, name] : faces_->surface_names)
+        if (name == claim.surfaces[i].name) surface_of_id_[id] = i, id_of_surface_[i] = id;
+    collect_clip_edges();
+  }
+
+  void check_sources(CheckResult& result);
+  void check_bodies(CheckResult& result);
+  void check_triangles(CheckResult& result);
+
+ private:
+  /// Faces of the set (all rows, so that they can be told apart), or every face of the mesh where there is no set.
+  std::vector<Triangle> candidate_faces(const std::vector<Triangle>& set_faces) const {
+    if (faces_) return set_faces;
+    std::vector<Triangle> all;
+    for (const FacePair& face : mesh_.faces) all.push_back(face.key);
+    return all;
+  }
+  bool carries(Index face, Index surface) const {
+    if (!faces_ || !claim_.named) return true;
+    const auto id = id_of_surface_.find(surface);
+    if (id == id_of_surface_.end()) return false;
+    const auto& set = set_of(face);
+    return std::find(set.begin(), set.end(), id->second) != set.end();
+  }
+  const std::vector<std::int32_t>& set_of(Index face) const {
+    static const std::vector<std::int32_t> none;
+    const std::int32_t row = faces_->surface_set[face];
+    return row >= 0 && static_cast<std::size_t>(row) < faces_->surface_sets.size() ? faces_->surface_sets[row] : none;
+  }
+  bool is_cut_kind(Index surface) const {
+    const SurfaceKind kind = claim_.surfaces[surface].kind;
+    return kind == SurfaceKind::horizon || kind == SurfaceKind::fault;
+  }
+  const Vec3& corner(const Triangle& t, int i) const { return mesh_.point(t[i]); }
+
+  void collect_clip_edges();
+  std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
+  bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
+  bool uncovered_is_in_bodies(const PlaneTriangle& triangle, const std::vector<Index>& pieces, Vec3& place) const;
+  bool is_in_a_body(const Vec3& p, bool& undecided) const;
+
+  const JudgedMesh& mesh_;
+  const Claim& claim_;
+  const FacesFile* faces_;
+  double tolerance_;
+  std::vector<Triangle> candidates_;
+  BoxTree tree_;
+  std::vector<CuttingBody> bodies_;
+  std::map<std::int32_t, Index> surface_of_id_;
+  std::map<Index, std::int32_t> id_of_surface_;
+  std::vector<std::pair<VertexIndex, VertexIndex>> clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
+};
+
+std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
+
+void CoverageJudge::collect_clip_edges() {
+  std::set<std::int32_t> clipping;
+  for (const auto& [id, name] : faces_->surface_names) {
+    const auto row = surface_of_id_.find(id);
+    if (row != surface_of_id_.end()
+            ? claim_.surfaces[row->second].cuts_all
+            : std::find(std::begin(box_side_names), std::end(box_side_names), name) != std::end(box_side_names))
+      clipping.insert(id);
+  }
+  for (Index f = 0; f < candidates_.size(); ++f) {
+    const auto& set = set_of(f);
+    if (std::none_of(set.begin(), set.end(), [&](std::int32_t id) { return clipping.contains(id); })) continue;
+    for (int i = 0; i < 3; ++i) clip_edges_.push_back(edge(candidates_[f][i], candidates_[f][(i + 1) % 3]));
+  }
+  std::sort(clip_edges_.begin(), clip_edges_.end());
+}
+
+/// Each face lies on the triangle that it names as its source; faces of box sides lie on them exactly.
+void CoverageJudge::check_sources(CheckResult& result) {
+  FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle"), off_side("faces_off_box_side");
+  double largest = 0;
+  for (Index f = 0; f < candidates_.size(); ++f) {
+    const Triangle& t = candidates_[f];
+    const auto row = surface_of_id_.find(faces_->surface[f]);
+    if (row == surface_of_id_.end()) {
+      const auto name = faces_->surface_names.find(faces_->surface[f]);
+      for (std::size_t side = 0; claim_.box && name != faces_->surface_names.end() && side < 6; ++side) {
+        if (name->second != box_side_names[side]) continue;
+        const double wanted = (side % 2 == 0 ? claim_.box->min : claim_.box->max)[side / 2];
+        for (int i = 0; i < 3; ++i)
+          if (corner(t, i)[side / 2] != wanted) {
+            off_side.add(f, corner(t, i));
+            break;
+          }
+      }
+      continue;
+    }
+    const TriangulatedSurface& surface = claim_.surfaces[row->second];
+    const auto source = static_cast<std::size_t>(faces_->source_triangle[f]);
+    if (faces_->source_triangle[f] < 0 || source >= surface.triangles.size()) {
+      no_source.add(f, centroid(mesh_, t));
+      continue;
+    }
+    const Triangle& s = surface.triangles[source];
+    const PlaneTriangle triangle(surface.points[s[0]], surface.points[s[1]], surface.points[s[2]]);
+    if (triangle.degenerate()) continue;
+    double distance = 0;
+    for (int i = 0; i < 3; ++i) distance = std::max({distance, triangle.distance(corner(t, i)), triangle.outside(corner(t, i))});
+    largest = std::max(largest, distance);
+    if (distance > tolerance_) off.add(f, centroid(mesh_, t));
+  }
+  char text[160];
+  std::snprintf(text, sizeof text, "faces lie farther off the input triangle that they name than %.3g (the largest: %.3g)",
+                tolerance_, largest);
+  no_source.report(result, "faces name a source_triangle that their surface does not have");
+  off.report(result, text);
+  off_side.report(result, "faces of box sides do not lie on them exactly");
+  std::snprintf(text, sizeof text,
+                "each face lies on the input triangle that it names, within %.3g (largest distance seen: %.3g)", tolerance_,
+                largest);
+  result.checks_done.emplace_back(text);
+}
+
+bool CoverageJudge::is_in_a_body(const Vec3& p, bool& undecided) const {
+  for (const CuttingBody& body : bodies_) {
+    const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, p, p, p);
+    if (!winding) undecided = true;
+    if (winding && *winding != 0) return true;
+  }
+  return false;
+}
+
+/// No face of a horizon or fault lies inside a body that cuts.
+void CoverageJudge::check_bodies(CheckResult& result) {
+  if (bodies_.empty()) return;
+  FaultCollector inside("faces_inside_bodies");
+  for (Index f = 0; f < candidates_.size(); ++f) {
+    bool is_cut = false, bounds_body = false;
+    for (const std::int32_t id : set_of(f)) {
+      const auto row = surface_of_id_.find(id);
+      if (row == surface_of_id_.end()) continue;
+      is_cut = is_cut || is_cut_kind(row->second);
+      bounds_body = bounds_body || claim_.surfaces[row->second].kind == SurfaceKind::body;
+    }
+    if (!is_cut || bounds_body) continue;
+    const Triangle& t = candidates_[f];
+    for (const CuttingBody& body : bodies_) {
+      const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, corner(t, 0),
+                                                  corner(t, 1), corner(t, 2));
+      if (winding && *winding != 0) {
+        inside.add(f, centroid(mesh_, t));
+        break;
+      }
+    }
+  }
+  inside.report(result, "faces of horizons and faults lie inside a body that cuts them");
+  result.checks_done.emplace_back("no face of a horizon or fault lies inside a body that cuts (exact)");
+}
+
+std::vector<Index> CoverageJudge::faces_on(const PlaneTriangle& triangle, Index surface) const {
+  std::vector<Index> found;
+  const auto& c = triangle.corners();
+  tree_.query(inflated(box_of(c[0], c[1], c[2]), tolerance_), [&](Index f) {
+    if (!carries(f, surface)) return;
+    for (int i = 0; i < 3; ++i)
+      if (triangle.distance(corner(candidates_[f], i)) > tolerance_) return;
+    found.push_back(f);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const {
+  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+  for (const Index f : pieces) {
+    const Triangle& t = candidates_[f];
+    if (triangle.outside(centroid(mesh_, t)) > tolerance_) continue;
+    for (int i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
+  }
+  for (const auto& [e, n] : uses) {
+    if (n != 1 || triangle.common_side(mesh_.point(e.first), mesh_.point(e.second), tolerance_) >= 0) continue;
+    if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e)) return false;
+  }
+  return true;
+}
+
+/// Judges a lattice of points of the triangle: what lies in the box and under no piece must lie in a body.
+bool CoverageJudge::uncovered_is_in_bodies(const PlaneTriangle& triangle, const std::vector<Index>& pieces, Vec3& place) const {
+  constexpr int lattice = 14;
+  const auto& c = triangle.corners();
+  std::vector<PlaneTriangle> flat;
+  for (const Index f : pieces) flat.emplace_back(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
+  for (int i = 1; i < lattice; ++i)
+    for (int j = 1; i + j < lattice; ++j) {
+      const double u = double(i) / lattice, v = double(j) / lattice;
+      const Vec3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+      if (claim_.box) {
+        const Box3 inner = inflated(*claim_.box, -tolerance_);
+        Box3 point;
+        point.add(p);
+        if (!overlap(inner, point)) continue;
+      }
+      const bool covered = std::any_of(flat.begin(), flat.end(),
+                                       [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance_; });
+      bool undecided = false;
+      if (covered || is_in_a_body(p, undecided) || undecided) continue;
+      place = p;
+      return false;
+    }
+  return true;
+}
+
+void CoverageJudge::check_triangles(CheckResult& result) {
+  FaultCollector missing("uncovered_triangles");
+  std::size_t n_triangles = 0, n_clipped = 0, n_degenerate = 0, first_of_surface = 0;
+  std::set<std::string> short_of;
+  for (Index s = 0; s < claim_.surfaces.size(); ++s) {
+    const TriangulatedSurface& surface = claim_.surfaces[s];
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+      const Triangle& t = surface.triangles[i];
+      const PlaneTriangle triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
+      ++n_triangles;
+      if (triangle.degenerate()) {
+        ++n_degenerate;
+        continue;
+      }
+      const std::vector<Index> pieces = faces_on(triangle, s);
+      double covered = 0;
+      for (const Index f : pieces)
+        covered += triangle.common_area(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
+      const double due = claim_.box ? triangle.area_inside(*claim_.box) : triangle.area();
+      const double slack = 4 * tolerance_ * triangle.perimeter() + 1e-12 * triangle.area();
+      if (due < triangle.area() - slack) ++n_clipped;
+      if (covered >= due - slack) continue;
+      Vec3 place = (1.0 / 3) * (triangle.corners()[0] + triangle.corners()[1] + triangle.corners()[2]);
+      const bool may_be_cut = is_cut_kind(s) && !bodies_.empty();
+      if (may_be_cut && (!faces_ || open_edges_run_along_clips(triangle, pieces)) &&
+          uncovered_is_in_bodies(triangle, pieces, place)) {
+        ++n_clipped;
+        continue;
+      }
+      missing.add(first_of_surface + i, place);
+      short_of.insert(surface.name);
+    }
+    first_of_surface += surface.triangles.size();
+  }
+  std::string names;
+  for (const std::string& name : short_of) names += (names.empty() ? "" : ", ") + name;
+  missing.report(result, "input triangles are not covered by mesh faces (surfaces: " + names + ")");
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "%zu input triangles are covered by mesh faces within %.3g; %zu of them are clipped by the box or a body; %zu of "
+                "zero area passed over",
+                n_triangles, tolerance_, n_clipped, n_degenerate);
+  result.checks_done.emplace_back(missing.count() == 0 ? text : "coverage of the input triangles was judged");
+}
+
+}  // namespace
+
+void check_coverage(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces, const std::vector<Triangle>& set_faces,
+                    double tolerance, CheckResult& result) {
+  for (const Triangle& t : set_faces)
+    if (std::find(t.begin(), t.end(), no_vertex) != t.end()) {
+      result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
+      return;
+    }
+  CoverageJudge judge(mesh, claim, faces, set_faces, tolerance);
+  if (faces && claim.named) judge.check_sources(result);
+  if (faces && claim.named) judge.check_bodies(result);
+  judge.check_triangles(result);
+}
+
+}  // namespace geomesh::geomodel::checking
