@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// From a valid tetrahedralization to one whose sizes and shapes a solver likes, with every constraint kept.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "geomesh/core/plc.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/core/size_field.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+
+namespace geomesh {
+
+enum class Honour {
+  exact,  ///< every facet stays exactly a union of faces; points are added on facets (off their plane by rounding), none leaves
+  tolerance,  ///< surfaces may be remeshed within `RefineOptions::tolerance` of the input, both ways
+};
+
+enum class QualityLevel { fast, standard, best };
+
+/// What sizes to ask for. Everything is optional; with nothing given the sizes follow the input's own edges and grow inwards.
+struct SizeOptions {
+  double global = 0;                              ///< 0: none
+  std::vector<double> component_size;             ///< per component; 0: none
+  std::vector<double> patch_size;                 ///< per patch (see RefineOptions::facet_patch); 0: none
+  std::vector<double> segment_size;               ///< per row of plc.segments; 0: none
+  std::vector<SizeSource> sources;                ///< asked near places (wells, points of interest), with radius
+  std::function<double(const Vec3&)> background;  ///< called from one thread
+  bool from_input_edges = true;                   ///< surfaces ask for the mean length of the input edges about each point
+  double curvature_angle = 0;                     ///< degrees that one edge may turn on a curved patch; 0: not asked
+  double gap_layers = 0.8;                        ///< elements across a gap between surfaces that face each other; 0: not asked
+  double gap_floor = 0.25;                        ///< gaps never ask for less than this share of the size asked otherwise
+  double gradation = 0.3;                         ///< growth of the size per unit of distance
+  double min_size = 0;                            ///< 0: none
+  double max_size = 0;                            ///< 0: none
+};
+
+struct RefineOptions {
+  SizeOptions size;
+  Honour honour = Honour::exact;
+  double tolerance = 0;  ///< Honour::tolerance: largest distance between input and result, in model units
+  QualityLevel quality = QualityLevel::standard;
+  bool refine = true;              ///< false: improve only, no points for size
+  std::vector<Index> facet_patch;  ///< per facet of the PLC; empty: facets with equal provenance rows are one patch
+  double sharp_angle = 40;         ///< degrees between the normals of two faces of one patch from which their edge is a curve
+  double time_budget = 0;          ///< seconds for improvement; 0: none. With a budget the result depends on the machine.
+  std::size_t max_elements = 50'000'000;
+  std::uint64_t seed = 1;
+};
+
+struct RefineStatistics {
+  double estimated_elements = 0;  ///< before the work started
+  std::size_t points_on_curves = 0, points_on_surfaces = 0, points_inside = 0;
+  std::size_t collapses = 0, edge_removals = 0, face_removals = 0, smoothing_moves = 0, improving_insertions = 0;
+  std::size_t passes = 0;
+  double worst_shape_before = 0, worst_shape_after = 0;                 ///< after refinement and at the end; see docs/meshing.md
+  double deviation_result_to_input = 0, deviation_input_to_result = 0;  ///< sampled; zero in exact mode but for rounding
+  double edges_within_size = 0;                                         ///< share of edges between half and twice the asked size
+  bool out_of_time = false;
+};
+
+struct RefineResult {
+  ConstrainedTetrahedralization mesh;
+  RefineStatistics statistics;
+  SizeField size_field;
+};
+
+/// Refines the mesh to the size field, then improves it to the quality level. Stages reported: refine, improve.
+///
+/// Preconditions: `mesh` is a result of tetrahedralize(plc) (all its invariants hold). The result has the same invariants, except
+/// that points may have moved within the tolerance: such a point has input_vertex = no_vertex. In `Honour::exact` every point of
+/// the PLC that was in the mesh is there unmoved. Faces keep the facet they are part of; a face remade within a patch takes the
+/// facet of the patch nearest to it.
+///
+/// Throws Error{cannot_mesh} where the estimated or the actual number of elements exceeds the limit, Error{usage} on options out
+/// of range. Ends always: points are added only at a distance from all others that the size field bounds from below, and every
+/// improving step raises the sorted vector of shapes about it. Deterministic for given options unless a time budget is set.
+///
+/// Sources: Cavalcanti and Mello 1999, section 5 (points added automatically, smart smoothing); Freitag and Ollivier-Gooch 1997
+/// (combining flips with optimising smoothing); Klingner and Shewchuk 2007 (insertion, contraction and the schedule of `best`).
+RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization mesh,
+                                const RefineOptions& options = {}, const RunContext& context = {});
+
+/// The number of tetrahedra that the options ask for: the integral of the inverse volume of an element of the asked size over the
+/// mesh, at least the number there is. Within about a third of what comes out where sizes vary slowly.
+double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                         const RefineOptions& options);
+
+}  // namespace geomesh

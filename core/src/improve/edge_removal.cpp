@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "improve/improve.hpp"
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr std::size_t max_ring =
+    12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
+
+/// Best triangulation of a polygon of ring vertices, each triangle standing for two cells.
+class PolygonTriangulation {
+ public:
+  PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon)
+      : mesh_(mesh), a_(a), b_(b), p_(polygon), n_(polygon.size()) {}
+
+  /// Worst shape of the best triangulation, or something not above `enough`.
+  double solve(double enough) {
+    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = 1;
+    for (std::size_t span = 2; span < n_; ++span)
+      for (std::size_t i = 0; i + span < n_; ++i) {
+        const std::size_t j = i + span;
+        best_[i][j] = enough;
+        apex_[i][j] = 0;
+        for (std::size_t k = i + 1; k < j; ++k) {
+          const double rest = std::min(best_[i][k], best_[k][j]);
+          if (rest <= best_[i][j]) continue;
+          const double q = std::min(rest, triangle_shape(i, k, j, best_[i][j]));
+          if (q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
+        }
+      }
+    return n_ < 3 ? 1 : best_[0][n_ - 1];
+  }
+
+  void append_cells(Index component, std::vector<NewCell>& cells) const {
+    if (n_ >= 3) append(0, n_ - 1, component, cells);
+  }
+
+ private:
+  double triangle_shape(std::size_t i, std::size_t j, std::size_t k, double enough) const {
+    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
+    const double upper = shape(x, y, z, mesh_.point(b_));
+    return upper <= enough ? upper : std::min(upper, shape(z, y, x, mesh_.point(a_)));
+  }
+
+  void append(std::size_t i, std::size_t j, Index component, std::vector<NewCell>& cells) const {
+    if (j < i + 2) return;
+    const std::size_t k = apex_[i][j];
+    cells.push_back({{p_[i], p_[k], p_[j], b_}, component, {}});
+    cells.push_back({{p_[j], p_[k], p_[i], a_}, component, {}});
+    append(i, k, component, cells);
+    append(k, j, component, cells);
+  }
+
+  const DomainMesh& mesh_;
+  VertexIndex a_, b_;
+  const std::vector<VertexIndex>& p_;
+  std::size_t n_;
+  double best_[max_ring + 1][max_ring + 1];
+  std::size_t apex_[max_ring + 1][max_ring + 1];
+};
+
+class EdgeRemoval {
+ public:
+  EdgeRemoval(Toolbox& tools, VertexIndex a, VertexIndex b) : tools_(tools), mesh_(tools.mesh), a_(a), b_(b) {}
+
+  bool attempt(CellIndex c) {
+    if (mesh_.curve_of(a_, b_) != no_index) return false;
+    auto& cells = tools_.work.cells;
+    closed_ = edge_ring(mesh_, c, a_, b_, cells, tools_.work.ring);
+    if (cells.size() > max_ring || cells.size() < 2) return false;
+    faces_ = constrained_faces_of_ring(mesh_, cells, tools_.work.ring, closed_);
+    for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
+    tools_.work.added.clear();
+    if (faces_.n == 0 ? !remove_inside() : !remove_on_surface()) return false;
+    const bool positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
+      return is_positive(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
+                         mesh_.point(n.vertices[3]));
+    });
+    if (!positive) return false;
+    mesh_.replace(cells, tools_.work.added, tools_.work.created);
+    ++tools_.statistics.edge_removals;
+    return true;
+  }
+
+ private:
+  double needed() const { return before_ * (1 + 1e-6) + 1e-12; }
+
+  bool remove_inside() {
+    if (!closed_ || tools_.work.ring.size() < 3) return false;
+    return solve_side(tools_.work.ring, mesh_.component(tools_.work.cells[0]));
+  }
+
+  bool solve_side(const std::vector<VertexIndex>& polygon, Index component) {
+    PolygonTriangulation t(mesh_, a_, b_, polygon);
+    if (!(t.solve(needed()) > needed())) return false;
+    t.append_cells(component, tools_.work.added);
+    return true;
+  }
+
+  bool remove_on_surface() {
+    const Index patch = mesh_.patch_of(faces_.tag[0]);
+    if (faces_.n != 2 || patch == hull_patch || patch != mesh_.patch_of(faces_.tag[1])) return false;
+    const auto& ring = tools_.work.ring;
+    const auto& cells = tools_.work.cells;
+    const std::size_t s = faces_.at[0], t = faces_.at[1];
+    const VertexIndex x = ring[s], y = ring[t];
+    if (!closed_ && (s != 0 || t + 1 != ring.size())) return false;
+    if (joined_on_surface(x, y) || !guard_allows(patch, x, y)) return false;
+    const std::vector<VertexIndex> side(ring.begin() + static_cast<std::ptrdiff_t>(s),
+                                        ring.begin() + static_cast<std::ptrdiff_t>(t) + 1);
+    if (!solve_side(side, mesh_.component(cells[s]))) return false;
+    const std::size_t n_first = tools_.work.added.size();
+    if (closed_) {
+      std::vector<VertexIndex> other(ring.begin() + static_cast<std::ptrdiff_t>(t), ring.end());
+      other.insert(other.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(s) + 1);
+      if (side.size() < 3 && other.size() < 3) return false;
+      if (!solve_side(other, mesh_.component(cells[t]))) return false;
+    }
+    const FaceTag tag = faces_.tag[0];
+    for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
+      tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));
+    return true;
+  }
+
+  /// The new surface edge x-y must not be one already: its faces would fold onto others.
+  bool joined_on_surface(VertexIndex x, VertexIndex y) {
+    for (const CellIndex c : tools_.work.cells) {
+      const unsigned ix = mesh_.topology().index_of(c, x), iy = mesh_.topology().index_of(c, y);
+      if (ix > 3 || iy > 3) continue;
+      for (unsigned i = 0; i < 4; ++i)
+        if (i != ix && i != iy && mesh_.tag(c, i).constrained()) return true;
+    }
+    return false;
+  }
+
+  /// The faces (x, y, a) and (x, y, b) of a new cell are the surface now.
+  void tag_surface(NewCell& n, VertexIndex x, VertexIndex y, FaceTag tag) const {
+    bool has_x = false, has_y = false;
+    unsigned third = 4;
+    for (unsigned i = 0; i < 3; ++i) {
+      if (n.vertices[i] == x)
+        has_x = true;
+      else if (n.vertices[i] == y)
+        has_y = true;
+      else
+        third = i;
+    }
+    if (has_x && has_y) n.tags[third] = tag;
+  }
+
+  bool guard_allows(Index patch, VertexIndex x, VertexIndex y) const {
+    if (tools_.guard.exact()) return true;
+    const Vec3 &a = mesh_.point(a_), &b = mesh_.point(b_), &p = mesh_.point(x), &q = mesh_.point(y);
+    return tools_.guard.admits({{{a, b, p}, patch}, {{a, b, q}, patch}}, {{{p, q, a}, patch}, {{p, q, b}, patch}}, {}, {}, {});
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  VertexIndex a_, b_;
+  bool closed_ = true;
+  EdgeFaces faces_;
+  double before_ = 1;
+};
+
+}  // namespace
+
+bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) { return EdgeRemoval(tools, a, b).attempt(c); }
+
+}  // namespace geomesh::remesh

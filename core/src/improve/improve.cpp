@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "improve/improve.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+/// What a level does, pass by pass.
+struct Schedule {
+  unsigned regularizing_passes;  ///< smoothing of all vertices with flips between
+  unsigned repair_passes;
+  double target_angle;     ///< cells below (in the weighted measure) are repaired
+  double insertion_angle;  ///< below this also by new points
+  unsigned smoothing_steps;
+};
+
+Schedule schedule_of(QualityLevel level) {
+  switch (level) {
+    case QualityLevel::fast:
+      return {1, 2, 20, 0, 6};
+    case QualityLevel::best:
+      return {4, 60, 36, 30, 20};
+    default:
+      return {3, 8, 32, 26, 12};
+  }
+}
+
+struct BadCell {
+  double shape;
+  CellIndex cell;
+  Tetrahedron vertices;
+};
+
+class Improver {
+ public:
+  Improver(Toolbox& tools, const RefineOptions& options, const RunContext& context)
+      : tools_(tools),
+        mesh_(tools.mesh),
+        context_(context),
+        schedule_(schedule_of(options.quality)),
+        budget_(options.time_budget),
+        start_(std::chrono::steady_clock::now()) {}
+
+  void run() {
+    for (unsigned k = 0; k < schedule_.regularizing_passes && !out_of_time(); ++k) regularize();
+    std::size_t idle = 0;
+    for (unsigned k = 0; k < schedule_.repair_passes && idle < 2 && !out_of_time(); ++k) {
+      const std::size_t n = repair(k);
+      ++tools_.statistics.passes;
+      idle = n == 0 ? idle + 1 : 0;
+    }
+  }
+
+ private:
+  bool out_of_time() {
+    context_.check_cancelled();
+    if (!(budget_ > 0)) return false;
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (spent > budget_) tools_.statistics.out_of_time = true;
+    return tools_.statistics.out_of_time;
+  }
+
+  std::vector<BadCell> cells_below(double limit) const {
+    std::vector<BadCell> bad;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c) && mesh_.shape_of(c) < limit) bad.push_back({mesh_.shape_of(c), c, mesh_.vertices(c)});
+    std::sort(bad.begin(), bad.end(),
+              [](const BadCell& a, const BadCell& b) { return a.shape != b.shape ? a.shape < b.shape : a.cell < b.cell; });
+    return bad;
+  }
+  bool unchanged(const BadCell& b) const { return mesh_.is_live(b.cell) && mesh_.vertices(b.cell) == b.vertices; }
+
+  /// Flips where cells are poor, then every vertex towards a more even place: raises the mean, which worst-first repair leaves
+  /// alone.
+  void regularize() {
+    for (const BadCell& b : cells_below(shape_of_angle(40)))
+      if (unchanged(b)) flip(b.cell);
+    const SmoothRule rule{schedule_.smoothing_steps / 2, shape_of_angle(25), true, shape_of_angle(35)};
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
+      if (v % 1024 == 0 && out_of_time()) return;
+      if (mesh_.kind(v) != VertexKind::dead) smooth_vertex(tools_, v, rule);
+    }
+  }
+
+  bool flip(CellIndex c) {
+    const Tetrahedron t = mesh_.vertices(c);
+    for (const auto& e : edge_vertices)
+      if (remove_edge(tools_, c, t[e[0]], t[e[1]])) return true;
+    for (unsigned i = 0; i < 4; ++i)
+      if (remove_face(tools_, c, i)) return true;
+    return false;
+  }
+
+  std::size_t repair(unsigned pass) {
+    std::size_t n = 0, visited = 0;
+    for (const BadCell& b : cells_below(shape_of_angle(schedule_.target_angle))) {
+      if (++visited % 64 == 0 && out_of_time()) break;
+      if (unchanged(b) && repair_cell(b, pass)) ++n;
+    }
+    return n;
+  }
+
+  bool repair_cell(const BadCell& b, unsigned pass) {
+    if (flip(b.cell)) return true;
+    const SmoothRule rule{schedule_.smoothing_steps, shape_of_angle(schedule_.target_angle + 4), false, 0};
+    bool moved = false;
+    for (const VertexIndex v : b.vertices) moved |= smooth_vertex(tools_, v, rule);
+    if (moved || pass == 0) return moved;
+    if (collapse(b)) return true;
+    return pass >= 2 && b.shape < shape_of_angle(schedule_.insertion_angle) && add_point(b);
+  }
+
+  bool collapse(const BadCell& b) {
+    for (const auto& e : edge_vertices) {
+      const VertexIndex u = b.vertices[e[0]], v = b.vertices[e[1]];
+      if (try_collapse(tools_, u, v, CollapseRule::improve) || try_collapse(tools_, v, u, CollapseRule::improve)) return true;
+    }
+    return false;
+  }
+
+  bool add_point(const BadCell& b) {
+    for (const auto& e : edge_vertices)
+      if (split_to_improve(tools_, b.cell, b.vertices[e[0]], b.vertices[e[1]])) return true;
+    return insert_to_improve(tools_, b.cell);
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  const RunContext& context_;
+  Schedule schedule_;
+  double budget_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace
+
+void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
+  Improver(tools, options, context).run();
+}
+
+}  // namespace geomesh::remesh

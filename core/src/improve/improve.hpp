@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Operations that raise the worst shape about a place, and the schedules that run them.
+#pragma once
+
+#include "geomesh/core/run_context.hpp"
+#include "improve/star_optimizer.hpp"
+#include "refine/operations.hpp"
+
+namespace geomesh::remesh {
+
+struct SmoothRule {
+  unsigned max_steps = 12;
+  double good_enough = 2;   ///< vertices whose worst shape is above are optimised no further
+  bool regularize = false;  ///< also take the ODT place or the centroid where the worst shape does not fall below `floor`
+  double floor = 0;
+};
+
+/// Moves v (within its patch, along its curve) where that raises the worst shape about it: the paper's smart smoothing, with the
+/// optimal place as well as the centroid. Returns whether it moved.
+bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
+
+/// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980; Shewchuk
+/// 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"): 3-2, 4-4 and n-to-m
+/// flips. An edge in the inside of a patch is exchanged on the surface too (2-2) where the guard admits it. Only where the worst
+/// shape rises.
+bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
+
+/// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite: the 2-3
+/// flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
+bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
+
+/// Inserts a vertex into the cell so that the worst shape about it rises: the cavity grows over the faces that would make the
+/// worst new cells (Klingner and Shewchuk 2007, section 3.4, greedily), the place is optimised.
+bool insert_to_improve(Toolbox& tools, CellIndex c);
+/// Splits an edge where that, with the new vertex at its best place, raises the worst shape about it.
+bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
+
+/// Runs the schedule of the level. Cooperative with the time budget and the cancel token.
+void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "improve/improve.hpp"
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+/// Grows a cavity about a cell, one cell at a time over the border face that makes the worst new cell.
+class CavityDigger {
+ public:
+  CavityDigger(Toolbox& tools, CellIndex seed) : tools_(tools), mesh_(tools.mesh), cells_{seed} {}
+
+  /// The prefix of the growth with the best worst shape from p; false where p sees none of them whole.
+  bool dig(const Vec3& p, std::size_t max_cells) {
+    cells_.resize(1);
+    std::size_t best_size = 0;
+    double best = 0;
+    while (cells_.size() <= max_cells) {
+      FaceRef worst_face;
+      const double worst = worst_border(p, worst_face);
+      if (worst > best) best = worst, best_size = cells_.size();
+      if (!worst_face.valid()) break;
+      cells_.push_back(worst_face.cell());
+    }
+    cells_.resize(best_size);
+    return best_size > 0;
+  }
+  const std::vector<CellIndex>& cells() const { return cells_; }
+
+ private:
+  /// Worst shape over the border; the cell beyond that face, or an invalid reference where it is constrained.
+  double worst_border(const Vec3& p, FaceRef& beyond) const {
+    double worst = 1;
+    beyond = FaceRef();
+    for (const CellIndex c : cells_)
+      for (unsigned i = 0; i < 4; ++i) {
+        const FaceRef n = mesh_.topology().neighbor(c, i);
+        if (n.valid() && std::find(cells_.begin(), cells_.end(), n.cell()) != cells_.end()) continue;
+        const Tetrahedron& t = mesh_.vertices(c);
+        const auto& f = face_vertices[i];
+        const double s = shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p);
+        if (s >= worst) continue;
+        worst = s;
+        beyond = mesh_.tag(c, i).constrained() ? FaceRef() : n;
+      }
+    return worst;
+  }
+
+  Toolbox& tools_;
+  const DomainMesh& mesh_;
+  std::vector<CellIndex> cells_;
+};
+
+/// No vertex, curve edge or constrained face may be inside the cavity (its cells are of one component already).
+bool swallows_constraint(const DomainMesh& mesh, const StarCavity& cavity) {
+  const auto on_link = [&](VertexIndex a, VertexIndex b) {
+    return std::any_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
+      return std::find(f.vertices.begin(), f.vertices.end(), a) != f.vertices.end() &&
+             std::find(f.vertices.begin(), f.vertices.end(), b) != f.vertices.end();
+    });
+  };
+  for (const CellIndex c : cavity.cells) {
+    const Tetrahedron& t = mesh.vertices(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!on_link(t[i], t[i])) return true;
+      const FaceRef n = mesh.topology().neighbor(c, i);
+      if (mesh.tag(c, i).constrained() && n.valid() &&
+          std::find(cavity.cells.begin(), cavity.cells.end(), n.cell()) != cavity.cells.end())
+        return true;
+    }
+    for (const auto& e : edge_vertices)
+      if (mesh.curve_of(t[e[0]], t[e[1]]) != no_index && !on_link(t[e[0]], t[e[1]])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool insert_to_improve(Toolbox& tools, CellIndex c) {
+  DomainMesh& mesh = tools.mesh;
+  const Tetrahedron& t = mesh.vertices(c);
+  Vec3 p = 0.25 * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]) + mesh.point(t[3]));
+  CavityDigger digger(tools, c);
+  StarCavity& cavity = tools.work.cavity;
+  StarProblem problem;
+  for (unsigned round = 0; round < 3; ++round) {
+    if (!digger.dig(p, 40)) return false;
+    gather_cells(mesh, tools.work.marks, digger.cells(), cavity);
+    problem.set_link(mesh, cavity);
+    const OptimizedPlace best = optimize_place(problem, p, {20, 2});
+    p = best.point;
+    if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p)) continue;
+    if (swallows_constraint(mesh, cavity)) return false;
+    fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
+    ++tools.statistics.improving_insertions;
+    return true;
+  }
+  return false;
+}
+
+bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
+  DomainMesh& mesh = tools.mesh;
+  StarCavity& cavity = tools.work.cavity;
+  gather_edge(mesh, c, a, b, cavity);
+  const double before = removed_shape(mesh, cavity);
+  const Index curve = mesh.curve_of(a, b);
+  const Index patch = cavity.spokes.empty() ? no_index : mesh.patch_of_facet(cavity.spokes[0].facet);
+  if (patch == hull_patch) return false;
+  const Vec3 middle = 0.5 * (mesh.point(a) + mesh.point(b));
+  StarProblem problem;
+  problem.set_link(mesh, cavity);
+  const bool moves_on_patch = curve == no_index && patch != no_index;
+  if (curve != no_index) {
+    problem.freedom = StarProblem::Freedom::line;
+    problem.direction = (1 / distance(mesh.point(a), mesh.point(b))) * (mesh.point(b) - mesh.point(a));
+  } else if (moves_on_patch) {
+    problem.freedom = StarProblem::Freedom::plane;
+    problem.direction = tools.guard.normal(patch, middle);
+  }
+  Vec3 p = optimize_place(problem, middle, {20, 2}).point;
+  if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
+  if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p)) return false;
+  if (moves_on_patch && !tools.guard.exact()) {
+    std::vector<SurfaceFace> before_faces, after_faces;
+    std::vector<CurvePiece> curves;
+    for (const Spoke& s : cavity.spokes)
+      if (s.a == a || s.a == b)
+        before_faces.push_back({{mesh.point(a), mesh.point(b), mesh.point(s.b)}, patch});  // each face once
+    append_surface(mesh, cavity, p, after_faces, curves);
+    if (!tools.guard.admits(before_faces, after_faces, {}, {}, {})) return false;
+  }
+  VertexIndex v;
+  if (curve != no_index) {
+    v = mesh.add_vertex(p, VertexKind::curve, curve);
+    mesh.erase_curve(a, b);
+    mesh.set_curve(a, v, curve);
+    mesh.set_curve(v, b, curve);
+  } else {
+    v = mesh.add_vertex(p, moves_on_patch ? VertexKind::surface : VertexKind::inside, patch);
+  }
+  fill_with_star(mesh, cavity, v, tools.work);
+  ++tools.statistics.improving_insertions;
+  return true;
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "improve/improve.hpp"
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+class Smoother {
+ public:
+  Smoother(Toolbox& tools, VertexIndex v)
+      : tools_(tools), mesh_(tools.mesh), cavity_(tools.work.cavity), v_(v), old_(tools.mesh.point(v)) {}
+
+  bool run(const SmoothRule& rule) {
+    const VertexKind kind = mesh_.kind(v_);
+    if (kind == VertexKind::corner || kind == VertexKind::dead || (kind == VertexKind::curve && tools_.guard.exact()))
+      return false;
+    gather_star(mesh_, v_, tools_.work.marks, cavity_);
+    const double before = removed_shape(mesh_, cavity_);
+    if (before >= rule.good_enough && !rule.regularize) return false;
+    problem_.set_link(mesh_, cavity_);
+    if (!set_freedom()) return false;
+    return (rule.regularize && try_regular(before, rule.floor)) || (before < rule.good_enough && try_optimal(before, rule));
+  }
+
+ private:
+  bool set_freedom() {
+    if (mesh_.kind(v_) == VertexKind::surface) {
+      problem_.freedom = StarProblem::Freedom::plane;
+      problem_.direction = tools_.guard.normal(mesh_.support(v_), old_);
+    } else if (mesh_.kind(v_) == VertexKind::curve) {
+      if (cavity_.curves.size() != 2) return false;
+      const Vec3 d = mesh_.point(cavity_.curves[1].a) - mesh_.point(cavity_.curves[0].a);
+      problem_.freedom = StarProblem::Freedom::line;
+      problem_.direction = (1 / length(d)) * d;
+    }
+    return true;
+  }
+
+  Vec3 project(const Vec3& p) const {
+    switch (mesh_.kind(v_)) {
+      case VertexKind::surface:
+        return tools_.guard.project_to_patch(mesh_.support(v_), p);
+      case VertexKind::curve:
+        return tools_.guard.project_to_curve(mesh_.support(v_), p);
+      default:
+        return p;
+    }
+  }
+
+  /// A place that evens out sizes and shapes, taken where no shape about it becomes bad.
+  bool try_regular(double before, double floor) {
+    const Vec3 centre = mesh_.kind(v_) == VertexKind::inside ? odt_place(problem_, old_) : surface_centroid();
+    const double needed = std::min(before, floor);
+    for (const double t : {1.0, 0.5}) {
+      const Vec3 p = project(old_ + problem_.constrain(t * (centre - old_)));
+      if (problem_.shape_at(p, needed) > needed && place(p)) return true;
+    }
+    return false;
+  }
+
+  Vec3 surface_centroid() const {
+    if (!cavity_.curves.empty()) return 0.5 * (mesh_.point(cavity_.curves[0].a) + mesh_.point(cavity_.curves[1].a));
+    Vec3 sum;
+    double weight = 0;
+    for (const Spoke& s : cavity_.spokes) {
+      const Vec3 &a = mesh_.point(s.a), &b = mesh_.point(s.b);
+      const double area = length(cross(a - old_, b - old_));
+      sum = sum + (area / 3) * (old_ + a + b);
+      weight += area;
+    }
+    return weight > 0 ? (1 / weight) * sum : old_;
+  }
+
+  bool try_optimal(double before, const SmoothRule& rule) {
+    OptimizedPlace best = optimize_place(problem_, old_, {rule.max_steps, rule.good_enough});
+    if (mesh_.kind(v_) == VertexKind::inside && best.shape < rule.good_enough) {
+      const OptimizedPlace other = optimize_place(problem_, link_centroid(problem_), {rule.max_steps, rule.good_enough});
+      if (other.shape > best.shape) best = other;
+    }
+    // On a curved patch the tolerance may allow part of the way only.
+    for (const double t : {1.0, 0.5, 0.25}) {
+      const Vec3 p = project(old_ + t * (best.point - old_));
+      if (problem_.shape_at(p, before) > before * 1.0005 && place(p)) return true;
+      if (mesh_.kind(v_) == VertexKind::inside) break;
+    }
+    return false;
+  }
+
+  bool place(const Vec3& p) {
+    if (p == old_ || !star_is_positive(mesh_, cavity_, p) || !guard_allows(p)) return false;
+    mesh_.move_vertex(v_, p);
+    for (const CellIndex c : cavity_.cells) mesh_.refresh_shape(c);
+    tools_.forget_size(v_);
+    ++tools_.statistics.smoothing_moves;
+    return true;
+  }
+
+  bool guard_allows(const Vec3& p) const {
+    if (tools_.guard.exact() || (cavity_.spokes.empty() && cavity_.curves.empty())) return true;
+    std::vector<SurfaceFace> before, after;
+    std::vector<CurvePiece> curves_before, curves_after;
+    append_surface(mesh_, cavity_, old_, before, curves_before);
+    append_surface(mesh_, cavity_, p, after, curves_after);
+    return tools_.guard.admits(before, after, {}, curves_before, curves_after);
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  StarCavity& cavity_;
+  VertexIndex v_;
+  Vec3 old_;
+  StarProblem problem_;
+};
+
+}  // namespace
+
+bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) { return Smoother(tools, v).run(rule); }
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Best place for a vertex whose link is fixed: the nonsmooth optimisation of Freitag and Ollivier-Gooch 1997 (section 3.2).
+///
+/// The least of all dihedral measures about the vertex is maximised by steps along the steepest ascent direction: the point
+/// nearest to the origin in the convex hull of the gradients of the active terms (those within a few per cent of the least).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "refine/cavity.hpp"
+
+namespace geomesh::remesh {
+
+struct StarProblem {
+  std::vector<std::array<Vec3, 3>> link;  ///< (l0, l1, l2, p) positive for an admissible p
+  enum class Freedom { space, plane, line } freedom = Freedom::space;
+  Vec3 direction;  ///< plane: its normal; line: its direction; of length one
+
+  void set_link(const DomainMesh& mesh, const StarCavity& cavity);
+  double shape_at(const Vec3& p, double enough = -1) const;
+  Vec3 constrain(const Vec3& v) const;
+};
+
+struct OptimizeLimits {
+  unsigned max_steps = 12;
+  double good_enough = 2;  ///< stops once the worst shape is above this
+};
+
+struct OptimizedPlace {
+  Vec3 point;
+  double shape;  ///< worst about it; not less than that of the start
+};
+
+/// The start need not be admissible: a shape at most 0 is climbed as far as the gradients of positive terms lead.
+OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits = {});
+
+/// Centroid of the link weighted by the areas of its faces.
+Vec3 link_centroid(const StarProblem& problem);
+/// Circumcentres of the cells about p averaged by volume: the step of Chen and Xu 2004 towards an optimal Delaunay triangulation.
+Vec3 odt_place(const StarProblem& problem, const Vec3& p);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "quality/shape.hpp"
+#include "refine/refinement.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+class SizeFieldBuilder {
+ public:
+  SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
+                   const std::vector<Index>& patch)
+      : plc_(plc),
+        mesh_(mesh),
+        options_(options),
+        patch_(patch),
+        sources_(options.sources),
+        at_vertex_(mesh.n_vertices(), infinity) {}
+
+  SizeField run() {
+    if (options_.from_input_edges) add_input_edges();
+    visit_faces();
+    add_curve_sizes();
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
+      if (at_vertex_[v] < infinity) sources_.push_back({mesh_.point(v), at_vertex_[v], 0});
+    if (options_.gap_layers > 0) add_gaps();
+    SizeField::Limits limits;
+    if (options_.global > 0) limits.global = options_.global;
+    if (options_.max_size > 0) limits.max_size = options_.max_size;
+    limits.min_size = options_.min_size;
+    limits.gradation = options_.gradation;
+    limits.component_size = options_.component_size;
+    limits.background = options_.background;
+    return SizeField(std::move(sources_), std::move(limits));
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  void ask(VertexIndex v, double size) {
+    if (size > 0) at_vertex_[v] = std::min(at_vertex_[v], size);
+  }
+
+  template <class Visit>
+  void for_each_face(Visit visit) const {
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      for (unsigned i = 0; i < 4; ++i) {
+        const FaceTag t = mesh_.tag(c, i);
+        if (!mesh_.is_live(c) || !t.constrained() || t.facet() == hull_facet || (!t.above() && mesh_.has_neighbor(c, i)))
+          continue;
+        const Tetrahedron& v = mesh_.vertices(c);
+        visit(c, i, Triangle{v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]}, t.facet());
+      }
+  }
+
+  /// At each vertex on a surface the mean length of the constrained edges there. Means, not least lengths: input meshes have
+  /// stray short edges that should not be copied into their surroundings.
+  void add_input_edges() {
+    std::vector<double> sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
+    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const VertexIndex a = t[k], b = t[(k + 1) % 3];
+        const double l = distance(mesh_.point(a), mesh_.point(b));
+        for (const VertexIndex v : {a, b}) sum[v] += l, count[v] += 1;
+      }
+    });
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
+      if (count[v] > 0) ask(v, sum[v] / count[v]);
+  }
+
+  /// Sizes of patches hold over their faces, curvature at their edges.
+  void visit_faces() {
+    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
+      const Index patch = facet < patch_.size() ? patch_[facet] : no_index;
+      if (patch >= options_.patch_size.size() || !(options_.patch_size[patch] > 0)) return;
+      add_triangle(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), options_.patch_size[patch]);
+    });
+    if (options_.curvature_angle > 0) add_curvature();
+  }
+
+  /// A large triangle of the input is covered with sources no farther apart than its size asks for (at most a few thousand).
+  void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c, double size) {
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const int n = std::clamp(static_cast<int>(std::ceil(longest / (2 * size))), 1, 100);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
+        sources_.push_back({(1 - u - v) * a + u * b + v * c, size, 0.75 * longest / n});
+      }
+  }
+
+  void add_piece(const Vec3& a, const Vec3& b, double size) {
+    const double l = distance(a, b);
+    const int n = std::clamp(static_cast<int>(std::ceil(l / (2 * size))), 1, 10000);
+    for (int i = 0; i <= n; ++i) sources_.push_back({a + (static_cast<double>(i) / n) * (b - a), size, 0.5 * l / n});
+  }
+
+  void add_curve_sizes() {
+    for (const auto& [a, b] : mesh_.curve_edges())
+      for (const Index s : mesh_.curve_class(mesh_.curve_of(a, b)).segments)
+        if (s < options_.segment_size.size() && options_.segment_size[s] > 0)
+          add_piece(mesh_.point(a), mesh_.point(b), options_.segment_size[s]);
+  }
+
+  /// Where the surface turns by an angle over the distance between two faces' centroids, the radius is distance / angle; the edge
+  /// that turns by the angle asked is radius times that angle.
+  void add_curvature() {
+    struct Half {
+      std::array<VertexIndex, 2> edge;
+      Vec3 normal, centroid;
+      Index patch;
+    };
+    std::vector<Half> halves;
+    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
+      const Vec3 &a = mesh_.point(t[0]), &b = mesh_.point(t[1]), &c = mesh_.point(t[2]), n = cross(b - a, c - a);
+      const double l = length(n);
+      if (!(l > 0)) return;
+      for (unsigned k = 0; k < 3; ++k)
+        halves.push_back({{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])},
+                          (1 / l) * n,
+                          (1.0 / 3) * (a + b + c),
+                          facet < patch_.size() ? patch_[facet] : no_index});
+    });
+    std::sort(halves.begin(), halves.end(),
+              [](const Half& x, const Half& y) { return x.edge != y.edge ? x.edge < y.edge : compare(x.centroid, y.centroid); });
+    for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
+      const Half &x = halves[i], &y = halves[i + 1];
+      if (x.edge != y.edge || x.patch != y.patch) continue;
+      const double turn = std::acos(std::clamp(std::abs(dot(x.normal, y.normal)), 0.0, 1.0));
+      if (turn < 1e-3 || turn > 0.8) continue;  // flat, or a crease
+      const double size = options_.curvature_angle * std::acos(-1.0) / 180 * distance(x.centroid, y.centroid) / turn;
+      for (const VertexIndex v : x.edge) ask(v, size);
+    }
+  }
+  static bool compare(const Vec3& a, const Vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
+
+  /// Distance from the centroid of face i of c, along its normal into c, to the next constrained face that faces back; infinite
+  /// where that face stands at more than 60 degrees to this one or shares a vertex with it (a corner, not a gap).
+  double gap_width(CellIndex c, unsigned i, const Triangle& t) const {
+    const Vec3 &a = mesh_.point(t[0]), &b = mesh_.point(t[1]), &d = mesh_.point(t[2]), n = cross(b - a, d - a);
+    const double l = length(n);
+    if (!(l > 0)) return infinity;
+    const Vec3 direction = (1 / l) * n, origin = (1.0 / 3) * (a + b + d);  // seen from the cell, the normal points into it
+    unsigned entered = i;
+    for (unsigned step = 0; step < 500; ++step) {
+      const Tetrahedron& v = mesh_.vertices(c);
+      double leave_at = infinity;
+      unsigned leave = 4;
+      Vec3 leave_normal;
+      for (unsigned k = 0; k < 4; ++k) {
+        if (k == entered) continue;
+        const Vec3& p = mesh_.point(v[face_vertices[k][0]]);
+        const Vec3 m = cross(mesh_.point(v[face_vertices[k][1]]) - p, mesh_.point(v[face_vertices[k][2]]) - p);  // inward
+        const double speed = -dot(m, direction);
+        if (!(speed > 0)) continue;
+        const double at = dot(m, origin - p) / speed;
+        if (at < leave_at) leave_at = at, leave = k, leave_normal = m;
+      }
+      if (leave == 4) return infinity;
+      if (mesh_.tag(c, leave).constrained()) {
+        for (const unsigned k : face_vertices[leave])
+          if (std::find(t.begin(), t.end(), v[k]) != t.end()) return infinity;
+        return -dot(leave_normal, direction) > 0.5 * length(leave_normal) ? std::max(leave_at, 0.0) : infinity;
+      }
+      const FaceRef next = mesh_.topology().neighbor(c, leave);
+      c = next.cell();
+      entered = next.face();
+    }
+    return infinity;
+  }
+
+  void add_gaps() {
+    std::vector<SizeSource> found;
+    const SizeField others(sources_, {options_.global > 0 ? options_.global : infinity, 0, infinity, options_.gradation, {}, {}});
+    const auto visit = [&](CellIndex c, unsigned i, const Triangle& t) {
+      const double width = gap_width(c, i, t);
+      if (!(width < infinity)) return;
+      const Vec3 centroid = (1.0 / 3) * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]));
+      const double asked = others.at(centroid), size = std::max(width / options_.gap_layers, options_.gap_floor * asked);
+      if (size < asked) found.push_back({centroid, size, 0});
+    };
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      for (unsigned i = 0; i < 4; ++i) {
+        if (!mesh_.is_live(c) || !mesh_.tag(c, i).constrained()) continue;
+        const Tetrahedron& v = mesh_.vertices(c);
+        visit(c, i, {v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]});
+      }
+    sources_.insert(sources_.end(), found.begin(), found.end());
+  }
+
+  const PiecewiseLinearComplex& plc_;
+  const DomainMesh& mesh_;
+  const SizeOptions& options_;
+  const std::vector<Index>& patch_;
+  std::vector<SizeSource> sources_;
+  std::vector<double> at_vertex_;
+};
+
+}  // namespace
+
+SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
+                           const std::vector<Index>& facet_patch) {
+  return SizeFieldBuilder(plc, mesh, options, facet_patch).run();
+}
+
+double estimate_elements(const DomainMesh& mesh, const SizeField& size) {
+  constexpr double volume_of_unit_size =
+      0.105;  // measured: mean volume over the cube of the asked size; 0.118 for the regular one
+  double sum = 0;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    const Tetrahedron& t = mesh.vertices(c);
+    const std::array<Vec3, 4> p{mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])};
+    const double volume = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6;
+    const Vec3 middle = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+    double density = 0;
+    for (const Vec3& q : p) {
+      const double h = size.at(0.6 * middle + 0.4 * q, mesh.component(c));
+      density += 0.25 / (h * h * h);
+    }
+    sum += volume * density / volume_of_unit_size;
+  }
+  return std::max(sum, static_cast<double>(mesh.n_cells()));
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Distance from points to groups of triangles or line pieces: the input surfaces and curves that a remeshed one must stay near
+/// to.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::remesh {
+
+/// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5). The corners may be equal in
+/// pairs.
+Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
+
+struct ClosestPoint {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3 point;
+  Index item = no_index;  ///< the caller's id of the triangle or piece
+};
+
+/// Bounding-box trees, one a group (a patch, or a curve class). A line piece is a triangle with its last two corners equal.
+class ClosestPointTrees {
+ public:
+  struct Item {
+    std::array<Vec3, 3> corners;
+    Index group;
+    Index id;
+  };
+  ClosestPointTrees() = default;
+  /// O(n log n).
+  ClosestPointTrees(std::vector<Item> items, std::size_t n_groups);
+
+  /// Nearest item of the group within `limit`; distance is infinite where there is none. O(log n) for limits of the size of an
+  /// item.
+  ClosestPoint closest(const Vec3& p, Index group, double limit = std::numeric_limits<double>::infinity()) const;
+  /// Calls visit(item) for the items of a group whose boxes meet the box.
+  template <class Visit>
+  void for_each_in(const Box3& box, Index group, Visit visit) const {
+    if (group < roots_.size() && roots_[group] != no_index) visit_in(roots_[group], box, visit);
+  }
+  bool has_group(Index group) const { return group < roots_.size() && roots_[group] != no_index; }
+  const std::vector<Item>& items() const { return items_; }
+
+ private:
+  struct Node {
+    Box3 box;
+    Index first, last;  // items
+    Index left = no_index, right = no_index;
+  };
+  Index build(Index first, Index last);
+  template <class Visit>
+  void visit_in(Index node, const Box3& box, Visit& visit) const {
+    const Node& n = nodes_[node];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (n.box.min[i] > box.max[i] || n.box.max[i] < box.min[i]) return;
+    if (n.left == no_index) {
+      for (Index i = n.first; i < n.last; ++i) visit(items_[i]);
+      return;
+    }
+    visit_in(n.left, box, visit);
+    visit_in(n.right, box, visit);
+  }
+
+  std::vector<Item> items_;
+  std::vector<Node> nodes_;
+  std::vector<Index> roots_;
+};
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "quality/shape.hpp"
+#include "refine/operations.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+bool contains(const std::vector<VertexIndex>& list, VertexIndex v) {
+  return std::find(list.begin(), list.end(), v) != list.end();
+}
+
+/// Vertices joined with v by an edge of a constrained face.
+void surface_neighbors(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells,
+                       std::vector<VertexIndex>& neighbors) {
+  neighbors.clear();
+  mesh.star(v, marks, cells);
+  for (const CellIndex c : cells)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!mesh.tag(c, i).constrained() || mesh.vertices(c)[i] == v) continue;
+      for (const unsigned k : face_vertices[i]) {
+        const VertexIndex x = mesh.vertices(c)[k];
+        if (x != v && !contains(neighbors, x)) neighbors.push_back(x);
+      }
+    }
+}
+
+class Collapse {
+ public:
+  Collapse(Toolbox& tools, VertexIndex u, VertexIndex v) : tools_(tools), mesh_(tools.mesh), u_(u), v_(v) {}
+
+  bool attempt(CollapseRule rule, double floor) {
+    if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
+    gather_star(mesh_, u_, tools_.work.marks, star_);
+    if (!support_allows() || !cells_at_edge_allow()) return false;
+    target_ = star_;
+    std::erase_if(target_.link,
+                  [&](const LinkFace& f) { return f.vertices[0] == v_ || f.vertices[1] == v_ || f.vertices[2] == v_; });
+    std::erase_if(target_.spokes, [&](const Spoke& s) { return s.a == v_ || s.b == v_; });
+    std::erase_if(target_.curves, [&](const CurveSpoke& s) { return s.a == v_; });
+    if (target_.link.empty() || !topology_allows() || !shape_allows(rule, floor) || !guard_allows()) return false;
+    commit();
+    return true;
+  }
+
+ private:
+  /// The edge lies on u's own curve or patch.
+  bool support_allows() const {
+    switch (mesh_.kind(u_)) {
+      case VertexKind::inside:
+        return true;
+      case VertexKind::surface:
+        return std::any_of(star_.spokes.begin(), star_.spokes.end(), [&](const Spoke& s) { return s.a == v_ || s.b == v_; });
+      case VertexKind::curve:
+        return mesh_.curve_of(u_, v_) != no_index;
+      default:
+        return false;
+    }
+  }
+
+  /// Cells with both u and v vanish: their two other faces become one, which must not be constrained twice nor open to the
+  /// outside.
+  bool cells_at_edge_allow() const {
+    bool joined = false;
+    for (const CellIndex c : star_.cells) {
+      const unsigned iv = mesh_.topology().index_of(c, v_);
+      if (iv > 3) continue;
+      joined = true;
+      const unsigned iu = mesh_.topology().index_of(c, u_);
+      if (!mesh_.has_neighbor(c, iv) || (mesh_.tag(c, iu).constrained() && mesh_.tag(c, iv).constrained())) return false;
+    }
+    return joined;
+  }
+
+  /// Surfaces must not be pinched: a surface edge of u that becomes one of v may not be one already, but for those beside the
+  /// edge.
+  bool topology_allows() const {
+    if (mesh_.kind(u_) == VertexKind::inside) return true;
+    std::vector<VertexIndex> beside, neighbors;
+    for (const Spoke& s : star_.spokes)
+      if (s.a == v_ || s.b == v_) beside.push_back(s.a == v_ ? s.b : s.a);
+    surface_neighbors(mesh_, v_, tools_.work.marks, tools_.work.cells, neighbors);
+    for (const Spoke& s : target_.spokes)
+      for (const VertexIndex x : {s.a, s.b})
+        if (!contains(beside, x) && contains(neighbors, x)) return false;
+    return std::none_of(target_.curves.begin(), target_.curves.end(),
+                        [&](const CurveSpoke& s) { return mesh_.curve_of(v_, s.a) != no_index; });
+  }
+
+  bool shape_allows(CollapseRule rule, double floor) {
+    const double old = removed_shape(mesh_, star_);
+    const double needed = rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
+    const Vec3& p = mesh_.point(v_);
+    if (!(star_shape(mesh_, target_, p, needed) > needed) || !star_is_positive(mesh_, target_, p)) return false;
+    const double stretch = rule == CollapseRule::improve ? 1.8 : 1.4;
+    for (const LinkFace& f : target_.link)
+      for (const VertexIndex x : f.vertices) {
+        const double limit = stretch * tools_.size_of_edge(v_, x), l = squared_distance(p, mesh_.point(x));
+        if (l > limit * limit && l > squared_distance(mesh_.point(u_), mesh_.point(x))) return false;
+      }
+    return true;
+  }
+
+  bool guard_allows() const {
+    if (tools_.guard.exact() || (star_.spokes.empty() && star_.curves.empty())) return true;
+    std::vector<SurfaceFace> before, after, around;
+    std::vector<CurvePiece> curves_before, curves_after;
+    append_surface(mesh_, star_, mesh_.point(u_), before, curves_before);
+    append_surface(mesh_, target_, mesh_.point(v_), after, curves_after);
+    StarCavity about_v;
+    gather_star(mesh_, v_, tools_.work.marks, about_v);
+    std::erase_if(about_v.spokes, [&](const Spoke& s) { return s.a == u_ || s.b == u_; });
+    std::vector<CurvePiece> ignored;
+    append_surface(mesh_, about_v, mesh_.point(v_), around, ignored);
+    return tools_.guard.admits(before, after, around, curves_before, curves_after);
+  }
+
+  void commit() {
+    for (const CurveSpoke& s : star_.curves) mesh_.erase_curve(u_, s.a);
+    for (const CurveSpoke& s : target_.curves) mesh_.set_curve(v_, s.a, s.curve);
+    fill_with_star(mesh_, target_, v_, tools_.work);
+    mesh_.remove_vertex(u_);
+    ++tools_.statistics.collapses;
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  VertexIndex u_, v_;
+  StarCavity star_, target_;
+};
+
+}  // namespace
+
+bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor) {
+  return Collapse(tools, u, v).attempt(rule, floor);
+}
+
+}  // namespace geomesh::remesh

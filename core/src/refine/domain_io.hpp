@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// From a ConstrainedTetrahedralization to the mesh that operations work on, and back.
+#pragma once
+
+#include "geomesh/core/refine.hpp"
+#include "refine/domain_mesh.hpp"
+
+namespace geomesh::remesh {
+
+/// Patch of each facet as the options say: exact: each facet its own; else facet_patch, or facets of equal provenance.
+std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options);
+/// The patches that users name (sizes), whatever the honour mode.
+std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options);
+
+/// Vertices and cells keep their rows. Curves: edges where not exactly two faces of one patch meet, or two that turn by more than
+/// the sharp angle, and listed segments. O(n log n). Throws InternalError where the mesh breaks its invariants.
+DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                         const RefineOptions& options);
+
+/// Input vertices that are still where they were first, in input order, then the others by row. Cells by row; faces by facet.
+ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const PiecewiseLinearComplex& plc,
+                                            const ConstrainedTetrahedralization& before);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "refine/domain_mesh.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "geomesh/core/predicates.hpp"
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+VertexIndex DomainMesh::add_vertex(const Vec3& p, VertexKind kind, Index support) {
+  points_.push_back(p);
+  kinds_.push_back(kind);
+  supports_.push_back(support);
+  incident_.push_back(no_cell);
+  return static_cast<VertexIndex>(points_.size() - 1);
+}
+
+void DomainMesh::reserve(std::size_t n_vertices, std::size_t n_cells) {
+  points_.reserve(n_vertices);
+  kinds_.reserve(n_vertices);
+  supports_.reserve(n_vertices);
+  incident_.reserve(n_vertices);
+  mesh_.reserve(n_cells);
+  component_.reserve(n_cells);
+  tags_.reserve(n_cells);
+  shape_.reserve(n_cells);
+}
+
+CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
+  const CellIndex c = mesh_.add_cell(vertices);
+  if (c == component_.size()) {
+    component_.push_back(component);
+    tags_.emplace_back();
+    shape_.push_back(0);
+  } else {
+    component_[c] = component;
+    tags_[c] = {};
+  }
+  for (VertexIndex v : vertices) incident_[v] = c;
+  refresh_shape(c);
+  return c;
+}
+
+void DomainMesh::refresh_shape(CellIndex c) {
+  const Tetrahedron& t = mesh_.vertices(c);
+  shape_[c] = shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
+}
+
+std::array<VertexIndex, 3> DomainMesh::face_key(const Tetrahedron& t, unsigned i) {
+  std::array<VertexIndex, 3> k{t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
+  if (k[0] > k[1]) std::swap(k[0], k[1]);
+  if (k[1] > k[2]) std::swap(k[1], k[2]);
+  if (k[0] > k[1]) std::swap(k[0], k[1]);
+  return k;
+}
+
+void DomainMesh::link_cells() {
+  std::vector<FaceRecord> records;
+  records.reserve(4 * mesh_.n_live());
+  for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+    if (mesh_.is_live(c))
+      for (unsigned i = 0; i < 4; ++i) records.push_back({face_key(mesh_.vertices(c), i), FaceRef(c, i), {}, false});
+  pair_faces(records);
+}
+
+void DomainMesh::collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const {
+  for (CellIndex c : removed)
+    for (unsigned i = 0; i < 4; ++i) records.push_back({face_key(mesh_.vertices(c), i), mesh_.neighbor(c, i), tags_[c][i], true});
+}
+
+void DomainMesh::pair_faces(std::vector<FaceRecord>& records) {
+  std::sort(records.begin(), records.end(), [](const FaceRecord& a, const FaceRecord& b) {
+    return a.key != b.key ? a.key < b.key : a.outer != b.outer ? a.outer : a.face.code < b.face.code;
+  });
+  for (std::size_t i = 0; i < records.size();) {
+    std::size_t j = i;
+    while (j < records.size() && records[j].key == records[i].key) ++j;
+    std::size_t n_outer = 0;
+    while (i + n_outer < j && records[i + n_outer].outer) ++n_outer;
+    const std::size_t n_new = j - i - n_outer;
+    FaceRecord* added = records.data() + i + n_outer;
+    // Two outer records: a face inside the removed region. One: on its border, to be met by exactly one new face.
+    if (n_outer == 1 && n_new == 1) {
+      FaceTag& own = tags_[added->face.cell()][added->face.face()];
+      const FaceRef outer = records[i].face;
+      if (records[i].tag.constrained())
+        own = records[i].tag;
+      else if (own.constrained())  // a surface that the operation has moved to the border
+        tags_[outer.cell()][outer.face()] = own.opposite();
+      if (outer.valid()) mesh_.link(added->face, outer);
+    } else if (n_new == 2 && n_outer != 1) {
+      mesh_.link(added[0].face, added[1].face);
+    } else if (n_new == 1 && n_outer == 0) {
+      // A new face on the outside of the model: it carries the tag that its cell was given.
+    } else {
+      GEOMESH_CHECK(n_new == 0 && (n_outer == 2 || (n_outer == 1 && !records[i].face.valid())));
+    }
+    i = j;
+  }
+}
+
+void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created) {
+  records_.clear();
+  collect_border(removed, records_);
+  for (CellIndex c : removed) mesh_.free_cell(c);
+  created.clear();
+  for (const NewCell& n : added) {
+    const CellIndex c = add_cell(n.vertices, n.component);
+    tags_[c] = n.tags;
+    created.push_back(c);
+    for (unsigned i = 0; i < 4; ++i) records_.push_back({face_key(n.vertices, i), FaceRef(c, i), {}, false});
+  }
+  pair_faces(records_);
+}
+
+void DomainMesh::remove_vertex(VertexIndex v) {
+  kinds_[v] = VertexKind::dead;
+  supports_[v] = no_index;
+  incident_[v] = no_cell;
+}
+
+void DomainMesh::star(VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells) const {
+  cells.clear();
+  marks.begin(mesh_.n_slots());
+  cells.push_back(incident_[v]);
+  marks.mark(incident_[v]);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const CellIndex c = cells[k];
+    for (unsigned i = 0; i < 4; ++i) {
+      if (mesh_.vertex(c, i) == v) continue;
+      const FaceRef n = mesh_.neighbor(c, i);
+      if (!n.valid() || marks.marked(n.cell())) continue;
+      marks.mark(n.cell());
+      cells.push_back(n.cell());
+    }
+  }
+}
+
+std::size_t DomainMesh::n_patches() const {
+  Index n = 0;
+  for (Index p : facet_patch_)
+    if (p != no_index) n = std::max(n, p + 1);
+  return n;
+}
+
+Index DomainMesh::add_curve_class(CurveClass c) {
+  curve_classes_.push_back(std::move(c));
+  return static_cast<Index>(curve_classes_.size() - 1);
+}
+
+Index DomainMesh::curve_of(VertexIndex a, VertexIndex b) const {
+  if (kinds_[a] > VertexKind::curve || kinds_[b] > VertexKind::curve) return no_index;
+  const auto it = curves_.find(edge_key(a, b));
+  return it == curves_.end() ? no_index : it->second;
+}
+
+std::vector<std::array<VertexIndex, 2>> DomainMesh::curve_edges() const {
+  std::vector<std::array<VertexIndex, 2>> edges;
+  edges.reserve(curves_.size());
+  for (const auto& [key, curve] : curves_) edges.push_back({static_cast<VertexIndex>(key >> 32), static_cast<VertexIndex>(key)});
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+namespace {
+
+std::string describe(const char* what, CellIndex c) { return std::string(what) + " (cell " + std::to_string(c) + ")"; }
+
+}  // namespace
+
+std::string DomainMesh::validate() const {
+  std::vector<std::array<VertexIndex, 2>> edges;
+  for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
+    if (!mesh_.is_live(c)) continue;
+    const Tetrahedron& t = mesh_.vertices(c);
+    if (orient3d(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]) != Sign::positive)
+      return describe("a cell is not positive", c);
+    for (unsigned i = 0; i < 4; ++i) {
+      if (kinds_[t[i]] == VertexKind::dead) return describe("a removed vertex is in a cell", c);
+      const FaceRef f(c, i), n = mesh_.mirror(f);
+      if (!n.valid()) {
+        if (!tags_[c][i].constrained()) return describe("an outer face is not tagged", c);
+        continue;
+      }
+      if (!mesh_.is_live(n.cell()) || mesh_.mirror(n) != f) return describe("neighbour links are not mutual", c);
+      if (face_key(t, i) != face_key(mesh_.vertices(n.cell()), n.face())) return describe("neighbours disagree on their face", c);
+      if (tags_[c][i].opposite() != tags_[n.cell()][n.face()]) return describe("a face's two tags disagree", c);
+      if (!tags_[c][i].constrained() && component_[c] != component_[n.cell()])
+        return describe("components leak through a face", c);
+    }
+    for (const auto& e : edge_vertices) edges.push_back({std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]])});
+  }
+  std::sort(edges.begin(), edges.end());
+  for (const auto& e : curve_edges())
+    if (!std::binary_search(edges.begin(), edges.end(), e)) return "a curve edge is not in the mesh";
+  for (VertexIndex v = 0; v < points_.size(); ++v)
+    if (kinds_[v] != VertexKind::dead &&
+        (incident_[v] == no_cell || !mesh_.is_live(incident_[v]) || !mesh_.has_vertex(incident_[v], v)))
+      return "an incident cell does not have its vertex " + std::to_string(v);
+  return {};
+}
+
+}  // namespace geomesh::remesh

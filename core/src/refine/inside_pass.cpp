@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "quality/shape.hpp"
+#include "refine/refinement.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr double large_ratio = 0.75;    // circumradius over asked size from which a cell is too large (0.61 for the regular one)
+constexpr double spacing_ratio = 0.68;  // no two points nearer than this share of the asked size
+
+/// Points first at the ideal height above faces whose other side is done (a constrained face, or one of a cell that is small
+/// enough): the front advances from the surfaces inwards and the points of one layer see those of the last (Rebay 1993; Frey,
+/// Borouchaki and George 1998). Where the front's point is refused, the circumcentre.
+class InsideRefiner {
+ public:
+  InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
+
+  std::size_t run(const RunContext& context) {
+    std::vector<CellIndex> large;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c) && is_large(c)) large.push_back(c);
+    std::size_t total = 0;
+    while (!large.empty()) {
+      const std::size_t n_front = pass(large, true, context);
+      total += n_front;
+      if (n_front * 20 > large.size()) continue;
+      const std::size_t n_centre = pass(large, false, context);
+      total += n_centre;
+      if (n_front + n_centre == 0) break;
+    }
+    return total;
+  }
+
+ private:
+  Sphere sphere_of(CellIndex c) const {
+    const Tetrahedron& t = mesh_.vertices(c);
+    return circumsphere(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), mesh_.point(t[3]));
+  }
+  bool is_large(CellIndex c) {
+    const double r = sphere_of(c).radius;
+    return !(r <= large_ratio * tools_.size_of_cell(c));
+  }
+
+  /// One visit to each large cell; `large` becomes what is still large, new cells included.
+  std::size_t pass(std::vector<CellIndex>& large, bool front, const RunContext& context) {
+    std::vector<CellIndex> next;
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < large.size(); ++k) {
+      if (k % 256 == 0) context.check_cancelled();
+      const CellIndex c = large[k];
+      if (!mesh_.is_live(c) || !is_large(c)) continue;
+      const auto v = front ? insert_on_front(c) : insert_at_centre(c);
+      if (!v) {
+        next.push_back(c);
+        continue;
+      }
+      ++n;
+      if (mesh_.n_cells() > max_cells_)
+        throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells_) +
+                                                " elements before the asked sizes; ask for larger sizes or raise the limit");
+      next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
+    large = std::move(next);
+    return n;
+  }
+
+  std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
+    const double h = tools_.size.at(p, mesh_.component(c));
+    return insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3});
+  }
+
+  std::optional<VertexIndex> insert_on_front(CellIndex c) {
+    for (unsigned i = 0; i < 4; ++i) {
+      const bool constrained = mesh_.tag(c, i).constrained();
+      if (!constrained && is_large(mesh_.topology().neighbor_cell(c, i))) continue;
+      if (const auto p = ideal_apex(c, i))
+        if (const auto v = insert(*p, c)) return v;
+    }
+    return std::nullopt;
+  }
+
+  /// Above the circumcentre of face i, so far that the new edges have the asked length, but not beyond the cell's circumcentre.
+  std::optional<Vec3> ideal_apex(CellIndex c, unsigned i) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    const VertexIndex x = t[face_vertices[i][0]], y = t[face_vertices[i][1]], z = t[face_vertices[i][2]];
+    const Vec3 &a = mesh_.point(x), u = mesh_.point(y) - a, v = mesh_.point(z) - a, n = cross(u, v);
+    const double nn = dot(n, n);
+    if (!(nn > 0)) return std::nullopt;
+    const Vec3 offset = (0.5 / nn) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
+    const double h = (tools_.size_at(x) + tools_.size_at(y) + tools_.size_at(z)) / 3, r2 = dot(offset, offset);
+    if (r2 > h * h) return std::nullopt;                             // the face itself is too large
+    const Vec3 base = a + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
+    const double height = std::sqrt(std::max(h * h - r2, 0.2 * h * h)), to_centre = dot(sphere_of(c).centre - base, normal);
+    return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
+  }
+
+  std::optional<VertexIndex> insert_at_centre(CellIndex c) {
+    const Sphere s = sphere_of(c);
+    if (!(s.radius < 1e300)) return std::nullopt;
+    if (const auto v = insert(s.centre, c)) return v;
+    const Tetrahedron& t = mesh_.vertices(c);
+    return insert(0.25 * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]) + mesh_.point(t[3])), c);
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  std::size_t max_cells_;
+};
+
+}  // namespace
+
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context) {
+  return InsideRefiner(tools, max_cells).run(context);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "geomesh/core/refine.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "improve/improve.hpp"
+#include "quality/shape.hpp"
+#include "refine/domain_io.hpp"
+#include "refine/refinement.hpp"
+
+namespace geomesh {
+
+namespace {
+
+using remesh::DomainMesh;
+using remesh::Toolbox;
+
+void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
+  const auto refuse = [](const std::string& what) { throw Error(ErrorKind::usage, what); };
+  if (!(o.size.gradation > 0)) refuse("the gradation of sizes must be positive");
+  if (o.size.global < 0 || o.size.min_size < 0 || o.size.max_size < 0) refuse("a size cannot be negative");
+  if (o.honour == Honour::tolerance && !(o.tolerance > 0)) refuse("honouring surfaces to a tolerance needs a distance above 0");
+  if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets()) refuse("one patch must be given for each facet");
+}
+
+void check_estimate(double estimate, std::size_t limit) {
+  if (estimate <= static_cast<double>(limit)) return;
+  throw Error(ErrorKind::cannot_mesh, "the sizes ask for about " + std::to_string(static_cast<long long>(estimate)) +
+                                          " elements, more than the limit of " + std::to_string(limit) +
+                                          "; ask for larger sizes, a steeper gradation, or raise the limit");
+}
+
+double worst_shape(const DomainMesh& mesh) {
+  double worst = 1;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    if (mesh.is_live(c)) worst = std::min(worst, mesh.shape_of(c));
+  return worst;
+}
+
+double share_of_edges_within_size(Toolbox& tools) {
+  const DomainMesh& mesh = tools.mesh;
+  std::vector<std::array<VertexIndex, 2>> edges;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    if (mesh.is_live(c))
+      for (const auto& e : edge_vertices) {
+        const VertexIndex a = mesh.vertices(c)[e[0]], b = mesh.vertices(c)[e[1]];
+        edges.push_back({std::min(a, b), std::max(a, b)});
+      }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::size_t within = 0;
+  for (const auto& [a, b] : edges) {
+    const double ratio = remesh::distance(mesh.point(a), mesh.point(b)) / tools.size_of_edge(a, b);
+    within += ratio >= 0.5 && ratio <= 2;
+  }
+  return edges.empty() ? 1 : static_cast<double>(within) / static_cast<double>(edges.size());
+}
+
+void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
+  const StageScope stage(context, "refine");
+  remesh::collapse_short_edges(tools, false, context);
+  remesh::split_long_surface_edges(tools, options.max_elements, context);
+  remesh::refine_inside(tools, options.max_elements, context);
+  remesh::collapse_short_edges(tools, true, context);
+}
+
+/// Faces remade within a patch take the facet nearest to them, oriented as it is.
+void renew_facets(DomainMesh& mesh, const remesh::SurfaceGuard& guard, const PiecewiseLinearComplex& plc) {
+  if (guard.exact()) return;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i) {
+      const remesh::FaceTag t = mesh.tag(c, i);
+      if (!mesh.is_live(c) || !t.constrained() || t.facet() == remesh::hull_facet || (!t.above() && mesh.has_neighbor(c, i)))
+        continue;
+      const Tetrahedron& v = mesh.vertices(c);
+      const Vec3 &p = mesh.point(v[face_vertices[i][0]]), &q = mesh.point(v[face_vertices[i][1]]),
+                 &r = mesh.point(v[face_vertices[i][2]]);
+      const Index facet = guard.nearest_facet(mesh.patch_of(t), (1.0 / 3) * (p + q + r));
+      if (facet == t.facet()) continue;
+      const auto loop = plc.outer_loop(facet);
+      const Vec3 n = cross(plc.points[loop[1]] - plc.points[loop[0]], plc.points[loop[2]] - plc.points[loop[0]]);
+      const bool above = dot(n, cross(q - p, r - p)) > 0;  // the face is seen from cell c, towards which its normal points
+      const remesh::FaceTag renewed(facet, above);
+      mesh.set_tag(c, i, renewed);
+      if (!mesh.has_neighbor(c, i)) continue;
+      const FaceRef other = mesh.topology().neighbor(c, i);
+      mesh.set_tag(other.cell(), other.face(), renewed.opposite());
+    }
+}
+
+}  // namespace
+
+double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                         const RefineOptions& options) {
+  check_options(plc, options);
+  const DomainMesh domain = remesh::import_domain(plc, mesh, options);
+  return remesh::estimate_elements(domain,
+                                   remesh::build_size_field(plc, domain, options.size, remesh::named_patches(plc, options)));
+}
+
+RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
+                                const RefineOptions& options, const RunContext& context) {
+  check_options(plc, options);
+  RefineResult result;
+  DomainMesh mesh = remesh::import_domain(plc, input, options);
+  const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
+  result.size_field = remesh::build_size_field(plc, mesh, options.size, remesh::named_patches(plc, options));
+  Toolbox tools(mesh, guard, result.size_field, result.statistics);
+  if (options.refine) {
+    result.statistics.estimated_elements = remesh::estimate_elements(mesh, result.size_field);
+    context.note(LogLevel::info,
+                 "about " + std::to_string(static_cast<long long>(result.statistics.estimated_elements)) + " elements to come");
+    check_estimate(result.statistics.estimated_elements, options.max_elements);
+    refine_to_size(tools, options, context);
+  }
+  result.statistics.worst_shape_before = worst_shape(mesh);
+  {
+    const StageScope stage(context, "improve");
+    remesh::improve_mesh(tools, options, context);
+  }
+  result.statistics.worst_shape_after = worst_shape(mesh);
+  result.statistics.edges_within_size = share_of_edges_within_size(tools);
+  renew_facets(mesh, guard, plc);
+  const std::string fault = mesh.validate();
+  if (!fault.empty()) throw InternalError("refinement: " + fault);
+  std::tie(result.statistics.deviation_result_to_input, result.statistics.deviation_input_to_result) = guard.deviation(mesh);
+  result.mesh = remesh::export_domain(mesh, plc, input);
+  return result;
+}
+
+}  // namespace geomesh

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The passes that bring the mesh to the size field: curves, then surfaces, then the inside.
+#pragma once
+
+#include "geomesh/core/run_context.hpp"
+#include "refine/operations.hpp"
+
+namespace geomesh::remesh {
+
+/// Sizes asked: from the options, the input's edges, curvature and gaps, on the mesh as it was given.
+SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
+                           const std::vector<Index>& facet_patch);
+
+/// Integral over the mesh of the inverse volume of an element of the asked size.
+double estimate_elements(const DomainMesh& mesh, const SizeField& size);
+
+/// Collapses edges shorter than 0.6 of their size: those on curves and surfaces (where they may) or, with `inside_only`, others.
+std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context);
+
+/// Splits edges of curves, then of surfaces, longer than 1.4 times their size, longest first. Throws Error{cannot_mesh} beyond
+/// max_cells.
+std::size_t split_long_surface_edges(Toolbox& tools, std::size_t max_cells, const RunContext& context);
+
+/// Inserts points into cells larger than asked until there are none that admit one.
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "geomesh/core/size_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geomesh/core/error.hpp"
+
+namespace geomesh {
+
+namespace {
+
+constexpr Index leaf_size = 8;
+
+double distance_to(const Box3& b, const Vec3& p) {
+  double s = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = std::max({b.min[i] - p[i], p[i] - b.max[i], 0.0});
+    s += d * d;
+  }
+  return std::sqrt(s);
+}
+
+double value_at(const SizeSource& s, const Vec3& p, double gradation) {
+  const Vec3 d = p - s.point;
+  return s.size + gradation * std::max(0.0, std::sqrt(dot(d, d)) - s.radius);
+}
+
+}  // namespace
+
+SizeField::SizeField(std::vector<SizeSource> sources, Limits limits) : limits_(std::move(limits)), sources_(std::move(sources)) {
+  GEOMESH_CHECK(limits_.gradation > 0);
+  std::erase_if(sources_, [&](const SizeSource& s) { return !(s.size > 0) || s.size >= limits_.max_size; });
+  if (!sources_.empty()) build(0, static_cast<Index>(sources_.size()));
+}
+
+Index SizeField::build(Index first, Index last) {
+  const Index n = static_cast<Index>(nodes_.size());
+  Node node;
+  node.first = first, node.last = last;
+  node.least = std::numeric_limits<double>::infinity();
+  for (Index i = first; i < last; ++i) {
+    node.box.add(sources_[i].point);
+    node.least = std::min(node.least, sources_[i].size);
+    node.widest = std::max(node.widest, sources_[i].radius);
+  }
+  nodes_.push_back(node);
+  if (last - first > leaf_size) {
+    const Vec3 extent = node.box.max - node.box.min;
+    const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const Index middle = first + (last - first) / 2;
+    std::nth_element(sources_.begin() + first, sources_.begin() + middle, sources_.begin() + last,
+                     [axis](const SizeSource& a, const SizeSource& b) {
+                       return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis] : a.size < b.size;
+                     });
+    const Index left = build(first, middle);
+    const Index right = build(middle, last);
+    nodes_[n].left = left;
+    nodes_[n].right = right;
+  }
+  return n;
+}
+
+double SizeField::least_over_sources(const Vec3& p, double bound) const {
+  if (nodes_.empty()) return bound;
+  const double g = limits_.gradation;
+  const auto lower_bound = [&](const Node& n) { return n.least + g * std::max(0.0, distance_to(n.box, p) - n.widest); };
+  Index stack[96];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& n = nodes_[stack[--top]];
+    if (lower_bound(n) >= bound) continue;
+    if (n.left == no_index) {
+      for (Index i = n.first; i < n.last; ++i) bound = std::min(bound, value_at(sources_[i], p, g));
+      continue;
+    }
+    const bool left_first = lower_bound(nodes_[n.left]) <= lower_bound(nodes_[n.right]);
+    stack[top++] = left_first ? n.right : n.left;
+    stack[top++] = left_first ? n.left : n.right;
+  }
+  return bound;
+}
+
+double SizeField::at(const Vec3& p, Index component) const {
+  double h = std::min(limits_.global, limits_.max_size);
+  if (component < limits_.component_size.size() && limits_.component_size[component] > 0)
+    h = std::min(h, limits_.component_size[component]);
+  if (limits_.background) {
+    const double b = limits_.background(p);
+    if (b > 0) h = std::min(h, b);
+  }
+  return std::max(least_over_sources(p, h), limits_.min_size);
+}
+
+}  // namespace geomesh

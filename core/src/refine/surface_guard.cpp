@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "refine/surface_guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto at = [&](double u, double v, double w) { return u * a + v * b + w * c; };
+  constexpr double t = 1.0 / 3, s = 1.0 / 6, m = 2.0 / 3;
+  return {a,           b,           c,           at(.5, .5, 0),    at(0, .5, .5),    at(.5, 0, .5),   at(t, t, t),
+          at(m, s, s), at(s, m, s), at(s, s, m), at(.45, .45, .1), at(.1, .45, .45), at(.45, .1, .45)};
+}
+
+namespace {
+
+/// Newell's normal of a loop, of length one, or zero.
+Vec3 loop_normal(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+  Vec3 n;
+  const Vec3& o = plc.points[loop[0]];
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
+  const double l = length(n);
+  return l > 0 ? (1 / l) * n : n;
+}
+
+template <class Visit>
+void for_each_constrained_face(const DomainMesh& mesh, Visit visit) {
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceTag t = mesh.tag(c, i);
+      if (!t.constrained() || t.facet() == hull_facet || (!t.above() && mesh.has_neighbor(c, i))) continue;
+      const Tetrahedron& v = mesh.vertices(c);
+      std::array<Vec3, 3> p;
+      for (unsigned k = 0; k < 3; ++k) p[k] = mesh.point(v[face_vertices[i][k]]);
+      visit(p, t.facet());
+    }
+  }
+}
+
+double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFace>& faces, double limit) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const SurfaceFace& f : faces) {
+    if (f.patch != patch) continue;
+    best = std::min(best, distance(p, closest_on_triangle(p, f.corners[0], f.corners[1], f.corners[2])));
+    if (best <= limit) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance)
+    : honour_(honour), tolerance_(tolerance) {
+  for (Index f = 0; f < plc.n_facets(); ++f) {
+    facet_normal_.push_back(loop_normal(plc, plc.outer_loop(f)));
+    facet_point_.push_back(plc.points[plc.outer_loop(f)[0]]);
+  }
+  if (exact()) return;
+  std::vector<ClosestPointTrees::Item> faces, samples, pieces;
+  for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
+    const Index patch = mesh.patch_of_facet(facet);
+    faces.push_back({p, patch, facet});
+    for (const Vec3& s : triangle_samples(p[0], p[1], p[2])) samples.push_back({{s, s, s}, patch, facet});
+  });
+  for (const auto& [a, b] : mesh.curve_edges())
+    pieces.push_back({{mesh.point(a), mesh.point(b), mesh.point(b)}, mesh.curve_of(a, b), no_index});
+  patches_ = ClosestPointTrees(std::move(faces), mesh.n_patches());
+  samples_ = ClosestPointTrees(std::move(samples), mesh.n_patches());
+  curves_ = ClosestPointTrees(std::move(pieces), mesh.n_curve_classes());
+}
+
+Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return exact() ? patch : patches_.closest(p, patch).item; }
+
+Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
+  const Index facet = nearest_facet(patch, p);
+  return facet < facet_normal_.size() ? facet_normal_[facet] : Vec3{};
+}
+
+Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
+  if (!exact()) return patches_.closest(p, patch).point;
+  const Vec3& n = facet_normal_[patch];
+  return p - dot(p - facet_point_[patch], n) * n;
+}
+
+Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return curves_.closest(p, curve).point; }
+
+bool SurfaceGuard::near_reference(const SurfaceFace& f) const {
+  for (const Vec3& s : triangle_samples(f.corners[0], f.corners[1], f.corners[2]))
+    if (!(patches_.closest(s, f.patch, tolerance_).distance <= tolerance_)) return false;
+  return true;
+}
+
+bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                                  const std::vector<SurfaceFace>& around) const {
+  std::vector<Index> patches;
+  for (const SurfaceFace& f : before)
+    if (std::find(patches.begin(), patches.end(), f.patch) == patches.end()) patches.push_back(f.patch);
+  for (const Index patch : patches) {
+    Box3 box;
+    for (const SurfaceFace& f : before)
+      if (f.patch == patch)
+        for (const Vec3& p : f.corners) {
+          box.add(p - Vec3{tolerance_, tolerance_, tolerance_});
+          box.add(p + Vec3{tolerance_, tolerance_, tolerance_});
+        }
+    bool near = true;
+    samples_.for_each_in(box, patch, [&](const ClosestPointTrees::Item& s) {
+      const Vec3& p = s.corners[0];
+      if (!near || !(distance_to_faces(p, patch, before, tolerance_) <= tolerance_)) return;  // covered by others
+      near = distance_to_faces(p, patch, after, tolerance_) <= tolerance_ ||
+             distance_to_faces(p, patch, around, tolerance_) <= tolerance_;
+    });
+    if (!near) return false;
+  }
+  return true;
+}
+
+bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const {
+  for (const CurvePiece& c : after)
+    for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
+      if (!(curves_.closest((1 - t) * c.a + t * c.b, c.curve, tolerance_).distance <= tolerance_)) return false;
+  // The pieces that go lie within the tolerance of those that come: sampled at their ends and between.
+  for (const CurvePiece& c : before)
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Vec3 p = curves_.closest((1 - t) * c.a + t * c.b, c.curve).point;
+      double best = std::numeric_limits<double>::infinity();
+      for (const CurvePiece& d : after)
+        if (d.curve == c.curve) best = std::min(best, distance(p, closest_on_segment(p, d.a, d.b)));
+      if (!(best <= tolerance_)) return false;
+    }
+  return true;
+}
+
+bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                          const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
+                          const std::vector<CurvePiece>& curves_after) const {
+  if (exact()) return true;
+  return curves_near(curves_before, curves_after) &&
+         std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return near_reference(f); }) &&
+         reference_near(before, after, around);
+}
+
+std::pair<double, double> SurfaceGuard::deviation(const DomainMesh& mesh) const {
+  std::pair<double, double> d{0, 0};
+  if (exact()) {
+    for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
+      for (const Vec3& q : p) d.first = std::max(d.first, std::abs(dot(q - facet_point_[facet], facet_normal_[facet])));
+    });
+    d.second = d.first;
+    return d;
+  }
+  std::vector<ClosestPointTrees::Item> faces;
+  for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
+    const Index patch = mesh.patch_of_facet(facet);
+    for (const Vec3& s : triangle_samples(p[0], p[1], p[2])) d.first = std::max(d.first, patches_.closest(s, patch).distance);
+    faces.push_back({p, patch, facet});
+  });
+  const ClosestPointTrees now(std::move(faces), mesh.n_patches());
+  for (const auto& s : samples_.items()) d.second = std::max(d.second, now.closest(s.corners[0], s.group).distance);
+  return d;
+}
+
+}  // namespace geomesh::remesh

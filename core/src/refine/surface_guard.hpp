@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Keeps surfaces and curves where the user allows them to be while they are remeshed.
+///
+/// `exact`: patches are single facets, so a vertex within a patch moves in the facet's plane and a curve is one input edge; no
+/// face can leave its plane but by rounding. `tolerance`: every sample of a new face (corners, mid-edges, centroid, and six more)
+/// must be within the tolerance of the ORIGINAL triangles of its patch, and every sample of the original patch near the faces
+/// that go must be within the tolerance of those that come or of their neighbours. So the sampled Hausdorff distance is bounded
+/// both ways at all times, and does not add up over operations.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geomesh/core/refine.hpp"
+#include "refine/cavity.hpp"
+#include "refine/closest_point.hpp"
+
+namespace geomesh::remesh {
+
+/// A constrained face by its corners and its patch.
+struct SurfaceFace {
+  std::array<Vec3, 3> corners;
+  Index patch;
+};
+struct CurvePiece {
+  Vec3 a, b;
+  Index curve;
+};
+
+class SurfaceGuard {
+ public:
+  SurfaceGuard() = default;
+  /// References are the faces and curves of the mesh as it is now; planes are those of the facets.
+  SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance);
+
+  bool exact() const { return honour_ == Honour::exact; }
+  double tolerance() const { return tolerance_; }
+
+  /// Direction in which a vertex on a patch may not move: normal of the reference near p.
+  Vec3 normal(Index patch, const Vec3& p) const;
+  /// p brought back to the patch (exact: to the facet's plane).
+  Vec3 project_to_patch(Index patch, const Vec3& p) const;
+  /// p brought back to the curve. Not for exact, where curve vertices do not move.
+  Vec3 project_to_curve(Index curve, const Vec3& p) const;
+  /// Facet of the patch nearest to a place: provenance of a remade face.
+  Index nearest_facet(Index patch, const Vec3& p) const;
+
+  /// Whether faces and curve pieces may be exchanged; `around` are faces that stay and share a vertex with those that go.
+  bool admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+              const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
+              const std::vector<CurvePiece>& curves_after) const;
+
+  /// Largest sampled distances: of the mesh's faces to the reference, of the reference to the mesh's faces.
+  std::pair<double, double> deviation(const DomainMesh& mesh) const;
+
+ private:
+  bool near_reference(const SurfaceFace& f) const;
+  bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                      const std::vector<SurfaceFace>& around) const;
+  bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
+
+  Honour honour_ = Honour::exact;
+  double tolerance_ = 0;
+  std::vector<Vec3> facet_normal_, facet_point_;  // by facet
+  ClosestPointTrees patches_, curves_;
+  ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
+};
+
+/// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.
+std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Refinement and improvement: whatever is asked, the result is a valid mesh of the same domain with the same constraints.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/refine.hpp"
+#include "refine_models.hpp"
+
+using namespace geomesh;
+using namespace refine_models;
+
+namespace {
+
+void require_same_domain(const Model& model, const RefineResult& r) {
+  require_valid(r.mesh);
+  const std::vector<double> before = component_volumes(model.mesh), after = component_volumes(r.mesh);
+  REQUIRE(before.size() == after.size());
+  for (std::size_t c = 0; c < before.size(); ++c) CHECK(after[c] == Approx(before[c]).epsilon(1e-9));
+  const std::vector<double> areas = facet_areas(model.plc, model.mesh), now = facet_areas(model.plc, r.mesh);
+  for (std::size_t f = 0; f < areas.size(); ++f) CHECK(now[f] == Approx(areas[f]).epsilon(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("Refinement of two regions keeps domain, facets and input points", "[refine]") {
+  const Model model = two_boxes(2);
+  for (const QualityLevel quality : {QualityLevel::fast, QualityLevel::standard}) {
+    RefineOptions options;
+    options.size.global = 0.1;
+    options.quality = quality;
+    const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+    require_same_domain(model, r);
+    CHECK(r.mesh.tetrahedra.size() > 4 * model.mesh.tetrahedra.size());
+    for (std::size_t v = 0; v < model.plc.points.size(); ++v) {
+      REQUIRE(r.mesh.input_vertex[v] == v);
+      CHECK(r.mesh.points[v] == model.plc.points[v]);
+    }
+    CHECK(r.statistics.deviation_result_to_input < 1e-14);
+    CHECK(r.statistics.edges_within_size > 0.9);
+    CHECK(r.statistics.worst_shape_after >= std::min(r.statistics.worst_shape_before, 0.5));
+  }
+}
+
+TEST_CASE("Improvement alone adds no size and never lowers the worst shape", "[refine]") {
+  Model model = two_boxes(3);
+  disturb_inside(model, 7);
+  RefineOptions options;
+  options.refine = false;
+  const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+  require_same_domain(model, r);
+  CHECK(r.statistics.worst_shape_after > r.statistics.worst_shape_before);
+}
+
+TEST_CASE("A listed segment inside a region stays, whole and in place", "[refine]") {
+  const Model model = box_with_well(4);
+  RefineOptions options;
+  options.size.segment_size = {0.05};
+  const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+  require_same_domain(model, r);
+  double length = 0;
+  for (const auto& e : r.mesh.edges) {
+    CHECK(e.segment == 0);
+    const Vec3 d = r.mesh.points[e.b] - r.mesh.points[e.a];
+    CHECK(d.x == 0.0);
+    CHECK(d.y == 0.0);
+    length += std::abs(d.z);
+  }
+  CHECK(length == Approx(0.5));
+  CHECK(r.mesh.edges.size() >= 8);
+}
+
+TEST_CASE("Surfaces remeshed within a tolerance stay within it, both ways", "[refine]") {
+  const Model model = ball_in_box(6);
+  RefineOptions options;
+  options.honour = Honour::tolerance;
+  options.tolerance = 0.02;
+  options.size.from_input_edges = false;
+  options.size.global = 0.5;
+  options.size.gap_layers = 0;
+  const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+  require_valid(r.mesh);
+  CHECK(r.statistics.deviation_result_to_input <= options.tolerance);
+  CHECK(r.statistics.deviation_input_to_result <= options.tolerance);
+  CHECK(r.statistics.collapses > 0);
+  const std::vector<double> before = component_volumes(model.mesh), after = component_volumes(r.mesh);
+  double area = 0;
+  for (const double a : facet_areas(model.plc, model.mesh)) area += a;
+  for (std::size_t c = 0; c < before.size(); ++c) CHECK(std::abs(after[c] - before[c]) <= options.tolerance * area);
+}
+
+TEST_CASE("The result does not depend on the number of threads and is repeatable", "[refine]") {
+  const Model model = ball_in_box(4);
+  RefineOptions options;
+  options.size.global = 0.25;
+  RunContext one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const RefineResult a = refine_and_improve(model.plc, model.mesh, options, one);
+  const RefineResult b = refine_and_improve(model.plc, model.mesh, options, two);
+  CHECK(a.mesh.points == b.mesh.points);
+  CHECK(a.mesh.tetrahedra == b.mesh.tetrahedra);
+}
+
+TEST_CASE("Too many elements are refused before the work starts", "[refine]") {
+  const Model model = two_boxes(2);
+  RefineOptions options;
+  options.size.global = 0.001;
+  options.max_elements = 10000;
+  try {
+    refine_and_improve(model.plc, model.mesh, options);
+    FAIL("not refused");
+  } catch (const Error& e) {
+    CHECK(e.kind() == ErrorKind::cannot_mesh);
+    CHECK(std::string(e.what()).find("limit of 10000") != std::string::npos);
+  }
+  options.size.gradation = 0;
+  CHECK_THROWS_AS(refine_and_improve(model.plc, model.mesh, options), Error);
+}
+
+TEST_CASE("The estimate is within a factor of one and a half of what comes out", "[refine]") {
+  const Model model = two_boxes(1);
+  RefineOptions options;
+  options.size.global = 0.12;
+  const double estimate = estimate_elements(model.plc, model.mesh, options);
+  const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+  CHECK(estimate == Approx(r.statistics.estimated_elements));
+  CHECK(static_cast<double>(r.mesh.tetrahedra.size()) < 1.5 * estimate);
+  CHECK(static_cast<double>(r.mesh.tetrahedra.size()) > estimate / 1.5);
+}
+
+TEST_CASE("A cancelled refinement ends with interrupted", "[refine]") {
+  const Model model = two_boxes(2);
+  std::atomic<bool> cancel{true};
+  RunContext context;
+  context.cancel = &cancel;
+  try {
+    refine_and_improve(model.plc, model.mesh, {}, context);
+    FAIL("not interrupted");
+  } catch (const Error& e) {
+    CHECK(e.kind() == ErrorKind::interrupted);
+  }
+}
