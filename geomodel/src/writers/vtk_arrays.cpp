@@ -5,6 +5,8 @@
 #include <vtkPoints.h>
 #include <vtkZLibDataCompressor.h>
 
+#include <fstream>
+
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
 
@@ -42,7 +44,11 @@ void add_origin(const ModelMesh& mesh, vtkFieldData& field) {
 }
 
 void write_vtk_xml(vtkXMLWriter& writer, vtkDataSet& data, const std::filesystem::path& file) {
+  const auto refuse = [&] {
+    throw Error(ErrorKind::usage, "cannot write " + file.string() + ": is the folder there, writable and not full?");
+  };
   write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
+    if (!std::ofstream(temporary)) refuse();  // before VTK prints its own lines about it
     vtkSmartPointer<vtkZLibDataCompressor> compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
     writer.SetInputDataObject(&data);
     writer.SetFileName(temporary.c_str());
@@ -51,8 +57,7 @@ void write_vtk_xml(vtkXMLWriter& writer, vtkDataSet& data, const std::filesystem
     writer.SetCompressor(compressor);
     writer.SetHeaderTypeToUInt64();
     writer.SetByteOrderToLittleEndian();
-    if (writer.Write() == 0 || writer.GetErrorCode() != 0)
-      throw Error(ErrorKind::usage, "cannot write " + file.string() + ": is the folder there, writable and not full?");
+    if (writer.Write() == 0 || writer.GetErrorCode() != 0) refuse();
   });
 }
 

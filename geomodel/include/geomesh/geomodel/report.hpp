@@ -46,6 +46,7 @@ struct Report {
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
   const ModelMesh* mesh = nullptr;
+  std::vector<std::string> surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<QualityStatistics> quality;
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< written, relative to the report

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geomesh/geomodel/report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "sets/sums.hpp"
+#include "writers/text_buffer.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json to_json(const Vec3& p) { return json::array({p.x, p.y, p.z}); }
+
+json stages_json(const std::vector<StageRecord>& stages) {
+  json list = json::array();
+  for (const StageRecord& s : stages)
+    list.push_back({{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"peak_bytes", s.peak_bytes}});
+  return list;
+}
+
+json recovery_json(const RecoveryStatistics& r) {
+  return {{"segments_total", r.segments_total},
+          {"facets_total", r.facets_total},
+          {"missing_edges_initial", r.missing_edges_initial},
+          {"missing_facets_before_segments", r.missing_facets_before_segments},
+          {"missing_facets_initial", r.missing_facets_initial},
+          {"edges_reinserted", r.edges_reinserted},
+          {"facets_reinserted", r.facets_reinserted},
+          {"facets_not_recovered", r.facets_not_recovered},
+          {"steiner_on_segments", r.steiner_on_segments},
+          {"steiner_on_facets", r.steiner_on_facets},
+          {"steiner_inside", r.steiner_inside},
+          {"tetrahedra_unconstrained", r.tetrahedra_unconstrained},
+          {"tetrahedra_final", r.tetrahedra_final}};
+}
+
+/// Names of the input surfaces and box sides by row.
+std::vector<std::string> surface_names(const Report& report) {
+  if (!report.surface_names.empty() || !report.mesh) return report.surface_names;
+  std::vector<std::string> names;
+  for (const NamedSurface& s : report.mesh->surfaces) names.push_back(s.name);
+  return names;
+}
+
+std::string name_at(const std::vector<std::string>& names, std::size_t row) {
+  return row < names.size() ? names[row] : std::string("surface ").append(std::to_string(row + 1));
+}
+
+json spots_json(const std::vector<Spot>& spots, const std::vector<std::string>& names) {
+  json list = json::array();
+  for (const Spot& s : spots) {
+    json spot{{"what", s.what}};
+    if (s.surface_a != no_index) spot["surface_a"] = name_at(names, s.surface_a);
+    if (s.surface_b != no_index) spot["surface_b"] = name_at(names, s.surface_b);
+    spot["count"] = s.count;
+    spot["measure"] = s.measure;
+    spot["place"] = to_json(s.place);
+    list.push_back(std::move(spot));
+  }
+  return list;
+}
+
+/// What each surface lost to bodies and to the box; surfaces that lost nothing are left out.
+json clipping_json(const ArrangementResult& a, const std::vector<std::string>& names) {
+  json list = json::array();
+  CompensatedSum by_bodies, by_box;
+  for (std::size_t i = 0; i < a.area_clipped_by_bodies.size() && i < a.area_clipped_by_box.size(); ++i) {
+    by_bodies.add(a.area_clipped_by_bodies[i]);
+    by_box.add(a.area_clipped_by_box[i]);
+    if (a.area_clipped_by_bodies[i] == 0 && a.area_clipped_by_box[i] == 0) continue;
+    list.push_back({{"surface", name_at(names, i)},
+                    {"area_by_bodies", a.area_clipped_by_bodies[i]},
+                    {"area_by_box", a.area_clipped_by_box[i]}});
+  }
+  return {{"area_by_bodies", by_bodies.value()}, {"area_by_box", by_box.value()}, {"surfaces", std::move(list)}};
+}
+
+void add_arrangement(const ArrangementResult& a, const std::vector<std::string>& names, json& root) {
+  root["displacement"] = {{"rounding",
+                           {{"largest", a.rounding.largest},
+                            {"mean", a.rounding.mean},
+                            {"where", to_json(a.rounding.where)},
+                            {"points_moved", a.rounding.points_moved}}},
+                          {"clipping", clipping_json(a, names)}};
+  root["intersection"] = {{"pairs_tested", a.n_pairs},
+                          {"pairs_crossing", a.n_crossing_pairs},
+                          {"rounding_rounds", a.n_rounding_rounds},
+                          {"facets", a.soup.facets.size()},
+                          {"points", a.soup.points.size()},
+                          {"spots", spots_json(a.spots, names)}};
+}
+
+void add_mesh(const ModelMesh& mesh, json& root) {
+  json regions = json::array(), surfaces = json::array(), curves = json::array();
+  for (const Region& r : mesh.regions)
+    regions.push_back({{"id", r.id}, {"name", r.name}, {"tetrahedra", r.n_tetrahedra}, {"volume", r.volume}, {"inside", r.inside}});
+  for (const NamedSurface& s : mesh.surfaces)
+    surfaces.push_back({{"id", s.id}, {"name", s.name}, {"kind", to_string(s.kind)}, {"area", s.area}});
+  for (const NamedCurve& c : mesh.curves)
+    curves.push_back({{"id", c.id}, {"name", c.name}, {"kind", c.kind}, {"length", c.length}});
+  for (const auto& p : mesh.marked_points) curves.push_back({{"id", p.id}, {"name", p.name}, {"kind", "point"}, {"length", 0.0}});
+  root["points"] = mesh.points.size();
+  root["tetrahedra"] = mesh.tetrahedra.size();
+  root["faces"] = mesh.faces.size();
+  root["origin"] = to_json(mesh.origin);
+  root["regions"] = std::move(regions);
+  root["surfaces"] = std::move(surfaces);
+  root["curves"] = std::move(curves);
+}
+
+json quality_json(const QualityStatistics& q, const ModelMesh* mesh) {
+  json worst = json::array();
+  for (const auto& w : q.worst) {
+    json element{{"tetrahedron", w.tetrahedron},
+                 {"min_dihedral", w.min_dihedral},
+                 {"max_dihedral", w.max_dihedral},
+                 {"radius_ratio", w.radius_ratio},
+                 {"place", to_json(w.place)},
+                 {"region", w.region}};
+    if (mesh && w.region >= 1 && static_cast<std::size_t>(w.region) <= mesh->regions.size())
+      element["region_name"] = mesh->regions[static_cast<std::size_t>(w.region - 1)].name;
+    element["cause"] = w.cause;
+    worst.push_back(std::move(element));
+  }
+  return {{"min_dihedral", q.min_dihedral},
+          {"max_dihedral", q.max_dihedral},
+          {"min_radius_ratio", q.min_radius_ratio},
+          {"min_dihedral_histogram", q.min_dihedral_histogram},
+          {"dihedral_histogram", q.dihedral_histogram},
+          {"radius_ratio_histogram", q.radius_ratio_histogram},
+          {"worst", std::move(worst)}};
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  json root;
+  root["command"] = report.command;
+  root["name"] = report.name;
+  root["stages"] = stages_json(report.stages);
+  if (!report.input_json.empty()) root["input"] = json::parse(report.input_json);
+  if (report.core) {
+    root["points_deferred"] = report.core->delaunay_statistics.points_deferred;
+    root["delaunay"] = report.core->delaunay;
+    root["recovery"] = recovery_json(report.core->recovery);
+  }
+  if (report.mesh) add_mesh(*report.mesh, root);
+  if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
+  if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
+  root["warnings"] = report.warnings;
+  root["files"] = report.files;
+  return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+void write_report(const Report& report, const std::filesystem::path& file) { write_text_file(file, to_json(report)); }
+
+}  // namespace geomesh::geomodel
