@@ -65,7 +65,7 @@ double reported_displacement(const std::filesystem::path& mesh) {
   if (file.empty()) return 0;
   std::ifstream in(file);
   const auto report = nlohmann::json::parse(in, nullptr, false);
-  const auto at = nlohmann::json::json_pointer("/displacement/by_rounding/largest");
+  const auto at = nlohmann::json::json_pointer("/displacement/rounding/largest");
   if (report.is_discarded() || !report.contains(at) || !report.at(at).is_number()) return 0;
   return report.at(at).get<double>();
 }

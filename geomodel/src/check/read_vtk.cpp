@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vtkCallbackCommand.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
@@ -33,38 +32,35 @@ void require_readable(const std::filesystem::path& path) {
   if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
 }
 
-/// VTK reports errors to observers; without one it prints them and goes on with what it has.
-class ErrorWatch {
+/// Keeps VTK from composing its error messages while alive: it prints them, and the one for broken cell data of a file without
+/// point data dereferences a null pointer (vtkXMLDataReader::ReadPieceData, up to 9.1 at least). A read that failed leaves no
+/// points.
+class QuietVtk {
  public:
-  ErrorWatch() {
-    callback_->SetClientData(&message_);
-    callback_->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
-      auto& message = *static_cast<std::string*>(client);
-      if (message.empty()) message = text ? static_cast<const char*>(text) : "unreadable";
-    });
-  }
-  vtkCommand* command() { return callback_; }
-  void refuse_if_any(const std::filesystem::path& path) const {
-    if (!message_.empty()) refuse(path, "VTK cannot read it: " + message_);
-  }
+  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::SetGlobalWarningDisplay(0); }
+  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
 
  private:
-  vtkNew<vtkCallbackCommand> callback_;
-  std::string message_;
+  int before_;
 };
+
+/// Runs the reader; refuses where it left nothing.
+template <class Reader>
+void update(Reader& reader, const std::filesystem::path& path) {
+  const QuietVtk quiet;
+  reader.SetFileName(path.string().c_str());
+  reader.Update();
+  if (reader.GetErrorCode() != 0 || !reader.GetOutput() || reader.GetOutput()->GetNumberOfPoints() == 0)
+    refuse(path, "VTK finds no points in it: it is empty, truncated or damaged");
+}
 
 template <class Reader>
 void read_xml(Reader& reader, const std::filesystem::path& path) {
   require_readable(path);
   if (!reader.CanReadFile(path.string().c_str())) refuse(path, "is not a VTK XML file of the kind that its extension says");
-  ErrorWatch watch;
-  reader.AddObserver(vtkCommand::ErrorEvent, watch.command());
-  reader.GetExecutive()->AddObserver(vtkCommand::ErrorEvent, watch.command());
-  reader.SetReaderErrorObserver(watch.command());
-  reader.SetParserErrorObserver(watch.command());
-  reader.SetFileName(path.string().c_str());
-  reader.Update();
-  watch.refuse_if_any(path);
+  update(reader, path);
 }
 
 std::vector<Vec3> points_of(vtkPointSet& data, bool& single_precision) {
@@ -179,13 +175,8 @@ MeshFile read_vtk_mesh(const std::filesystem::path& path) {
     return take_grid(*reader->GetOutput(), path);
   }
   require_readable(path);
-  ErrorWatch watch;
   vtkNew<vtkUnstructuredGridReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, watch.command());
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, watch.command());
-  reader->SetFileName(path.string().c_str());
-  reader->Update();
-  watch.refuse_if_any(path);
+  update(*reader, path);
   return take_grid(*reader->GetOutput(), path);
 }
 
