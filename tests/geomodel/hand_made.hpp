@@ -10,7 +10,7 @@ namespace geomesh::geomodel::testing {
 /// The three-layer box, regions bottom, middle, top by elevation; coordinates times `scale` plus `shift`.
 inline ModelMesh three_layer_mesh(int n = 2, double scale = 1, const Vec3& shift = {0, 0, 0}) {
   const GridModel grid = three_layers(n);
-  const ModelPlc plc = make_plc(grid.soup, grid.surfaces, {});
+  const ModelPlc plc = make_plc(grid.soup, grid.surfaces, {}, {false});
   ModelMesh mesh;
   mesh.name = "three layers";
   for (const Vec3& p : grid.mesh.points) mesh.points.push_back(scale * p + shift);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geomesh/geomodel/build_model.hpp"
+#include "sets/flat_patches.hpp"
 #include "sets/soup_edges.hpp"
 
 namespace geomesh::geomodel {
@@ -112,24 +113,38 @@ std::vector<VertexIndex> lone_points(const PolygonSoup& soup) {
 
 }  // namespace
 
-ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines) {
+ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
+                  const PlcOptions& options) {
   const SurfaceSets sets = surface_sets(soup);
   const std::vector<EdgeUse> uses = sorted_edge_uses(soup);
   ModelPlc model;
   model.plc.points = soup.points;
   model.plc.provenance_sets = sets.sets;
-  for (Index f = 0; f < soup.facets.size(); ++f) {
-    model.plc.add_triangle(soup.facets[f], sets.of_facet[f]);
-    model.facet_soup.push_back(f);
-    model.facet_soup_offsets.push_back(f + 1);
-  }
   UnionFind patches(soup.facets.size());
   SegmentTable segments;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (inside_patch(edge, sets)) patches.unite(edge[0].facet, edge[1].facet);
     if (const auto curve = curve_at(edge, sets, surfaces)) segments.add_edge(edge[0].a, edge[0].b, *curve);
   });
-  model.facet_patch = number_patches(patches, soup.facets.size());
+  const std::vector<Index> patch = number_patches(patches, soup.facets.size());
+  std::map<Index, FlatPatch> flat;
+  if (options.merge_box_sides) flat = flat_box_patches(soup, surfaces, sets, patch, uses);
+  for (Index f = 0; f < soup.facets.size(); ++f) {
+    const auto at = flat.find(patch[f]);
+    if (at == flat.end()) {
+      model.plc.add_triangle(soup.facets[f], sets.of_facet[f]);
+      model.facet_soup.push_back(f);
+    } else if (at->second.facets.front() == f) {
+      const Index facet = model.plc.add_polygon(at->second.loops, sets.of_facet[f]);
+      for (const auto& [a, b] : at->second.segments) model.plc.facet_segments.push_back({facet, a, b});
+      for (VertexIndex v : at->second.points) model.plc.facet_points.push_back({facet, v});
+      model.facet_soup.insert(model.facet_soup.end(), at->second.facets.begin(), at->second.facets.end());
+    } else {
+      continue;
+    }
+    model.facet_patch.push_back(patch[f]);
+    model.facet_soup_offsets.push_back(static_cast<Index>(model.facet_soup.size()));
+  }
   for (const PolygonSoup::Segment& s : soup.segments) segments.add_well(s.a, s.b, s.polyline);
   segments.write(polylines, model);
   model.plc.isolated_points = lone_points(soup);

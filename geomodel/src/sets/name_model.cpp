@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <map>
+#include <limits>
 #include <numeric>
+#include <set>
 
 #include "geomesh/geomodel/build_model.hpp"
 #include "sets/name_regions.hpp"
@@ -32,26 +34,50 @@ std::vector<VertexIndex> fill_points(const ConstrainedTetrahedralization& mesh, 
   return row;
 }
 
-/// Boxes of the soup facets' coordinates are enough to find the one below a mesh face: both lie in one plane. Only facets that stand for
-/// several soup facets (flat polygons) come here.
-Index soup_facet_under(const Vec3& p, Index facet, const PolygonSoup& soup, const ModelPlc& plc) {
-  Index best = plc.facet_soup[plc.facet_soup_offsets[facet]];
-  double best_excess = -1;
-  for (Index i = plc.facet_soup_offsets[facet]; i < plc.facet_soup_offsets[facet + 1]; ++i) {
-    const Triangle& t = soup.facets[plc.facet_soup[i]];
-    const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
-    const double excess =
-        triangle_area(p, a, b) + triangle_area(p, b, c) + triangle_area(p, c, a) - triangle_area(a, b, c);
-    if (best_excess < 0 || excess < best_excess) {
-      best_excess = std::max(excess, 0.0);
-      best = plc.facet_soup[i];
+/// For facets that stand for several soup facets (polygons on a box side): the triangles of the side they come from.
+class SourceTriangles {
+ public:
+  SourceTriangles(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
+      : soup_(soup), plc_(plc), surfaces_(surfaces) {}
+
+  /// The one nearest to holding p, a point in their plane.
+  Index under(const Vec3& p, Index facet) {
+    const Index surface = origins_of(soup_, plc_, facet).front().surface;
+    std::vector<Index>& candidates = candidates_[facet];
+    if (candidates.empty()) candidates = triangles_of(facet);
+    Index best = candidates.front();
+    double best_excess = std::numeric_limits<double>::infinity();
+    for (Index triangle : candidates) {
+      const TriangulatedSurface& side = surfaces_[surface];
+      const Triangle& t = side.triangles[triangle];
+      const Vec3 &a = side.points[t[0]], &b = side.points[t[1]], &c = side.points[t[2]];
+      const double excess = triangle_area(p, a, b) + triangle_area(p, b, c) + triangle_area(p, c, a) - triangle_area(a, b, c);
+      if (excess < best_excess) {
+        best_excess = excess;
+        best = triangle;
+      }
     }
+    return best;
   }
-  return best;
-}
+
+ private:
+  std::vector<Index> triangles_of(Index facet) const {
+    std::set<Index> triangles;
+    for (Index i = plc_.facet_soup_offsets[facet]; i < plc_.facet_soup_offsets[facet + 1]; ++i)
+      triangles.insert(soup_.origins[soup_.origin_offsets[plc_.facet_soup[i]]].triangle);
+    return {triangles.begin(), triangles.end()};
+  }
+
+  const PolygonSoup& soup_;
+  const ModelPlc& plc_;
+  const std::vector<TriangulatedSurface>& surfaces_;
+  std::map<Index, std::vector<Index>> candidates_;
+};
 
 void fill_faces(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                const std::vector<std::int32_t>& surface_id, const std::vector<VertexIndex>& row, ModelMesh& model) {
+                const std::vector<TriangulatedSurface>& surfaces, const std::vector<std::int32_t>& surface_id,
+                const std::vector<VertexIndex>& row, ModelMesh& model) {
+  SourceTriangles sources(soup, plc, surfaces);
   std::map<std::vector<std::int32_t>, std::int32_t> set_rows;
   std::vector<std::int32_t> set;
   for (const auto& face : mesh.faces) {
@@ -67,14 +93,13 @@ void fill_faces(const ConstrainedTetrahedralization& mesh, const PolygonSoup& so
     }
     const bool several = plc.facet_soup_offsets[face.facet + 1] - plc.facet_soup_offsets[face.facet] > 1;
     const Vec3 middle = (1.0 / 3) * (mesh.points[face.vertices[0]] + mesh.points[face.vertices[1]] + mesh.points[face.vertices[2]]);
-    const Index s = several ? soup_facet_under(middle, face.facet, soup, plc) : plc.facet_soup[plc.facet_soup_offsets[face.facet]];
-    const PolygonSoup::Origin& first = soup.origins[soup.origin_offsets[s]];
-    out.surface = surface_id[first.surface];
-    out.source_triangle = static_cast<std::int32_t>(first.triangle);
+    const std::span<const PolygonSoup::Origin> origins = origins_of(soup, plc, face.facet);
+    out.surface = surface_id[origins.front().surface];
+    out.source_triangle = static_cast<std::int32_t>(several ? sources.under(middle, face.facet) : origins.front().triangle);
     out.patch = static_cast<std::int32_t>(plc.facet_patch[face.facet]);
     set.clear();
-    for (Index o = soup.origin_offsets[s]; o < soup.origin_offsets[s + 1]; ++o)
-      if (const std::int32_t id = surface_id[soup.origins[o].surface]; set.empty() || set.back() != id) set.push_back(id);
+    for (const PolygonSoup::Origin& origin : origins)
+      if (const std::int32_t id = surface_id[origin.surface]; set.empty() || set.back() != id) set.push_back(id);
     const auto [at, is_new] = set_rows.emplace(set, static_cast<std::int32_t>(model.surface_sets.size()));
     if (is_new) model.surface_sets.push_back(set);
     out.surface_set = at->second;
@@ -139,7 +164,7 @@ ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSou
     surface_id.push_back(next_id);
     model.surfaces.push_back({next_id++, surface.name, surface.kind, 0});
   }
-  fill_faces(mesh, soup, plc, surface_id, row, model);
+  fill_faces(mesh, soup, plc, surfaces, surface_id, row, model);
   sum_areas(model);
   fill_curves(mesh, soup, plc, points, row, next_id, model);
   return model;

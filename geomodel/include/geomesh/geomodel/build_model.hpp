@@ -35,8 +35,15 @@ struct ModelPlc {
   std::vector<std::vector<Index>> segment_curves;
 };
 
+struct PlcOptions {
+  /// Give each patch on a box side (one surface, all points with exactly the same coordinate) as one polygon with holes instead of the
+  /// soup's triangles: only its border has to be recovered then. Patches whose border passes a point twice stay triangles.
+  bool merge_box_sides = true;
+};
+
 /// `surfaces` are the input surfaces followed by the box sides (the rows of PolygonSoup::Origin::surface). Linear but for sorting edges.
-ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines);
+ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
+                  const PlcOptions& options = {});
 
 /// How regions get their names, in this order: a region seed inside, the innermost body it lies in (among overlapping ones the first in
 /// project order), a hint, the column, else `region_1`, `region_2`, ... in the order of their first input triangle.
