@@ -67,6 +67,13 @@ class EdgeRemoval {
  public:
   EdgeRemoval(Toolbox& tools, VertexIndex a, VertexIndex b) : tools_(tools), mesh_(tools.mesh), a_(a), b_(b) {}
 
+  /// The exchange on the surface that its Delaunay criterion asks for, at a price in the shapes of cells down to `floor`.
+  bool attempt_for_surface(CellIndex c, double floor) {
+    floor_ = floor;
+    for_surface_ = true;
+    return attempt(c);
+  }
+
   bool attempt(CellIndex c) {
     if (mesh_.curve_of(a_, b_) != no_index) return false;
     auto& cells = tools_.work.cells;
@@ -75,7 +82,7 @@ class EdgeRemoval {
     faces_ = constrained_faces_of_ring(mesh_, cells, tools_.work.ring, closed_);
     for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
     tools_.work.added.clear();
-    if (faces_.n == 0 ? !remove_inside() : !remove_on_surface()) return false;
+    if (faces_.n == 0 ? for_surface_ || !remove_inside() : !remove_on_surface()) return false;
     const bool positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
       return is_positive(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
                          mesh_.point(n.vertices[3]));
@@ -87,7 +94,16 @@ class EdgeRemoval {
   }
 
  private:
-  double needed() const { return before_ * (1 + 1e-6) + 1e-12; }
+  double needed() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
+
+  /// Whether the angles opposite the edge in its two faces sum to more than half a turn (and a little, so that ties stay).
+  bool surface_asks(VertexIndex x, VertexIndex y) const {
+    const auto cosine = [&](VertexIndex v) {
+      const Vec3 d = mesh_.point(a_) - mesh_.point(v), e = mesh_.point(b_) - mesh_.point(v);
+      return dot(d, e) / (length(d) * length(e));
+    };
+    return cosine(x) + cosine(y) < -1e-3;
+  }
 
   bool remove_inside() {
     if (!closed_ || tools_.work.ring.size() < 3) return false;
@@ -109,6 +125,7 @@ class EdgeRemoval {
     const std::size_t s = faces_.at[0], t = faces_.at[1];
     const VertexIndex x = ring[s], y = ring[t];
     if (!closed_ && (s != 0 || t + 1 != ring.size())) return false;
+    if (for_surface_ && !surface_asks(x, y)) return false;
     if (joined_on_surface(x, y) || !guard_allows(patch, x, y)) return false;
     const std::vector<VertexIndex> side(ring.begin() + static_cast<std::ptrdiff_t>(s),
                                         ring.begin() + static_cast<std::ptrdiff_t>(t) + 1);
@@ -163,11 +180,15 @@ class EdgeRemoval {
   VertexIndex a_, b_;
   bool closed_ = true;
   EdgeFaces faces_;
-  double before_ = 1;
+  double before_ = 1, floor_ = 0;
+  bool for_surface_ = false;
 };
 
 }  // namespace
 
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) { return EdgeRemoval(tools, a, b).attempt(c); }
+bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
+  return EdgeRemoval(tools, a, b).attempt_for_surface(c, floor);
+}
 
 }  // namespace geomesh::remesh

@@ -26,6 +26,15 @@ bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 /// shape rises.
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 
+/// Exchanges an edge in the inside of a patch for the other diagonal of its two faces where the surface is more nearly Delaunay
+/// with it (opposite angles sum to more than half a turn), even if shapes of cells fall to `floor`: for surfaces that have just
+/// been split and whose neighbourhood is still to be filled.
+bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
+
+/// Moves a vertex within its patch to the centroid of its faces where the worst of their shapes (4 sqrt 3 area / sum of squared
+/// sides) rises and no cell about it falls below `floor` and what it was.
+bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor);
+
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite: the 2-3
 /// flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
 
@@ -23,7 +26,30 @@ class Smoother {
     return (rule.regularize && try_regular(before, rule.floor)) || (before < rule.good_enough && try_optimal(before, rule));
   }
 
+  bool run_on_surface(double floor) {
+    if (mesh_.kind(v_) != VertexKind::surface) return false;
+    gather_star(mesh_, v_, tools_.work.marks, cavity_);
+    problem_.set_link(mesh_, cavity_);
+    const double needed = std::min(removed_shape(mesh_, cavity_), floor), before = worst_face(old_);
+    const Vec3 centre = surface_centroid();
+    for (const double t : {1.0, 0.5}) {
+      const Vec3 p = project(old_ + t * (centre - old_));
+      if (worst_face(p) > before * 1.001 && problem_.shape_at(p, 0.9 * needed) > 0.9 * needed && place(p)) return true;
+    }
+    return false;
+  }
+
  private:
+  double worst_face(const Vec3& p) const {
+    double worst = 1;
+    for (const Spoke& s : cavity_.spokes) {
+      const Vec3 u = mesh_.point(s.a) - p, v = mesh_.point(s.b) - p, w = v - u;
+      const double squares = dot(u, u) + dot(v, v) + dot(w, w);
+      worst = std::min(worst, 2 * std::sqrt(3.0) * length(cross(u, v)) / squares);
+    }
+    return worst;
+  }
+
   bool set_freedom() {
     if (mesh_.kind(v_) == VertexKind::surface) {
       problem_.freedom = StarProblem::Freedom::plane;
@@ -114,6 +140,8 @@ class Smoother {
 };
 
 }  // namespace
+
+bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor) { return Smoother(tools, v).run_on_surface(floor); }
 
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) { return Smoother(tools, v).run(rule); }
 

@@ -37,6 +37,48 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
   return std::nullopt;
 }
 
+Triangle corners_of(const DomainMesh& mesh, FaceRef f) {
+  const Tetrahedron& t = mesh.vertices(f.cell());
+  return {t[face_vertices[f.face()][0]], t[face_vertices[f.face()][1]], t[face_vertices[f.face()][2]]};
+}
+
+/// Face of the same patch across the edge (x, y) of a constrained face; invalid where the edge is a curve.
+FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, VertexIndex y) {
+  if (mesh.curve_of(x, y) != no_index) return {};
+  std::vector<CellIndex> cells;
+  std::vector<VertexIndex> ring;
+  const bool closed = edge_ring(mesh, face.cell(), x, y, cells, ring);
+  const EdgeFaces faces = constrained_faces_of_ring(mesh, cells, ring, closed);
+  if (faces.n != 2) return {};
+  VertexIndex third = no_vertex;
+  for (const VertexIndex v : corners_of(mesh, face))
+    if (v != x && v != y) third = v;
+  const std::size_t other = ring[faces.at[0]] == third ? faces.at[1] : faces.at[0];
+  const bool last = !closed && other == cells.size();
+  const CellIndex c = last ? cells.back() : cells[other];
+  const VertexIndex opposite = last ? ring[cells.size() - 1] : ring[(other + 1) % ring.size()];
+  return FaceRef(c, mesh.topology().index_of(c, opposite));
+}
+
+/// Walks within the patch to the face that p is over; invalid where a curve is in the way.
+FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
+  for (unsigned step = 0; step < 300; ++step) {
+    const Triangle t = corners_of(mesh, face);
+    const Vec3 &a = mesh.point(t[0]), n = cross(mesh.point(t[1]) - a, mesh.point(t[2]) - a);
+    unsigned leave = 3;
+    double worst = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const Vec3& x = mesh.point(t[k]);
+      const double side = dot(cross(mesh.point(t[(k + 1) % 3]) - x, p - x), n);
+      if (side < worst) worst = side, leave = k;
+    }
+    if (leave == 3) return face;
+    face = surface_neighbor(mesh, face, t[leave], t[(leave + 1) % 3]);
+    if (!face.valid()) return face;
+  }
+  return {};
+}
+
 class Insertion {
  public:
   Insertion(Toolbox& tools, const Vec3& p) : tools_(tools), mesh_(tools.mesh), p_(p) {}
@@ -46,13 +88,28 @@ class Insertion {
     if (!home) return std::nullopt;
     for (const VertexIndex v : mesh_.vertices(*home))
       if (squared_distance(mesh_.point(v), p_) < rule.spacing * rule.spacing) return std::nullopt;
-    grow(*home);
-    if (!shrink_until_visible(*home) || !keeps_spacing(rule.spacing) || !keeps_constraints()) return std::nullopt;
+    bases_.assign(1, *home);
+    grow();
+    if (!shrink_until_visible() || !keeps_spacing(rule.spacing) || !keeps_constraints()) return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
     if (rule.min_shape > 0 && !(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape)) return std::nullopt;
     const VertexIndex v = mesh_.add_vertex(p_, VertexKind::inside);
     fill_with_star(mesh_, cavity, v, tools_.work);
     ++tools_.statistics.points_inside;
+    return v;
+  }
+
+  std::optional<VertexIndex> attempt_on_surface(FaceRef start, const InsertionRule& rule) {
+    const FaceRef home = locate_on_surface(mesh_, p_, start);
+    if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
+    grow();
+    if (!shrink_until_visible() || !keeps_spacing(0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
+    StarCavity& cavity = tools_.work.cavity;
+    add_spokes(cavity);
+    if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;
+    const VertexIndex v = mesh_.add_vertex(p_, VertexKind::surface, mesh_.patch_of(mesh_.tag(home.cell(), home.face())));
+    fill_with_star(mesh_, cavity, v, tools_.work);
+    ++tools_.statistics.points_on_surfaces;
     return v;
   }
 
@@ -63,13 +120,48 @@ class Insertion {
     return squared_distance(s.centre, p_) < s.radius * s.radius;
   }
 
+  bool in_circumcircle(const Triangle& t) const {
+    const Vec3 &a = mesh_.point(t[0]), u = mesh_.point(t[1]) - a, v = mesh_.point(t[2]) - a, n = cross(u, v);
+    const Vec3 offset = (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
+    return squared_distance(a + offset, p_) < dot(offset, offset);
+  }
+
+  bool is_opened(CellIndex c, unsigned i) const {
+    const FaceRef f(c, i);
+    return std::find(opened_.begin(), opened_.end(), f) != opened_.end();
+  }
+
+  /// The faces of the patch whose circumcircle has p, from the one that p is in; each is listed from both sides.
+  bool grow_on_surface(FaceRef home, double spacing) {
+    std::vector<FaceRef> faces{home};
+    const auto both = [&](FaceRef f) { return std::array{f, mesh_.topology().mirror(f)}; };
+    const auto open = [&](FaceRef f) {
+      for (const FaceRef g : both(f))
+        if (g.valid()) opened_.push_back(g), bases_.push_back(g.cell());
+    };
+    open(home);
+    for (std::size_t k = 0; k < faces.size() && faces.size() < 60; ++k) {
+      const Triangle t = corners_of(mesh_, faces[k]);
+      for (unsigned j = 0; j < 3; ++j) {
+        if (squared_distance(mesh_.point(t[j]), p_) < spacing * spacing) return false;
+        const FaceRef n = surface_neighbor(mesh_, faces[k], t[j], t[(j + 1) % 3]);
+        if (!n.valid() || is_opened(n.cell(), n.face()) || !in_circumcircle(corners_of(mesh_, n))) continue;
+        open(n);
+        faces.push_back(n);
+      }
+    }
+    std::sort(bases_.begin(), bases_.end());
+    bases_.erase(std::unique(bases_.begin(), bases_.end()), bases_.end());
+    return true;
+  }
+
   /// A shape criterion in doubles decides which cells to take; validity is decided later and exactly.
-  void grow(CellIndex home) {
+  void grow() {
     auto& cells = tools_.work.cells;
     CellMarks& marks = tools_.work.marks;
-    cells.assign(1, home);
+    cells = bases_;
     marks.begin(mesh_.n_slots());
-    marks.mark(home);
+    for (const CellIndex c : bases_) marks.mark(c);
     for (std::size_t k = 0; k < cells.size() && cells.size() < 400; ++k)
       for (unsigned i = 0; i < 4; ++i) {
         if (mesh_.tag(cells[k], i).constrained()) continue;
@@ -84,37 +176,50 @@ class Insertion {
     const Tetrahedron& t = mesh_.vertices(c);
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef n = mesh_.topology().neighbor(c, i);
-      if (n.valid() && tools_.work.marks.marked(n.cell()) && !mesh_.tag(c, i).constrained()) continue;
+      if (mesh_.tag(c, i).constrained() ? is_opened(c, i) : tools_.work.marks.marked(n.cell())) continue;
       const auto& f = face_vertices[i];
       if (!is_positive(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p_)) return false;
     }
     return true;
   }
 
-  /// Gives up cells whose border face p does not see, then those cut off from home by that, until all is seen.
-  bool shrink_until_visible(CellIndex home) {
+  bool is_base(CellIndex c) const { return std::find(bases_.begin(), bases_.end(), c) != bases_.end(); }
+
+  /// Gives up cells whose border face p does not see, then those cut off by that, until all is seen. False where a base does not
+  /// see.
+  bool shrink_until_visible() {
     auto& cells = tools_.work.cells;
     CellMarks& marks = tools_.work.marks;
     for (bool shrunk = true; shrunk;) {
       shrunk = false;
       for (const CellIndex c : cells)
         if (marks.marked(c) && !sees_border(c)) {
-          if (c == home) return false;
+          if (is_base(c)) return false;
           marks.unmark(c);
           shrunk = true;
         }
-      if (shrunk) keep_connected(home);
+      if (shrunk) keep_connected();
     }
     tools_.work.created.assign(cells.begin(), cells.end());  // gather_cells uses the marks anew
     gather_cells(mesh_, marks, tools_.work.created, tools_.work.cavity);
+    if (!opened_.empty()) drop_opened_hull_faces();
     return true;
   }
 
-  void keep_connected(CellIndex home) {
+  /// Opened faces on the outside of the model are no border to be filled: the new surface replaces them.
+  void drop_opened_hull_faces() {
+    std::vector<Triangle> gone;
+    for (const FaceRef f : opened_)
+      if (!mesh_.has_neighbor(f.cell(), f.face())) gone.push_back(corners_of(mesh_, f));
+    std::erase_if(tools_.work.cavity.link,
+                  [&](const LinkFace& l) { return std::find(gone.begin(), gone.end(), l.vertices) != gone.end(); });
+  }
+
+  void keep_connected() {
     auto& cells = tools_.work.cells;
     CellMarks& marks = tools_.work.marks;
-    std::vector<CellIndex> kept{home};
-    marks.unmark(home);
+    std::vector<CellIndex> kept = bases_;
+    for (const CellIndex c : bases_) marks.unmark(c);
     for (std::size_t k = 0; k < kept.size(); ++k)
       for (unsigned i = 0; i < 4; ++i) {
         if (mesh_.tag(kept[k], i).constrained()) continue;
@@ -126,6 +231,34 @@ class Insertion {
     for (const CellIndex c : cells) marks.unmark(c);
     for (const CellIndex c : kept) marks.mark(c);
     cells = std::move(kept);
+  }
+
+  /// Border edges of the opened faces, in the orientation of their facets.
+  void add_spokes(StarCavity& cavity) const {
+    std::vector<Spoke> edges;
+    for (const FaceRef f : opened_) {
+      const FaceTag tag = mesh_.tag(f.cell(), f.face());
+      if (mesh_.has_neighbor(f.cell(), f.face()) && !tag.above()) continue;
+      Triangle t = corners_of(mesh_, f);
+      if (!tag.above()) std::swap(t[1], t[2]);
+      for (unsigned k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3], tag.facet()});
+    }
+    for (const Spoke& s : edges)
+      if (std::none_of(edges.begin(), edges.end(), [&](const Spoke& o) { return o.a == s.b && o.b == s.a; }))
+        cavity.spokes.push_back(s);
+  }
+
+  bool guard_allows(const StarCavity& cavity) const {
+    if (tools_.guard.exact()) return true;
+    std::vector<SurfaceFace> before, after;
+    std::vector<CurvePiece> curves;
+    for (const FaceRef f : opened_) {
+      const Triangle t = corners_of(mesh_, f);
+      before.push_back(
+          {{mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])}, mesh_.patch_of(mesh_.tag(f.cell(), f.face()))});
+    }
+    append_surface(mesh_, cavity, p_, after, curves);
+    return tools_.guard.admits(before, after, {}, {}, {});
   }
 
   bool keeps_spacing(double spacing) const {
@@ -150,7 +283,7 @@ class Insertion {
       const Tetrahedron& t = mesh_.vertices(c);
       for (unsigned i = 0; i < 4; ++i) {
         if (!on_link(t[i], t[i])) return false;
-        if (!mesh_.tag(c, i).constrained()) continue;
+        if (!mesh_.tag(c, i).constrained() || is_opened(c, i)) continue;
         const FaceRef n = mesh_.topology().neighbor(c, i);
         const auto& cells = tools_.work.cavity.cells;
         if (n.valid() && std::find(cells.begin(), cells.end(), n.cell()) != cells.end()) return false;
@@ -164,12 +297,20 @@ class Insertion {
   Toolbox& tools_;
   DomainMesh& mesh_;
   Vec3 p_;
+  std::vector<CellIndex> bases_;  // cells that the cavity must have
+  std::vector<FaceRef> opened_;   // constrained faces inside the cavity, from each side
 };
 
 }  // namespace
 
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule) {
   return Insertion(tools, p).attempt(start, rule);
+}
+
+std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule) {
+  const FaceTag tag = tools.mesh.tag(start.cell(), start.face());
+  if (tag.facet() == hull_facet) return std::nullopt;
+  return Insertion(tools, tools.guard.project_to_patch(tools.mesh.patch_of(tag), p)).attempt_on_surface(start, rule);
 }
 
 }  // namespace geomesh::remesh

@@ -27,7 +27,7 @@ class InsideRefiner {
     while (!large.empty()) {
       const std::size_t n_front = pass(large, true, context);
       total += n_front;
-      if (n_front * 20 > large.size()) continue;
+      if (n_front * 100 > large.size()) continue;
       const std::size_t n_centre = pass(large, false, context);
       total += n_centre;
       if (n_front + n_centre == 0) break;
@@ -45,8 +45,17 @@ class InsideRefiner {
     return !(r <= large_ratio * tools_.size_of_cell(c));
   }
 
+  /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception.
+  void order_by_size(std::vector<CellIndex>& cells) {
+    std::vector<std::pair<double, CellIndex>> keyed;
+    for (const CellIndex c : cells) keyed.push_back({tools_.size_of_cell(c), c});
+    std::sort(keyed.begin(), keyed.end());
+    for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = keyed[k].second;
+  }
+
   /// One visit to each large cell; `large` becomes what is still large, new cells included.
   std::size_t pass(std::vector<CellIndex>& large, bool front, const RunContext& context) {
+    order_by_size(large);
     std::vector<CellIndex> next;
     std::size_t n = 0;
     for (std::size_t k = 0; k < large.size(); ++k) {
@@ -101,7 +110,15 @@ class InsideRefiner {
     return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
   }
 
+  bool is_on_front(CellIndex c) {
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh_.tag(c, i).constrained() || !is_large(mesh_.topology().neighbor_cell(c, i))) return true;
+    return false;
+  }
+
+  /// For cells at the front alone: points beyond it would be met by it later, at the wrong distance.
   std::optional<VertexIndex> insert_at_centre(CellIndex c) {
+    if (!is_on_front(c)) return std::nullopt;
     const Sphere s = sphere_of(c);
     if (!(s.radius < 1e300)) return std::nullopt;
     if (const auto v = insert(s.centre, c)) return v;

@@ -57,6 +57,10 @@ struct InsertionRule {
 /// its border).
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
 
+/// Inserts p, brought to the patch of the face `start`, by a cavity on the surface (faces of the patch whose circumcircle has p)
+/// and one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of it of others.
+std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule);
+
 /// Faces and curve pieces about a cavity with the apex at p, for the guard.
 void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, std::vector<SurfaceFace>& faces,
                     std::vector<CurvePiece>& curves);

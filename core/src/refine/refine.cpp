@@ -60,8 +60,21 @@ double share_of_edges_within_size(Toolbox& tools) {
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
   const StageScope stage(context, "refine");
   remesh::collapse_short_edges(tools, false, context);
-  remesh::split_long_surface_edges(tools, options.max_elements, context);
+  remesh::split_long_edges(tools, true, options.max_elements, context);
+  remesh::flip_towards_delaunay(tools, context);
+  remesh::refine_surfaces(tools, options.max_elements, context);
+  const std::size_t n_split = remesh::split_long_edges(tools, false, options.max_elements, context);
+  remesh::flip_towards_delaunay(tools, context);
   remesh::refine_inside(tools, options.max_elements, context);
+  remesh::flip_towards_delaunay(tools, context);
+  if (n_split > 0) {
+    // Bisected faces are of poor shape, and their neighbourhood is loose enough to mend them only once it is filled.
+    remesh::regularize_surfaces(tools, context);
+    remesh::collapse_short_edges(tools, false, context);
+    remesh::regularize_surfaces(tools, context);
+    remesh::flip_towards_delaunay(tools, context);
+    remesh::refine_inside(tools, options.max_elements, context);
+  }
   remesh::collapse_short_edges(tools, true, context);
 }
 

@@ -18,9 +18,18 @@ double estimate_elements(const DomainMesh& mesh, const SizeField& size);
 /// Collapses edges shorter than 0.6 of their size: those on curves and surfaces (where they may) or, with `inside_only`, others.
 std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context);
 
-/// Splits edges of curves, then of surfaces, longer than 1.4 times their size, longest first. Throws Error{cannot_mesh} beyond
-/// max_cells.
-std::size_t split_long_surface_edges(Toolbox& tools, std::size_t max_cells, const RunContext& context);
+/// Splits edges of curves (or else of surfaces) longer than 1.4 times their size, longest first. Throws Error{cannot_mesh} beyond
+/// max_cells, as the other passes that add points do.
+std::size_t split_long_edges(Toolbox& tools, bool curves, std::size_t max_cells, const RunContext& context);
+
+/// Inserts points on faces larger than asked, front by front from curves and small faces.
+std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);
+
+/// Flips (2-3 and 3-2) until no face admits one that makes it locally Delaunay: insertion works best from there.
+std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context);
+
+/// Makes faces of good shape within patches by exchanging edges and moving points, cells allowing.
+void regularize_surfaces(Toolbox& tools, const RunContext& context);
 
 /// Inserts points into cells larger than asked until there are none that admit one.
 std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);

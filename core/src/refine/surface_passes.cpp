@@ -91,9 +91,30 @@ class EdgeSplitter {
 
 }  // namespace
 
-std::size_t split_long_surface_edges(Toolbox& tools, std::size_t max_cells, const RunContext& context) {
-  const std::size_t n = EdgeSplitter(tools, true).run(max_cells, context);
-  return n + EdgeSplitter(tools, false).run(max_cells, context);
+std::size_t split_long_edges(Toolbox& tools, bool curves, std::size_t max_cells, const RunContext& context) {
+  return EdgeSplitter(tools, curves).run(max_cells, context);
+}
+
+void regularize_surfaces(Toolbox& tools, const RunContext& context) {
+  constexpr double floor = 1e-3;
+  DomainMesh& mesh = tools.mesh;
+  for (unsigned pass = 0; pass < 4; ++pass) {
+    context.check_cancelled();
+    std::size_t n = 0;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+      if (!mesh.is_live(c)) continue;
+      const Tetrahedron t = mesh.vertices(c);
+      for (const auto& e : edge_vertices) {
+        if (!on_constrained_face(mesh, c, e[0], e[1])) continue;
+        if (!flip_surface_edge(tools, c, t[e[0]], t[e[1]], floor)) continue;
+        ++n;
+        break;
+      }
+    }
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+      if (mesh.kind(v) == VertexKind::surface && smooth_on_surface(tools, v, floor)) ++n;
+    if (n == 0) break;
+  }
 }
 
 std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context) {
