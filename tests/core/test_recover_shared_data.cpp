@@ -32,7 +32,7 @@ TEST_CASE("classic adversarial models are meshed", "[recover][shared]") {
 TEST_CASE("solids are meshed", "[recover][shared]") {
   if (!have_shared_data()) return;
   for (const char* name : {"bunny25k.obj", "cow25k.obj", "sphere1.obj", "sphere2.obj", "res.obj", "bamboo_pen.obj", "cube_minus_sphere.obj",
-                           "humanoid.off", "soccerball.obj", "1002_tray_bottom.STL", "7_8ths_cube.stl", "round.stl", "shared.STL",
+                           "humanoid.off", "soccerball.obj", "1002_tray_bottom.STL", "7_8ths_cube.stl", "plate_holes.STL", "round.stl", "shared.STL",
                            "multibody.stl", "ballA.off", "ballB.off"}) {
     INFO(name);
     CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name)) == "");

@@ -16,6 +16,7 @@ Index Constraints::add_subsegment(VertexIndex a, VertexIndex b, Index segment, I
   const Index s = static_cast<Index>(subsegments.size());
   subsegments.push_back({a, b, segment, facet, true, {}});
   subsegment_map_.insert({a, b}, s);
+  split_map_.erase({a, b});
   return s;
 }
 
@@ -31,12 +32,25 @@ Index Constraints::add_subfacet(const Triangle& t, Index facet) {
   return f;
 }
 
+Index Constraints::add_piece(const Triangle& plane, FacetPiece piece, Index facet) {
+  const Index f = static_cast<Index>(subfacets.size());
+  subfacets.push_back({plane, facet, true, static_cast<Index>(pieces_.size())});
+  for (const DirectedEdge& e : piece.border) subsegments[subsegment_of(e[0], e[1])].subfacets.push_back(f);
+  pieces_.push_back(std::move(piece));
+  return f;
+}
+
 void Constraints::remove_subfacet(Index f) {
   const Triangle t = subfacets[f].vertices;
+  std::vector<DirectedEdge> border{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}};
+  if (is_piece(f)) {
+    border = piece_of(f).border;
+  } else {
+    subfacet_map_.erase({t[0], t[1], t[2]});
+  }
   subfacets[f].live = false;
-  subfacet_map_.erase({t[0], t[1], t[2]});
-  for (unsigned i = 0; i < 3; ++i) {
-    const Index s = subsegment_of(t[i], t[(i + 1) % 3]);
+  for (const DirectedEdge& e : border) {
+    const Index s = subsegment_of(e[0], e[1]);
     if (s == no_index) continue;
     std::erase(subsegments[s].subfacets, f);
     if (subsegments[s].segment == no_index && subsegments[s].subfacets.empty()) remove_subsegment(s);
@@ -48,25 +62,29 @@ void Constraints::remove_subsegment(Index s) {
   subsegment_map_.erase({subsegments[s].a, subsegments[s].b});
 }
 
-Constraints::SegmentSplit Constraints::split_subsegment(Index s, VertexIndex x) {
+std::array<Index, 2> Constraints::split_subsegment(Index s, VertexIndex x) {
   const Subsegment old = subsegments[s];
-  SegmentSplit out;
-  out.first = add_subsegment(old.a, x, old.segment, old.facet);
-  out.second = add_subsegment(x, old.b, old.segment, old.facet);
+  if (old.segment != no_index) split_map_.insert({segments[old.segment].a, segments[old.segment].b}, old.segment);
+  const std::array<Index, 2> halves{add_subsegment(old.a, x, old.segment, old.facet), add_subsegment(x, old.b, old.segment, old.facet)};
+  for (Index h : halves) subsegments[h].subfacets = old.subfacets;
   for (Index f : old.subfacets) {
-    const Triangle t = subfacets[f].vertices;
-    const Index facet = subfacets[f].facet;
-    unsigned i = 0;
-    while (t[i] == old.a || t[i] == old.b) ++i;
-    const VertexIndex apex = t[i], p = t[(i + 1) % 3], q = t[(i + 2) % 3];
-    // The new halves come before the old triangle goes, so that edges inside the facet that they share stay.
-    out.subfacets.push_back(add_subfacet({p, x, apex}, facet));
-    out.subfacets.push_back(add_subfacet({x, q, apex}, facet));
-    out.inner.push_back(subsegment_of(x, apex));
-    remove_subfacet(f);
+    if (!is_piece(f)) {
+      const Triangle t = subfacets[f].vertices;
+      subfacet_map_.erase({t[0], t[1], t[2]});
+      subfacets[f].piece = static_cast<Index>(pieces_.size());
+      pieces_.push_back({{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}, {t[0], t[1], t[2]}});
+    }
+    FacetPiece& piece = pieces_[subfacets[f].piece];
+    piece.members.push_back(x);
+    for (std::size_t i = 0; i < piece.border.size(); ++i) {
+      const DirectedEdge e = piece.border[i];
+      if (!(e == DirectedEdge{old.a, old.b} || e == DirectedEdge{old.b, old.a})) continue;
+      piece.border[i] = {e[0], x};
+      piece.border.insert(piece.border.begin() + static_cast<std::ptrdiff_t>(++i), {x, e[1]});
+    }
   }
-  if (subsegments[s].live) remove_subsegment(s);
-  return out;
+  remove_subsegment(s);
+  return halves;
 }
 
 }  // namespace geomesh::recover

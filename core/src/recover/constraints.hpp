@@ -4,8 +4,8 @@
 /// declared when something is split and never tested again by coordinates.
 ///
 /// Invariants:
-///   1. live subsegments (subfacets) are found by their vertices, in any order;
-///   2. each edge of a live subfacet is a live subsegment, which lists that subfacet;
+///   1. live subsegments, and live subfacets that are no pieces, are found by their vertices, in any order;
+///   2. each border edge of a live subfacet is a live subsegment, which lists that subfacet;
 ///   3. the live subfacets of a facet, projected on it, cover it once.
 #pragma once
 
@@ -25,10 +25,21 @@ struct Subsegment {
   std::vector<Index> subfacets;
 };
 
+using DirectedEdge = std::array<VertexIndex, 2>;
+
+/// A triangle that is a face of the mesh or is to become one, or, with `piece`, a part of a facet that any faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< in the orientation of the facet
+  Triangle vertices{};  ///< in the orientation of the facet; of a piece: three of its vertices, that span its plane
   Index facet = no_index;
   bool live = true;
+  Index piece = no_index;
+};
+
+/// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle whose border has got
+/// points. Any mesh faces between its vertices that cover it will do, so inner edges cost no points.
+struct FacetPiece {
+  std::vector<DirectedEdge> border;    ///< the facet lies on the left, seen from above; an inner segment stands in both directions
+  std::vector<VertexIndex> members;    ///< all vertices, border and inside
 };
 
 /// A segment of the model: a facet border or one that the caller lists.
@@ -56,6 +67,14 @@ class Constraints {
   Index subfacet_of(VertexIndex a, VertexIndex b, VertexIndex c) const { return subfacet_map_.find({a, b, c}); }
   bool is_subsegment(VertexIndex a, VertexIndex b) const { return subsegment_of(a, b) != no_index; }
 
+  /// Whether a and b lie on one model segment with added points between them: such an edge would run beside these points at the
+  /// distance of a rounding error, so recovery never makes one.
+  bool skips_added_points(VertexIndex a, VertexIndex b) const {
+    const bool a_added = vertices[a].origin != VertexOrigin::input, b_added = vertices[b].origin != VertexOrigin::input;
+    if (!a_added && !b_added) return split_map_.find({a, b}) != no_index;
+    return lies_on_segment_of(a, b) || lies_on_segment_of(b, a);
+  }
+
   Index add_subsegment(VertexIndex a, VertexIndex b, Index segment, Index facet);
   /// Edges that are no subsegments yet become edges inside the facet.
   Index add_subfacet(const Triangle& t, Index facet);
@@ -63,17 +82,28 @@ class Constraints {
   void remove_subfacet(Index subfacet);
   void remove_subsegment(Index subsegment);
 
-  struct SegmentSplit {
-    Index first = no_index, second = no_index;  ///< a-x and x-b
-    std::vector<Index> inner;                   ///< the new edges from x to the third vertices of the facets about it
-    std::vector<Index> subfacets;               ///< the halves
-  };
-  /// Splits subsegment s at vertex x; each subfacet about it becomes two.
-  SegmentSplit split_subsegment(Index s, VertexIndex x);
+  /// A part of a facet by its border; its edges are subsegments already.
+  Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
+  const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
+  bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
+
+  /// Splits subsegment s at vertex x: a-x and x-b. The subfacets about it become pieces with x on their border.
+  std::array<Index, 2> split_subsegment(Index s, VertexIndex x);
 
  private:
   EdgeMap subsegment_map_;
+  /// a is added on a segment which b is on too, and a-b is no subsegment.
+  bool lies_on_segment_of(VertexIndex a, VertexIndex b) const {
+    const VertexRecord& r = vertices[a];
+    if (r.origin != VertexOrigin::on_segment) return false;
+    const bool b_is_on = (vertices[b].origin == VertexOrigin::on_segment && vertices[b].owner == r.owner) || segments[r.owner].a == b ||
+                         segments[r.owner].b == b;
+    return b_is_on && !is_subsegment(a, b);
+  }
+
+  EdgeMap split_map_;  ///< model segments that have added points
   FaceMap subfacet_map_;
+  std::vector<FacetPiece> pieces_;
 };
 
 }  // namespace geomesh::recover

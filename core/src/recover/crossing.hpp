@@ -24,4 +24,14 @@ struct Crossing {
 /// Both in the mesh. O(degree of a).
 Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b);
 
+/// What the line from a to b crosses, in order, and what has to go for a-b to be an edge.
+struct LineCrossings {
+  std::vector<Crossing> crossings;  ///< edges and faces
+  std::vector<CellIndex> cells;     ///< cells whose inside the line meets, and all cells about each edge crossed
+};
+
+/// False where the line runs through a vertex or meets a ghost; what was found before that is in `out`. Both in the mesh and not joined.
+/// O(cells crossed).
+bool walk_line(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, LineCrossings& out);
+
 }  // namespace geomesh::recover

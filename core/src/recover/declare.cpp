@@ -89,10 +89,12 @@ class Declarer {
     FacetFault fault;
     const auto triangulation = triangulate_facet(plc_.points, polygon, fault);
     if (!triangulation) fail(f, fault);
-    if (!triangulation->exactly_planar) {
-      ++n_bent_;
-      deviation_ = std::max(deviation_, triangulation->deviation);
+    if (triangulation->exactly_planar) {
+      add_piece(*triangulation, polygon, f);
+      return;
     }
+    ++n_bent_;
+    deviation_ = std::max(deviation_, triangulation->deviation);
     for (const Triangle& t : triangulation->triangles) add_triangle(t, f);
   }
   void add_triangle(const Triangle& t, Index f) {
@@ -101,6 +103,24 @@ class Declarer {
     if (other != no_index)
       fail(f, {"it overlaps facet " + std::to_string(out_.constraints.subfacets[other].facet), {t[0], t[1], t[2]}});
     out_.constraints.add_subfacet(v, f);
+  }
+  /// The border as directed edges of the draft that are segments, so that the loops' own orientation does not matter.
+  void add_piece(const FacetTriangulation& draft, const FacetPolygon& polygon, Index f) {
+    FacetPiece piece;
+    for (const Triangle& t : draft.triangles)
+      for (unsigned i = 0; i < 3; ++i) {
+        const VertexIndex a = local_[t[i]], b = local_[t[(i + 1) % 3]];
+        if (out_.constraints.is_subsegment(a, b)) piece.border.push_back({a, b});
+      }
+    for (const auto& loop : polygon.loops)
+      for (VertexIndex v : loop) piece.members.push_back(local_[v]);
+    for (const auto& s : polygon.segments)
+      for (VertexIndex v : s) piece.members.push_back(local_[v]);
+    for (VertexIndex v : polygon.inner_points) piece.members.push_back(local_[v]);
+    std::sort(piece.members.begin(), piece.members.end());
+    piece.members.erase(std::unique(piece.members.begin(), piece.members.end()), piece.members.end());
+    const Triangle& t = draft.triangles.front();
+    out_.constraints.add_piece({local_[t[0]], local_[t[1]], local_[t[2]]}, std::move(piece), f);
   }
   [[noreturn]] void fail(Index f, const FacetFault& fault) const {
     ErrorContext context;

@@ -10,8 +10,8 @@ namespace {
 /// Triangulation of the ring polygon i..j by its last triangle (i, split, j); none where no positive one exists.
 class RingTriangulation {
  public:
-  RingTriangulation(const ConstrainedMesh& mesh, const EdgeRing& ring, const EdgeRule* rule, VertexIndex ear)
-      : mesh_(mesh), ring_(ring), rule_(rule), ear_(ear) {}
+  RingTriangulation(const ConstrainedMesh& mesh, const Constraints& constraints, const EdgeRing& ring, const EdgeRule* rule, VertexIndex ear)
+      : mesh_(mesh), constraints_(constraints), ring_(ring), rule_(rule), ear_(ear) {}
 
   bool solve() {
     const unsigned n = static_cast<unsigned>(ring_.ring.size());
@@ -32,7 +32,9 @@ class RingTriangulation {
   static constexpr std::uint8_t none = 255;
 
   bool solved(unsigned i, unsigned j) const { return j == i + 1 || split_[i][j] != none; }
-  bool forbidden(VertexIndex a, VertexIndex b) const { return a == ear_ || b == ear_ || (rule_ && rule_->forbids(a, b)); }
+  bool forbidden(VertexIndex a, VertexIndex b) const {
+    return a == ear_ || b == ear_ || (rule_ && rule_->forbids(a, b)) || constraints_.skips_added_points(a, b);
+  }
   bool positive(unsigned i, unsigned k, unsigned j) const {
     const VertexIndex a = ring_.ring[i], b = ring_.ring[k], c = ring_.ring[j];
     return mesh_.orient(a, b, c, ring_.q) == Sign::positive && mesh_.orient(a, b, c, ring_.p) == Sign::negative;
@@ -48,6 +50,7 @@ class RingTriangulation {
   }
 
   const ConstrainedMesh& mesh_;
+  const Constraints& constraints_;
   const EdgeRing& ring_;
   const EdgeRule* rule_;
   VertexIndex ear_;
@@ -71,7 +74,7 @@ bool EdgeRemover::is_fixed(const EdgeRing& ring) const {
 
 bool EdgeRemover::replace_ring(const EdgeRing& ring, const EdgeRule* rule, VertexIndex ear) {
   if (ring.ring.size() > max_ring) return false;
-  RingTriangulation triangulation(mesh_, ring, rule, ear);
+  RingTriangulation triangulation(mesh_, constraints_, ring, rule, ear);
   if (!triangulation.solve()) return false;
   std::vector<Tetrahedron> cells;
   triangulation.tetrahedra(cells);
@@ -117,6 +120,7 @@ bool EdgeRemover::flip_face(FaceRef f) {
   const auto& local = face_vertices[f.face()];
   const auto& v = cells.vertices(f.cell());
   const VertexIndex p = v[local[0]], q = v[local[1]], r = v[local[2]], a = v[f.face()], d = cells.vertex(g.cell(), g.face());
+  if (constraints_.skips_added_points(a, d)) return false;
   const std::array<Tetrahedron, 3> flipped{{{p, q, d, a}, {q, r, d, a}, {r, p, d, a}}};
   for (const Tetrahedron& t : flipped)
     if (!mesh_.positive(t)) return false;

@@ -2,28 +2,19 @@
 #include "recover/facet_trace.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace geomesh::recover {
-
-int FacetSides::operator()(VertexIndex v) const {
-  if (is_member(v)) return 0;
-  return static_cast<int>(mesh_.orient(t_[0], t_[1], t_[2], v));
-}
-
-bool FacetSides::is_member(VertexIndex v) const {
-  return v == t_[0] || v == t_[1] || v == t_[2] || std::find(members_.begin(), members_.end(), v) != members_.end();
-}
 
 namespace {
 
 class Tracer {
  public:
-  Tracer(ConstrainedMesh& mesh, const FacetSides& sides) : mesh_(mesh), sides_(sides) {}
+  Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)
+      : mesh_(mesh), sides_(sides), front_(border), border_(border.begin(), border.end()) {}
 
   FacetTrace run() {
-    const Triangle& t = sides_.triangle();
-    for (unsigned i = 0; i < 3; ++i) front_.push_back({t[i], t[(i + 1) % 3]});
     while (!front_.empty() && out_.status != FacetTrace::Status::touched) {
       const auto [p, q] = front_.back();
       front_.pop_back();
@@ -34,8 +25,6 @@ class Tracer {
   }
 
  private:
-  using DirectedEdge = std::array<VertexIndex, 2>;
-
   void fail(FacetTrace::Status status, VertexIndex culprit = no_vertex) {
     if (out_.status == FacetTrace::Status::touched) return;
     out_.status = status;
@@ -49,12 +38,32 @@ class Tracer {
     const CellIndex cell = mesh_.find_edge(p, q);
     if (cell == no_cell || !mesh_.ring(cell, p, q, ring_)) return fail(FacetTrace::Status::unclear);
     const std::size_t n = ring_.ring.size();
+    // A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them) the first one is
+    // taken: such cells count as above. Signs do not help here, as rounding bends the faces about an added point.
+    constexpr double clearly_left = 0.5;
     for (std::size_t i = 0; i < n; ++i) {
-      const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n], before = ring_.ring[(i + n - 1) % n];
-      // Seen along p->q the ring turns counter-clockwise, so it passes the facet on the left from below to above.
-      if (sides_.is_member(u) && sides_(before) < 0 && sides_(w) > 0) return accept(p, q, u);
-      if (sides_(u) < 0 && sides_(w) > 0) return pierce(ring_.cells[i], u, w);
+      const VertexIndex u = ring_.ring[i];
+      if (sides_.is_member(u) && !sides_.is_member(ring_.ring[(i + n - 1) % n]) && leftness(p, q, mesh_.point(u)) > clearly_left)
+        return accept(p, q, u);
     }
+    // Seen along p->q the ring turns counter-clockwise, so an edge of it pierces the facet where it passes from below to above on the left.
+    std::size_t best = n;
+    double best_score = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n];
+      if (sides_(u) >= 0 || sides_(w) <= 0) continue;
+      const double score = leftness(p, q, in_plane(u, w));
+      if (score <= best_score) continue;
+      best_score = score;
+      best = i;
+    }
+    if (best < n) return pierce(ring_.ring[best], ring_.ring[(best + 1) % n]);
+    // Members on the line of p-q, but for rounding, point nowhere: a face with one of them is a part of no width.
+    std::size_t thin = n;
+    for (std::size_t i = 0; i < n; ++i)
+      if (sides_.is_member(ring_.ring[i]) && (thin == n || leftness(p, q, mesh_.point(ring_.ring[i])) > leftness(p, q, mesh_.point(ring_.ring[thin]))))
+        thin = i;
+    if (thin < n) return accept(p, q, ring_.ring[thin]);
     // A vertex in the plane that is no member: it lies in the facet, for an edge of the mesh would cross the border else.
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i];
@@ -64,6 +73,19 @@ class Tracer {
     fail(FacetTrace::Status::unclear);
   }
 
+  /// Cosine of the angle about p-q between the facet's left and the point.
+  double leftness(VertexIndex p, VertexIndex q, const Vec3& v) const {
+    const Vec3 normal = sides_.normal(), turn = cross(mesh_.point(q) - mesh_.point(p), v - mesh_.point(p));
+    const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
+    return length > 0 ? dot(normal, turn) / length : -1;
+  }
+  /// Where edge u-v meets the plane.
+  Vec3 in_plane(VertexIndex u, VertexIndex v) const {
+    const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
+    const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());
+    return ha == hb ? b : b + hb / (hb - ha) * (a - b);
+  }
+
   void accept(VertexIndex p, VertexIndex q, VertexIndex v) {
     out_.faces.push_back({p, q, v});
     done_.insert({q, v});
@@ -71,17 +93,11 @@ class Tracer {
     for (const DirectedEdge e : {DirectedEdge{v, q}, DirectedEdge{p, v}})
       if (!done_.count(e) && !is_border(e[1], e[0])) front_.push_back(e);
   }
-  bool is_border(VertexIndex a, VertexIndex b) const {
-    const Triangle& t = sides_.triangle();
-    for (unsigned i = 0; i < 3; ++i)
-      if (t[i] == a && t[(i + 1) % 3] == b) return true;
-    return false;
-  }
+  bool is_border(VertexIndex a, VertexIndex b) const { return border_.count({a, b}) > 0; }
 
-  void pierce(CellIndex cell, VertexIndex below, VertexIndex above) {
+  void pierce(VertexIndex below, VertexIndex above) {
     std::vector<PiercingEdge> queue;
     add(below, above, queue);
-    (void)cell;
     EdgeRing ring;
     for (std::size_t head = 0; head < queue.size() && out_.status != FacetTrace::Status::touched; ++head) {
       const CellIndex c = mesh_.find_edge(queue[head].below, queue[head].above);
@@ -111,6 +127,7 @@ class Tracer {
   const FacetSides& sides_;
   FacetTrace out_;
   std::vector<DirectedEdge> front_;
+  std::set<DirectedEdge> border_;
   std::set<DirectedEdge> done_;
   std::set<PiercingEdge> seen_;
   EdgeRing ring_;
@@ -118,6 +135,8 @@ class Tracer {
 
 }  // namespace
 
-FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides) { return Tracer(mesh, sides).run(); }
+FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border) {
+  return Tracer(mesh, sides, border).run();
+}
 
 }  // namespace geomesh::recover

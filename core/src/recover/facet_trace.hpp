@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a subfacet, whose three edges are present, lies in the mesh: which mesh faces are part of it and which mesh edges pierce it.
+/// How a subfacet, whose border edges are present, lies in the mesh: which mesh faces are part of it and which mesh edges pierce it.
 ///
 /// As no mesh edge crosses the subfacet's border, the part of the subfacet in a cell is the whole section of that cell or nothing. So after
 /// the first piercing edge, found in the ring of a border edge, the sides of the vertices alone decide: every edge of a pierced cell
 /// whose ends lie on different sides pierces the subfacet too.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "recover/constrained_mesh.hpp"
+#include "recover/constraints.hpp"
 
 namespace geomesh::recover {
 
@@ -31,20 +33,27 @@ struct FacetTrace {
   VertexIndex culprit = no_vertex;
 };
 
-/// Sides of vertices relative to the plane of a triangle; the corners and `members` (declared to lie on it) are on it.
+/// Sides of vertices relative to the plane of a triangle; `members` (declared to lie on it) are on it.
 class FacetSides {
  public:
-  FacetSides(const ConstrainedMesh& mesh, const Triangle& t, const std::vector<VertexIndex>& members) : mesh_(mesh), t_(t), members_(members) {}
-  int operator()(VertexIndex v) const;
-  bool is_member(VertexIndex v) const;
-  const Triangle& triangle() const { return t_; }
+  FacetSides(const ConstrainedMesh& mesh, const Triangle& plane, const std::vector<VertexIndex>& members)
+      : mesh_(mesh), plane_(plane), members_(members) {}
+  int operator()(VertexIndex v) const { return is_member(v) ? 0 : static_cast<int>(mesh_.orient(plane_[0], plane_[1], plane_[2], v)); }
+  bool is_member(VertexIndex v) const { return std::find(members_.begin(), members_.end(), v) != members_.end(); }
+  const Vec3& origin() const { return mesh_.point(plane_[0]); }
+  /// Rounded; not of unit length.
+  Vec3 normal() const {
+    const Vec3& o = mesh_.point(plane_[0]);
+    return cross(mesh_.point(plane_[1]) - o, mesh_.point(plane_[2]) - o);
+  }
 
  private:
   const ConstrainedMesh& mesh_;
-  Triangle t_;
+  Triangle plane_;
   const std::vector<VertexIndex>& members_;
 };
 
-FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides);
+/// `border`: directed edges of the mesh with the subfacet on their left.
+FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border);
 
 }  // namespace geomesh::recover

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recover/cavity_retriangulation.hpp"
 #include "recover/facet_trace.hpp"
 #include "recover/messages.hpp"
 #include "recover/recover.hpp"
@@ -30,7 +31,16 @@ class FacetRecovery {
       : recovery_(recovery),
         mesh_(recovery.mesh),
         subfacet_(subfacet),
-        sides_(mesh_, recovery.constraints.subfacets[subfacet].vertices, members_) {}
+        plane_(recovery.constraints.subfacets[subfacet].vertices),
+        sides_(mesh_, plane_, members_) {
+    members_.assign(plane_.begin(), plane_.end());
+    border_ = {{plane_[0], plane_[1]}, {plane_[1], plane_[2]}, {plane_[2], plane_[0]}};
+    if (!recovery.constraints.is_piece(subfacet)) return;
+    members_ = recovery.constraints.piece_of(subfacet).members;
+    border_ = recovery.constraints.piece_of(subfacet).border;
+  }
+
+  bool is_present() { return trace_facet(mesh_, sides_, border_).status == FacetTrace::Status::complete; }
 
   bool by_flips(unsigned depth) {
     EdgeRemover remover(mesh_, recovery_.constraints);
@@ -48,6 +58,19 @@ class FacetRecovery {
     return true;
   }
 
+  /// Only while no point has been added: the sheet is the subfacet as a whole.
+  bool by_cavity(std::size_t max_nodes) {
+    const FacetTrace trace = checked_trace();
+    if (trace.status != FacetTrace::Status::pierced || members_.size() > 3) return false;
+    std::vector<CellIndex> cells;
+    EdgeRing ring;
+    for (const PiercingEdge& e : trace.piercing)
+      if (mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring)) cells.insert(cells.end(), ring.cells.begin(), ring.cells.end());
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return recover_face_by_cavity(recovery_, plane_, std::move(cells), max_nodes) && by_flips(0);
+  }
+
   void by_points() {
     for (unsigned depth = 2; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
@@ -57,7 +80,7 @@ class FacetRecovery {
 
  private:
   FacetTrace checked_trace() {
-    const FacetTrace trace = trace_facet(mesh_, sides_);
+    const FacetTrace trace = trace_facet(mesh_, sides_, border_);
     if (trace.status == FacetTrace::Status::touched) fail_vertex_on_facet(recovery_, trace.culprit, subfacet_);
     for (const PiercingEdge& e : trace.piercing) {
       const Index s = recovery_.constraints.subsegment_of(e.below, e.above);
@@ -67,7 +90,7 @@ class FacetRecovery {
   }
 
   Vec3 piercing_point(const PiercingEdge& e) const {
-    const Triangle& t = sides_.triangle();
+    const Triangle& t = plane_;
     const Vec3 &p = mesh_.point(t[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);
     const Vec3 n = cross(mesh_.point(t[1]) - p, mesh_.point(t[2]) - p);
     const double da = dot(n, a - p), db = dot(n, b - p);
@@ -97,7 +120,7 @@ class FacetRecovery {
   void commit(const FacetTrace& trace) {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
-    if (!members_.empty()) {
+    if (members_.size() > 3) {
       for (const Triangle& t : trace.faces) constraints.add_subfacet(t, facet);
       constraints.remove_subfacet(subfacet_);
     }
@@ -107,29 +130,51 @@ class FacetRecovery {
   Recovery& recovery_;
   ConstrainedMesh& mesh_;
   Index subfacet_;
+  Triangle plane_;
   std::vector<VertexIndex> members_;
+  std::vector<DirectedEdge> border_;
   FacetSides sides_;
 };
 
 }  // namespace
 
+namespace {
+
+FaceRef face_of(Recovery& recovery, Index subfacet) {
+  const Triangle& t = recovery.constraints.subfacets[subfacet].vertices;
+  return recovery.mesh.find_face(t[0], t[1], t[2]);
+}
+
+bool is_present(Recovery& recovery, Index subfacet) {
+  return recovery.constraints.is_piece(subfacet) ? FacetRecovery(recovery, subfacet).is_present() : face_of(recovery, subfacet).valid();
+}
+
+}  // namespace
+
 std::size_t count_missing_subfacets(Recovery& recovery) {
   std::size_t n = 0;
-  for (const Subfacet& f : recovery.constraints.subfacets)
-    if (f.live && !recovery.mesh.find_face(f.vertices[0], f.vertices[1], f.vertices[2]).valid()) ++n;
+  for (Index f = 0; f < recovery.constraints.subfacets.size(); ++f)
+    if (recovery.constraints.subfacets[f].live && !is_present(recovery, f)) ++n;
   return n;
 }
 
 void recover_facets(Recovery& recovery) {
   Constraints& constraints = recovery.constraints;
-  ConstrainedMesh& mesh = recovery.mesh;
   std::vector<Index> missing;
-  for (Index f = 0; f < constraints.subfacets.size(); ++f) {
+  const Index n_subfacets = static_cast<Index>(constraints.subfacets.size());
+  for (Index f = 0; f < n_subfacets; ++f) {
     if (!constraints.subfacets[f].live) continue;
-    const Triangle& t = constraints.subfacets[f].vertices;
-    const FaceRef face = mesh.find_face(t[0], t[1], t[2]);
+    if (constraints.is_piece(f)) {
+      if (FacetRecovery(recovery, f).is_present()) {
+        FacetRecovery(recovery, f).by_flips(0);
+      } else {
+        missing.push_back(f);
+      }
+      continue;
+    }
+    const FaceRef face = face_of(recovery, f);
     if (face.valid()) {
-      mesh.lock(face);
+      recovery.mesh.lock(face);
     } else {
       missing.push_back(f);
     }
@@ -138,7 +183,9 @@ void recover_facets(Recovery& recovery) {
   recovery.statistics.facets_reinserted += missing.size();
   for (unsigned depth : {0u, 1u, 2u, 3u}) {
     recovery.context.check_cancelled();
-    std::erase_if(missing, [&](Index f) { return FacetRecovery(recovery, f).by_flips(depth); });
+    std::erase_if(missing, [&](Index f) { 
+      return FacetRecovery(recovery, f).by_flips(depth) || (depth > 0 && FacetRecovery(recovery, f).by_cavity(200 * depth));
+    });
   }
   for (Index f : missing) {
     recovery.context.check_cancelled();

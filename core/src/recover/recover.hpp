@@ -34,6 +34,12 @@ bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, 
 /// where mesh edges pierce the facet. Throws Error{invalid_input} where a segment or a vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
+/// Takes added points away again, or off segments and facets into the regions, where the mesh allows it.
+void remove_added_points(Recovery& recovery);
+
+/// Takes one added point off its segment or facet (boundary_points_inward.cpp). False: nothing has changed.
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x);
+
 /// Counts declared simplices that are not in the mesh.
 std::size_t count_missing_subsegments(Recovery& recovery);
 std::size_t count_missing_subfacets(Recovery& recovery);

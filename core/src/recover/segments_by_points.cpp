@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recover/cavity_retriangulation.hpp"
 #include "recover/crossing.hpp"
 #include "recover/messages.hpp"
 #include "recover/recover.hpp"
@@ -42,6 +43,14 @@ std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing
   return ring.cells;
 }
 
+void refuse_contradictions(const Recovery& recovery, Index s, const LineCrossings& line) {
+  for (const Crossing& c : line.crossings) {
+    if (c.kind != CrossingKind::edge) continue;
+    const Index other = recovery.constraints.subsegment_of(c.v[0], c.v[1]);
+    if (other != no_index) fail_segments_cross(recovery, s, other);
+  }
+}
+
 bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& seeds, VertexIndex& x) {
   ConstrainedMesh& mesh = recovery.mesh;
   x = mesh.add_point(p);
@@ -53,22 +62,26 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   return false;
 }
 
-/// A point on the missing subsegment: in its middle for the first halvings, then where the line first crosses the mesh.
-VertexIndex insert_on_segment(Recovery& recovery, Index s, unsigned halvings) {
+/// A point on the missing subsegment where the line crosses the mesh, as near to the middle as can be.
+VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
   const VertexIndex a = recovery.constraints.subsegments[s].a, b = recovery.constraints.subsegments[s].b;
   const Vec3 pa = mesh.point(a), pb = mesh.point(b);
+  LineCrossings line;
+  walk_line(mesh, a, b, line);
+  refuse_contradictions(recovery, s, line);
+  std::vector<std::pair<double, std::size_t>> order;
+  std::vector<double> parameter;
+  for (std::size_t i = 0; i < line.crossings.size(); ++i) {
+    parameter.push_back(crossing_parameter(mesh, line.crossings[i], pa, pb));
+    order.emplace_back(std::fabs(parameter[i] - 0.5), i);
+  }
+  std::sort(order.begin(), order.end());
   VertexIndex x = no_vertex;
-  const Crossing from_a = first_crossing(mesh, a, b), from_b = first_crossing(mesh, b, a);
-  const double ta = crossing_parameter(mesh, from_a, pa, pb), tb = 1 - crossing_parameter(mesh, from_b, pb, pa);
-  const bool a_is_nearer_middle = std::fabs(ta - 0.5) <= std::fabs(tb - 0.5);
-  const std::vector<CellIndex> cells_a = crossed_cells(mesh, from_a), cells_b = crossed_cells(mesh, from_b);
-  if (halvings < 2 && try_point(recovery, on_segment(pa, pb, 0.5), {from_a.cell}, x)) return x;
-  const double first = a_is_nearer_middle ? ta : tb, second = a_is_nearer_middle ? tb : ta;
-  if (try_point(recovery, on_segment(pa, pb, first), a_is_nearer_middle ? cells_a : cells_b, x)) return x;
-  if (try_point(recovery, on_segment(pa, pb, second), a_is_nearer_middle ? cells_b : cells_a, x)) return x;
+  for (const auto& [distance, i] : order)
+    if (distance < 0.5 && try_point(recovery, on_segment(pa, pb, parameter[i]), crossed_cells(mesh, line.crossings[i]), x)) return x;
   for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
-    if (try_point(recovery, on_segment(pa, pb, t), {from_a.cell}, x)) return x;
+    if (try_point(recovery, on_segment(pa, pb, t), {mesh.cell_of(a)}, x)) return x;
   return no_vertex;
 }
 
@@ -90,15 +103,15 @@ void recover_by_points(Recovery& recovery, Missing first) {
     const unsigned depth = item.halvings < 6 ? 3 : 0;
     if (mesh.find_edge(s.a, s.b) != no_cell) continue;
     if (item.halvings < 12 && recover_segment_by_flips(recovery, s.a, s.b, depth)) continue;
-    const VertexIndex x = insert_on_segment(recovery, item.subsegment, item.halvings);
+    if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, 200)) continue;
+    const VertexIndex x = insert_on_segment(recovery, item.subsegment);
     if (x == no_vertex) fail_segment_not_recovered(recovery, item.subsegment);
     const bool inside_facet = s.segment == no_index;
     constraints.vertices.resize(mesh.points().size());
     constraints.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment, inside_facet ? s.facet : s.segment};
-    const auto split = constraints.split_subsegment(item.subsegment, x);
-    for (Index inner : split.inner) stack.push_back({inner, item.halvings});
-    stack.push_back({split.second, item.halvings + 1});
-    stack.push_back({split.first, item.halvings + 1});
+    const auto halves = constraints.split_subsegment(item.subsegment, x);
+    stack.push_back({halves[1], item.halvings + 1});
+    stack.push_back({halves[0], item.halvings + 1});
   }
 }
 
@@ -121,7 +134,8 @@ void recover_segments(Recovery& recovery) {
   for (unsigned depth : {0u, 1u, 2u, 3u}) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {
-      return recover_segment_by_flips(recovery, constraints.subsegments[s].a, constraints.subsegments[s].b, depth);
+      const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
+      return recover_segment_by_flips(recovery, a, b, depth) || (depth > 0 && recover_segment_by_cavity(recovery, a, b, 200 * depth));
     });
   }
   for (Index s : missing) {

@@ -78,6 +78,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
     statistics.missing_facets_before_segments = recover::count_missing_subfacets(recovery);
     recover::recover_segments(recovery);
     recover::recover_facets(recovery);
+    recover::remove_added_points(recovery);
     recover::validate_recovered(recovery);
   }
   const StageScope stage(context, "classify");
