@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "clip.hpp"
+#include "diagnosis.hpp"
+#include "geomesh/core/error.hpp"
+#include "rounding.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+using namespace arrangement;
+
+void check_box(const Box3& box) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(std::isfinite(box.min[i]) && std::isfinite(box.max[i]) && box.min[i] < box.max[i]))
+      throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
+}
+
+class Arrangement {
+ public:
+  Arrangement(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points,
+              const ArrangementOptions& options, const RunContext& context)
+      : polylines_(polylines), options_(options), context_(context), surfaces_{surfaces, result_.box_sides} {
+    if (options.box) {
+      check_box(*options.box);
+      result_.box_sides = make_box_sides(*options.box);
+    }
+    ingested_ = ingest(surfaces_, polylines, points, options.box);
+    result_.warnings = std::move(ingested_.warnings);
+    result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
+    result_.area_clipped_by_box = ingested_.area_outside;
+  }
+
+  ArrangementResult run() {
+    Contacts contacts = find_contacts(ingested_.complex, context_);
+    result_.n_pairs = contacts.n_pairs;
+    log_round(0, ingested_.complex, contacts);
+    Complex complex = first_round(contacts);
+    for (unsigned round = 1;; ++round) {
+      contacts = find_contacts(complex, context_);
+      if (contacts.empty()) break;
+      log_round(round, complex, contacts);
+      if (round > options_.max_rounding_rounds) refuse(complex, contacts);
+      result_.n_rounding_rounds = round;
+      complex = round_again(complex, contacts, round);
+    }
+    fill_soup(std::move(complex));
+    diagnose_soup(surfaces_, result_);
+    return std::move(result_);
+  }
+
+ private:
+  Complex first_round(const Contacts& contacts) {
+    Arranged arranged = arrange_round(ingested_.complex, contacts, context_);
+    std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);
+    diagnose_crossings(ingested_.complex, contacts, arranged, surfaces_, options_.box, result_, crosses_itself);
+    if (options_.crossings == ArrangementOptions::Crossings::refuse) refuse_crossings(result_, surfaces_);
+    const ClipContext clip{arranged, surfaces_, result_};
+    if (options_.box) clip_to_box(clip, *options_.box, polylines_);
+    cut_by_bodies(clip, ingested_.complex, ingested_, options_.box, crosses_itself);
+    context_.check_cancelled();
+    return take(round_to_doubles(arranged, ingested_.complex, {0, options_.box}));
+  }
+
+  Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
+    const Arranged arranged = arrange_round(complex, contacts, context_);
+    RoundingOptions rounding{0, options_.box};
+    // From the fourth round on new points go to a lattice, coarser each time: what stays improper is thinner than that.
+    if (round > 3) rounding.grid = std::ldexp(unit_in_the_last_place(complex), static_cast<int>(4 * (round - 3)));
+    return take(round_to_doubles(arranged, complex, rounding));
+  }
+
+  Complex take(Rounded&& rounded) {
+    Displacement& total = result_.rounding;
+    const Displacement& d = rounded.displacement;
+    if (d.largest > total.largest) total.where = d.where;
+    total.largest += d.largest;  // a point may move once a round: the sum bounds it
+    total.mean += d.mean;
+    total.points_moved += d.points_moved;
+    n_collapsed_ += rounded.n_facets_collapsed;
+    return std::move(rounded.complex);
+  }
+
+  static double unit_in_the_last_place(const Complex& complex) {
+    double largest = 0;
+    for (const Vec3& p : complex.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
+  }
+
+  void log_round(unsigned round, const Complex& complex, const Contacts& contacts) const {
+    context_.note(LogLevel::debug, "arrangement round " + std::to_string(round) + ": " + std::to_string(complex.facets.size()) + " facets, " +
+                                       std::to_string(contacts.n_pairs) + " pairs, " + std::to_string(contacts.facets.size()) +
+                                       " contacts, " + std::to_string(contacts.overlaps.size()) + " overlaps");
+  }
+
+  [[noreturn]] void refuse(const Complex& complex, const Contacts& contacts) const {
+    ErrorContext context;
+    std::string names;
+    const auto add = [&](Index f) {
+      if (context.places.size() >= 10) return;
+      context.facets.push_back(f);
+      context.places.push_back(complex.points[complex.facets[f][0]]);
+      names += (names.empty() ? "" : ", ") + surfaces_[complex.origins.of(f)[0].surface].name;
+    };
+    for (const FacetContact& c : contacts.facets) add(c.facet);
+    for (const Overlap& o : contacts.overlaps) add(o.a);
+    throw Error(ErrorKind::cannot_mesh,
+                "the surfaces (" + names + ") lie so near each other near " + (context.places.empty() ? "?" : to_text(context.places[0])) +
+                    " that no rounding to doubles keeps them apart; move them apart or merge them there",
+                std::move(context));
+  }
+
+  void fill_soup(Complex&& complex) {
+    PolygonSoup& soup = result_.soup;
+    soup.points = std::move(complex.points);
+    soup.input_point = std::move(complex.input_point);
+    soup.facets = std::move(complex.facets);
+    soup.origins = std::move(complex.origins.items);
+    soup.origin_offsets = std::move(complex.origins.offsets);
+    soup.segments = std::move(complex.segments);
+    soup.isolated_points = std::move(complex.isolated_points);
+    fill_kinds(soup);
+    if (n_collapsed_ > 0)
+      context_.note(LogLevel::debug, std::to_string(n_collapsed_) + " facets thinner than the doubles' spacing merged with their neighbours");
+  }
+
+  /// A point that is not from the input is a triple point where three surfaces meet.
+  static void fill_kinds(PolygonSoup& soup) {
+    std::vector<std::array<Index, 3>> at(soup.points.size(), {no_index, no_index, no_index});
+    for (Index f = 0; f < soup.facets.size(); ++f)
+      for (const VertexIndex v : soup.facets[f]) {
+        if (soup.input_point[v] != no_index) continue;
+        for (Index k = soup.origin_offsets[f]; k < soup.origin_offsets[f + 1]; ++k)
+          for (Index& slot : at[v]) {
+            if (slot == no_index) slot = soup.origins[k].surface;
+            if (slot == soup.origins[k].surface) break;
+          }
+      }
+    soup.kind.assign(soup.points.size(), SoupVertexKind::input);
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
+      if (soup.input_point[v] == no_index && at[v][0] != no_index)
+        soup.kind[v] = at[v][2] != no_index ? SoupVertexKind::triple_point : SoupVertexKind::intersection;
+  }
+
+  const std::vector<Polyline>& polylines_;
+  const ArrangementOptions& options_;
+  const RunContext& context_;
+  ArrangementResult result_;
+  SurfaceList surfaces_;
+  Ingested ingested_;
+  std::size_t n_collapsed_ = 0;
+};
+
+}  // namespace
+
+ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
+                          const std::vector<NamedPoint>& points, const ArrangementOptions& options, const RunContext& context) {
+  std::unique_ptr<tbb::global_control> limit;
+  if (context.threads > 0) limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, context.threads);
+  return Arrangement(surfaces, polylines, points, options, context).run();
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What one round of the arrangement takes and gives: triangles, wells' segments and points in doubles, each with its origins.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geomesh/geomodel/arrangement.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+using Origin = PolygonSoup::Origin;
+
+/// Lists of origins, one for each facet, back to back.
+struct OriginLists {
+  std::vector<Origin> items;
+  std::vector<Index> offsets{0};
+  std::span<const Origin> of(std::size_t facet) const {
+    return {items.data() + offsets[facet], items.data() + offsets[facet + 1]};
+  }
+  void push(std::span<const Origin> list) {
+    items.insert(items.end(), list.begin(), list.end());
+    offsets.push_back(static_cast<Index>(items.size()));
+  }
+};
+
+/// Invariants: points are distinct; no facet is degenerate. Facets may cross, overlap and repeat.
+struct Complex {
+  std::vector<Vec3> points;
+  std::vector<Index> input_point;  ///< as PolygonSoup::input_point
+  std::vector<Triangle> facets;
+  OriginLists origins;
+  std::vector<PolygonSoup::Segment> segments;
+  std::vector<PolygonSoup::IsolatedPoint> isolated_points;
+  /// Per facet and per segment: not known to be free of crossings with the others that are not dirty either.
+  std::vector<std::uint8_t> dirty_facet, dirty_segment;
+};
+
+/// A facet's plane seen along the axis in which its normal is longest in doubles; `sign` is its orientation there, never zero.
+struct Projection {
+  std::size_t i = 0, j = 1;
+  Sign sign = Sign::zero;
+};
+inline Vec2 project(const Vec3& p, const Projection& frame) { return {p[frame.i], p[frame.j]}; }
+/// sign is zero only where a, b, c are exactly collinear.
+Projection projection_of(const Vec3& a, const Vec3& b, const Vec3& c);
+
+double area(const Vec3& a, const Vec3& b, const Vec3& c);
+double length(const Vec3& a);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "diagnosis.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "geomesh/core/error.hpp"
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+using SurfacePair = std::pair<Index, Index>;
+
+std::string name_of(const SurfaceList& surfaces, Index s) {
+  return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name;
+}
+
+bool is_inside(const std::optional<Box3>& box, const Vec3& p) {
+  for (std::size_t i = 0; box && i < 3; ++i)
+    if (p[i] < box->min[i] || p[i] > box->max[i]) return false;
+  return true;
+}
+
+std::string crossing_text(const SurfaceList& surfaces, const Spot& spot) {
+  std::ostringstream text;
+  if (spot.surface_a == spot.surface_b)
+    text << name_of(surfaces, spot.surface_a) << " crosses itself";
+  else
+    text << name_of(surfaces, spot.surface_a) << " crosses " << name_of(surfaces, spot.surface_b);
+  text << " along " << spot.measure << " (" << spot.count << " pairs of triangles) near " << to_text(spot.place);
+  return text.str();
+}
+
+/// Crossings that geology does not expect: a surface with itself, horizons with each other, surfaces of no known kind.
+bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
+  if (spot.surface_a == spot.surface_b) return true;
+  const SurfaceKind a = surfaces[spot.surface_a].kind, b = surfaces[spot.surface_b].kind;
+  return (a == SurfaceKind::horizon && b == SurfaceKind::horizon) || a == SurfaceKind::surface || b == SurfaceKind::surface;
+}
+
+struct SoupEdge {
+  VertexIndex other;
+  Index facet;
+};
+
+/// Edges of the soup in buckets by their lesser vertex, each bucket sorted: linear time.
+class EdgeBuckets {
+ public:
+  explicit EdgeBuckets(const PolygonSoup& soup) : begin_(soup.points.size() + 1, 0), edges_(3 * soup.facets.size()) {
+    for_each(soup, [this](VertexIndex a, VertexIndex, Index) { ++begin_[a + 1]; });
+    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) begin_[v + 1] += begin_[v];
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for_each(soup, [&](VertexIndex a, VertexIndex b, Index f) { edges_[next[a]++] = {b, f}; });
+    for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
+      std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v]), edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]),
+                [](const SoupEdge& x, const SoupEdge& y) { return x.other != y.other ? x.other < y.other : x.facet < y.facet; });
+  }
+  /// Calls visit(a, b, facet) for edges with one facet.
+  template <typename Visit>
+  void for_each_free_edge(Visit&& visit) const {
+    for (VertexIndex a = 0; a + 1 < begin_.size(); ++a)
+      for (std::size_t k = begin_[a]; k < begin_[a + 1];) {
+        std::size_t end = k + 1;
+        while (end < begin_[a + 1] && edges_[end].other == edges_[k].other) ++end;
+        if (end == k + 1) visit(a, edges_[k].other, edges_[k].facet);
+        k = end;
+      }
+  }
+
+ private:
+  template <typename Visit>
+  static void for_each(const PolygonSoup& soup, Visit&& visit) {
+    for (Index f = 0; f < soup.facets.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexIndex a = soup.facets[f][k], b = soup.facets[f][(k + 1) % 3];
+        visit(std::min(a, b), std::max(a, b), f);
+      }
+  }
+  std::vector<std::size_t> begin_;
+  std::vector<SoupEdge> edges_;
+};
+
+/// Free borders by surface and connected piece, longest first within a surface; at most `limit` a surface, the rest in one spot.
+void add_free_borders(const PolygonSoup& soup, std::vector<Spot>& spots) {
+  struct FreeEdge {
+    Index surface;
+    VertexIndex a, b;
+  };
+  std::vector<FreeEdge> edges;
+  EdgeBuckets(soup).for_each_free_edge([&](VertexIndex a, VertexIndex b, Index f) {
+    edges.push_back({soup.origins[soup.origin_offsets[f]].surface, a, b});
+  });
+  std::map<std::pair<Index, VertexIndex>, std::pair<Index, VertexIndex>> parent;
+  const auto root = [&parent](std::pair<Index, VertexIndex> v) {
+    for (auto at = parent.try_emplace(v, v).first; at->second != v; at = parent.find(v)) v = at->second = parent.at(at->second);
+    return v;
+  };
+  for (const FreeEdge& e : edges) {
+    const auto a = root({e.surface, e.a}), b = root({e.surface, e.b});
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::map<std::pair<Index, VertexIndex>, Spot> pieces;
+  for (const FreeEdge& e : edges) {
+    Spot& spot = pieces[root({e.surface, e.a})];
+    if (spot.count == 0) spot = {"free border", e.surface, no_index, 0, 0, 0.5 * (soup.points[e.a] + soup.points[e.b])};
+    ++spot.count;
+    spot.measure += length(soup.points[e.a] - soup.points[e.b]);
+  }
+  std::vector<Spot> sorted;
+  for (const auto& piece : pieces) sorted.push_back(piece.second);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Spot& x, const Spot& y) {
+    return x.surface_a != y.surface_a ? x.surface_a < y.surface_a : x.measure > y.measure;
+  });
+  constexpr std::size_t limit = 20;
+  std::size_t in_surface = 0;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    in_surface = k > 0 && sorted[k].surface_a == sorted[k - 1].surface_a ? in_surface + 1 : 0;
+    if (in_surface < limit) {
+      spots.push_back(sorted[k]);
+    } else if (in_surface == limit) {
+      spots.push_back(sorted[k]);
+      spots.back().what = "free border (other pieces)";
+    } else {
+      spots.back().count += sorted[k].count;
+      spots.back().measure += sorted[k].measure;
+    }
+  }
+}
+
+void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, ArrangementResult& result) {
+  std::map<SurfacePair, Spot> overlaps;
+  for (Index f = 0; f < soup.facets.size(); ++f) {
+    const Index begin = soup.origin_offsets[f], end = soup.origin_offsets[f + 1];
+    for (Index k = begin + 1; k < end; ++k) {
+      const SurfacePair pair{soup.origins[begin].surface, soup.origins[k].surface};
+      const Triangle& t = soup.facets[f];
+      Spot& spot = overlaps[pair];
+      if (spot.count == 0) spot = {"overlap", pair.first, pair.second, 0, 0, soup.points[t[0]]};
+      ++spot.count;
+      spot.measure += area(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+    }
+  }
+  for (const auto& [pair, spot] : overlaps) {
+    result.spots.push_back(spot);
+    if (surfaces[pair.second].kind == SurfaceKind::box) continue;
+    std::ostringstream text;
+    if (pair.first == pair.second)
+      text << name_of(surfaces, pair.first) << " lies on itself (repeated or overlapping triangles)";
+    else
+      text << name_of(surfaces, pair.first) << " and " << name_of(surfaces, pair.second) << " coincide";
+    text << " over an area of " << spot.measure << " near " << to_text(spot.place) << "; merged";
+    result.warnings.push_back(text.str());
+  }
+}
+
+}  // namespace
+
+void diagnose_crossings(const Complex& complex, const Contacts& contacts, const Arranged& arranged, const SurfaceList& surfaces,
+                        const std::optional<Box3>& box, ArrangementResult& result, std::vector<std::uint8_t>& crosses_itself) {
+  struct Seen {
+    Index a, b;
+    std::size_t contact;
+    bool operator<(const Seen& o) const { return std::tie(a, b, contact) < std::tie(o.a, o.b, o.contact); }
+  };
+  std::vector<Seen> pairs;
+  for (std::size_t k = 0; k < contacts.facets.size(); ++k) {
+    const FacetContact& c = contacts.facets[k];
+    if (c.other != no_index) pairs.push_back({std::min(c.facet, c.other), std::max(c.facet, c.other), k});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::map<SurfacePair, Spot> spots;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (k > 0 && pairs[k].a == pairs[k - 1].a && pairs[k].b == pairs[k - 1].b) continue;
+    const auto& ends = arranged.contact_ends[pairs[k].contact];
+    if (ends[1] != no_index) ++result.n_crossing_pairs;
+    const Index a = complex.origins.of(pairs[k].a)[0].surface, b = complex.origins.of(pairs[k].b)[0].surface;
+    if (surfaces[a].kind == SurfaceKind::box || surfaces[b].kind == SurfaceKind::box) continue;
+    const Vec3 p = arranged.vertices.rounded(ends[0]), q = ends[1] == no_index ? p : arranged.vertices.rounded(ends[1]);
+    if (!is_inside(box, 0.5 * (p + q))) continue;
+    if (a == b) crosses_itself[a] = 1;
+    Spot& spot = spots[{std::min(a, b), std::max(a, b)}];
+    if (spot.count == 0) spot = {a == b ? "self-crossing" : "crossing", std::min(a, b), std::max(a, b), 0, 0, 0.5 * (p + q)};
+    ++spot.count;
+    spot.measure += length(p - q);
+  }
+  for (const Overlap& o : contacts.overlaps) {
+    const Index a = complex.origins.of(o.a)[0].surface, b = complex.origins.of(o.b)[0].surface;
+    if (a == b && a < crosses_itself.size()) crosses_itself[a] = 1;
+  }
+  for (const auto& entry : spots) {
+    result.spots.push_back(entry.second);
+    if (is_suspicious(surfaces, entry.second)) result.warnings.push_back(crossing_text(surfaces, entry.second));
+  }
+}
+
+void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces) {
+  std::ostringstream text;
+  ErrorContext context;
+  for (const Spot& spot : result.spots) {
+    if (spot.what != "crossing" && spot.what != "self-crossing") continue;
+    text << (context.places.empty() ? "" : "; ") << crossing_text(surfaces, spot);
+    context.places.push_back(spot.place);
+  }
+  if (context.places.empty()) return;
+  throw Error(ErrorKind::invalid_input, "surfaces cross, and crossings are refused: " + text.str() + ". Mend them, or let crossings be resolved.",
+              std::move(context));
+}
+
+void diagnose_soup(const SurfaceList& surfaces, ArrangementResult& result) {
+  add_overlaps(result.soup, surfaces, result);
+  add_free_borders(result.soup, result.spots);
+  for (Index s = 0; s < surfaces.given.size(); ++s) {
+    if (result.area_clipped_by_box[s] > 0)
+      result.spots.push_back({"clipped by box", s, no_index, 0, result.area_clipped_by_box[s],
+                              surfaces[s].points.empty() ? Vec3{} : surfaces[s].points.front()});
+  }
+}
+
+}  // namespace geomesh::geomodel::arrangement
