@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Model building: the rules by which surfaces that stop short, have holes, are open or cross become a model. Two steps, before and
+/// after the arrangement; both say what they changed and where, with areas or lengths.
+///
+///     surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/arrangement.hpp"
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+/// How a surface goes on beyond its border. The continuation is made in the map for horizons, in the mean plane for faults.
+enum class Extend {
+  none,
+  flat,     ///< each point of the border goes on at its own height (faults: at its own distance from the mean plane)
+  tangent,  ///< goes on with the mean slope near the border
+  nearest,  ///< takes the height of the nearest vertex of the surface
+};
+
+/// What happens at the base of a unit, that is, at a horizon.
+enum class BaseRule {
+  conformable,
+  erode,  ///< the horizon cuts what is older: parts of older horizons above it go
+  onlap,  ///< what is younger ends on the horizon: parts of younger horizons below it go
+};
+
+/// Where horizons cross although no rule says how.
+enum class OnCrossing {
+  leave,         ///< both stay; pockets are named with a warning
+  clip_younger,  ///< parts of the younger one below the older one go
+  clip_older,    ///< parts of the older one above the younger one go
+  error,         ///< Error{invalid_input} with both names, the area and the place
+};
+
+struct SurfaceRules {
+  Extend extend = Extend::none;  ///< to beyond the box
+  double fill_holes = 0;         ///< fill holes whose border is at most this long (m); infinity: all
+  std::string stop_at;           ///< faults: a fault or horizon where the continuation ends (`extent: to_fault NAME`)
+  bool close_at_box = true;      ///< bodies: close open ends (rooted salt) beyond the side of the box that each end is nearest to
+  BaseRule base = BaseRule::conformable;  ///< horizons of the column
+};
+
+struct ModelRules {
+  std::optional<Box3> box;             ///< needed by extend and close_at_box
+  std::vector<SurfaceRules> surfaces;  ///< parallel to the surfaces; missing ones have the defaults
+  std::vector<std::string> column;     ///< as in Project: tells older from younger
+  OnCrossing on_crossing = OnCrossing::leave;
+  /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are removed. 0: none.
+  double trim_overshoot = 0;
+
+  SurfaceRules of(std::size_t row) const { return row < surfaces.size() ? surfaces[row] : SurfaceRules{}; }
+};
+
+struct BuiltSurfaces {
+  std::vector<TriangulatedSurface> surfaces;  ///< rows of points and triangles as given stay; what rules add follows
+  std::vector<Index> n_given_triangles;       ///< per surface: from this row on triangles were made by rule
+  std::vector<std::string> notes;             ///< what each rule did, with areas
+  std::vector<std::string> warnings;          ///< rules that could not be applied, and why
+};
+
+/// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none.
+/// Cost: a 2D triangulation of the borders for each surface that has a rule.
+BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules);
+
+struct TrimmedSoup {
+  PolygonSoup soup;
+  std::vector<std::string> notes;
+};
+/// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. Sides are decided by exact orientation along
+/// the curves where surfaces meet; pieces that do not meet the cutting surface are compared with it on the vertical through their
+/// largest facet. `surfaces` are the built ones followed by the box sides.
+TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
+                      const std::vector<Index>& n_given_triangles, const ModelRules& rules);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+
+#include "build/pieces.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
+#include "sets/region_facts.hpp"
+#include "sets/sums.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Everything that trimming one soup needs.
+class Trimmer {
+ public:
+  Trimmer(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& n_given,
+          const ModelRules& rules)
+      : working_(soup), surfaces_(surfaces), n_given_(n_given), rules_(rules) {}
+
+  TrimmedSoup run() {
+    stop_continuations();
+    order_horizons();
+    if (rules_.trim_overshoot > 0) trim_overshoots();
+    return {working_.result(), std::move(notes_)};
+  }
+
+ private:
+  Index row_of(const std::string& name) const {
+    for (Index s = 0; s < surfaces_.size(); ++s)
+      if (surfaces_[s].name == name) return s;
+    throw Error(ErrorKind::usage, "no surface is named " + name + " (in a rule of the model)");
+  }
+
+  const UpwardSides& sides_of(Index s) {
+    const auto at = sides_.find(s);
+    return at != sides_.end() ? at->second : sides_.emplace(s, orient_upward(surfaces_[s])).first->second;
+  }
+
+  /// stop_at: pieces beyond the target that the continuation alone made.
+  void stop_continuations() {
+    for (Index s = 0; s < surfaces_.size() && s < n_given_.size(); ++s) {
+      const std::string target = rules_.of(s).stop_at;
+      if (target.empty()) continue;
+      const Index cutter = row_of(target);
+      double area = 0;
+      std::size_t n = 0;
+      for (const Piece& piece : pieces_of(working_, s, {cutter}, nullptr)) {
+        const bool given = std::any_of(piece.facets.begin(), piece.facets.end(),
+                                       [&](Index f) { return working_.origin_of(f, s)->triangle < n_given_[s]; });
+        if (given) continue;
+        area += working_.remove(piece.facets, s);
+        ++n;
+      }
+      if (n > 0)
+        notes_.push_back("surface " + surfaces_[s].name + " ends at " + target + ": " + std::to_string(n) +
+                         " continued pieces beyond it removed (area " + to_text(area) + ")");
+    }
+  }
+
+  /// Removes the pieces of x on one side of y (1 above, -1 below).
+  void clip(Index x, Index y, int side, const std::string& because) {
+    double area = 0;
+    Index largest = no_index;
+    const UpwardSides& sides = sides_of(y);
+    std::vector<Piece> gone;
+    for (Piece& piece : pieces_of(working_, x, {y}, &sides))
+      if (side_of(working_, piece, y, sides) == side) gone.push_back(std::move(piece));
+    for (const Piece& piece : gone) {
+      if (largest == no_index || working_.area(piece.largest) > working_.area(largest)) largest = piece.largest;
+      area += working_.remove(piece.facets, x);
+    }
+    if (!gone.empty())
+      notes_.push_back(because + ": " + std::to_string(gone.size()) + " pieces of " + surfaces_[x].name + (side > 0 ? " above " : " below ") +
+                       surfaces_[y].name + " removed (area " + to_text(area) + ", near " + to_text(working_.centre(largest)) + ")");
+  }
+
+  bool cross(Index younger, Index older) {
+    const UpwardSides& sides = sides_of(older);
+    for (const Piece& piece : pieces_of(working_, younger, {older}, &sides))
+      if (piece.contact > 0 && piece.below > piece.above) {
+        crossing_area_ += piece.area;
+        crossing_place_ = working_.centre(piece.largest);
+      }
+    return crossing_area_ > 0;
+  }
+
+  void order_horizons() {
+    std::vector<Index> horizons;  // youngest first
+    for (std::size_t i = 1; i < rules_.column.size(); i += 2) horizons.push_back(row_of(rules_.column[i]));
+    for (std::size_t i = 0; i < horizons.size(); ++i) {
+      for (std::size_t k = i + 1; k < horizons.size(); ++k) {
+        const Index younger = horizons[i], older = horizons[k];
+        if (rules_.of(younger).base == BaseRule::erode) {
+          clip(older, younger, 1, surfaces_[younger].name + " erodes");
+        } else if (rules_.of(older).base == BaseRule::onlap) {
+          clip(younger, older, -1, surfaces_[younger].name + " onlaps");
+        } else if (rules_.on_crossing == OnCrossing::clip_older) {
+          clip(older, younger, 1, "crossing resolved for the younger horizon");
+        } else if (rules_.on_crossing == OnCrossing::clip_younger) {
+          clip(younger, older, -1, "crossing resolved for the older horizon");
+        } else if (rules_.on_crossing == OnCrossing::error && cross(younger, older)) {
+          throw Error(ErrorKind::invalid_input,
+                      "horizon " + surfaces_[younger].name + " runs below the older horizon " + surfaces_[older].name + " over an area of " +
+                          to_text(crossing_area_) + " near " + to_text(crossing_place_) +
+                          "; correct one of them, or choose on_crossing: clip_younger or clip_older",
+                      {{}, {}, {}, {crossing_place_}});
+        }
+      }
+    }
+  }
+
+  /// The furthest that a piece reaches from the edges where it meets other surfaces than box sides.
+  double reach(const Piece& piece, const std::vector<std::pair<VertexIndex, VertexIndex>>& contacts) const {
+    double furthest = 0;
+    for (Index f : piece.facets)
+      for (VertexIndex v : working_.soup.facets[f]) {
+        const Vec3& p = working_.soup.points[v];
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto& [i, j] : contacts) {
+          const Vec3 &a = working_.soup.points[i], d = working_.soup.points[j] - a;
+          const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
+          nearest = std::min(nearest, norm(p - (a + t * d)));
+        }
+        furthest = std::max(furthest, nearest);
+      }
+    return furthest;
+  }
+
+  /// Pieces of horizons and faults that hang on another surface by one side, end freely and reach no further than trim_overshoot.
+  void trim_overshoots() {
+    for (Index s = 0; s < surfaces_.size(); ++s) {
+      if (surfaces_[s].kind != SurfaceKind::horizon && surfaces_[s].kind != SurfaceKind::fault) continue;
+      std::vector<Index> cutters;
+      for (Index c = 0; c < surfaces_.size(); ++c)
+        if (c != s && surfaces_[c].kind != SurfaceKind::box) cutters.push_back(c);
+      const std::vector<Piece> pieces = pieces_of(working_, s, cutters, nullptr);
+      double largest = 0, area = 0;
+      for (const Piece& piece : pieces) largest = std::max(largest, piece.area);
+      std::size_t n = 0;
+      Vec3 place;
+      for (const Piece& piece : pieces) {
+        if (piece.free_border == 0 || piece.contact == 0 || piece.area == largest) continue;
+        if (reach(piece, contacts_of(piece, s)) > rules_.trim_overshoot) continue;
+        place = working_.centre(piece.largest);
+        area += working_.remove(piece.facets, s);
+        ++n;
+      }
+      if (n > 0)
+        notes_.push_back("surface " + surfaces_[s].name + ": " + std::to_string(n) + " overshooting pieces removed (area " + to_text(area) +
+                         ", one near " + to_text(place) + ")");
+    }
+  }
+
+  std::vector<std::pair<VertexIndex, VertexIndex>> contacts_of(const Piece& piece, Index s) const {
+    std::vector<std::pair<VertexIndex, VertexIndex>> contacts;
+    for_each_edge(working_.uses, [&](std::span<const EdgeUse> edge) {
+      bool mine = false, other = false;
+      for (const EdgeUse& u : edge) {
+        mine = mine || std::binary_search(piece.facets.begin(), piece.facets.end(), u.facet);
+        other = other || std::any_of(working_.origins[u.facet].begin(), working_.origins[u.facet].end(),
+                                     [&](const auto& o) { return o.surface != s && surfaces_[o.surface].kind != SurfaceKind::box; });
+      }
+      if (mine && other) contacts.emplace_back(edge[0].a, edge[0].b);
+    });
+    return contacts;
+  }
+
+  WorkingSoup working_;
+  const std::vector<TriangulatedSurface>& surfaces_;
+  const std::vector<Index>& n_given_;
+  const ModelRules& rules_;
+  std::map<Index, UpwardSides> sides_;
+  std::vector<std::string> notes_;
+  double crossing_area_ = 0;
+  Vec3 crossing_place_;
+};
+
+}  // namespace
+
+TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
+                      const std::vector<Index>& n_given_triangles, const ModelRules& rules) {
+  return Trimmer(soup, surfaces, n_given_triangles, rules).run();
+}
+
+}  // namespace geomesh::geomodel
