@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "delaunay/face_conflicts.hpp"
 #include "delaunay/incremental.hpp"
 
 namespace geomesh {
@@ -94,14 +95,33 @@ bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p)
   cavity_.push_back(first);
   for (std::size_t k = 0; k < cavity_.size(); ++k) {
     const Cell& cell = cells_[cavity_[k]];
+    unsigned open = 0;
+    CellVertices apex;
     for (unsigned i = 0; i < n_faces; ++i) {
+      const FaceRef outer = cell.neighbors[i];
+      apex[i] = cells_[outer.cell()].vertices[outer.face()];
+      open |= (flags_[outer.cell()] & cavity_flag ? 0u : 1u) << i;
+    }
+    if (open == 0) continue;
+    FaceConflicts estimate;
+    const bool finite = !(flags_[cavity_[k]] & ghost_flag);
+    if constexpr (dimension == 3)
+      if (finite) space_.estimate_neighbors(cell.vertices, apex, p, estimate);
+    for (unsigned i = 0; i < n_faces; ++i) {
+      if (!(open >> i & 1u)) continue;
       const FaceRef outer = cell.neighbors[i];
       const CellIndex n = outer.cell();
       const std::uint8_t flags = flags_[n];
       if (flags & cavity_flag) continue;
       const CellVertices& w = cells_[n].vertices;
       ++conflict_tests_;
-      const bool conflict = flags & ghost_flag ? space_.ghost_conflict(w, p) : space_.finite_conflict(w, p);
+      bool conflict;
+      if (flags & ghost_flag)
+        conflict = space_.ghost_conflict(w, p);
+      else if (dimension == 3 && finite)
+        conflict = space_.finite_conflict(w, p, estimate.value[i], estimate.error[i]);
+      else
+        conflict = space_.finite_conflict(w, p);
       if (conflict) {
         if constexpr (Shared)
           if (!this->owns_cell(w)) return false;

@@ -5,6 +5,14 @@
 #include <bit>
 
 namespace geomesh {
+namespace {
+
+/// compare_lexicographic without branches, which ties on lattices would mispredict.
+int compare(const Vec3& a, const Vec3& b) {
+  return 4 * ((a.x > b.x) - (a.x < b.x)) + 2 * ((a.y > b.y) - (a.y < b.y)) + ((a.z > b.z) - (a.z < b.z));
+}
+
+}  // namespace
 
 bool Space3::finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p, double value) {
   Sign s;
@@ -17,17 +25,17 @@ bool Space3::finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Ve
 
 /// As detail::in_sphere_tie, selecting the greatest point left instead of sorting: the first decides nearly always.
 bool Space3::tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
-  std::array<const Vec3*, 4> v{&a, &b, &c, &d};
-  for (unsigned left = 4; left > 0; --left) {
-    unsigned greatest = 4;
-    for (unsigned i = 0; i < 4; ++i)
-      if (v[i] && (greatest == 4 || compare_lexicographic(*v[i], *v[greatest]) > 0)) greatest = i;
-    if (compare_lexicographic(p, *v[greatest]) > 0) return false;
-    std::array<const Vec3*, 4> with_p{&a, &b, &c, &d};
+  const std::array<const Vec3*, 4> v{&a, &b, &c, &d};
+  for (unsigned left = 0b1111; left != 0;) {
+    unsigned greatest = static_cast<unsigned>(std::countr_zero(left));
+    for (unsigned i = greatest + 1; i < 4; ++i)
+      if (left >> i & 1u) greatest = compare(*v[i], *v[greatest]) > 0 ? i : greatest;
+    if (compare(p, *v[greatest]) > 0) return false;
+    std::array<const Vec3*, 4> with_p = v;
     with_p[greatest] = &p;
     const Sign s = orientation(*with_p[0], *with_p[1], *with_p[2], *with_p[3]);
     if (s != Sign::zero) return s == Sign::positive;
-    v[greatest] = nullptr;
+    left &= ~(1u << greatest);
   }
   return false;
 }

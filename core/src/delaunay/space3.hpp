@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 
+#include "delaunay/face_conflicts.hpp"
 #include "delaunay/point_record.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
@@ -46,6 +47,16 @@ class Space3 {
     if (estimate.certain()) [[likely]]
       return estimate.value > 0;
     return finite_conflict_after_filter(a, b, c, d, p, estimate.value);
+  }
+
+  /// Estimates of finite_conflict for the neighbours of a finite cell, by face.
+  void estimate_neighbors(const CellVertices& v, const CellVertices& apex, const Vec3& p, FaceConflicts& result) const {
+    face_conflicts(points_, v.data(), apex.data(), p, result);
+  }
+  bool finite_conflict(const CellVertices& v, const Vec3& p, double value, double error) {
+    if (value > error) return true;
+    if (value < -error) return false;
+    return finite_conflict_after_filter(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p, value);
   }
 
   /// The ghost's face has p strictly beyond it, or in its plane and inside its circle.

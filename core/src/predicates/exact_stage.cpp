@@ -106,35 +106,92 @@ namespace {
 
 constexpr double unit = 1.1102230246251565e-16;
 
+/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the magnitudes (of the
+/// product); differences of doubles are exact.
+struct TwoDouble {
+  double hi = 0, lo = 0;
+  static TwoDouble difference(double a, double b) {
+    TwoDouble r;
+    exact::two_difference(a, b, r.hi, r.lo);
+    return r;
+  }
+  friend TwoDouble operator+(const TwoDouble& a, const TwoDouble& b) {
+    double s, e;
+    exact::two_sum(a.hi, b.hi, s, e);
+    TwoDouble r;
+    exact::fast_two_sum(s, e + (a.lo + b.lo), r.hi, r.lo);
+    return r;
+  }
+  friend TwoDouble operator-(const TwoDouble& a, const TwoDouble& b) { return a + TwoDouble{-b.hi, -b.lo}; }
+  friend TwoDouble operator*(const TwoDouble& a, const TwoDouble& b) {
+    double p, e;
+    exact::two_product(a.hi, b.hi, p, e);
+    TwoDouble r;
+    exact::fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
+    return r;
+  }
+};
+
+template <class Number>
+struct Vector {
+  Number x, y, z;
+};
+
+Vector<double> vector_from(const Vec3& a, const Vec3& origin, double) { return {a.x - origin.x, a.y - origin.y, a.z - origin.z}; }
+Vector<TwoDouble> vector_from(const Vec3& a, const Vec3& origin, TwoDouble) {
+  return {TwoDouble::difference(a.x, origin.x), TwoDouble::difference(a.y, origin.y), TwoDouble::difference(a.z, origin.z)};
+}
+
+template <class Number>
+Number det3(const Vector<Number>& u, const Vector<Number>& v, const Vector<Number>& w) {
+  return (u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y)) + w.z * (u.x * v.y - v.x * u.y);
+}
+/// The same with every product and difference replaced by a sum of magnitudes.
+double permanent3(const Vector<double>& u, const Vector<double>& v, const Vector<double>& w) {
+  const auto pair = [](double a, double b, double c, double d) { return std::fabs(a * b) + std::fabs(c * d); };
+  return std::fabs(u.z) * pair(v.x, w.y, w.x, v.y) + std::fabs(v.z) * pair(w.x, u.y, u.x, w.y) +
+         std::fabs(w.z) * pair(u.x, v.y, v.x, u.y);
+}
+
+/// in_sphere of a, b, c, d, given from the fifth point.
+template <class Number>
+Number in_sphere_det(const Vector<Number>* p) {
+  const auto lift = [](const Vector<Number>& v) { return (v.x * v.x + v.y * v.y) + v.z * v.z; };
+  return (lift(p[0]) * det3(p[1], p[2], p[3]) - lift(p[1]) * det3(p[0], p[2], p[3])) +
+         (lift(p[2]) * det3(p[0], p[1], p[3]) - lift(p[3]) * det3(p[0], p[1], p[2]));
+}
+double in_sphere_permanent(const Vector<double>* p) {
+  const auto lift = [](const Vector<double>& v) { return v.x * v.x + v.y * v.y + v.z * v.z; };
+  return lift(p[0]) * permanent3(p[1], p[2], p[3]) + lift(p[1]) * permanent3(p[0], p[2], p[3]) +
+         lift(p[2]) * permanent3(p[0], p[1], p[3]) + lift(p[3]) * permanent3(p[0], p[1], p[2]);
+}
+
+Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
+
 }  // namespace
 
-// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its upper limit.
+// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its upper limit: 8 u and
+// 17 u in doubles (10 and 22 here for terms of second order). In TwoDouble a product passes through at most 12 operations of 6 u^2 each:
+// 72 u^2 = 2^-99.8; 2^-98 here.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
-  const Vec3 u = a - d, v = b - d, w = c - d;
-  const double p = v.x * w.y, q = w.x * v.y, r = w.x * u.y, s = u.x * w.y, t = u.x * v.y, o = v.x * u.y;
-  const double det = u.z * (p - q) + v.z * (r - s) + w.z * (t - o);
-  const double magnitude = std::fabs(u.z) * (std::fabs(p) + std::fabs(q)) + std::fabs(v.z) * (std::fabs(r) + std::fabs(s)) +
-                           std::fabs(w.z) * (std::fabs(t) + std::fabs(o));
-  if (std::fabs(det) > 10 * unit * magnitude) return det > 0 ? Sign::negative : Sign::positive;
+  const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
+  const double det = det3(u, v, w), permanent = permanent3(u, v, w);
+  if (std::fabs(det) > 10 * unit * permanent) return -sign_of(det);
+  const TwoDouble fine = det3(vector_from(a, d, TwoDouble{}), vector_from(b, d, TwoDouble{}), vector_from(c, d, TwoDouble{}));
+  if (std::fabs(fine.hi) > 0x1p-98 * permanent) return -sign_of(fine.hi);
   ++exact_calls;
   return exact::orient3d(a, b, c, d);
 }
 
 Sign in_sphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e, std::size_t& exact_calls) {
-  const Vec3 p[4] = {a - e, b - e, c - e, d - e};
-  double det = 0, magnitude = 0;
-  for (int i = 0; i < 4; ++i) {
-    const Vec3 &u = p[i == 0 ? 1 : 0], &v = p[i <= 1 ? 2 : 1], &w = p[i <= 2 ? 3 : 2];
-    const double vw = v.x * w.y, wv = w.x * v.y, wu = w.x * u.y, uw = u.x * w.y, uv = u.x * v.y, vu = v.x * u.y;
-    const double lift = dot(p[i], p[i]);
-    const double minor = u.z * (vw - wv) + v.z * (wu - uw) + w.z * (uv - vu);
-    const double size = std::fabs(u.z) * (std::fabs(vw) + std::fabs(wv)) + std::fabs(v.z) * (std::fabs(wu) + std::fabs(uw)) +
-                        std::fabs(w.z) * (std::fabs(uv) + std::fabs(vu));
-    det += (i % 2 == 0 ? lift : -lift) * minor;
-    magnitude += lift * size;
-  }
-  if (std::fabs(det) > 22 * unit * magnitude) return det > 0 ? Sign::positive : Sign::negative;
+  const Vector<double> p[4] = {vector_from(a, e, 0.0), vector_from(b, e, 0.0), vector_from(c, e, 0.0), vector_from(d, e, 0.0)};
+  const double det = in_sphere_det(p), permanent = in_sphere_permanent(p);
+  if (std::fabs(det) > 22 * unit * permanent) return sign_of(det);
+  const Vector<TwoDouble> q[4] = {vector_from(a, e, TwoDouble{}), vector_from(b, e, TwoDouble{}), vector_from(c, e, TwoDouble{}),
+                                  vector_from(d, e, TwoDouble{})};
+  const TwoDouble fine = in_sphere_det(q);
+  if (std::fabs(fine.hi) > 0x1p-98 * permanent) return sign_of(fine.hi);
   ++exact_calls;
   return exact::in_sphere(a, b, c, d, e);
 }
