@@ -127,6 +127,7 @@ bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p)
           if (!this->owns_cell(w)) return false;
         flags_[n] = flags | cavity_flag;
         cavity_.push_back(n);
+        for (const FaceRef next : cells_[n].neighbors) __builtin_prefetch(&cells_[next.cell()]);
       } else {
         const auto f = face_of<dimension>(i);
         BoundaryFace b;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "delaunay/cavity_insertion.hpp"
-#include "delaunay/space3.hpp"
+#include "delaunay/cavity_stage.hpp"
+#include "delaunay/parallel.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "geomesh/core/predicates.hpp"
 
@@ -46,11 +46,6 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
   return {0, 1, 2, 3};
 }
 
-/// A position whose point equals an inserted vertex.
-struct Twin {
-  VertexIndex position, vertex;
-};
-
 /// Gives each vertex the least id of the points equal to it, and each point that id.
 std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
   std::vector<VertexIndex> representative(n);
@@ -68,36 +63,36 @@ std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord
 
 DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> points, const DelaunayOptions& options, const RunContext& context) {
   check_coordinates(points);
+  const unsigned threads = thread_count(context.threads);
+  const auto n = static_cast<VertexIndex>(points.size());
   DelaunayTetrahedralization result;
-  SpatialOrder spatial = spatial_order(points);
+  TetMesh& mesh = result.mesh;
+  mesh.reserve(8 * points.size() + 64 * SlotSource::block);
+  // The cells' memory serves the sort first: 16 bytes a point of the 256 that follow.
+  SpatialOrder spatial = spatial_order(points, {reinterpret_cast<std::uint64_t*>(mesh.cells()), 2 * points.size()}, threads);
   const Tetrahedron first = first_tetrahedron(points, spatial.order);
 
-  const auto n = static_cast<VertexIndex>(points.size());
   PodArray<PointRecord> records;
   records.grow_to(std::size_t{n} + 1);
-  for (VertexIndex i = 0; i < n; ++i) records[i] = PointRecord{points[spatial.order[i]], spatial.order[i]};
-  records[n] = PointRecord{Vec3{}, infinite_vertex};
+  for_each_index(n, threads, [&](std::size_t i) {
+    records[i] = PointRecord{points[spatial.order[i]], spatial.order[i], PointRecord::no_local, spatial.place[i]};
+  });
+  records[n] = PointRecord{points[0], infinite_vertex, PointRecord::no_local, 0};
+  const std::vector<std::size_t> round_begin = std::move(spatial.round_begin);
+  spatial = {};
 
-  result.mesh.reserve(8 * points.size() + 64);
-  CavityInsertion<Space3> insertion(result.mesh, Space3(records.data(), n, coordinate_unit(points)), SlotSource(0, 0, 0, 1));
-  insertion.start(first);
-  std::vector<Twin> twins;
-  for (VertexIndex v = 4; v < n; ++v) {
-    if (insertion.insert(v) == InsertionOutcome::duplicate) twins.push_back({v, insertion.twin()});
-    if (v % 65536 == 0) {
-      context.check_cancelled();
-      context.report(v, n);
-    }
-  }
-  (void)options;
-  result.representative = merge_twins(twins, records.data(), n);
-  auto* cells = result.mesh.cells();
-  for (const CellIndex c : insertion.slots().unused(result.mesh.n_slots())) cells[c].vertices[0] = no_vertex;
-  result.mesh.compact();
-  for (CellIndex c = 0; c < result.mesh.n_slots(); ++c)
+  CavityStage stage(mesh, records.data(), n, coordinate_unit(points), options.cluster_distance, context);
+  stage.start(first);
+  for (std::size_t r = 0; r + 1 < round_begin.size(); ++r)
+    if (round_begin[r + 1] > 4) stage.insert_round(static_cast<VertexIndex>(std::max<std::size_t>(round_begin[r], 4)), static_cast<VertexIndex>(round_begin[r + 1]));
+  stage.insert_waiting();
+  stage.finish(result.statistics);
+
+  result.representative = merge_twins(stage.twins(), records.data(), n);
+  TetMesh::Cell* cells = mesh.cells();
+  for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
     for (VertexIndex& v : cells[c].vertices) v = records[v].id;
-  result.statistics.walk_steps = insertion.walk_steps();
-  result.statistics.exact_calls = insertion.space().exact_calls();
+  });
   return result;
 }
 

@@ -46,6 +46,8 @@ class IncrementalTriangulation {
   /// First simplex of an empty mesh: affinely independent vertices, positively oriented.
   void start(const CellVertices& first);
 
+  /// The cell that holds p, or the ghost beyond which it lies; the next walk starts there.
+  CellIndex locate(const Vec3& p) { return hint_ = walk(p); }
   void set_hint(CellIndex c) { hint_ = c; }
   CellIndex hint() const { return hint_; }
   VertexIndex twin() const { return twin_; }
@@ -53,6 +55,11 @@ class IncrementalTriangulation {
   const Space& space() const { return space_; }
   const SlotSource& slots() const { return slots_; }
   SlotSource& slots() { return slots_; }
+  /// To be called when the mesh has grown.
+  void refresh() {
+    cells_ = mesh_.cells();
+    flags_ = mesh_.cell_flags();
+  }
 
  protected:
   /// A cell in conflict with p: the cell that contains it, or the ghost of a hull face that it lies beyond. no_cell where the walk
@@ -86,10 +93,6 @@ class IncrementalTriangulation {
     slots_.raise_limit(mesh_.n_slots());
     refresh();
     return true;
-  }
-  void refresh() {
-    cells_ = mesh_.cells();
-    flags_ = mesh_.cell_flags();
   }
   unsigned random() {
     random_ = random_ * 1664525u + 1013904223u;

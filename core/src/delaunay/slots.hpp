@@ -49,6 +49,14 @@ class SlotSource {
       for (; c < std::min(stop, end); ++c) r.push_back(c);
     return r;
   }
+  /// Goes on with a new range from `base`; what is left of the old one joins the freed slots.
+  void restart(CellIndex base, CellIndex limit) {
+    for (; next_ < block_end_; ++next_)
+      if (next_ < limit_) free_.push_back(next_);
+    next_ = base;
+    block_end_ = base + block;
+    limit_ = limit;
+  }
   void adopt(const std::vector<CellIndex>& slots) { free_.insert(free_.end(), slots.rbegin(), slots.rend()); }
 
   static constexpr CellIndex block = 1024;

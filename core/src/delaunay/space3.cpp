@@ -15,12 +15,31 @@ int compare(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 bool Space3::finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p, double value) {
-  Sign s;
-  if (within_exact_reach(a, p) && within_exact_reach(b, p) && within_exact_reach(c, p) && within_exact_reach(d, p))
-    s = sign_of(value);
-  else
-    s = detail::in_sphere_after_filter(a, b, c, d, p, exact_calls_);
+  if (exact_reach_ > 0) {
+    const std::array<Vec3, 4> r{a - p, b - p, c - p, d - p};
+    double reach = 0;
+    for (const Vec3& u : r) reach = filter::max4(reach, std::fabs(u.x), std::fabs(u.y), std::fabs(u.z));
+    if (reach <= exact_reach_) return value != 0 ? value > 0 : near_tie_conflict(r);
+  }
+  const Sign s = detail::in_sphere_after_filter(a, b, c, d, p, exact_calls_);
   return s != Sign::zero ? s == Sign::positive : tie_conflict(a, b, c, d, p);
+}
+
+/// The tie of points whose differences r from p are at most 512 units: the lexicographic order is that of one exact number, p's being 0,
+/// and orientations are plain determinants.
+bool Space3::near_tie_conflict(const std::array<Vec3, 4>& r) {
+  std::array<double, 4> place;
+  for (unsigned i = 0; i < 4; ++i) place[i] = 0x1p22 * r[i].x + 0x1p11 * r[i].y + r[i].z;
+  for (unsigned attempt = 0; attempt < 4; ++attempt) {
+    const unsigned low = place[1] > place[0] ? 1 : 0, high = place[3] > place[2] ? 3 : 2;
+    const unsigned g = place[high] > place[low] ? high : low;
+    if (place[g] < 0) return false;
+    const Vec3 &u = r[g == 0 ? 1 : 0], &v = r[g <= 1 ? 2 : 1], &w = r[g <= 2 ? 3 : 2];
+    const double det = dot(u, cross(v, w));
+    if (det != 0) return (det > 0) == (g % 2 == 0);
+    place[g] = -0x1p1000;
+  }
+  return false;
 }
 
 /// As detail::in_sphere_tie, selecting the greatest point left instead of sorting: the first decides nearly always.

@@ -89,6 +89,7 @@ class Space3 {
     return std::fabs(a.x - p.x) <= exact_reach_ && std::fabs(a.y - p.y) <= exact_reach_ && std::fabs(a.z - p.z) <= exact_reach_;
   }
   bool finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p, double value);
+  bool near_tie_conflict(const std::array<Vec3, 4>& r);
   bool tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
 
   PointRecord* points_;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "delaunay/parallel.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 
@@ -90,10 +91,9 @@ constexpr int index_bits = 28;
 constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
 constexpr unsigned n_rounds = 8;
 
-/// Stable sort by the key's low `bits` bits: least significant digit first.
-void radix_sort(std::vector<std::uint64_t>& items, int bits) {
+/// Stable sort by the key's low `bits` bits: least significant digit first. Either span may hold the result: it is `items` at the end.
+void radix_sort(std::span<std::uint64_t>& items, std::span<std::uint64_t> other, int bits) {
   constexpr int digit = 12;
-  std::vector<std::uint64_t> other(items.size());
   std::vector<std::size_t> start(std::size_t{1} << digit);
   for (int shift = index_bits; shift < index_bits + bits; shift += digit) {
     std::fill(start.begin(), start.end(), 0);
@@ -101,7 +101,7 @@ void radix_sort(std::vector<std::uint64_t>& items, int bits) {
     std::size_t sum = 0;
     for (std::size_t& s : start) sum += std::exchange(s, sum);
     for (const std::uint64_t x : items) other[start[x >> shift & (start.size() - 1)]++] = x;
-    items.swap(other);
+    std::swap(items, other);
   }
 }
 
@@ -129,7 +129,7 @@ void refine_run(std::span<const Vec3> points, std::span<VertexIndex> run) {
 }
 
 /// Cuts the curve where the largest round has equal shares, and gives each point the number of its part.
-void assign_places(const std::vector<std::uint64_t>& items, std::uint64_t place_mask, SpatialOrder& result) {
+void assign_places(std::span<const std::uint64_t> items, std::uint64_t place_mask, SpatialOrder& result) {
   const std::size_t first = result.round_begin[result.round_begin.size() - 2], n = items.size() - first;
   std::vector<std::uint64_t> cut;
   for (unsigned i = 1; i < SpatialOrder::n_places; ++i)
@@ -147,20 +147,26 @@ void assign_places(const std::vector<std::uint64_t>& items, std::uint64_t place_
 
 }  // namespace
 
-SpatialOrder spatial_order(std::span<const Vec3> points) {
-  GEOMESH_CHECK(points.size() <= index_mask);
+SpatialOrder spatial_order(std::span<const Vec3> points, std::span<std::uint64_t> scratch, unsigned threads) {
+  const std::size_t n = points.size();
+  GEOMESH_CHECK(n <= index_mask);
+  std::vector<std::uint64_t> own;
+  if (scratch.size() < 2 * n) {
+    own.resize(2 * n);
+    scratch = own;
+  }
+  std::span<std::uint64_t> items = scratch.first(n);
   SpatialOrder result;
   result.order.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) result.order[i] = static_cast<VertexIndex>(i);
   const int levels = levels_for(points.size());
   const HilbertPlaces place(points, result.order, levels);
-  std::vector<std::uint64_t> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for_each_index(n, threads, [&](std::size_t i) {
     const auto zeros = static_cast<unsigned>(std::countr_zero(coordinate_hash(points[i]) | std::uint64_t{1} << 3 * (n_rounds - 1)) / 3);
     const std::uint64_t round = n_rounds - 1 - zeros;
     items[i] = (round << 3 * levels | place(points[i])) << index_bits | i;
-  }
-  radix_sort(items, 3 * levels + 3);
+  });
+  radix_sort(items, scratch.subspan(n, n), 3 * levels + 3);
   for (std::size_t i = 0; i < items.size(); ++i) result.order[i] = static_cast<VertexIndex>(items[i] & index_mask);
   result.round_begin.push_back(0);
   for (std::size_t i = 1; i < items.size(); ++i)

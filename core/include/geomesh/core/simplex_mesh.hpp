@@ -156,6 +156,11 @@ class SimplexMesh {
     cells_.grow_to(n);
     flags_.grow_to(n);
   }
+  /// Drops the slots from n on, which must not be live nor on the free list.
+  void drop_slots_from(std::size_t n) {
+    cells_.truncate(n);
+    flags_.truncate(n);
+  }
   /// Moves the last live cells into the slots that are not live, in order, and drops the rest: no free slot is left.
   void compact() {
     CellIndex hole = 0, last = n_slots();

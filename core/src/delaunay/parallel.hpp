@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Loops on a given number of threads. What a loop computes may not depend on how it was shared out.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+
+namespace geomesh {
+
+/// 0 stands for all cores, which is also the most that is given.
+inline unsigned thread_count(unsigned asked) {
+  const auto cores = static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
+  return asked == 0 || asked > cores ? cores : asked;
+}
+
+/// Calls task(k) for k in [0, n), one at a time to a thread.
+template <class Task>
+void for_each_task(std::size_t n, unsigned threads, const Task& task) {
+  if (threads <= 1 || n <= 1) {
+    for (std::size_t k = 0; k < n; ++k) task(k);
+    return;
+  }
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t k = range.begin(); k < range.end(); ++k) task(k);
+    }, tbb::simple_partitioner());
+  });
+}
+
+/// Calls body(i) for i in [0, n), for short bodies.
+template <class Body>
+void for_each_index(std::size_t n, unsigned threads, const Body& body) {
+  constexpr std::size_t chunk = 16384;
+  for_each_task((n + chunk - 1) / chunk, threads, [&](std::size_t k) {
+    const std::size_t end = k * chunk + chunk < n ? k * chunk + chunk : n;
+    for (std::size_t i = k * chunk; i < end; ++i) body(i);
+  });
+}
+
+}  // namespace geomesh
