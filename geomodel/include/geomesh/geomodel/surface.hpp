@@ -56,12 +56,30 @@ struct RegionHint {
   std::vector<Side> boundary;
 };
 
+/// Points that belong together and are joined by nothing: interpreted picks, a cloud.
+struct PointSet {
+  std::string name;
+  std::string file;
+  std::vector<Vec3> points;
+};
+
+/// What a file says about its coordinates before they were brought to metres with elevation up.
+struct SourceFrame {
+  std::string unit;        ///< as written ("m", "ft", ...); empty where the file names none
+  std::string z_unit;      ///< where it differs
+  bool depth = false;      ///< z counted downwards
+  std::string crs;         ///< name, projection, datum as written; empty where the file names none
+  bool geographic = false; ///< x, y are longitude and latitude in degrees
+};
+
 /// What one file held.
 struct FileContents {
   std::string format;  ///< "GOCAD TSurf", "OFF", ...
+  SourceFrame frame;   ///< of the first object where several differ (a warning then says so)
   std::vector<TriangulatedSurface> surfaces;
   std::vector<Polyline> polylines;
   std::vector<NamedPoint> points;
+  std::vector<PointSet> point_sets;
   std::vector<RegionHint> regions;
   std::vector<std::string> notes;     ///< what was understood beyond the obvious (z negated: Depth, unit ft, ...)
   std::vector<std::string> warnings;  ///< in a user's words

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// VTK XML: PolyData (.vtp) with polygons, strips and lines; UnstructuredGrid (.vtu) with triangles, polygons and lines. Single-precision
+// points are widened. Volume cells are no surface: such a file is refused here (`geomesh info` and `check` read it).
+#include <vtkCell.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkCallbackCommand.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+
+#include "readers/formats.hpp"
+#include "readers/single_surface.hpp"
+#include "readers/text.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Gathers VTK's complaints, which would else go to the terminal.
+void remember_message(vtkObject*, unsigned long, void* client, void* data) {
+  auto* messages = static_cast<std::string*>(client);
+  if (messages->empty() && data) *messages = static_cast<const char*>(data);
+}
+
+/// The first telling line of a VTK message, whose own first line names a source file.
+std::string first_reason(const std::string& message) {
+  std::string_view rest = message;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = trim(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.empty() || line.starts_with("ERROR: In") || line.starts_with("Warning: In")) continue;
+    const std::size_t colon = line.find("): ");
+    return std::string(colon == std::string_view::npos ? line : line.substr(colon + 3));
+  }
+  return "no reason given";
+}
+
+/// The file is parsed from memory, so that a lying size in it meets the bytes that are there.
+template <class Reader>
+vtkSmartPointer<vtkPointSet> parse(const InputFile& file) {
+  vtkNew<Reader> reader;
+  std::string messages;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetCallback(remember_message);
+  listen->SetClientData(&messages);
+  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) {
+    reader->AddObserver(event, listen);
+    reader->SetReaderErrorObserver(listen);
+    reader->SetParserErrorObserver(listen);
+  }
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(file.bytes);
+  reader->Update();
+  if (!messages.empty()) file.fail("VTK cannot read it: " + first_reason(messages));
+  return reader->GetOutput();
+}
+
+void add_points(const InputFile& file, vtkPointSet& data, SurfaceBuilder& builder) {
+  const vtkIdType n = data.GetNumberOfPoints();
+  for (vtkIdType i = 0; i < n; ++i) {
+    Vec3 p;
+    data.GetPoint(i, &p.x);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      file.fail("point " + std::to_string(i) + " (counted from 0) has a coordinate that is not finite");
+    }
+    builder.points().push_back(p);
+  }
+}
+
+struct CellCounts {
+  std::size_t lines = 0, volumes = 0, points = 0;
+};
+
+void add_polyline(vtkCell& cell, vtkPointSet& data, const InputFile& file, FileContents& contents) {
+  Polyline line{file.path.stem().string() + "__" + std::to_string(contents.polylines.size() + 1), file.shown(), {}};
+  for (vtkIdType k = 0; k < cell.GetNumberOfPoints(); ++k) {
+    Vec3 p;
+    data.GetPoint(cell.GetPointId(k), &p.x);
+    line.points.push_back(p);
+  }
+  contents.polylines.push_back(std::move(line));
+}
+
+void add_cells(const InputFile& file, vtkPointSet& data, SurfaceBuilder& builder, FileContents& contents, CellCounts& counts) {
+  std::vector<std::int64_t> polygon;
+  const vtkIdType n = data.GetNumberOfCells();
+  for (vtkIdType c = 0; c < n; ++c) {
+    vtkCell& cell = *data.GetCell(c);
+    const vtkIdType n_corners = cell.GetNumberOfPoints();
+    if (cell.GetCellDimension() == 1) {
+      add_polyline(cell, data, file, contents);
+    } else if (cell.GetCellDimension() != 2) {
+      ++(cell.GetCellDimension() == 3 ? counts.volumes : counts.points);
+    } else if (cell.GetCellType() == VTK_TRIANGLE_STRIP) {
+      for (vtkIdType k = 0; k + 2 < n_corners; ++k) {
+        const vtkIdType odd = k % 2;
+        builder.add_polygon({cell.GetPointId(k), cell.GetPointId(k + 1 + odd), cell.GetPointId(k + 2 - odd)}, 0);
+      }
+    } else {
+      polygon.clear();
+      for (vtkIdType k = 0; k < n_corners; ++k) polygon.push_back(cell.GetPointId(k));
+      if (cell.GetCellType() == VTK_PIXEL) std::swap(polygon[2], polygon[3]);
+      builder.add_polygon(polygon, 0);
+    }
+  }
+}
+
+}  // namespace
+
+bool is_vtk_xml(const InputFile& file) {
+  const std::string_view head = file.text().substr(0, 2048);
+  return head.find("<VTKFile") != std::string_view::npos;
+}
+
+FileContents read_vtk_xml(const InputFile& file) {
+  const std::string_view head = file.text().substr(0, 4096);
+  const bool poly = head.find("\"PolyData\"") != std::string_view::npos;
+  if (!poly && head.find("\"UnstructuredGrid\"") == std::string_view::npos) {
+    file.fail("the VTK file holds neither PolyData nor UnstructuredGrid");
+  }
+  if (file.text().substr(file.size() - std::min<std::size_t>(file.size(), 256)).find("</VTKFile>") == std::string_view::npos) {
+    file.fail("the VTK file has no </VTKFile> at its end (truncated)");
+  }
+  const vtkSmartPointer<vtkPointSet> data = poly ? parse<vtkXMLPolyDataReader>(file) : parse<vtkXMLUnstructuredGridReader>(file);
+  SurfaceBuilder builder(file);
+  FileContents contents;
+  CellCounts counts;
+  add_points(file, *data, builder);
+  add_cells(file, *data, builder, contents, counts);
+  if (builder.empty() && contents.polylines.empty()) {
+    file.fail(counts.volumes > 0 ? "it holds volume cells and no triangle: it is a mesh, not a surface"
+                                 : "the surface is empty: the file holds no triangle");
+  }
+  contents.format = poly ? "VTK PolyData" : "VTK UnstructuredGrid";
+  if (counts.volumes > 0) contents.warnings.push_back(std::to_string(counts.volumes) + " volume cells are passed over");
+  if (counts.points > 0) contents.notes.push_back(std::to_string(counts.points) + " point cells are passed over");
+  note_split_polygons(builder.n_split(), contents);
+  if (!builder.empty()) contents.surfaces.push_back(builder.take());
+  return contents;
+}
+
+}  // namespace geomesh::geomodel
