@@ -129,7 +129,7 @@ class ObjectParser {
     if (equals_ignoring_case(value, "Depth")) {
       object_.frame.depth = true;
     } else if (!equals_ignoring_case(value, "Elevation")) {
-      lines_.fail("ZPOSITIVE is " + quoted(value) + "; Elevation or Depth was expected");
+      lines_.fail("ZPOSITIVE is " + in_quotes(value) + "; Elevation or Depth was expected");
     }
   }
 
@@ -137,7 +137,7 @@ class ObjectParser {
     const std::string_view token = tokens.next();
     const auto value = to_integer(token);
     if (!value) lines_.fail(token.empty() ? std::string("the line ends where ") + what + " was expected"
-                                          : std::string("expected ") + what + ", found " + quoted(token));
+                                          : std::string("expected ") + what + ", found " + in_quotes(token));
     return *value;
   }
 
@@ -151,7 +151,7 @@ class ObjectParser {
   void vertex(Tokens& tokens) {
     const std::string_view token = tokens.next();
     const auto i = to_integer(token);
-    if (!i) lines_.fail("expected the id of a vertex, found " + quoted(token));
+    if (!i) lines_.fail("expected the id of a vertex, found " + in_quotes(token));
     define(*i, static_cast<VertexIndex>(object_.points.size()));
     object_.points.push_back(object_.frame.to_metres(read_point(lines_, tokens, token)));
   }
@@ -251,7 +251,7 @@ class ObjectParser {
       Tokens faces(lines_.line());
       for (std::string_view token = faces.next(); !token.empty(); token = faces.next()) {
         const auto i = to_integer(token);
-        if (!i) lines_.fail("expected a signed TFACE id of region " + region.name + " or 0, found " + quoted(token));
+        if (!i) lines_.fail("expected a signed TFACE id of region " + region.name + " or 0, found " + in_quotes(token));
         if (*i == 0) {
           object_.regions.push_back(std::move(region));
           return;
@@ -286,7 +286,7 @@ std::vector<GocadObject> parse_gocad_objects(const InputFile& file) {
     if (word.empty() || word.front() == '#') continue;
     if (word != "GOCAD") {
       if (!objects.empty() && word == "END") continue;
-      lines.fail("expected 'GOCAD <kind> 1' at the beginning of an object, found " + quoted(lines.line()));
+      lines.fail("expected 'GOCAD <kind> 1' at the beginning of an object, found " + in_quotes(lines.line()));
     }
     const std::string_view kind = tokens.next();
     if (kind.empty()) lines.fail("'GOCAD' is followed by no kind of object (TSurf, PLine, VSet, Well, Model3d)");

@@ -37,7 +37,7 @@ InputFile load_input_file(const std::filesystem::path& path) {
   return file;
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   std::string out = "'";
   for (const char c : token.substr(0, 40)) {
     const auto u = static_cast<unsigned char>(c);

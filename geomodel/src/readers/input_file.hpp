@@ -34,7 +34,7 @@ struct InputFile {
 InputFile load_input_file(const std::filesystem::path& path);
 
 /// Text of a token for a message: quoted, cut to 40 characters, control characters replaced.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 /// True where the first kilobyte holds bytes that no text file has.
 bool looks_binary(const InputFile& file);

@@ -24,7 +24,7 @@ std::string_view joined_line(LineReader& lines, std::string& buffer) {
 
 std::int64_t vertex_row(const LineReader& lines, std::string_view token, std::size_t n_points) {
   const auto index = to_integer(token.substr(0, token.find('/')));
-  if (!index || *index == 0) lines.fail("expected the index of a vertex (from 1, or negative), found " + quoted(token));
+  if (!index || *index == 0) lines.fail("expected the index of a vertex (from 1, or negative), found " + in_quotes(token));
   return *index > 0 ? *index - 1 : static_cast<std::int64_t>(n_points) + *index;
 }
 

@@ -31,7 +31,7 @@ void require_content(LineReader& lines, std::string_view& content, const std::st
 
 std::size_t claimed(const LineReader& lines, std::string_view token, const char* what) {
   const auto n = to_integer(token);
-  if (!n || *n < 0) lines.fail(std::string("expected ") + what + ", found " + quoted(token));
+  if (!n || *n < 0) lines.fail(std::string("expected ") + what + ", found " + in_quotes(token));
   if (static_cast<std::uint64_t>(*n) > lines.file().size() / 4) {
     lines.fail(std::string(what) + " is given as " + std::to_string(*n) + ", more than a file of " +
                std::to_string(lines.file().size()) + " bytes can hold (truncated, or a wrong count)");
@@ -74,12 +74,12 @@ FileContents read_off(const InputFile& file) {
     polygon.clear();
     for (std::size_t k = 0; k < n; ++k) {
       const auto v = to_integer(tokens.next());
-      if (!v) lines.fail("a face of " + std::to_string(n) + " vertices was expected, found " + quoted(content));
+      if (!v) lines.fail("a face of " + std::to_string(n) + " vertices was expected, found " + in_quotes(content));
       polygon.push_back(*v);
     }
     builder.add_polygon(polygon, lines.number());
   }
-  if (next_content(lines, content) && n_faces > 0) lines.fail("text behind the last face: " + quoted(content) + " (a wrong count of faces?)");
+  if (next_content(lines, content) && n_faces > 0) lines.fail("text behind the last face: " + in_quotes(content) + " (a wrong count of faces?)");
   return one_surface(file, "OFF", std::move(builder));
 }
 

@@ -76,7 +76,7 @@ class PlyValues {
     const std::string_view token = text.substr(begin, at_ - begin);
     if (token.empty()) fail("the file ends before the counts in its header are met (truncated, or a wrong count)");
     const auto value = to_double(token);
-    if (!value) fail("expected a number, found " + quoted(token));
+    if (!value) fail("expected a number, found " + in_quotes(token));
     return *value;
   }
 
@@ -120,7 +120,7 @@ void read_property(LineReader& lines, Tokens& tokens, PlyHeader& header) {
     type = tokens.next();
   }
   const auto known = ply_type(type);
-  if (!known) lines.fail("the property's type " + quoted(type) + " is not known");
+  if (!known) lines.fail("the property's type " + in_quotes(type) + " is not known");
   property.type = *known;
   property.name = tokens.next();
   header.elements.back().properties.push_back(property);
@@ -140,7 +140,7 @@ PlyHeader read_header(const InputFile& file) {
       if (name == "ascii") header.encoding = PlyEncoding::ascii;
       if (name == "binary_little_endian") header.encoding = PlyEncoding::little;
       if (name == "binary_big_endian") header.encoding = PlyEncoding::big;
-      if (!header.encoding) lines.fail("the format is " + quoted(name) + "; ascii, binary_little_endian or binary_big_endian was expected");
+      if (!header.encoding) lines.fail("the format is " + in_quotes(name) + "; ascii, binary_little_endian or binary_big_endian was expected");
     } else if (word == "element") {
       const std::string name(tokens.next());
       const auto n = to_integer(tokens.next());

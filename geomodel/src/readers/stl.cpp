@@ -78,7 +78,7 @@ void read_facet(LineReader& lines, std::vector<Vec3>& corners) {
       if (n != 3) lines.fail("a facet with " + std::to_string(n) + " vertices; 3 were expected");
       return;
     } else {
-      lines.fail("expected vertex, endloop or endfacet, found " + quoted(lines.line()));
+      lines.fail("expected vertex, endloop or endfacet, found " + in_quotes(lines.line()));
     }
   }
   lines.fail("the file ends within a facet (truncated)");
@@ -102,7 +102,7 @@ FileContents read_ascii(const InputFile& file) {
     } else if (equals_ignoring_case(word, "facet") && open) {
       read_facet(lines, corners);
     } else {
-      lines.fail("expected facet or endsolid, found " + quoted(lines.line()));
+      lines.fail("expected facet or endsolid, found " + in_quotes(lines.line()));
     }
   }
   if (open) lines.fail("the file ends without endsolid (truncated)");

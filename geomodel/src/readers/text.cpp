@@ -92,8 +92,8 @@ double TokenStream::number(const char* what) {
   const std::string_view token = next();
   if (token.empty()) fail(std::string("the file ends where ") + what + " was expected (truncated?)");
   const auto value = to_double(token);
-  if (!value) fail(std::string("expected ") + what + ", found " + quoted(token));
-  if (!std::isfinite(*value)) fail(std::string(what) + " is not finite: " + quoted(token));
+  if (!value) fail(std::string("expected ") + what + ", found " + in_quotes(token));
+  if (!std::isfinite(*value)) fail(std::string(what) + " is not finite: " + in_quotes(token));
   return *value;
 }
 
@@ -101,7 +101,7 @@ std::int64_t TokenStream::integer(const char* what) {
   const std::string_view token = next();
   if (token.empty()) fail(std::string("the file ends where ") + what + " was expected (truncated?)");
   const auto value = to_integer(token);
-  if (!value) fail(std::string("expected ") + what + ", found " + quoted(token));
+  if (!value) fail(std::string("expected ") + what + ", found " + in_quotes(token));
   return *value;
 }
 
@@ -159,8 +159,8 @@ std::optional<std::int64_t> to_integer(std::string_view token) {
 double finite_number(const LineReader& at, std::string_view token, const char* what) {
   if (token.empty()) at.fail(std::string("the line ends where ") + what + " was expected");
   const auto value = to_double(token);
-  if (!value) at.fail(std::string("expected ") + what + ", found " + quoted(token));
-  if (!std::isfinite(*value)) at.fail(std::string(what) + " is not finite: " + quoted(token));
+  if (!value) at.fail(std::string("expected ") + what + ", found " + in_quotes(token));
+  if (!std::isfinite(*value)) at.fail(std::string(what) + " is not finite: " + in_quotes(token));
   return *value;
 }
 

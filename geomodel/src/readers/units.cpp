@@ -37,9 +37,9 @@ bool is_time_unit(std::string_view unit) {
 double length_unit_in_metres(const LineReader& at, std::string_view unit) {
   if (const auto metres = length_unit_in_metres(unit)) return *metres;
   if (is_time_unit(unit)) {
-    at.fail("the unit is " + quoted(unit) + ": a surface in time cannot be meshed with others in length; convert it to depth first");
+    at.fail("the unit is " + in_quotes(unit) + ": a surface in time cannot be meshed with others in length; convert it to depth first");
   }
-  at.fail("the unit " + quoted(unit) + " is not known; m, km, cm, mm, ft, ftUS, in or yd were expected");
+  at.fail("the unit " + in_quotes(unit) + " is not known; m, km, cm, mm, ft, ftUS, in or yd were expected");
 }
 
 }  // namespace geomesh::geomodel

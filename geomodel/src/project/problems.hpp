@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The mistakes of a project file, collected so that one run names them all.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geomesh::geomodel {
+
+/// Line and column, from 1; 0: not known.
+struct Place {
+  int line = 0, column = 0;
+};
+
+class Problems {
+ public:
+  explicit Problems(std::string file) : file_(std::move(file)) {}
+  void add(Place place, const std::string& message);
+  bool empty() const { return list_.empty(); }
+  /// Throws Error{usage} with one line a problem, in the order of the file; returns where there is none.
+  void throw_if_any() const;
+
+ private:
+  struct Problem {
+    Place place;
+    std::string message;
+  };
+  std::string file_;
+  std::vector<Problem> list_;
+};
+
+/// The word of `known` that was most likely meant by `word`, or an empty view where none is near (edit distance with swaps of
+/// neighbours, at most a third of the length, at least one).
+std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);
+
+/// "a, b or c".
+std::string listed(const std::vector<std::string_view>& words);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The project file: every key of docs/project-file.md, all mistakes of one run together.
+#include <algorithm>
+#include <map>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/project.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "project/yaml_values.hpp"
+#include "readers/input_file.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+const std::vector<std::string_view> box_sides{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+
+class ProjectReader {
+ public:
+  explicit ProjectReader(const std::filesystem::path& file) : problems_(file.string()) {
+    project_.file = std::filesystem::absolute(file);
+    folder_ = project_.file.parent_path();
+    project_.output.directory = folder_ / "out";
+    const std::string stem = file.stem().string();
+    project_.name = stem == "project" ? folder_.filename().string() : stem;
+  }
+
+  Project read(const std::string& text) {
+    if (const auto root = parse(text)) read_root(*root);
+    problems_.throw_if_any();
+    return std::move(project_);
+  }
+
+ private:
+  std::optional<YamlValue> parse(const std::string& text) {
+    try {
+      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+      if (documents.size() > 1) problems_.add({}, "the file holds several YAML documents (---); one was expected");
+      if (documents.empty() || documents.front().IsNull()) {
+        problems_.add({1, 1}, "the project is empty; surfaces or a box were expected");
+        return std::nullopt;
+      }
+      return YamlValue(problems_, documents.front(), "project", {1, 1});
+    } catch (const YAML::Exception& e) {
+      problems_.add({e.mark.line + 1, e.mark.column + 1}, "not valid YAML: " + e.msg);
+      return std::nullopt;
+    }
+  }
+
+  void read_root(const YamlValue& root) {
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "mesh", "output"});
+    if (!map.is_map()) return;
+    if (const auto v = map.find("name")) read_name(*v, project_.name);
+    if (const auto v = map.find("crs")) read_crs(*v);
+    if (const auto v = map.find("box")) read_box(*v);
+    if (const auto v = map.find("surfaces")) {
+      for (const YamlValue& item : v->items()) read_surface(item);
+    }
+    if (const auto v = map.find("wells")) {
+      for (const YamlValue& item : v->items()) read_well(item);
+    }
+    if (const auto v = map.find("points")) {
+      for (const YamlValue& item : v->items()) read_named_point(item);
+    }
+    if (!map.find("surfaces") && !map.find("box")) root.problem("neither 'surfaces' nor 'box' is given: there is nothing to mesh");
+    if (const auto v = map.find("column")) read_column(*v);
+    if (const auto v = map.find("mesh")) read_mesh(*v);
+    if (const auto v = map.find("output")) read_output(*v);
+  }
+
+  /// Names go into files of many formats: no control characters, quotes, commas or blanks at the ends.
+  static bool read_name(const YamlValue& value, std::string& name) {
+    const auto text = value.text();
+    if (!text) return false;
+    const bool odd = std::any_of(text->begin(), text->end(), [](char c) {
+      return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\'' || c == ',' || c == '/' || c == '\\';
+    });
+    if (odd || text->front() == ' ' || text->back() == ' ') {
+      value.problem("the name " + in_quotes(*text) + " holds a quote, a comma, a slash, a control character or a blank at its end");
+      return false;
+    }
+    name = *text;
+    return true;
+  }
+
+  /// Surfaces, box sides, wells and points share one space of names.
+  void claim_name(const YamlValue& value, const std::string& name) {
+    if (std::find(box_sides.begin(), box_sides.end(), name) != box_sides.end()) {
+      value.problem("'" + name + "' is the name of a side of the box; choose another");
+    } else if (const auto [it, fresh] = name_line_.emplace(name, value.place().line); !fresh) {
+      value.problem("the name '" + name + "' is used already on line " + std::to_string(it->second));
+    }
+  }
+
+  void read_crs(const YamlValue& value) {
+    const YamlMap map(value, {"horizontal", "z", "unit"});
+    if (const auto v = map.find("horizontal")) {
+      if (const auto text = v->text()) project_.crs.horizontal = *text;
+    }
+    if (const auto v = map.find("z")) project_.crs.depth = v->choice({"elevation", "depth"}) == "depth";
+    if (const auto v = map.find("unit")) {
+      if (const auto unit = v->choice({"m", "km", "ft", "ftUS"})) project_.crs.unit = *unit;
+    }
+  }
+
+  void read_box(const YamlValue& value) {
+    const YamlMap map(value, {"min", "max"});
+    const auto min = map.require("min", "[x, y, z] of the box's lower corner");
+    const auto max = map.require("max", "[x, y, z] of the box's upper corner");
+    const auto a = min ? min->point() : std::nullopt;
+    const auto b = max ? max->point() : std::nullopt;
+    if (!a || !b) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((*a)[i] < (*b)[i]) continue;
+      max->problem(std::string("the box is empty in ") + "xyz"[i] + ": max must be greater than min");
+    }
+    project_.box = Box3{*a, *b};
+  }
+
+  /// The path against the project's folder; reports a missing file.
+  void read_file(const YamlValue& value, std::filesystem::path& file, std::string& as_written) {
+    const auto text = value.text();
+    if (!text) return;
+    as_written = *text;
+    file = (folder_ / *text).lexically_normal();
+    std::error_code ec;
+    const auto status = std::filesystem::status(file, ec);
+    if (!std::filesystem::exists(status)) {
+      value.problem("there is no file " + in_quotes(file.string().size() > 38 ? *text : file.string()) + " (looked for as " + file.string() + ")");
+    } else if (std::filesystem::is_directory(status)) {
+      value.problem(in_quotes(*text) + " is a folder; a file was expected");
+    }
+  }
+
+  void read_surface(const YamlValue& value) {
+    const YamlMap map(value, {"name", "kind", "file", "cuts"});
+    if (!map.is_map()) return;
+    SurfaceSpec spec;
+    spec.line = map.place().line;
+    if (const auto v = map.require("name", "each surface needs a name")) {
+      if (read_name(*v, spec.name)) claim_name(*v, spec.name);
+    }
+    if (const auto v = map.require("kind", "horizon, fault or body")) {
+      const auto kind = v->choice({"horizon", "fault", "body"});
+      spec.kind = kind == "fault" ? SurfaceKind::fault : kind == "body" ? SurfaceKind::body : SurfaceKind::horizon;
+    }
+    if (const auto v = map.require("file", "the file of the surface")) read_file(*v, spec.file, spec.file_as_written);
+    spec.cuts_all = spec.kind == SurfaceKind::body;
+    if (const auto v = map.find("cuts")) {
+      const auto cuts = v->choice({"all", "none"});
+      if (cuts == "all" && spec.kind != SurfaceKind::body) v->problem("only a body cuts; this surface is a " + std::string(to_string(spec.kind)));
+      spec.cuts_all = cuts == "all";
+    }
+    project_.surfaces.push_back(std::move(spec));
+  }
+
+  void read_well(const YamlValue& value) {
+    const YamlMap map(value, {"name", "file"});
+    if (!map.is_map()) return;
+    WellSpec spec;
+    spec.line = map.place().line;
+    if (const auto v = map.require("name", "each well needs a name")) {
+      if (read_name(*v, spec.name)) claim_name(*v, spec.name);
+    }
+    if (const auto v = map.require("file", "the file of the well's path")) read_file(*v, spec.file, spec.file_as_written);
+    project_.wells.push_back(std::move(spec));
+  }
+
+  void read_named_point(const YamlValue& value) {
+    const YamlMap map(value, {"name", "at"});
+    if (!map.is_map()) return;
+    NamedPoint point;
+    if (const auto v = map.require("name", "each point needs a name")) {
+      if (read_name(*v, point.name)) claim_name(*v, point.name);
+    }
+    if (const auto v = map.require("at", "[x, y, z] of the point")) point.point = v->point().value_or(Vec3{});
+    project_.points.push_back(std::move(point));
+  }
+
+  /// unit, horizon, unit, ..., unit.
+  void read_column(const YamlValue& value) {
+    const std::vector<YamlValue> items = value.items();
+    if (!value.is_list()) return;
+    if (items.size() % 2 == 0) {
+      value.problem("unit, horizon, unit, ..., unit was expected, from the youngest to the oldest: an odd number of names; found " +
+                    std::to_string(items.size()));
+    }
+    std::map<std::string, int> seen;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      std::string name;
+      if (!read_name(items[i], name)) continue;
+      if (const auto [it, fresh] = seen.emplace(name, items[i].place().line); !fresh) {
+        items[i].problem("'" + name + "' stands in the column already");
+      } else {
+        check_column_entry(items[i], name, i % 2 == 1);
+      }
+      project_.column.push_back(name);
+    }
+  }
+
+  void check_column_entry(const YamlValue& value, const std::string& name, bool horizon_expected) const {
+    const auto it = std::find_if(project_.surfaces.begin(), project_.surfaces.end(), [&](const SurfaceSpec& s) { return s.name == name; });
+    if (!horizon_expected) {
+      if (it != project_.surfaces.end()) {
+        value.problem("the name of a unit was expected here, but '" + name + "' is a surface (line " + std::to_string(it->line) +
+                      "): units and horizons must alternate");
+      }
+    } else if (it == project_.surfaces.end()) {
+      std::vector<std::string_view> horizons;
+      for (const SurfaceSpec& s : project_.surfaces)
+        if (s.kind == SurfaceKind::horizon) horizons.push_back(s.name);
+      const std::string_view near = nearest_word(name, horizons);
+      value.problem("a horizon was expected here, but no surface is named '" + name + "'" +
+                    (near.empty() ? "; horizons are " + (horizons.empty() ? "none" : listed(horizons)) : "; was '" + std::string(near) + "' meant?"));
+    } else if (it->kind != SurfaceKind::horizon) {
+      value.problem("a horizon was expected here, but '" + name + "' is a " + to_string(it->kind) + " (line " +
+                    std::to_string(it->line) + ")");
+    }
+  }
+
+  void read_mesh(const YamlValue& value) {
+    const YamlMap map(value, {"mode", "refine", "cluster_distance", "preserve_boundary"}, {"size", "quality"});
+    TetrahedralizeOptions& options = project_.mesh.options;
+    if (const auto v = map.find("mode")) {
+      if (v->choice({"constrained", "conforming"}) == "conforming") options.recover.mode = MeshMode::conforming;
+    }
+    if (const auto v = map.find("refine")) {
+      if (v->scalar() != "none") v->problem(in_quotes(v->scalar()) + " is not offered yet; 'none' is the only value so far");
+    }
+    if (const auto v = map.find("cluster_distance")) {
+      if (v->scalar() == "auto") {
+        options.delaunay.cluster_distance = -1;
+      } else if (const auto d = v->number()) {
+        options.delaunay.cluster_distance = *d;
+        if (*d < 0) v->problem("auto or a length of zero or more was expected");
+      }
+    }
+    if (const auto v = map.find("preserve_boundary")) options.recover.preserve_boundary = v->boolean().value_or(false);
+  }
+
+  void read_output(const YamlValue& value) {
+    const YamlMap map(value, {"directory", "formats", "origin"});
+    if (const auto v = map.find("directory")) {
+      if (const auto text = v->text()) project_.output.directory = (folder_ / *text).lexically_normal();
+    }
+    if (const auto v = map.find("formats")) read_formats(*v);
+    if (const auto v = map.find("origin")) {
+      if (const auto origin = v->point()) {
+        project_.output.origin = *origin;
+        project_.output.has_origin = true;
+      }
+    }
+  }
+
+  void read_formats(const YamlValue& value) {
+    const std::vector<std::string>& known = known_formats();
+    const std::vector<std::string_view> words(known.begin(), known.end());
+    project_.output.formats.clear();
+    for (const YamlValue& item : value.items()) {
+      const auto format = item.choice(words);
+      if (!format) continue;
+      if (std::find(project_.output.formats.begin(), project_.output.formats.end(), *format) == project_.output.formats.end()) {
+        project_.output.formats.push_back(*format);
+      }
+    }
+    if (value.is_list() && project_.output.formats.empty() && value.items().empty()) value.problem("the list of formats is empty");
+  }
+
+  Problems problems_;
+  Project project_;
+  std::filesystem::path folder_;
+  std::map<std::string, int> name_line_;
+};
+
+}  // namespace
+
+Project read_project(const std::filesystem::path& file) {
+  const InputFile input = load_input_file(file);
+  return ProjectReader(file).read(input.bytes);
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/yaml_values.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "readers/text.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+Place place_of(const YAML::Node& node, Place fallback) {
+  const YAML::Mark mark = node.Mark();
+  return mark.is_null() || mark.line < 0 ? fallback : Place{mark.line + 1, mark.column + 1};
+}
+
+/// 010 is 8 to some YAML readers and 10 to others.
+bool has_leading_zero(std::string_view s) {
+  if (!s.empty() && (s.front() == '-' || s.front() == '+')) s.remove_prefix(1);
+  return s.size() > 1 && s[0] == '0' && std::isdigit(static_cast<unsigned char>(s[1]));
+}
+
+bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
+
+}  // namespace
+
+YamlValue::YamlValue(Problems& problems, YAML::Node node, std::string name, Place fallback)
+    : problems_(&problems), node_(std::move(node)), name_(std::move(name)), place_(place_of(node_, fallback)) {}
+
+std::string YamlValue::described() const {
+  if (node_.IsSequence()) return "a list";
+  if (node_.IsMap()) return "a map";
+  if (node_.IsScalar()) return in_quotes(node_.Scalar());
+  return "nothing";
+}
+
+std::optional<std::string> YamlValue::text() const {
+  if (node_.IsScalar() && !node_.Scalar().empty()) return node_.Scalar();
+  problem("a text was expected, found " + described());
+  return std::nullopt;
+}
+
+std::optional<double> YamlValue::number() const {
+  const std::optional<double> value = node_.IsScalar() && !is_quoted(node_) ? to_double(node_.Scalar()) : std::nullopt;
+  const std::string lower = node_.IsScalar() ? to_lower(node_.Scalar()) : "";
+  if ((value && !std::isfinite(*value)) || lower.find(".inf") != std::string::npos || lower == ".nan") {
+    problem("a finite number was expected, found " + described());
+  } else if (!value) {
+    problem("a number was expected, found " + described());
+  } else if (has_leading_zero(node_.Scalar())) {
+    problem("the number " + described() + " has a leading zero, which some read as octal; write it without");
+  } else {
+    return value;
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> YamlValue::boolean() const {
+  if (node_.IsScalar() && !is_quoted(node_)) {
+    if (node_.Scalar() == "true") return true;
+    if (node_.Scalar() == "false") return false;
+  }
+  problem("true or false was expected, found " + described());
+  return std::nullopt;
+}
+
+std::optional<std::string> YamlValue::choice(const std::vector<std::string_view>& words) const {
+  if (node_.IsScalar() && std::find(words.begin(), words.end(), node_.Scalar()) != words.end()) return node_.Scalar();
+  std::string message = listed(words) + " was expected, found " + described();
+  const std::string_view near = node_.IsScalar() ? nearest_word(node_.Scalar(), words) : std::string_view{};
+  if (!near.empty()) message += "; was '" + std::string(near) + "' meant?";
+  problem(message);
+  return std::nullopt;
+}
+
+std::optional<Vec3> YamlValue::point() const {
+  if (!node_.IsSequence() || node_.size() != 3) {
+    problem("three numbers [x, y, z] were expected, found " +
+            (node_.IsSequence() ? std::to_string(node_.size()) + " values" : described()));
+    return std::nullopt;
+  }
+  Vec3 p;
+  bool complete = true;
+  const std::vector<YamlValue> values = items();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto v = values[i].number();
+    complete = complete && v;
+    p[i] = v.value_or(0);
+  }
+  return complete ? std::optional(p) : std::nullopt;
+}
+
+std::vector<YamlValue> YamlValue::items() const {
+  std::vector<YamlValue> list;
+  if (!node_.IsSequence()) {
+    problem("a list was expected, found " + described());
+    return list;
+  }
+  for (std::size_t i = 0; i < node_.size(); ++i) {
+    list.emplace_back(*problems_, node_[i], name_ + "[" + std::to_string(i + 1) + "]", place_);
+  }
+  return list;
+}
+
+YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& known, const std::vector<std::string_view>& not_offered)
+    : value_(value), is_map_(value.is_map()) {
+  if (!is_map_) {
+    value.problem("a map with the keys " + listed(known) + " was expected");
+    return;
+  }
+  const std::string prefix = value.name() == "project" ? "" : value.name() + ".";
+  for (const auto& entry : value.node()) {
+    const Place place = place_of(entry.first, value.place());
+    Problems& problems = value.problems();
+    if (!entry.first.IsScalar()) {
+      problems.add(place, value.name() + ": a key must be a word; known are " + listed(known));
+      continue;
+    }
+    const std::string key = entry.first.Scalar();
+    if (std::find(not_offered.begin(), not_offered.end(), key) != not_offered.end()) {
+      problems.add(place, prefix + key + ": not offered yet");
+      continue;
+    }
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      const std::string_view near = nearest_word(key, known);
+      problems.add(place, "unknown key " + in_quotes(key) + (value.name() == "project" ? "" : " in " + value.name()) +
+                              (near.empty() ? "; known are " + listed(known) : "; was '" + std::string(near) + "' meant?"));
+      continue;
+    }
+    if (find(key)) {
+      problems.add(place, prefix + key + ": given twice");
+      continue;
+    }
+    entries_.emplace_back(key, YamlValue(problems, entry.second, prefix + key, place));
+  }
+}
+
+std::optional<YamlValue> YamlMap::find(std::string_view key) const {
+  for (const auto& [k, v] : entries_)
+    if (k == key) return v;
+  return std::nullopt;
+}
+
+std::optional<YamlValue> YamlMap::require(std::string_view key, const char* what) const {
+  auto value = find(key);
+  if (!value && is_map_) value_.problem("the key '" + std::string(key) + "' is missing: " + what);
+  return value;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Typed reading of YAML with a place for every complaint. Included by the few files that read the project.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "project/problems.hpp"
+
+namespace geomesh::geomodel {
+
+/// A node with its name in the project ("surfaces[2].file"). Each reading reports what is wrong and then returns nothing.
+class YamlValue {
+ public:
+  YamlValue(Problems& problems, YAML::Node node, std::string name, Place fallback);
+
+  Place place() const { return place_; }
+  const std::string& name() const { return name_; }
+  bool is_list() const { return node_.IsSequence(); }
+  bool is_map() const { return node_.IsMap(); }
+  /// The scalar as written; empty for lists, maps and null.
+  std::string scalar() const { return node_.IsScalar() ? node_.Scalar() : std::string(); }
+  void problem(const std::string& message) const { problems_->add(place_, name_ + ": " + message); }
+
+  /// Any scalar, not empty.
+  std::optional<std::string> text() const;
+  /// A finite decimal number; a leading zero (octal in older YAML) and quotes are refused.
+  std::optional<double> number() const;
+  std::optional<bool> boolean() const;
+  std::optional<std::string> choice(const std::vector<std::string_view>& words) const;
+  /// [x, y, z].
+  std::optional<Vec3> point() const;
+  /// The items of a list.
+  std::vector<YamlValue> items() const;
+
+  const YAML::Node& node() const { return node_; }
+  Problems& problems() const { return *problems_; }
+
+ private:
+  std::string described() const;
+
+  Problems* problems_;
+  YAML::Node node_;
+  std::string name_;
+  Place place_;
+};
+
+/// A map with known keys; the constructor reports duplicates, unknown keys (with the nearest known one) and keys of a later version.
+class YamlMap {
+ public:
+  YamlMap(const YamlValue& value, const std::vector<std::string_view>& known, const std::vector<std::string_view>& not_offered = {});
+
+  bool is_map() const { return is_map_; }
+  std::optional<YamlValue> find(std::string_view key) const;
+  /// Reports where the key is missing.
+  std::optional<YamlValue> require(std::string_view key, const char* what) const;
+  Place place() const { return value_.place(); }
+  const YamlValue& value() const { return value_; }
+
+ private:
+  YamlValue value_;
+  bool is_map_ = false;
+  std::vector<std::pair<std::string, YamlValue>> entries_;
+};
+
+}  // namespace geomesh::geomodel
