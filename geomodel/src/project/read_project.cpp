@@ -102,18 +102,23 @@ class ProjectReader {
     }
   }
 
+  static bool read_corner(const YamlValue& value, Vec3& corner) {
+    const auto p = value.point();
+    if (p) corner = *p;
+    return p.has_value();
+  }
+
   void read_box(const YamlValue& value) {
     const YamlMap map(value, {"min", "max"});
     const auto min = map.require("min", "[x, y, z] of the box's lower corner");
     const auto max = map.require("max", "[x, y, z] of the box's upper corner");
-    const auto a = min ? min->point() : std::nullopt;
-    const auto b = max ? max->point() : std::nullopt;
-    if (!a || !b) return;
+    Box3 box;
+    if (!min || !read_corner(*min, box.min) || !max || !read_corner(*max, box.max)) return;
     for (std::size_t i = 0; i < 3; ++i) {
-      if ((*a)[i] < (*b)[i]) continue;
+      if (box.min[i] < box.max[i]) continue;
       max->problem(std::string("the box is empty in ") + "xyz"[i] + ": max must be greater than min");
     }
-    project_.box = Box3{*a, *b};
+    project_.box = box;
   }
 
   /// The path against the project's folder; reports a missing file.
