@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/finish.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <map>
-#include <set>
 
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -38,32 +35,9 @@ std::vector<std::string> summarise(const ModelMesh& mesh) {
   return lines;
 }
 
-/// Region `hull`: components that reach the convex hull through faces that belong to no facet.
-void name_hull_regions(const ConstrainedTetrahedralization& core, ModelMesh& mesh) {
-  std::set<Triangle> constrained;
-  const auto sorted = [](Triangle t) {
-    std::sort(t.begin(), t.end());
-    return t;
-  };
-  for (const auto& face : core.faces) constrained.insert(sorted(face.vertices));
-  std::map<Triangle, std::pair<std::size_t, int>> open;  // face -> (tetrahedron, times seen)
-  for (std::size_t t = 0; t < core.tetrahedra.size(); ++t)
-    for (const auto& f : face_vertices) {
-      const auto& v = core.tetrahedra[t];
-      auto [it, fresh] = open.try_emplace(sorted({v[f[0]], v[f[1]], v[f[2]]}), t, 0);
-      ++it->second.second;
-    }
-  std::set<std::int32_t> hull_ids;
-  for (const auto& [face, seen] : open)
-    if (seen.second == 1 && !constrained.contains(face)) hull_ids.insert(mesh.tet_region[seen.first]);
-  int n = 0;
-  for (Region& region : mesh.regions)
-    if (hull_ids.contains(region.id)) region.name = hull_ids.size() == 1 ? "hull" : "hull__" + std::to_string(++n);
-}
-
 ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
   ConstrainedTetrahedralization core =
-      tetrahedralize(model.plc.plc, model.options, recorder.context(), model.keep_hull);
+      tetrahedralize(model.plc.plc, model.options, recorder.context(), model.naming.keep_hull);
   if (core.tetrahedra.empty()) {
     throw Error(ErrorKind::cannot_mesh,
                 "the surfaces enclose nothing: there is no region to mesh. Close the surfaces, add a box (--box "
@@ -83,7 +57,6 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, PreparedMod
   for (std::size_t i = known; i < model.warnings.size(); ++i) recorder.context().note(LogLevel::warning, model.warnings[i]);
   mesh.name = model.name;
   mesh.origin = model.origin;
-  if (model.keep_hull) name_hull_regions(core, mesh);
   const std::vector<std::string> faults = validate_model_mesh(mesh);
   if (!faults.empty()) {
     std::string all = "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";

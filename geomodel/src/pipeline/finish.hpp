@@ -24,7 +24,6 @@ struct PreparedModel {
   ModelPlc plc;
   NamingRules naming;
   TetrahedralizeOptions options;
-  bool keep_hull = false;
   Vec3 origin{0, 0, 0};
   std::string input_json;
   std::vector<std::string> warnings;

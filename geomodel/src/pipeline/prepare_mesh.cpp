@@ -50,9 +50,12 @@ void prepare_plc(const std::filesystem::path& path, PreparedModel& model, const 
     soup.facets.push_back(surface.triangles.back());
     soup.origins.push_back({0, f, false});
     soup.origin_offsets.push_back(static_cast<Index>(soup.origins.size()));
+    model.plc.facet_soup.push_back(f);
+    model.plc.facet_soup_offsets.push_back(f + 1);
   }
   model.surfaces.push_back(std::move(surface));
   model.plc.facet_patch.assign(file.plc.n_facets(), 1);
+  model.plc.segment_curves.resize(file.plc.segments.size());
   model.plc.plc = std::move(file.plc);
   model.naming.seed_names = std::move(file.region_names);
   context.note(LogLevel::info, std::to_string(model.plc.plc.points.size()) + " points, " +
@@ -109,7 +112,7 @@ void make_names_unique(std::vector<TriangulatedSurface>& surfaces) {
 
 void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunContext& context) {
   model.options = request.options;
-  model.keep_hull = request.keep_hull;
+  model.naming.keep_hull = request.keep_hull;
   model.naming.name_by_bodies = false;
   if (request.inputs.size() == 1 && is_plc_file(request.inputs.front())) {
     if (request.box)
