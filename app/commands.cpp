@@ -45,21 +45,17 @@ int run_command(const geomodel::DelaunayRequest& request, const RunContext& cont
   return 0;
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  geomodel::write_complete_or_absent(file, [&](const std::filesystem::path& temporary) { geomodel::write_text_file(temporary, text); });
-}
-
 int run_command(const CheckCommand& command, const RunContext&, Verbosity verbosity) {
   const geomodel::CheckResult result =
       geomodel::check_mesh({command.mesh, command.project, command.surfaces, command.delaunay});
-  if (command.report) write_text(*command.report, geomodel::to_json(result));
+  if (command.report) geomodel::write_text_file(*command.report, geomodel::to_json(result));
   if (verbosity != Verbosity::quiet || !result.faults.empty()) std::cout << geomodel::to_text(result);
   return result.faults.empty() ? 0 : status_faults_found;
 }
 
 int run_command(const InfoCommand& command, const RunContext&, Verbosity) {
   const geomodel::FileInfo info = geomodel::describe_file(command.file);
-  if (command.report) write_text(*command.report, geomodel::to_json(info));
+  if (command.report) geomodel::write_text_file(*command.report, geomodel::to_json(info));
   std::cout << geomodel::to_text(info);
   return 0;
 }

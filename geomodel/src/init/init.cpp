@@ -2,7 +2,6 @@
 #include "geomesh/geomodel/init.hpp"
 
 #include <cmath>
-#include <fstream>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -101,15 +100,6 @@ struct NamedTemplate {
 };
 constexpr NamedTemplate templates[] = {{"layers", layers}, {"faulted", faulted}, {"salt-dome", salt_dome}};
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw Error(ErrorKind::usage, "cannot write " + file.string());
-  });
-}
-
 }  // namespace
 
 std::vector<std::string> template_names() {
@@ -127,8 +117,8 @@ std::filesystem::path init_project(const std::filesystem::path& directory, const
     const ProjectTemplate content = candidate.make();
     std::filesystem::create_directories(directory / "surfaces");
     for (const TriangulatedSurface& surface : content.surfaces)
-      write_text(directory / "surfaces" / (surface.name + ".ts"), to_gocad(surface));
-    write_text(project, content.project);
+      write_text_file(directory / "surfaces" / (surface.name + ".ts"), to_gocad(surface));
+    write_text_file(project, content.project);
     return project;
   }
   std::string known;
