@@ -5,6 +5,7 @@
 
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "pipeline/soup_vtp.hpp"
 
 namespace geomesh::geomodel {
 namespace {
