@@ -109,7 +109,7 @@ TEST_CASE("all mistakes of a project are named in one run, in the order of the f
       "mesh: {refine: default, size: 5}\n");
   INFO(text);
   CHECK(text.find("1:1: unknown key 'nmae'; was 'name' meant?") == 0);
-  CHECK(text.find("2:36: box.max[3]: the number '010' has a leading zero") != std::string::npos);
+  CHECK(text.find("2:35: box.max[3]: the number '010' has a leading zero") != std::string::npos);
   CHECK(text.find("4:23: surfaces[1].kind: horizon, fault or body was expected, found 'horizont'; was 'horizon' meant?") != std::string::npos);
   CHECK(text.find("5:36: surfaces[2].file: there is no file") != std::string::npos);
   CHECK(text.find("6:13: column[2]: a horizon was expected here, but no surface is named 'tpo'; was 'top' meant?") != std::string::npos);

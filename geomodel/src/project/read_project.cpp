@@ -130,7 +130,7 @@ class ProjectReader {
     std::error_code ec;
     const auto status = std::filesystem::status(file, ec);
     if (!std::filesystem::exists(status)) {
-      value.problem("there is no file " + in_quotes(file.string().size() > 38 ? *text : file.string()) + " (looked for as " + file.string() + ")");
+      value.problem("there is no file '" + *text + "' (looked for as " + file.string() + ")");
     } else if (std::filesystem::is_directory(status)) {
       value.problem(in_quotes(*text) + " is a folder; a file was expected");
     }

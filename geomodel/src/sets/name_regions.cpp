@@ -186,7 +186,7 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
     const Index seed = c < mesh.component_seed.size() ? mesh.component_seed[c] : no_index;
     if (seed < rules.seed_names.size()) {
       label = {seed_class, seed, rules.seed_names[seed]};
-    } else if (const Index body = innermost_body(c, around, surfaces); rules.name_by_bodies && body != no_index) {
+    } else if (const Index body = innermost_body(c, around, surfaces); body != no_index) {
       label = {body_class, body, surfaces[body].name};
     } else if (hints[c] != no_index) {
       label = {hint_class, hints[c], rules.hints[hints[c]].name};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "geomesh/geomodel/writers.hpp"
+#include "writers/text_buffer.hpp"
 
 namespace geomesh::geomodel {
 

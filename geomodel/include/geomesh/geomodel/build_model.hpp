@@ -51,7 +51,6 @@ struct NamingRules {
   std::vector<std::string> column;      ///< as in Project: unit, horizon, unit, ...; empty or of odd length
   std::vector<RegionHint> hints;        ///< names that came with the file (GOCAD Model3d)
   std::vector<std::string> seed_names;  ///< by id of the PLC's region seeds
-  bool name_by_bodies = true;           ///< false: bodies are told in Region::inside only (`geomesh mesh`)
   bool keep_hull = false;               ///< tetrahedralize ran with keep_hull: unenclosed components are named `hull`
 };
 

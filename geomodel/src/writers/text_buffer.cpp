@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geomesh/geomodel/writers.hpp"
+#include "writers/text_buffer.hpp"
 
 #include <fstream>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/writers.hpp"
 
 namespace geomesh::geomodel {
 
