@@ -46,9 +46,10 @@ class Tracer {
       if (sides_.is_member(u) && !sides_.is_member(ring_.ring[(i + n - 1) % n]) && leftness(p, q, mesh_.point(u)) > clearly_left)
         return accept(p, q, u);
     }
-    // Seen along p->q the ring turns counter-clockwise, so an edge of it pierces the facet where it passes from below to above on the left.
+    // Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so on the left. Where
+    // rounding bends the faces about an added point several may do so: the one clearest on the left is taken.
     std::size_t best = n;
-    double best_score = 0;
+    double best_score = -2;
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n];
       if (sides_(u) >= 0 || sides_(w) <= 0) continue;
