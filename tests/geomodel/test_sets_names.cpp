@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "geomesh/core/error.hpp"
 #include "grid_model.hpp"
@@ -236,4 +237,71 @@ TEST_CASE("the validator of named meshes sees each kind of fault", "[sets]") {
   CHECK(faulty([](ModelMesh& m) { m.curve_edges.push_back({0, static_cast<VertexIndex>(m.points.size() - 1), m.curves[0].id}); }));
   CHECK(faulty([](ModelMesh& m) { m.regions[0].name = m.regions[1].name; }));
   CHECK(faulty([](ModelMesh& m) { m.surface_sets[0] = {}; }));
+}
+
+TEST_CASE("units are named by fault block on wish, blocks ordered by place", "[sets]") {
+  NamingRules rules = three_layer_rules();
+  rules.fault_blocks = true;
+  const Named one = name_grid(three_layers(1), rules);
+  CHECK(region_names(one.model) == Names{"top", "middle", "bottom"});
+  const Named two = name_grid(make_grid_model({2, 1, 3}, {1, 1, 1},
+                                              {plane("upper", SurfaceKind::horizon, 2, 2), plane("lower", SurfaceKind::horizon, 2, 1),
+                                               plane("f", SurfaceKind::fault, 0, 1)}),
+                              rules);
+  CHECK(region_names(two.model) == Names{"top__B1", "top__B2", "middle__B1", "middle__B2", "bottom__B1", "bottom__B2"});
+  CHECK(two.model.regions[1].unit == "top");
+  CHECK(two.model.points[two.model.tetrahedra[0][0]].x <= 1);
+}
+
+TEST_CASE("seed points give names; groups and attributes follow units and regions", "[sets]") {
+  NamingRules rules = three_layer_rules();
+  rules.seeds = {{"aquifer", {0.5, 0.5, 1.5}}, {"again", {0.6, 0.5, 1.5}}, {"nowhere", {9, 9, 9}}};
+  rules.groups = {{"cover", {"top", "aquifer"}}, {"odd", {"no_such_unit"}}};
+  rules.attributes = {{"top", {{"porosity", 0.3}}}, {"aquifer", {{"porosity", 0.2}, {"density", 2500}}}};
+  const Named named = name_grid(three_layers(1), rules);
+  CHECK(region_names(named.model) == Names{"top", "bottom", "aquifer"});
+  CHECK(some_warning_has(named.warnings, {"aquifer and again lie in one region"}));
+  CHECK(some_warning_has(named.warnings, {"nowhere", "outside of all regions"}));
+  CHECK(some_warning_has(named.warnings, {"group odd names no_such_unit"}));
+  REQUIRE(named.model.groups.size() == 2);
+  CHECK(named.model.groups[0].regions == std::vector<std::int32_t>{1, 3});
+  REQUIRE(named.model.attributes.size() == 2);
+  CHECK(named.model.attributes[0].name == "density");
+  CHECK(std::isnan(named.model.attributes[0].by_region[0]));
+  CHECK(named.model.attributes[0].by_region[2] == 2500);
+  CHECK((named.model.attributes[1].by_region[0] == 0.3 && named.model.attributes[1].by_region[2] == 0.2));
+}
+
+TEST_CASE("regions below min_volume are reported, or join the neighbour across most area", "[sets]") {
+  const GridModel grid = make_grid_model({4, 4, 3}, {1, 1, 1},
+                                         {plane("upper", SurfaceKind::horizon, 2, 2),
+                                          plane("lower", SurfaceKind::horizon, 2, 1),
+                                          plane("f", SurfaceKind::fault, 0, 1, [](int, int, int k) { return k >= 1 && k <= 2; })});
+  NamingRules rules = three_layer_rules();
+  rules.min_volume = 5;
+  const Named reported = name_grid(grid, rules);
+  CHECK(region_names(reported.model) == Names{"top", "middle__1", "middle__2", "bottom"});
+  CHECK(some_warning_has(reported.warnings, {"volume of 4", "less than min_volume"}));
+  rules.merge_small = true;
+  const Named merged = name_grid(grid, rules);
+  REQUIRE(merged.model.regions.size() == 3);
+  // 4 x 1 against each of top and bottom, 4 x 1 against the other half: the first of the largest is top (its rank is by volume).
+  double volume = 0;
+  for (const Region& r : merged.model.regions) volume += r.volume;
+  CHECK(volume == 48);
+  CHECK(some_warning_has(merged.warnings, {"it joins"}));
+}
+
+TEST_CASE("what lies above the topography is left out", "[sets]") {
+  NamingRules rules{{"soil", "base", "rock"}, {}, {}, false};
+  rules.topography = "relief";
+  const GridModel grid = make_grid_model({2, 2, 3}, {1, 1, 1},
+                                         {plane("relief", SurfaceKind::horizon, 2, 2), plane("base", SurfaceKind::horizon, 2, 1)});
+  const Named named = name_grid(grid, rules);
+  CHECK(region_names(named.model) == Names{"soil", "rock"});
+  CHECK(named.model.points.size() == 27);
+  for (const auto& face : named.model.faces)
+    if (face.surface == named.model.surfaces[0].id) CHECK((face.region_minus == 1 && face.region_plus == 0));
+  rules.topography = "nowhere";
+  CHECK_THROWS_AS(name_grid(grid, rules), Error);
 }

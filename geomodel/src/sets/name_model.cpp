@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "sets/name_regions.hpp"
 #include "sets/sums.hpp"
@@ -141,11 +142,37 @@ void fill_curves(const ConstrainedTetrahedralization& mesh, const PolygonSoup& s
     if (mesh_point[p.v] != no_vertex) model.marked_points.push_back({row[mesh_point[p.v]], next_id++, points[p.point].name});
 }
 
-}  // namespace
+/// Groups and attributes by unit or by region name; the region's own entry wins.
+void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::vector<std::string>& warnings) {
+  std::set<std::string> known;
+  for (const Region& r : model.regions) known.insert({r.name, r.unit});
+  for (const auto& [group, members] : rules.groups) {
+    RegionGroup out{group, {}};
+    for (const Region& r : model.regions)
+      if (std::any_of(members.begin(), members.end(), [&](const std::string& m) { return m == r.name || m == r.unit; }))
+        out.regions.push_back(r.id);
+    for (const std::string& m : members)
+      if (!known.contains(m)) warnings.push_back("group " + group + " names " + m + ", which is no unit or region of the mesh");
+    model.groups.push_back(std::move(out));
+  }
+  std::map<std::string, std::vector<double>> values;
+  for (const auto& [unit, list] : rules.attributes) {
+    if (!known.contains(unit)) warnings.push_back("attributes are given for " + unit + ", which is no unit or region of the mesh");
+    if (list.contains("region")) throw Error(ErrorKind::usage, "attribute 'region' of " + unit + ": this name is taken by the region ids");
+    for (const auto& [name, value] : list) values[name].assign(model.regions.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  for (auto& [name, by_region] : values) {
+    for (std::size_t r = 0; r < model.regions.size(); ++r)
+      for (const std::string& key : {model.regions[r].unit, model.regions[r].name})
+        if (const auto unit = rules.attributes.find(key); unit != rules.attributes.end())
+          if (const auto value = unit->second.find(name); value != unit->second.end()) by_region[r] = value->second;
+    model.attributes.push_back({name, by_region});
+  }
+}
 
-ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                     const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points, const NamingRules& rules,
-                     std::vector<std::string>& warnings) {
+ModelMesh name_components(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                          const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points,
+                          const NamingRules& rules, std::vector<std::string>& warnings) {
   const Column column = make_column(rules.column, surfaces, warnings);
   NamedRegions named = name_regions(mesh, soup, plc, surfaces, rules, column, warnings);
   warn_of_gaps(mesh, soup, plc, surfaces, column, named, warnings);
@@ -167,7 +194,18 @@ ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSou
   fill_faces(mesh, soup, plc, surfaces, surface_id, row, model);
   sum_areas(model);
   fill_curves(mesh, soup, plc, points, row, next_id, model);
+  add_groups_and_attributes(rules, model, warnings);
   return model;
+}
+
+}  // namespace
+
+ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                     const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points, const NamingRules& rules,
+                     std::vector<std::string>& warnings) {
+  if (rules.topography.empty()) return name_components(mesh, soup, plc, surfaces, points, rules, warnings);
+  const ConstrainedTetrahedralization ground = without_air(mesh, soup, plc, surfaces, rules.topography, warnings);
+  return name_components(ground, soup, plc, surfaces, points, rules, warnings);
 }
 
 }  // namespace geomesh::geomodel

@@ -168,23 +168,20 @@ void add_suffixes(const std::vector<std::size_t>& order, const std::vector<Label
   }
 }
 
-}  // namespace
-
-NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules, const Column& column,
-                          std::vector<std::string>& warnings) {
-  const std::vector<ComponentFacts> facts = component_facts(mesh, soup, plc, rules.keep_hull);
-  const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
+/// Labels of all components by the rules; warns of what the column cannot tell.
+std::vector<Label> make_labels(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                               const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules, const Column& column,
+                               const std::vector<ComponentFacts>& facts, const std::vector<std::vector<Index>>& around,
+                               const std::vector<UnitVerdict>& verdicts, std::vector<std::string>& warnings) {
+  const std::vector<Index> points = seeded(mesh, rules.seeds, warnings);
   const std::vector<Index> hints = hinted(mesh, soup, plc, rules.hints);
-  const std::vector<HorizonContacts> contacts = horizon_contacts(mesh, soup, plc, column);
-  NamedRegions named;
   std::vector<Label> labels(facts.size());
   for (std::size_t c = 0; c < facts.size(); ++c) {
     Label& label = labels[c];
-    named.verdicts.push_back(judge_unit(contacts[c], column));
-    const UnitVerdict& verdict = named.verdicts.back();
     const Index seed = c < mesh.component_seed.size() ? mesh.component_seed[c] : no_index;
-    if (seed < rules.seed_names.size()) {
+    if (points[c] != no_index) {
+      label = {seed_class, points[c], rules.seeds[points[c]].name};
+    } else if (seed < rules.seed_names.size()) {
       label = {seed_class, seed, rules.seed_names[seed]};
     } else if (const Index body = innermost_body(c, around, surfaces); body != no_index) {
       label = {body_class, body, surfaces[body].name};
@@ -193,8 +190,10 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
     } else if (!facts[c].enclosed) {
       label = {hull_class, 0, "hull"};
     } else if (column.given()) {
+      const UnitVerdict& verdict = verdicts[c];
       warn_of_verdict(verdict, facts[c], column, surfaces, warnings);
-      if (verdict.first != no_index) label = {column_class, 2 * verdict.first + (verdict.last > verdict.first), unit_name(verdict, column)};
+      if (verdict.first != no_index)
+        label = {column_class, 2 * verdict.first + (verdict.last > verdict.first), unit_name(verdict, column)};
     }
   }
   std::vector<std::size_t> unnamed;
@@ -205,16 +204,72 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
   });
   for (std::size_t k = 0; k < unnamed.size(); ++k)
     labels[unnamed[k]] = {unnamed_class, static_cast<Index>(k), "region_" + std::to_string(k + 1)};
+  return labels;
+}
 
-  const std::vector<std::size_t> order = id_order(labels, facts);
+/// `Unit__B2` for units of the column, where faults make more than one block.
+void add_blocks(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc, const Column& column,
+                const std::vector<ComponentFacts>& facts, std::vector<Label>& labels) {
+  const std::vector<Index> block = fault_blocks(mesh, soup, plc, facts, column);
+  std::map<Index, Index> number;  // of blocks that hold a unit, in the order of place
+  for (std::size_t c = 0; c < labels.size(); ++c)
+    if (labels[c].order == column_class) number[block[c]] = 0;
+  if (number.size() < 2) return;
+  Index n = 0;
+  for (auto& [key, value] : number) value = ++n;
+  for (std::size_t c = 0; c < labels.size(); ++c)
+    if (labels[c].order == column_class) labels[c].name += "__B" + std::to_string(number[block[c]]);
+}
+
+/// Which component's region each one joins; reports or merges what is smaller than min_volume.
+std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts,
+                                 const NamingRules& rules, const std::vector<Label>& labels, std::vector<std::string>& warnings) {
+  std::vector<Index> target(facts.size());
+  std::iota(target.begin(), target.end(), Index{0});
+  if (!(rules.min_volume > 0)) return target;
+  if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    if (facts[c].volume >= rules.min_volume) continue;
+    const std::string what = "region of " + labels[c].name + " near " + to_text(facts[c].inside_point) + " has a volume of " +
+                             to_text(facts[c].volume) + ", less than min_volume";
+    warnings.push_back(target[c] == c ? what : what + ": it joins " + labels[target[c]].name);
+  }
+  return target;
+}
+
+}  // namespace
+
+NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules, const Column& column,
+                          std::vector<std::string>& warnings) {
+  const std::vector<ComponentFacts> facts = component_facts(mesh, soup, plc, rules.keep_hull);
+  const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
+  NamedRegions named;
+  for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column)) named.verdicts.push_back(judge_unit(contacts, column));
+  std::vector<Label> labels = make_labels(mesh, soup, plc, surfaces, rules, column, facts, around, named.verdicts, warnings);
+  std::vector<std::string> units;
+  for (const Label& label : labels) units.push_back(label.name);
+  if (rules.fault_blocks) add_blocks(mesh, soup, plc, column, facts, labels);
+  const std::vector<Index> target = small_regions(mesh, facts, rules, labels, warnings);
+
+  std::vector<std::size_t> order = id_order(labels, facts);
+  std::erase_if(order, [&](std::size_t c) { return target[c] != c; });
   named.id_of_component.resize(facts.size());
   for (std::size_t r = 0; r < order.size(); ++r) {
     const std::size_t c = order[r];
     named.id_of_component[c] = static_cast<std::int32_t>(r + 1);
-    Region region{static_cast<std::int32_t>(r + 1), "", {}, facts[c].n_tetrahedra, facts[c].volume};
+    Region region{static_cast<std::int32_t>(r + 1), "", {}, 0, 0, units[c]};
     for (Index s : around[c]) region.inside.push_back(surfaces[s].name);
     named.regions.push_back(std::move(region));
   }
+  std::vector<CompensatedSum> volumes(order.size());
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    named.id_of_component[c] = named.id_of_component[target[c]];
+    const auto row = static_cast<std::size_t>(named.id_of_component[c] - 1);
+    named.regions[row].n_tetrahedra += facts[c].n_tetrahedra;
+    volumes[row].add(facts[c].volume);
+  }
+  for (std::size_t r = 0; r < order.size(); ++r) named.regions[r].volume = volumes[r].value();
   add_suffixes(order, labels, facts, named.regions, warnings);
   return named;
 }

@@ -24,6 +24,23 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
                           const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules, const Column& column,
                           std::vector<std::string>& warnings);
 
+/// Without the components that lie above the surface named `topography` and everything that only they had.
+/// Throws Error{usage} where no surface has that name, Error{cannot_mesh} where nothing is left.
+ConstrainedTetrahedralization without_air(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                                          const std::vector<TriangulatedSurface>& surfaces, const std::string& topography,
+                                          std::vector<std::string>& warnings);
+
+/// Region per component that holds a seed point; warns of points outside and of two in one component.
+std::vector<Index> seeded(const ConstrainedTetrahedralization& mesh, const std::vector<NamedPoint>& seeds,
+                          std::vector<std::string>& warnings);
+
+/// Fault block of each component, from 0 by place; all 0 where there is one. Components joined across faces of horizons.
+std::vector<Index> fault_blocks(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                                const std::vector<ComponentFacts>& facts, const Column& column);
+
+/// For components smaller than `min_volume`: the neighbour across most area, larger ones first followed to the end; itself otherwise.
+std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts, double min_volume);
+
 /// Appends warnings on horizons that have holes, stop short or are absent, with the units that join there.
 void warn_of_gaps(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                   const std::vector<TriangulatedSurface>& surfaces, const Column& column, const NamedRegions& named,

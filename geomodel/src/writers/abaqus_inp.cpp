@@ -109,11 +109,14 @@ void sort_unique(std::vector<VertexIndex>& rows) {
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
 }
 
+/// One element set for each region, and for each group of regions.
 void add_regions(const ModelMesh& mesh, InputDeck& deck) {
+  std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> elements(mesh.regions.size());
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) elements[static_cast<std::size_t>(mesh.tet_region[t] - 1)].push_back(t);
   for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
     const std::string name = deck.name(mesh.regions[r].name);
+    names.push_back(name);
     deck.text << "*ELEMENT, TYPE=C3D4, ELSET=" << name << "\n";
     for (std::size_t t : elements[r]) {
       deck.text << t + 1;
@@ -121,6 +124,11 @@ void add_regions(const ModelMesh& mesh, InputDeck& deck) {
       deck.text << "\n";
     }
     deck.sidecar.push_back({"elset", 3, 0, name, mesh.regions[r].name, {mesh.regions[r].id}});
+  }
+  for (const RegionGroup& group : mesh.groups) {
+    if (group.regions.empty()) continue;
+    deck.text << "*ELSET, ELSET=" << deck.name(group.name) << "\n";
+    for (std::int32_t id : group.regions) deck.text << names[static_cast<std::size_t>(id - 1)] << "\n";
   }
 }
 

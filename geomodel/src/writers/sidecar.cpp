@@ -32,6 +32,7 @@ void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& group
     group["full_name"] = g.full_name;
     root["groups"].push_back(std::move(group));
   }
+  for (const RegionGroup& g : mesh.groups) root["region_groups"].push_back({{"name", g.name}, {"regions", g.regions}});
   root["regions"] = root["surfaces"] = root["curves"] = root["points"] = ordered_json::array();
   for (const Region& r : mesh.regions) root["regions"].push_back(entry(r.id, r.name, groups));
   for (const NamedSurface& s : mesh.surfaces) {

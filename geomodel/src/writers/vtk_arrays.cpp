@@ -27,6 +27,19 @@ void add_region_names(const ModelMesh& mesh, vtkFieldData& field) {
   field.AddArray(string_array("region_names", n, [&](std::size_t i) { return mesh.regions[i].name; }));
 }
 
+void add_groups(const ModelMesh& mesh, vtkFieldData& field) {
+  if (mesh.groups.empty()) return;
+  std::vector<std::size_t> offsets{0};
+  std::vector<std::int32_t> ids;
+  for (const RegionGroup& group : mesh.groups) {
+    ids.insert(ids.end(), group.regions.begin(), group.regions.end());
+    offsets.push_back(ids.size());
+  }
+  field.AddArray(string_array("group_names", mesh.groups.size(), [&](std::size_t i) { return mesh.groups[i].name; }));
+  field.AddArray(int_array("group_offsets", offsets.size(), [&](std::size_t i) { return offsets[i]; }));
+  field.AddArray(int_array("group_region_ids", ids.size(), [&](std::size_t i) { return ids[i]; }));
+}
+
 void add_surface_names(const ModelMesh& mesh, vtkFieldData& field) {
   const std::size_t n = mesh.surfaces.size();
   field.AddArray(int_array("surface_ids", n, [&](std::size_t i) { return mesh.surfaces[i].id; }));

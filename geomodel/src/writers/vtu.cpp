@@ -3,8 +3,8 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkDoubleArray.h>
 #include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -25,10 +25,17 @@ void write_vtu(const ModelMesh& mesh, const std::filesystem::path& file) {
   grid->SetCells(VTK_TETRA, cells);
   grid->GetCellData()->AddArray(int_array("region", mesh.tet_region.size(), [&](std::size_t i) { return mesh.tet_region[i]; }));
   grid->GetCellData()->SetActiveScalars("region");
+  for (const RegionAttribute& attribute : mesh.attributes) {
+    vtkSmartPointer<vtkDoubleArray> values = vtkSmartPointer<vtkDoubleArray>::New();
+    values->SetName(attribute.name.c_str());
+    for (std::int32_t region : mesh.tet_region) values->InsertNextValue(attribute.by_region[static_cast<std::size_t>(region - 1)]);
+    grid->GetCellData()->AddArray(values);
+  }
   grid->GetPointData()->AddArray(int_array("kind", mesh.point_kind.size(), [&](std::size_t i) { return mesh.point_kind[i]; }));
   grid->GetPointData()->AddArray(
       int_array("input_vertex", mesh.input_vertex.size(), [&](std::size_t i) { return mesh.input_vertex[i]; }));
   add_region_names(mesh, *grid->GetFieldData());
+  add_groups(mesh, *grid->GetFieldData());
   add_origin(mesh, *grid->GetFieldData());
   vtkSmartPointer<vtkXMLUnstructuredGridWriter> writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
   write_vtk_xml(*writer, *grid, file);

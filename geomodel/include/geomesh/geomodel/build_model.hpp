@@ -3,6 +3,7 @@
 /// From soup to PLC and from the core's result to the named mesh: patches, curves, region names, face sets.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,13 +46,23 @@ struct PlcOptions {
 ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
                   const PlcOptions& options = {});
 
-/// How regions get their names, in this order: a region seed inside, the innermost body it lies in (among overlapping ones the first in
-/// project order), a hint, the column, else `region_1`, `region_2`, ... in the order of their first input triangle.
+/// How regions get their names, in this order: a seed point inside, a region seed of the PLC, the innermost body it lies in (among
+/// overlapping ones the first in project order), a hint, the column, else `region_1`, `region_2`, ... in the order of their first input
+/// triangle.
 struct NamingRules {
-  std::vector<std::string> column;      ///< as in Project: unit, horizon, unit, ...; empty or of odd length
-  std::vector<RegionHint> hints;        ///< names that came with the file (GOCAD Model3d)
-  std::vector<std::string> seed_names;  ///< by id of the PLC's region seeds
-  bool keep_hull = false;               ///< tetrahedralize ran with keep_hull: unenclosed components are named `hull`
+  std::vector<std::string> column{};      ///< as in Project: unit, horizon, unit, ...; empty or of odd length
+  std::vector<RegionHint> hints{};        ///< names that came with the file (GOCAD Model3d)
+  std::vector<std::string> seed_names{};  ///< by id of the PLC's region seeds
+  bool keep_hull = false;                 ///< tetrahedralize ran with keep_hull: unenclosed components are named `hull`
+  std::vector<NamedPoint> seeds{};        ///< own names by points
+  /// Units of the column are named by fault block, `Unit__B2`: blocks are what faults divide (regions joined across horizons), ordered by
+  /// place as regions of one name are. Nothing is added where there is one block.
+  bool fault_blocks = false;
+  std::string topography{};               ///< a horizon: what lies above it is left out of the mesh
+  double min_volume = 0;                  ///< smaller regions are reported; merged with the neighbour across most area where asked
+  bool merge_small = false;
+  std::map<std::string, std::vector<std::string>> groups{};            ///< group: units, bodies or regions
+  std::map<std::string, std::map<std::string, double>> attributes{};   ///< unit or region: attribute: value
 };
 
 /// Names components, orders regions, builds face sets and curves. `surfaces` as in make_plc.

@@ -19,6 +19,19 @@ struct Region {
   std::vector<std::string> inside;  ///< bodies it lies in
   std::size_t n_tetrahedra = 0;
   double volume = 0;  ///< m3, summed without cancellation
+  std::string unit{};  ///< the name before suffixes: a unit of the column, a body ...
+};
+
+/// A number that units carry to the mesh (porosity, density ...): a cell array of the VTU.
+struct RegionAttribute {
+  std::string name;
+  std::vector<double> by_region;  ///< by region id - 1; NaN where the unit has none
+};
+
+/// Regions under one more name (an aquifer of three units).
+struct RegionGroup {
+  std::string name;
+  std::vector<std::int32_t> regions;
 };
 
 struct NamedSurface {
@@ -71,6 +84,8 @@ struct ModelMesh {
   std::vector<MarkedPoint> marked_points;
 
   std::vector<Region> regions;
+  std::vector<RegionAttribute> attributes;
+  std::vector<RegionGroup> groups;
   std::vector<NamedSurface> surfaces;
   std::vector<NamedCurve> curves;
   Vec3 origin{0, 0, 0};  ///< was subtracted from the project's coordinates
