@@ -100,7 +100,7 @@ void recover_by_points(Recovery& recovery, Missing first) {
     if (!constraints.subsegments[item.subsegment].live) continue;
     const Subsegment s = constraints.subsegments[item.subsegment];
     // Deep flips may bring back what points have removed; beyond a few halvings points alone step on, which ends.
-    const unsigned depth = item.halvings < 6 ? 3 : 0;
+    const unsigned depth = item.halvings < 6 ? 2 : 0;
     if (mesh.find_edge(s.a, s.b) != no_cell) continue;
     if (item.halvings < 12 && recover_segment_by_flips(recovery, s.a, s.b, depth)) continue;
     if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, 200)) continue;
@@ -129,9 +129,8 @@ void recover_segments(Recovery& recovery) {
   std::vector<Index> missing;
   for (Index s = 0; s < constraints.subsegments.size(); ++s)
     if (recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell) missing.push_back(s);
-  recovery.statistics.missing_edges_initial = missing.size();
   std::size_t n_missing_before = missing.size();
-  for (unsigned depth : {0u, 1u, 2u, 3u}) {
+  for (unsigned depth : {0u, 1u, 2u}) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "geomesh/core/tetrahedralize.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "classify/classify.hpp"
 #include "recover/declare.hpp"
 #include "recover/recover.hpp"
+#include "recover/start_triangulation.hpp"
 
 namespace geomesh {
 
@@ -24,34 +22,6 @@ void refuse_invalid(const PiecewiseLinearComplex& plc) {
   throw Error(ErrorKind::invalid_input, message, faults[0].context);
 }
 
-/// The model's vertices and the eight corners of a box that encloses them at a distance, so that the hull of the mesh is never touched.
-/// Corners on powers of two and far off: they disturb neither the model's Delaunay cells much nor the predicates' filters.
-std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const DeclaredModel& model) {
-  std::vector<Vec3> points;
-  Box3 box;
-  for (VertexIndex v : model.input_vertex) {
-    points.push_back(plc.points[v]);
-    box.add(plc.points[v]);
-  }
-  const double extent = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
-  const double margin = std::ldexp(1.0, std::ilogb(extent > 0 ? extent : 1.0) + 4);
-  for (unsigned corner = 0; corner < 8; ++corner)
-    points.push_back({corner & 1 ? box.max.x + margin : box.min.x - margin, corner & 2 ? box.max.y + margin : box.min.y - margin,
-                      corner & 4 ? box.max.z + margin : box.min.z - margin});
-  return points;
-}
-
-std::size_t count_model_cells(const ConstrainedMesh& mesh) {
-  std::size_t n = 0;
-  const TetMesh& cells = mesh.cells();
-  for (CellIndex c = 0; c < cells.n_slots(); ++c) {
-    if (!cells.is_live(c)) continue;
-    const auto& v = cells.vertices(c);
-    if (std::all_of(v.begin(), v.end(), [&](VertexIndex u) { return u < mesh.n_input(); })) ++n;
-  }
-  return n;
-}
-
 }  // namespace
 
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
@@ -63,19 +33,18 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   statistics.facets_total = plc.n_facets();
   statistics.segments_total = model.constraints.segments.size();
 
-  std::vector<Vec3> points = vertices_with_box(plc, model);
-  DelaunayTetrahedralization delaunay;
+  recover::StartTriangulation start;
   {
     const StageScope stage(context, "delaunay");
-    delaunay = delaunay_tetrahedralization(points, options.delaunay, context);
+    start = recover::triangulate_start(plc, model, options.delaunay, context, options.recover.mode == MeshMode::constrained);
   }
-  ConstrainedMesh mesh(std::move(delaunay.mesh), std::move(points), model.input_vertex.size());
-  model.constraints.vertices.resize(mesh.points().size());
-  statistics.tetrahedra_unconstrained = count_model_cells(mesh);
+  statistics.tetrahedra_unconstrained = start.tetrahedra;
+  statistics.missing_edges_initial = start.missing_edges;
+  statistics.missing_facets_before_segments = start.missing_facets;
+  ConstrainedMesh mesh(std::move(start.mesh), std::move(start.points), model.input_vertex.size());
   {
     const StageScope stage(context, "recover");
     Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex};
-    statistics.missing_facets_before_segments = recover::count_missing_subfacets(recovery);
     recover::recover_segments(recovery);
     recover::recover_facets(recovery);
     recover::remove_added_points(recovery);
@@ -91,7 +60,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
     out.recovery.steiner_on_facets += origin == VertexOrigin::on_facet;
     out.recovery.steiner_inside += origin == VertexOrigin::inside;
   }
-  out.delaunay_statistics = delaunay.statistics;
+  out.delaunay_statistics = start.statistics;
   return out;
 }
 
