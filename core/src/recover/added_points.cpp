@@ -50,6 +50,23 @@ bool remove_inner_point(Recovery& recovery, VertexIndex x) {
 
 }  // namespace
 
+void require_untouched_boundary(const Recovery& recovery) {
+  for (VertexIndex x = static_cast<VertexIndex>(recovery.mesh.n_input() + 8); x < recovery.mesh.points().size(); ++x) {
+    const VertexRecord& r = recovery.constraints.vertices[x];
+    if (!recovery.mesh.in_mesh(x) || r.origin == VertexOrigin::inside) continue;
+    const bool on_segment = r.origin == VertexOrigin::on_segment;
+    ErrorContext context;
+    context.places = {recovery.mesh.point(x)};
+    if (!on_segment) context.facets = {r.owner};
+    if (on_segment && recovery.constraints.segments[r.owner].row != no_index) context.segments = {recovery.constraints.segments[r.owner].row};
+    const ModelSegment segment = on_segment ? recovery.constraints.segments[r.owner] : ModelSegment{};
+    throw Error(ErrorKind::cannot_mesh,
+                (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b) : "facet " + std::to_string(r.owner)) +
+                    " cannot be kept free of added points: mesh it without preserve_boundary",
+                std::move(context));
+  }
+}
+
 void remove_added_points(Recovery& recovery) {
   ConstrainedMesh& mesh = recovery.mesh;
   const VertexIndex first = static_cast<VertexIndex>(mesh.n_input() + 8);

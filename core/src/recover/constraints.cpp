@@ -62,18 +62,21 @@ void Constraints::remove_subsegment(Index s) {
   subsegment_map_.erase({subsegments[s].a, subsegments[s].b});
 }
 
+void Constraints::make_piece(Index f) {
+  if (is_piece(f)) return;
+  const Triangle t = subfacets[f].vertices;
+  subfacet_map_.erase({t[0], t[1], t[2]});
+  subfacets[f].piece = static_cast<Index>(pieces_.size());
+  pieces_.push_back({{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}, {t[0], t[1], t[2]}});
+}
+
 std::array<Index, 2> Constraints::split_subsegment(Index s, VertexIndex x) {
   const Subsegment old = subsegments[s];
   if (old.segment != no_index) split_map_.insert({segments[old.segment].a, segments[old.segment].b}, old.segment);
   const std::array<Index, 2> halves{add_subsegment(old.a, x, old.segment, old.facet), add_subsegment(x, old.b, old.segment, old.facet)};
   for (Index h : halves) subsegments[h].subfacets = old.subfacets;
   for (Index f : old.subfacets) {
-    if (!is_piece(f)) {
-      const Triangle t = subfacets[f].vertices;
-      subfacet_map_.erase({t[0], t[1], t[2]});
-      subfacets[f].piece = static_cast<Index>(pieces_.size());
-      pieces_.push_back({{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}, {t[0], t[1], t[2]}});
-    }
+    make_piece(f);
     FacetPiece& piece = pieces_[subfacets[f].piece];
     piece.members.push_back(x);
     for (std::size_t i = 0; i < piece.border.size(); ++i) {

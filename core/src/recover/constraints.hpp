@@ -87,6 +87,11 @@ class Constraints {
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
   bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
 
+  /// Makes a triangle a piece, as its first added point does.
+  void make_piece(Index subfacet);
+  /// Declares x to lie inside piece f.
+  void add_member(Index f, VertexIndex x) { pieces_[subfacets[f].piece].members.push_back(x); }
+
   /// Splits subsegment s at vertex x: a-x and x-b. The subfacets about it become pieces with x on their border.
   std::array<Index, 2> split_subsegment(Index s, VertexIndex x);
 

@@ -36,10 +36,13 @@ struct FacetTrace {
 /// Sides of vertices relative to the plane of a triangle; `members` (declared to lie on it) are on it.
 class FacetSides {
  public:
-  FacetSides(const ConstrainedMesh& mesh, const Triangle& plane, const std::vector<VertexIndex>& members)
-      : mesh_(mesh), plane_(plane), members_(members) {}
+  FacetSides(const ConstrainedMesh& mesh, const Triangle& plane, std::vector<VertexIndex> members)
+      : mesh_(mesh), plane_(plane), members_(std::move(members)) {
+    std::sort(members_.begin(), members_.end());
+  }
+  void add_member(VertexIndex v) { members_.insert(std::lower_bound(members_.begin(), members_.end(), v), v); }
   int operator()(VertexIndex v) const { return is_member(v) ? 0 : static_cast<int>(mesh_.orient(plane_[0], plane_[1], plane_[2], v)); }
-  bool is_member(VertexIndex v) const { return std::find(members_.begin(), members_.end(), v) != members_.end(); }
+  bool is_member(VertexIndex v) const { return std::binary_search(members_.begin(), members_.end(), v); }
   const Vec3& origin() const { return mesh_.point(plane_[0]); }
   /// Rounded; not of unit length.
   Vec3 normal() const {
@@ -50,7 +53,7 @@ class FacetSides {
  private:
   const ConstrainedMesh& mesh_;
   Triangle plane_;
-  const std::vector<VertexIndex>& members_;
+  std::vector<VertexIndex> members_;
 };
 
 /// `border`: directed edges of the mesh with the subfacet on their left.

@@ -32,12 +32,10 @@ class FacetRecovery {
         mesh_(recovery.mesh),
         subfacet_(subfacet),
         plane_(recovery.constraints.subfacets[subfacet].vertices),
-        sides_(mesh_, plane_, members_) {
-    members_.assign(plane_.begin(), plane_.end());
+        sides_(mesh_, plane_, members_of(recovery.constraints, subfacet)) {
     border_ = {{plane_[0], plane_[1]}, {plane_[1], plane_[2]}, {plane_[2], plane_[0]}};
-    if (!recovery.constraints.is_piece(subfacet)) return;
-    members_ = recovery.constraints.piece_of(subfacet).members;
-    border_ = recovery.constraints.piece_of(subfacet).border;
+    if (recovery.constraints.is_piece(subfacet)) border_ = recovery.constraints.piece_of(subfacet).border;
+    is_plain_ = !recovery.constraints.is_piece(subfacet);
   }
 
   bool is_present() { return trace_facet(mesh_, sides_, border_).status == FacetTrace::Status::complete; }
@@ -61,7 +59,7 @@ class FacetRecovery {
   /// Only while no point has been added: the sheet is the subfacet as a whole.
   bool by_cavity(std::size_t max_nodes) {
     const FacetTrace trace = checked_trace();
-    if (trace.status != FacetTrace::Status::pierced || members_.size() > 3) return false;
+    if (trace.status != FacetTrace::Status::pierced || !is_plain_) return false;
     std::vector<CellIndex> cells;
     EdgeRing ring;
     for (const PiercingEdge& e : trace.piercing)
@@ -79,6 +77,12 @@ class FacetRecovery {
   }
 
  private:
+  static std::vector<VertexIndex> members_of(const Constraints& constraints, Index subfacet) {
+    if (constraints.is_piece(subfacet)) return constraints.piece_of(subfacet).members;
+    const Triangle& t = constraints.subfacets[subfacet].vertices;
+    return {t.begin(), t.end()};
+  }
+
   FacetTrace checked_trace() {
     const FacetTrace trace = trace_facet(mesh_, sides_, border_);
     if (trace.status == FacetTrace::Status::touched) fail_vertex_on_facet(recovery_, trace.culprit, subfacet_);
@@ -109,7 +113,8 @@ class FacetRecovery {
       if (insert_in_star(mesh_, constraints, x, ring.cells)) {
         constraints.vertices.resize(mesh_.points().size());
         constraints.vertices[x] = {VertexOrigin::on_facet, constraints.subfacets[subfacet_].facet};
-        members_.push_back(x);
+        sides_.add_member(x);
+        is_plain_ = false;
         return true;
       }
       mesh_.drop_last_point();
@@ -120,7 +125,7 @@ class FacetRecovery {
   void commit(const FacetTrace& trace) {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
-    if (members_.size() > 3) {
+    if (!is_plain_) {
       for (const Triangle& t : trace.faces) constraints.add_subfacet(t, facet);
       constraints.remove_subfacet(subfacet_);
     }
@@ -131,9 +136,9 @@ class FacetRecovery {
   ConstrainedMesh& mesh_;
   Index subfacet_;
   Triangle plane_;
-  std::vector<VertexIndex> members_;
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
+  bool is_plain_ = true;  ///< a triangle to which no point has been added
 };
 
 }  // namespace
@@ -179,7 +184,7 @@ void recover_facets(Recovery& recovery) {
       missing.push_back(f);
     }
   }
-  recovery.statistics.missing_facets_initial = missing.size();
+  recovery.statistics.missing_facets_initial = std::max(recovery.statistics.missing_facets_initial, missing.size());
   recovery.statistics.facets_reinserted += missing.size();
   for (unsigned depth : {0u, 1u, 2u, 3u}) {
     recovery.context.check_cancelled();

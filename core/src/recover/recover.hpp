@@ -37,6 +37,9 @@ void recover_facets(Recovery& recovery);
 /// Takes added points away again, or off segments and facets into the regions, where the mesh allows it.
 void remove_added_points(Recovery& recovery);
 
+/// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
+void require_untouched_boundary(const Recovery& recovery);
+
 /// Takes one added point off its segment or facet (boundary_points_inward.cpp). False: nothing has changed.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x);
 

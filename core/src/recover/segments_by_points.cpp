@@ -128,7 +128,8 @@ void recover_segments(Recovery& recovery) {
   Constraints& constraints = recovery.constraints;
   std::vector<Index> missing;
   for (Index s = 0; s < constraints.subsegments.size(); ++s)
-    if (recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell) missing.push_back(s);
+    if (constraints.subsegments[s].live && recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell)
+      missing.push_back(s);
   std::size_t n_missing_before = missing.size();
   for (unsigned depth : {0u, 1u, 2u}) {
     recovery.context.check_cancelled();

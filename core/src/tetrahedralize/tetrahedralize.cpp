@@ -2,6 +2,7 @@
 #include "geomesh/core/tetrahedralize.hpp"
 
 #include "classify/classify.hpp"
+#include "recover/conforming.hpp"
 #include "recover/declare.hpp"
 #include "recover/recover.hpp"
 #include "recover/start_triangulation.hpp"
@@ -26,6 +27,8 @@ void refuse_invalid(const PiecewiseLinearComplex& plc) {
 
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
                                              const RunContext& context, bool keep_hull) {
+  if (options.recover.preserve_boundary && options.recover.mode == MeshMode::conforming)
+    throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
   refuse_invalid(plc);
   DeclaredModel model = recover::declare_constraints(plc, context);
   if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
@@ -45,14 +48,22 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   {
     const StageScope stage(context, "recover");
     Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex};
+    if (options.recover.mode == MeshMode::conforming) {
+      recover::ConformingRecovery conforming(recovery, options.recover);
+      conforming.run();
+      statistics.facets_not_recovered = conforming.facets_given_up();
+    }
     recover::recover_segments(recovery);
     recover::recover_facets(recovery);
-    recover::remove_added_points(recovery);
+    const bool preserve = options.recover.preserve_boundary;
+    if (preserve || options.recover.mode == MeshMode::constrained) recover::remove_added_points(recovery);
+    if (preserve) recover::require_untouched_boundary(recovery);
     recover::validate_recovered(recovery);
   }
   const StageScope stage(context, "classify");
   ConstrainedTetrahedralization out = classify::classify(mesh, model, plc, context, keep_hull);
   const std::size_t n_tetrahedra = out.tetrahedra.size();
+  out.delaunay = options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(mesh);
   out.recovery = statistics;
   out.recovery.tetrahedra_final = n_tetrahedra;
   for (VertexOrigin origin : out.origin) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Conforming mode (sections 3.1 and 3.2 of the paper): segments and facets come to be unions of Delaunay edges and faces by points
+/// inserted on them. Points are rounded to doubles before they are inserted.
+///
+/// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
+///   - `max_steiner_per_facet` points on one facet, and as many on one segment;
+///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096 ulps of it.
+#pragma once
+
+#include <deque>
+
+#include "recover/delaunay_insertion.hpp"
+#include "recover/recover.hpp"
+
+namespace geomesh::recover {
+
+class ConformingRecovery {
+ public:
+  ConformingRecovery(Recovery& recovery, const RecoverOptions& options);
+
+  /// Segments, then facets, each with what the other has lost again, until nothing is missing or all that is has been given up.
+  void run();
+  /// Facets given up, sorted.
+  const std::vector<Index>& facets_given_up() const { return given_up_; }
+
+ private:
+  // conforming_segments.cpp
+  void find_sharp_vertices();
+  void recover_queued_segments();
+  void split_segment(Index s);
+  Vec3 split_place(const Subsegment& s) const;
+  void give_up_segment(Index s);
+
+  // conforming_facets.cpp
+  void recover_queued_facets();
+  bool register_if_present(Index f);
+  void insert_into_facet(Index f);
+  bool insert_midpoint(Index f, VertexIndex a, VertexIndex b);
+  void give_up_facet(Index f);
+
+  /// Inserts, records what was lost. no_vertex where nothing could be inserted.
+  VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
+  bool too_short(const Vec3& a, const Vec3& b) const;
+
+  Recovery& recovery_;
+  ConstrainedMesh& mesh_;
+  Constraints& constraints_;
+  RecoverOptions options_;
+  double min_edge_ = 0;
+  std::vector<std::uint8_t> sharp_;               ///< per vertex: segments meet there at less than 60 degrees
+  std::deque<Index> missing_segments_, missing_facets_;
+  FaceMap facet_of_face_;                         ///< faces of facets found present
+  std::vector<std::uint8_t> facet_queued_;        ///< per subfacet
+  std::vector<std::uint8_t> facet_is_given_up_;   ///< per subfacet
+  std::vector<std::uint8_t> segment_is_given_up_; ///< per model segment
+  std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
+  std::vector<Index> given_up_;
+};
+
+}  // namespace geomesh::recover

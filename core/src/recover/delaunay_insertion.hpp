@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Insertion of a point into the Delaunay mesh of conforming mode by the cavity algorithm (section 2.1 of the paper). The mesh is the
+/// perturbed Delaunay triangulation of its vertices before and after, so the cavity is star-shaped (equation 1, checked).
+#pragma once
+
+#include "recover/constrained_mesh.hpp"
+
+namespace geomesh::recover {
+
+struct DelaunayInsertion {
+  VertexIndex vertex = no_vertex;        ///< no_vertex where the point equals a vertex or lies outside the box
+  std::vector<Tetrahedron> removed;      ///< the cells that conflicted
+};
+
+DelaunayInsertion insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
+
+/// Whether every finite cell that has no box vertex is Delaunay towards its neighbours: exactly, ties allowed.
+bool is_locally_delaunay(const ConstrainedMesh& mesh);
+
+}  // namespace geomesh::recover
