@@ -233,4 +233,25 @@ inline double ulps_of_largest(const PolygonSoup& soup, double distance) {
   return distance / std::ldexp(1.0, std::ilogb(largest) - 52);
 }
 
+inline double area_of(const PolygonSoup& soup, Index surface) {
+  double sum = 0;
+  for (Index f = 0; f < soup.facets.size(); ++f)
+    for (Index k = soup.origin_offsets[f]; k < soup.origin_offsets[f + 1]; ++k)
+      if (soup.origins[k].surface == surface) {
+        const auto& [a, b, c] = soup.facets[f];
+        const Vec3 n = cross(soup.points[b] - soup.points[a], soup.points[c] - soup.points[a]);
+        sum += 0.5 * std::sqrt(dot(n, n));
+      }
+  return sum;
+}
+
+inline double area_of(const TriangulatedSurface& s) {
+  double sum = 0;
+  for (const auto& [a, b, c] : s.triangles) {
+    const Vec3 n = cross(s.points[b] - s.points[a], s.points[c] - s.points[a]);
+    sum += 0.5 * std::sqrt(dot(n, n));
+  }
+  return sum;
+}
+
 }  // namespace geomesh::geomodel::testing

@@ -2,42 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "arrangement_inputs.hpp"
-#include "geomesh/core/error.hpp"
+#include "require_sound.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
 using namespace geomesh::geomodel::testing;
-
-namespace {
-
-void require_sound(const PolygonSoup& soup) {
-  const auto faults = validate_soup(soup);
-  for (const SoupFault& f : faults) UNSCOPED_INFO(f.what << " at " << f.place.x << " " << f.place.y << " " << f.place.z);
-  REQUIRE(faults.empty());
-}
-
-double area_of(const PolygonSoup& soup, Index surface) {
-  double sum = 0;
-  for (Index f = 0; f < soup.facets.size(); ++f)
-    for (Index k = soup.origin_offsets[f]; k < soup.origin_offsets[f + 1]; ++k)
-      if (soup.origins[k].surface == surface) {
-        const auto& [a, b, c] = soup.facets[f];
-        const Vec3 n = cross(soup.points[b] - soup.points[a], soup.points[c] - soup.points[a]);
-        sum += 0.5 * std::sqrt(dot(n, n));
-      }
-  return sum;
-}
-
-double area_of(const TriangulatedSurface& s) {
-  double sum = 0;
-  for (const auto& [a, b, c] : s.triangles) {
-    const Vec3 n = cross(s.points[b] - s.points[a], s.points[c] - s.points[a]);
-    sum += 0.5 * std::sqrt(dot(n, n));
-  }
-  return sum;
-}
-
-}  // namespace
 
 TEST_CASE("arrange: a salt dome cuts horizons and the box clips them", "[arrangement]") {
   std::vector<TriangulatedSurface> surfaces;

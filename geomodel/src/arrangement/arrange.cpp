@@ -70,8 +70,8 @@ class Arrangement {
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_);
     RoundingOptions rounding{0, options_.box};
-    // From the fourth round on new points go to a lattice, coarser each time: what stays improper is thinner than that.
-    if (round > 3) rounding.grid = std::ldexp(unit_in_the_last_place(complex), static_cast<int>(4 * (round - 3)));
+    // What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
+    rounding.snap = unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(2 * static_cast<int>(round), 10));
     return take(round_to_doubles(arranged, complex, rounding));
   }
 
@@ -105,14 +105,15 @@ class Arrangement {
       if (context.places.size() >= 10) return;
       context.facets.push_back(f);
       context.places.push_back(complex.points[complex.facets[f][0]]);
-      names += (names.empty() ? "" : ", ") + surfaces_[complex.origins.of(f)[0].surface].name;
+      const std::string& name = surfaces_[complex.origins.of(f)[0].surface].name;
+      if (names.find(name) == std::string::npos) names += (names.empty() ? "" : ", ") + name;
     };
     for (const FacetContact& c : contacts.facets) add(c.facet);
     for (const Overlap& o : contacts.overlaps) add(o.a);
-    throw Error(ErrorKind::cannot_mesh,
-                "the surfaces (" + names + ") lie so near each other near " + (context.places.empty() ? "?" : to_text(context.places[0])) +
-                    " that no rounding to doubles keeps them apart; move them apart or merge them there",
-                std::move(context));
+    const std::string message = "the surfaces " + names + " lie so near each other near " +
+                                (context.places.empty() ? "?" : to_text(context.places[0])) +
+                                " that no rounding to doubles keeps them apart; move them apart or merge them there";
+    throw Error(ErrorKind::cannot_mesh, message, std::move(context));
   }
 
   void fill_soup(Complex&& complex) {

@@ -203,8 +203,8 @@ void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfac
     context.places.push_back(spot.place);
   }
   if (context.places.empty()) return;
-  throw Error(ErrorKind::invalid_input, "surfaces cross, and crossings are refused: " + text.str() + ". Mend them, or let crossings be resolved.",
-              std::move(context));
+  const std::string message = "surfaces cross, and crossings are refused: " + text.str() + ". Mend them, or let crossings be resolved.";
+  throw Error(ErrorKind::invalid_input, message, std::move(context));
 }
 
 void diagnose_soup(const SurfaceList& surfaces, ArrangementResult& result) {

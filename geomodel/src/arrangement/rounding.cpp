@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -15,10 +16,51 @@ struct PointHash {
   }
 };
 
+/// Places that constructed points may snap to, in cells twice the snapping distance wide.
+class Anchors {
+ public:
+  explicit Anchors(double snap) : snap_(snap) {}
+  void add(const Vec3& p) { cells_[cell_of(p)].push_back(p); }
+
+  /// The nearest anchor closer than the snapping distance that keeps p on the box planes it lies on; else p, which becomes an anchor.
+  Vec3 nearest_or_new(const Vec3& p, const std::optional<Box3>& box) {
+    const Vec3 centre = cell_of(p);
+    const Vec3* best = nullptr;
+    double best_distance = snap_;
+    for (double dx = -1; dx <= 1; ++dx)
+      for (double dy = -1; dy <= 1; ++dy)
+        for (double dz = -1; dz <= 1; ++dz) {
+          const auto cell = cells_.find(centre + Vec3{dx, dy, dz});
+          if (cell == cells_.end()) continue;
+          for (const Vec3& q : cell->second)
+            if (length(p - q) < best_distance && keeps_sides(p, q, box)) {
+              best = &q;
+              best_distance = length(p - q);
+            }
+        }
+    if (best) return *best;
+    add(p);
+    return p;
+  }
+
+ private:
+  Vec3 cell_of(const Vec3& p) const {
+    const double width = 2 * snap_;
+    return {std::floor(p.x / width) + 0.0, std::floor(p.y / width) + 0.0, std::floor(p.z / width) + 0.0};
+  }
+  static bool keeps_sides(const Vec3& p, const Vec3& q, const std::optional<Box3>& box) {
+    for (std::size_t i = 0; box && i < 3; ++i)
+      if ((p[i] == box->min[i] || p[i] == box->max[i]) && p[i] != q[i]) return false;
+    return true;
+  }
+  double snap_;
+  std::unordered_map<Vec3, std::vector<Vec3>, PointHash> cells_;
+};
+
 class Rounding {
  public:
   Rounding(const Arranged& arranged, const Complex& before, const RoundingOptions& options)
-      : arranged_(arranged), before_(before), options_(options), row_(arranged.vertices.size(), no_vertex) {}
+      : arranged_(arranged), before_(before), options_(options), anchors_(options.snap), row_(arranged.vertices.size(), no_vertex) {}
 
   Rounded run() {
     for (const Triangle& t : arranged_.facets)
@@ -40,6 +82,7 @@ class Rounding {
     const ExactVertices& vertices = arranged_.vertices;
     Complex& out = result_.complex;
     std::unordered_map<Vec3, VertexIndex, PointHash> made_at;
+    if (options_.snap > 0) add_anchors();
     std::vector<Vec3> placed(vertices.size() - vertices.n_given());
     for (Index v = static_cast<Index>(vertices.n_given()); v < vertices.size(); ++v)
       if (row_[v] == used) made_at.emplace(placed[v - vertices.n_given()] = place(v), no_vertex);
@@ -70,16 +113,19 @@ class Rounding {
     return static_cast<VertexIndex>(result_.complex.points.size() - 1);
   }
 
-  Vec3 place(Index v) const {
-    Vec3 p = arranged_.vertices.rounded(v);
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[i] += 0.0;
-      if (options_.grid == 0) continue;
-      if (options_.box && (p[i] == options_.box->min[i] || p[i] == options_.box->max[i])) continue;
-      p[i] = std::nearbyint(p[i] / options_.grid) * options_.grid + 0.0;
-      if (options_.box) p[i] = std::clamp(p[i], options_.box->min[i], options_.box->max[i]);
+  Vec3 place(Index v) {
+    const Vec3& nearest = arranged_.vertices.rounded(v);
+    const Vec3 p{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
+    return options_.snap == 0 ? p : anchors_.nearest_or_new(p, options_.box);
+  }
+
+  void add_anchors() {
+    std::vector<std::uint8_t> seen(arranged_.vertices.n_given(), 0);
+    for (std::size_t f = 0; f < arranged_.facets.size(); ++f) {
+      if (!arranged_.changed[f]) continue;
+      for (const VertexIndex v : arranged_.facets[f])
+        if (!arranged_.vertices.is_made(v) && !std::exchange(seen[v], 1)) anchors_.add(arranged_.vertices.rounded(v));
     }
-    return p;
   }
 
   /// True where the doubles are not the exact place.
@@ -159,6 +205,7 @@ class Rounding {
   const Arranged& arranged_;
   const Complex& before_;
   const RoundingOptions& options_;
+  Anchors anchors_;
   std::vector<VertexIndex> row_;
   std::vector<std::uint8_t> moved_;
   std::size_t n_made_ = 0;

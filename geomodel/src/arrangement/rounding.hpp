@@ -8,8 +8,11 @@
 namespace geomesh::geomodel::arrangement {
 
 struct RoundingOptions {
-  double grid = 0;          ///< 0: nearest doubles; else a power of two to whose multiples constructed points go
-  std::optional<Box3> box;  ///< points on its planes stay on them, points inside stay inside
+  /// 0: constructed points go to their nearest doubles. Else to a vertex of the changed facets or an earlier constructed point where one
+  /// is nearer than this: crossings then bend to vertices that are there instead of making ever more of them (as hot pixels do in
+  /// snap rounding: Hobby 1999).
+  double snap = 0;
+  std::optional<Box3> box;  ///< points on its planes stay on them
 };
 
 struct Rounded {
