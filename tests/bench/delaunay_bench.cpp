@@ -1,33 +1,151 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Writes the tables of the Delaunay section of docs/performance.md to standard output:
+///     delaunay_bench [--repetitions N] [--tetgen-repetitions N] [--size N] [--largest N] [--section NAME]...
+/// Sections: ratios, small, degenerate, growth, threads, clusters. All by default.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
+
 #include "delaunay_inputs.hpp"
 #include "delaunay_peers.hpp"
-using namespace geomesh; using namespace geomesh::bench;
+
+using namespace geomesh;
+using namespace geomesh::bench;
+
+namespace {
+
+constexpr unsigned seed = 42;
+
+struct Settings {
+  int repetitions = 5, tetgen_repetitions = 1;
+  std::size_t size = 1000000, largest = 10000000;
+  std::set<std::string> sections;
+  bool wants(const char* section) const { return sections.empty() || sections.contains(section); }
+};
+
+Measurement median(std::vector<Measurement> runs, double Measurement::*key) {
+  std::sort(runs.begin(), runs.end(), [key](const Measurement& a, const Measurement& b) { return a.*key < b.*key; });
+  return runs[runs.size() / 2];
+}
+
+double bytes_a_tetrahedron(const Measurement& m) {
+  return m.answer.tetrahedra == 0 ? 0 : static_cast<double>(m.peak_bytes) / static_cast<double>(m.answer.tetrahedra);
+}
+
+void compare_peers(const std::vector<std::string>& inputs, std::size_t n, const Settings& settings) {
+  std::printf("| input | points | triangulator | CPU s | million tetrahedra a CPU second | times geomesh | bytes a tetrahedron |\n");
+  std::printf("|---|---|---|---|---|---|---|\n");
+  for (const std::string& input : inputs) {
+    const std::vector<Vec3> points = make_points(input, n, seed);
+    const std::vector<std::pair<const char*, Job>> peers{{"geomesh", [&] { return run_geomesh(points, {}, 1); }},
+                                                         {"CGAL, compact location", [&] { return run_cgal_compact(points); }},
+                                                         {"CGAL, fast location", [&] { return run_cgal_fast_location(points); }},
+                                                         {"TetGen", [&] { return run_tetgen(points); }}};
+    std::map<std::string, std::vector<Measurement>> runs;
+    for (int r = 0; r < settings.repetitions; ++r)
+      for (const auto& [name, job] : peers)
+        if (std::strcmp(name, "TetGen") != 0 || r < settings.tetgen_repetitions) runs[name].push_back(measure({job})[0]);
+    const double ours = median(runs["geomesh"], &Measurement::cpu_s).cpu_s;
+    for (const auto& [name, job] : peers) {
+      if (runs[name].empty()) continue;
+      const Measurement m = median(runs[name], &Measurement::cpu_s);
+      if (m.ok)
+        std::printf("| %s | %zu | %s | %.2f | %.2f | %.2f | %.1f |\n", input.c_str(), points.size(), name, m.cpu_s,
+                    1e-6 * static_cast<double>(m.answer.tetrahedra) / m.cpu_s, m.cpu_s / ours, bytes_a_tetrahedron(m));
+      else
+        std::printf("| %s | %zu | %s | | | | %s |\n", input.c_str(), points.size(), name, m.message.c_str());
+      std::fflush(stdout);
+    }
+  }
+}
+
+void growth(const Settings& settings) {
+  std::printf("| uniform points | CPU s | bytes a tetrahedron | walk steps a point |\n|---|---|---|---|\n");
+  for (std::size_t n = 100000; n <= settings.largest; n *= 10) {
+    const std::vector<Vec3> points = make_points("uniform", n, seed);
+    std::vector<Measurement> runs;
+    for (int r = 0; r < (n > 1000000 ? 1 : settings.repetitions); ++r) runs.push_back(measure({[&] { return run_geomesh(points, {}, 1); }})[0]);
+    const Measurement m = median(runs, &Measurement::cpu_s);
+    std::printf("| %zu | %.3f | %.1f | %.2f |\n", n, m.cpu_s, bytes_a_tetrahedron(m), static_cast<double>(m.answer.walk_steps) / static_cast<double>(n));
+    std::fflush(stdout);
+  }
+}
+
+/// Two threads against two runs of one thread side by side, by wall time.
+void threads(const Settings& settings) {
+  const std::vector<Vec3> points = make_points("uniform", settings.size, seed);
+  const Job one = [&] { return run_geomesh(points, {}, 1); };
+  std::vector<Measurement> alone, beside, two, cgal_one, cgal_two;
+  for (int r = 0; r < settings.repetitions; ++r) {
+    alone.push_back(measure({one})[0]);
+    const auto pair = measure({one, one});
+    beside.push_back(pair[0].wall_s > pair[1].wall_s ? pair[0] : pair[1]);
+    two.push_back(measure({[&] { return run_geomesh(points, {}, 2); }})[0]);
+    cgal_one.push_back(measure({[&] { return run_cgal_parallel(points, 1); }})[0]);
+    cgal_two.push_back(measure({[&] { return run_cgal_parallel(points, 2); }})[0]);
+  }
+  const double t1 = median(alone, &Measurement::wall_s).wall_s, tb = median(beside, &Measurement::wall_s).wall_s,
+               t2 = median(two, &Measurement::wall_s).wall_s;
+  std::printf("| run | wall s | speed-up |\n|---|---|---|\n");
+  std::printf("| one thread | %.2f | 1 |\n| two runs of one thread side by side | %.2f | %.2f |\n| two threads | %.2f | %.2f |\n", t1, tb,
+              2 * t1 / tb, t2, t1 / t2);
+  const double c1 = median(cgal_one, &Measurement::wall_s).wall_s, c2 = median(cgal_two, &Measurement::wall_s).wall_s;
+  std::printf("| CGAL with TBB, one thread | %.2f | 1 |\n| CGAL with TBB, two threads | %.2f | %.2f |\n", c1, c2, c1 / c2);
+  std::printf("\nTwo threads reach %.0f %% of the speed-up of two independent runs.\n", 100 * (t1 / t2) / (2 * t1 / tb));
+}
+
+void clusters(const Settings& settings) {
+  const std::vector<Vec3> points = make_points("clusters", settings.size, seed);
+  std::printf("| cluster distance | points deferred | CPU s | expansions | walk steps a point |\n|---|---|---|---|---|\n");
+  for (const double distance : {0.0, -1.0, 1e-7, 1e-4, 1e-1, 1e2}) {
+    std::vector<Measurement> runs;
+    DelaunayOptions options;
+    options.cluster_distance = distance;
+    for (int r = 0; r < settings.repetitions; ++r) runs.push_back(measure({[&] { return run_geomesh(points, options, 1); }})[0]);
+    const Measurement m = median(runs, &Measurement::cpu_s);
+    char label[32];
+    std::snprintf(label, sizeof label, "%g", distance);
+    std::printf("| %s | %zu | %.2f | %zu | %.2f |\n", distance < 0 ? "auto" : label, m.answer.deferred, m.cpu_s, m.answer.exact_calls,
+                static_cast<double>(m.answer.walk_steps) / static_cast<double>(points.size()));
+    std::fflush(stdout);
+  }
+}
+
+Settings parse(int argc, char** argv) {
+  Settings s;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string key = argv[i], value = argv[i + 1];
+    if (key == "--repetitions") s.repetitions = std::stoi(value);
+    else if (key == "--tetgen-repetitions") s.tetgen_repetitions = std::stoi(value);
+    else if (key == "--size") s.size = std::stoul(value);
+    else if (key == "--largest") s.largest = std::stoul(value);
+    else if (key == "--section") s.sections.insert(value);
+    else std::fprintf(stderr, "unknown option %s\n", key.c_str()), std::exit(2);
+  }
+  return s;
+}
+
+void section(const Settings& settings, const char* name, const char* title, const std::function<void()>& body) {
+  if (!settings.wants(name)) return;
+  std::printf("\n#### %s\n\n", title);
+  body();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  std::string input = argc > 1 ? argv[1] : "uniform";
-  std::size_t n = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1000000;
-  int reps = argc > 3 ? atoi(argv[3]) : 3;
-  std::string which = argc > 4 ? argv[4] : "gcft";
-  unsigned threads = argc > 5 ? atoi(argv[5]) : 1;
-  auto points = make_points(input, n, 42);
-  std::map<char, std::vector<Measurement>> all;
-  for (int r = 0; r < reps; ++r) for (char w : which) {
-    Job job;
-    if (w == 'g') job = [&] { return run_geomesh(points, {}, threads); };
-    if (w == 'c') job = [&] { return run_cgal_compact(points); };
-    if (w == 'f') job = [&] { return run_cgal_fast_location(points); };
-    if (w == 't') job = [&] { return run_tetgen(points); };
-    if (w == 'p') job = [&] { return run_cgal_parallel(points, threads); };
-    all[w].push_back(measure({job})[0]);
-  }
-  for (char w : which) {
-    auto& m = all[w];
-    std::sort(m.begin(), m.end(), [](auto& a, auto& b) { return a.cpu_s < b.cpu_s; });
-    auto& k = m[m.size() / 2];
-    printf("%s %zu %c: cpu %.3f (min %.3f) wall %.3f  %.3f Mtet/s  %.1f B/tet exact %zu walk/pt %.2f %s\n", input.c_str(), points.size(), w, k.cpu_s, m[0].cpu_s, k.wall_s, 1e-6 * k.answer.tetrahedra / k.cpu_s, double(k.peak_bytes) / k.answer.tetrahedra, k.answer.exact_calls, double(k.answer.walk_steps)/points.size(), k.message.c_str());
-  }
+  const Settings settings = parse(argc, argv);
+  section(settings, "ratios", "One core", [&] { compare_peers({"uniform", "horizons", "clusters", "grid"}, settings.size, settings); });
+  section(settings, "small", "A tenth of the points", [&] { compare_peers({"uniform"}, settings.size / 10, settings); });
+  section(settings, "degenerate", "Degenerate inputs", [&] { compare_peers({"sphere", "plane", "line"}, settings.size / 10, settings); });
+  section(settings, "growth", "Growth", [&] { growth(settings); });
+  section(settings, "threads", "Threads", [&] { threads(settings); });
+  section(settings, "clusters", "Deferred insertion of clustered points", [&] { clusters(settings); });
 }

@@ -142,10 +142,7 @@ std::vector<VertexIndex> CavityStage::insert_in_parts(const std::vector<VertexIn
 }
 
 void CavityStage::finish(DelaunayStatistics& statistics) {
-  const CellIndex end = std::min(sequential_.slots().used_end(), mesh_.n_slots());
-  for (const CellIndex c : sequential_.slots().unused(end)) mesh_.cells()[c].vertices[0] = no_vertex;
-  mesh_.drop_slots_from(end);
-  mesh_.compact();
+  sequential_.slots().finish(mesh_);
   statistics_.walk_steps += sequential_.walk_steps();
   statistics_.exact_calls += sequential_.space().exact_calls();
   statistics = statistics_;

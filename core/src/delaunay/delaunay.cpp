@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "delaunay/cavity_stage.hpp"
+#include "delaunay/flip_insertion.hpp"
 #include "delaunay/parallel.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "geomesh/core/predicates.hpp"
@@ -59,6 +62,58 @@ std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord
   return representative;
 }
 
+/// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine bits, if any two points
+/// that follow each other on the curve are that near; else none. Waiting costs more than it saves at larger distances (docs/performance.md).
+double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
+  Box3 box;
+  double least = std::numeric_limits<double>::infinity();
+  for (VertexIndex v = 0; v < n; ++v) {
+    box.add(records[v]);
+    if (v == 0) continue;
+    const Vec3 step = records[v] - records[v - 1];
+    const double d2 = dot(step, step);
+    if (d2 > 0 && d2 < least) least = d2;
+  }
+  const double distance = 0x1p-44 * std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  return least < distance * distance ? distance : 0;
+}
+
+std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<PointRecord>& records, const Tetrahedron& first, double unit,
+                                  double cluster_distance, const RunContext& context) {
+  const auto n = static_cast<VertexIndex>(records.size() - 1);
+  FlipInsertion insertion(result.mesh, Space3(records.data(), n, unit), SlotSource(0, 0, 0, 1));
+  insertion.start(first);
+  std::vector<Twin> twins;
+  std::vector<VertexIndex> waiting;
+  const auto insert = [&](VertexIndex v, double distance) {
+    const InsertionOutcome outcome = insertion.insert(v, distance);
+    if (outcome == InsertionOutcome::duplicate) twins.push_back({v, insertion.twin()});
+    if (outcome == InsertionOutcome::too_near) waiting.push_back(v);
+    if (v % 16384 == 0) {
+      context.check_cancelled();
+      context.report(v, n);
+    }
+  };
+  for (VertexIndex v = 4; v < n; ++v) insert(v, cluster_distance);
+  result.statistics.points_deferred = waiting.size();
+  for (const VertexIndex v : std::exchange(waiting, {})) insert(v, 0);
+  insertion.slots().finish(result.mesh);
+  result.statistics.stuck_faces = insertion.stuck_faces();
+  result.statistics.walk_steps = insertion.walk_steps();
+  result.statistics.exact_calls = insertion.space().exact_calls();
+  return twins;
+}
+
+/// From positions in insertion order to the caller's rows.
+void finish(DelaunayTetrahedralization& result, const std::vector<Twin>& twins, PodArray<PointRecord>& records, unsigned threads) {
+  TetMesh::Cell* cells = result.mesh.cells();
+  result.representative = merge_twins(twins, records.data(), static_cast<VertexIndex>(records.size() - 1));
+  for_each_index(result.mesh.n_slots(), threads, [&](std::size_t c) {
+    for (VertexIndex& v : cells[c].vertices) v = records[v].id;
+    result.mesh.flags(static_cast<CellIndex>(c)) = 0;
+  });
+}
+
 }  // namespace
 
 DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> points, const DelaunayOptions& options, const RunContext& context) {
@@ -81,18 +136,21 @@ DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> poi
   const std::vector<std::size_t> round_begin = std::move(spatial.round_begin);
   spatial = {};
 
-  CavityStage stage(mesh, records.data(), n, coordinate_unit(points), options.cluster_distance, context);
+  const double unit = coordinate_unit(points);
+  const double distance = options.cluster_distance < 0 ? chosen_distance(records, n) : options.cluster_distance;
+  if (options.algorithm == DelaunayAlgorithm::flip) {
+    const std::vector<Twin> twins = insert_by_flips(result, records, first, unit, distance, context);
+    finish(result, twins, records, threads);
+    return result;
+  }
+  CavityStage stage(mesh, records.data(), n, unit, distance, context);
   stage.start(first);
   for (std::size_t r = 0; r + 1 < round_begin.size(); ++r)
     if (round_begin[r + 1] > 4) stage.insert_round(static_cast<VertexIndex>(std::max<std::size_t>(round_begin[r], 4)), static_cast<VertexIndex>(round_begin[r + 1]));
   stage.insert_waiting();
   stage.finish(result.statistics);
 
-  result.representative = merge_twins(stage.twins(), records.data(), n);
-  TetMesh::Cell* cells = mesh.cells();
-  for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
-    for (VertexIndex& v : cells[c].vertices) v = records[v].id;
-  });
+  finish(result, stage.twins(), records, threads);
   return result;
 }
 

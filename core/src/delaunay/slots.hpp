@@ -57,6 +57,14 @@ class SlotSource {
     block_end_ = base + block;
     limit_ = limit;
   }
+  /// The only source of a mesh, at the end: drops all slots that no cell uses.
+  template <class Mesh>
+  void finish(Mesh& mesh) const {
+    const CellIndex end = std::min(block_end_, mesh.n_slots());
+    for (const CellIndex c : unused(end)) mesh.cells()[c].vertices[0] = no_vertex;
+    mesh.drop_slots_from(end);
+    mesh.compact();
+  }
   void adopt(const std::vector<CellIndex>& slots) { free_.insert(free_.end(), slots.rbegin(), slots.rend()); }
 
   static constexpr CellIndex block = 1024;

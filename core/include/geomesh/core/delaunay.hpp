@@ -17,7 +17,9 @@ enum class DelaunayAlgorithm { cavity, flip };
 
 struct DelaunayOptions {
   DelaunayAlgorithm algorithm = DelaunayAlgorithm::cavity;
-  /// Points nearer than this to an inserted vertex wait until the end (section 2.2). 0: none wait; negative: chosen from the data.
+  /// Points nearer than this to an inserted vertex wait until the end (section 2.2). 0: none wait; negative: chosen from the data (2^-44
+  /// of the extent where points are that near). The cavity algorithm looks at all vertices that the new point would be joined to,
+  /// the nearest among them; the flip algorithm at those of the cell that holds it.
   double cluster_distance = -1;
 };
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split what holds the new point, then flip link faces until
+/// all are locally Delaunay. Edelsbrunner and Shah (1996) prove that in insertion this ends with no face left over.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "delaunay/incremental.hpp"
+#include "delaunay/space3.hpp"
+
+namespace geomesh {
+
+/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own: a 4-4 flip with an infinite
+/// vertex is the 2-2 flip of two coplanar hull faces; a 3-2 flip about an edge to infinity takes a vertex off the hull.
+class FlipInsertion : public IncrementalTriangulation<Space3, false> {
+ public:
+  using IncrementalTriangulation::IncrementalTriangulation;
+
+  /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex of the cell that holds them are left out.
+  InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
+  /// Splits what holds v and flips nothing: the result need not be Delaunay.
+  InsertionOutcome split_only(VertexIndex v);
+  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left (stuck). Each flip
+  /// lowers the lifted surface, so this ends from any triangulation.
+  std::size_t flip_all();
+
+  std::size_t stuck_faces() const { return stuck_; }
+  std::size_t flips() const { return flips_; }
+
+ private:
+  /// A cell as it was when it was queued: it may be gone since.
+  struct Candidate {
+    CellIndex cell;
+    CellVertices vertices;
+    unsigned face;
+  };
+
+  void collect_holders(CellIndex c, const Vec3& p);
+  void flip_link(VertexIndex v);
+  std::size_t flip_queue(VertexIndex v);
+  bool is_current(const Candidate& q) const { return cells_[q.cell].vertices == q.vertices; }
+  bool locally_delaunay(FaceRef f);
+  bool try_flip(FaceRef f);
+  bool try_3_to_2(FaceRef f, FaceRef outer);
+  bool try_2_to_3(FaceRef f, FaceRef outer);
+  bool try_4_to_4(FaceRef f, FaceRef outer);
+  bool positive(const CellVertices& v);
+  bool all_positive();
+  bool adjacent(CellIndex c, VertexIndex a, VertexIndex b);
+  bool has_infinite(const CellVertices& v) const { return is_ghost(v); }
+  void replace();
+  unsigned index_of(CellIndex c, VertexIndex v) const { return mesh_.index_of(c, v); }
+
+  std::vector<CellIndex> old_;            ///< cells to be replaced
+  std::vector<CellVertices> new_;         ///< by these; after replace() their slots are in made_
+  std::vector<CellIndex> made_;
+  std::vector<Candidate> queue_;
+  std::size_t stuck_ = 0, flips_ = 0;
+};
+
+}  // namespace geomesh
