@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geomesh/geomodel/writers.hpp"
 #include "sets/sums.hpp"
-#include "writers/text_buffer.hpp"
 
 namespace geomesh::geomodel {
 

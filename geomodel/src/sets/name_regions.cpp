@@ -183,7 +183,7 @@ std::vector<Label> make_labels(const ConstrainedTetrahedralization& mesh, const 
       label = {seed_class, points[c], rules.seeds[points[c]].name};
     } else if (seed < rules.seed_names.size()) {
       label = {seed_class, seed, rules.seed_names[seed]};
-    } else if (const Index body = innermost_body(c, around, surfaces); body != no_index) {
+    } else if (const Index body = innermost_body(c, around, surfaces); rules.name_by_bodies && body != no_index) {
       label = {body_class, body, surfaces[body].name};
     } else if (hints[c] != no_index) {
       label = {hint_class, hints[c], rules.hints[hints[c]].name};

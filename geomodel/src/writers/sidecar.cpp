@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "writers/text_buffer.hpp"
+#include "geomesh/geomodel/writers.hpp"
 
 namespace geomesh::geomodel {
 

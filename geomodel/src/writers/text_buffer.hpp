@@ -38,7 +38,4 @@ class TextBuffer {
   std::string text_;
 };
 
-/// Complete or absent. Throws Error{usage} where the file cannot be written.
-void write_text_file(const std::filesystem::path& file, std::string_view content);
-
 }  // namespace geomesh::geomodel

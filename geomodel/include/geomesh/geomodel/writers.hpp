@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geomesh/geomodel/model_mesh.hpp"
@@ -35,5 +36,8 @@ void write_complete_or_absent(const std::filesystem::path& file, F&& write) {
     throw;
   }
 }
+
+/// A text file, complete or absent. Throws Error{usage} where it cannot be written.
+void write_text_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace geomesh::geomodel

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "writers/text_buffer.hpp"
+#include "geomesh/geomodel/writers.hpp"
 
 #include <fstream>
 
 #include "geomesh/core/error.hpp"
-#include "geomesh/geomodel/writers.hpp"
 
 namespace geomesh::geomodel {
 

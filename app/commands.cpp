@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+#include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/init.hpp"
+#include "geomesh/geomodel/writers.hpp"
+
+namespace geomesh::app {
+namespace {
+
+constexpr int status_faults_found = 3;
+
+void print_result(const geomodel::JobResult& result, Verbosity verbosity) {
+  if (verbosity == Verbosity::quiet) return;
+  for (const std::string& text : result.summary) std::cout << text << '\n';
+  for (const auto& file : result.files) std::cout << "wrote " << file.string() << '\n';
+}
+
+int run_command(const Help& help, const RunContext&, Verbosity) {
+  std::cout << help.text;
+  return 0;
+}
+
+int run_command(const ProjectCommand& command, const RunContext& context, Verbosity verbosity) {
+  geomodel::ProjectRequest request;
+  request.project = geomodel::read_project(command.project);
+  request.directory = command.directory;
+  request.report = command.report;
+  request.stop_after = command.stop_after;
+  print_result(geomodel::run_project(request, context), verbosity);
+  return 0;
+}
+
+int run_command(const geomodel::MeshRequest& request, const RunContext& context, Verbosity verbosity) {
+  print_result(geomodel::run_mesh(request, context), verbosity);
+  return 0;
+}
+
+int run_command(const geomodel::DelaunayRequest& request, const RunContext& context, Verbosity verbosity) {
+  print_result(geomodel::run_delaunay(request, context), verbosity);
+  return 0;
+}
+
+int run_command(const CheckCommand& command, const RunContext&, Verbosity verbosity) {
+  const geomodel::CheckResult result =
+      geomodel::check_mesh({command.mesh, command.project, command.surfaces, command.delaunay});
+  if (command.report) geomodel::write_text_file(*command.report, geomodel::to_json(result));
+  if (verbosity != Verbosity::quiet || !result.faults.empty()) std::cout << geomodel::to_text(result);
+  return result.faults.empty() ? 0 : status_faults_found;
+}
+
+int run_command(const InfoCommand&, const RunContext&, Verbosity) {
+  throw Error(ErrorKind::usage, "info is not offered yet");
+}
+
+int run_command(const InitCommand& command, const RunContext&, Verbosity verbosity) {
+  const auto project = geomodel::init_project(command.directory, command.template_name);
+  if (verbosity != Verbosity::quiet) std::cout << "wrote " << project.string() << "\nNow run: geomesh " << project.string() << '\n';
+  return 0;
+}
+
+}  // namespace
+
+int run(const CommandLine& line, const RunContext& context) {
+  return std::visit([&](const auto& command) { return run_command(command, context, line.verbosity); }, line.command);
+}
+
+}  // namespace geomesh::app

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "geomesh/geomodel/writers.hpp"
+
+namespace geomesh::app {
+namespace {
+
+const char* const overview = R"(geomesh: tetrahedral meshes of earth models, from surfaces that disagree.
+
+  geomesh PROJECT.yaml               mesh a project: rock units, faults, boundaries and wells named
+  geomesh mesh INPUT... -o OUT       mesh surface or PLC files, no project
+  geomesh delaunay POINTS -o OUT     Delaunay tetrahedralization of points
+  geomesh check MESH                 exact verification of a mesh, of any tool's
+  geomesh info FILE                  what a file holds, and what is wrong with it
+  geomesh init DIR                   a commented project that runs as it is
+
+Each has its own help: geomesh mesh --help, or geomesh --help-project for the first.
+Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad input data or faults found by check,
+4 cannot be meshed as asked, 130 and 143 interrupted. An output file is complete or absent.
+)";
+
+/// Options that every command has.
+struct Common {
+  unsigned threads = 0;
+  bool quiet = false, verbose = false;
+  std::string report;
+
+  void add_to(CLI::App& app) {
+    app.add_option("--threads", threads, "Number of threads (default: all cores); the result is the same")->check(CLI::Range(1u, 1024u));
+    auto* q = app.add_flag("--quiet", quiet, "Print warnings and errors only");
+    app.add_flag("--verbose", verbose, "Print details")->excludes(q);
+    app.add_option("--report", report, "Write a report (JSON) to this file")->type_name("FILE");
+  }
+  void apply(CommandLine& line) const {
+    line.threads = threads;
+    line.verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal;
+  }
+  std::optional<std::filesystem::path> report_file() const {
+    if (report.empty()) return std::nullopt;
+    return std::filesystem::path(report);
+  }
+};
+
+[[noreturn]] void usage_error(const std::string& message) { throw Error(ErrorKind::usage, message); }
+
+double parse_number(std::string_view text, const std::string& what) {
+  double value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    usage_error(what + ": expected a number, found \"" + std::string(text) + "\"");
+  return value;
+}
+
+Box3 parse_box(const std::string& text) {
+  std::vector<double> values;
+  for (std::string_view rest = text;;) {
+    const auto comma = rest.find(',');
+    values.push_back(parse_number(rest.substr(0, comma), "--box"));
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (values.size() != 6) usage_error("--box: expected six numbers x0,y0,z0,x1,y1,z1, found " + std::to_string(values.size()));
+  const Box3 box{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(box.min[i] < box.max[i])) usage_error(std::string("--box: the smaller ") + "xyz"[i] + " must come first, and differ from the larger");
+  return box;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+void check_output_extension(const std::filesystem::path& output) {
+  const auto& known = geomodel::known_formats();
+  const std::string extension = output.extension().string();
+  if (extension.empty() || std::find(known.begin(), known.end(), extension.substr(1)) == known.end())
+    usage_error("-o " + output.string() + ": unknown extension; known are " + joined(known));
+}
+
+void check_file_exists(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) usage_error("no such file: " + file.string());
+  if (std::filesystem::is_directory(file)) usage_error(file.string() + " is a folder, not a file");
+}
+
+void check_stage(const std::string& stage) {
+  const auto& names = geomodel::stage_names();
+  if (!stage.empty() && std::find(names.begin(), names.end(), stage) == names.end())
+    usage_error("--stop-after " + stage + ": no such stage; stages are " + joined(names));
+}
+
+/// Runs CLI11 and turns its exceptions into ours; true where help was asked for (its text is then in `help`).
+bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) {
+  try {
+    app.parse(argc, argv);
+    return false;
+  } catch (const CLI::CallForHelp&) {
+    help = app.help();
+    return true;
+  } catch (const CLI::ParseError& error) {
+    usage_error(std::string(error.what()) + "\nSee " + app.get_name() + " --help");
+  }
+}
+
+CommandLine parse_project(int argc, const char* const* argv) {
+  CLI::App app("Mesh a project: read its surfaces, intersect them, mesh, verify and write.", "geomesh PROJECT.yaml");
+  Common common;
+  std::string project, directory, stop_after, help;
+  app.add_option("PROJECT", project, "The project file (docs/project-file.md)")->required();
+  app.add_option("-o", directory, "Output folder (default: the project's output.directory)")->type_name("DIR");
+  app.add_option("--stop-after", stop_after, "Stop after this stage (intersect writes the soup and its offending spots for viewing)")
+      ->type_name("STAGE");
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  check_stage(stop_after);
+  check_file_exists(project);
+  common.apply(line);
+  ProjectCommand command{project, std::nullopt, common.report_file(), stop_after};
+  if (!directory.empty()) command.directory = directory;
+  line.command = command;
+  return line;
+}
+
+CommandLine parse_mesh(int argc, const char* const* argv) {
+  CLI::App app("Mesh surfaces or a PLC: OFF, OBJ, STL, PLY, VTP, GOCAD .ts/.ml, TetGen .poly/.smesh.", "geomesh mesh");
+  Common common;
+  std::vector<std::string> inputs;
+  std::string output, mode = "constrained", intersect = "auto", box, size, stop_after, help;
+  bool no_refine = false, preserve = false;
+  geomodel::MeshRequest request;
+  app.add_option("INPUT", inputs, "Surface files, or one PLC file")->required();
+  app.add_option("-o", output, "Output: OUT.vtu (mesh, faces, curves, report), or another extension for that file alone")
+      ->required()->type_name("OUT");
+  app.add_option("--mode", mode, "constrained: fewest added points; conforming: Delaunay by added points")
+      ->check(CLI::IsMember({"constrained", "conforming"}))->capture_default_str();
+  app.add_option("--intersect", intersect, "auto: resolve crossings and warn; always: resolve; never: refuse crossings")
+      ->check(CLI::IsMember({"auto", "always", "never"}))->capture_default_str();
+  app.add_flag("--no-refine", no_refine, "Add only the points that recovery needs (the default for now)");
+  app.add_flag("--preserve-boundary", preserve, "No added point on any surface or segment, only inside");
+  app.add_flag("--hull", request.keep_hull, "Keep the convex hull, as region \"hull\" where nothing else encloses it");
+  app.add_option("--box", box, "Cut by a box and mesh its inside")->type_name("x0,y0,z0,x1,y1,z1");
+  app.add_option("--size", size, "Wanted edge length (not offered yet)")->type_name("H");
+  app.add_option("--stop-after", stop_after, "Stop after this stage")->type_name("STAGE");
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  if (!size.empty()) usage_error("--size is not offered yet: leave it out; the mesh then has only the points that recovery needs");
+  check_stage(stop_after);
+  check_output_extension(output);
+  for (const std::string& input : inputs) {
+    check_file_exists(input);
+    request.inputs.emplace_back(input);
+  }
+  request.output = output;
+  request.options.recover.mode = mode == "conforming" ? MeshMode::conforming : MeshMode::constrained;
+  request.options.recover.preserve_boundary = preserve;
+  using Intersect = geomodel::MeshRequest::Intersect;
+  request.intersect = intersect == "never" ? Intersect::never : intersect == "always" ? Intersect::always : Intersect::automatic;
+  if (!box.empty()) request.box = parse_box(box);
+  request.report = common.report_file();
+  request.stop_after = stop_after;
+  common.apply(line);
+  line.command = request;
+  return line;
+}
+
+CommandLine parse_delaunay(int argc, const char* const* argv) {
+  CLI::App app("Delaunay tetrahedralization of points.", "geomesh delaunay");
+  Common common;
+  std::string points, output, algorithm = "cavity", cluster = "auto", help;
+  app.add_option("POINTS", points, "Lines of x y z (blanks or commas, a header line allowed), or a surface file")->required();
+  app.add_option("-o", output, "Output file")->required()->type_name("OUT");
+  app.add_option("--algorithm", algorithm, "cavity or flip: the result is the same")
+      ->check(CLI::IsMember({"cavity", "flip"}))->capture_default_str();
+  app.add_option("--cluster-distance", cluster, "Points nearer than this to an inserted one wait until the end: auto, or a length")
+      ->capture_default_str();
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  check_file_exists(points);
+  check_output_extension(output);
+  geomodel::DelaunayRequest request;
+  request.points = points;
+  request.output = output;
+  request.options.algorithm = algorithm == "flip" ? DelaunayAlgorithm::flip : DelaunayAlgorithm::cavity;
+  if (cluster != "auto") {
+    request.options.cluster_distance = parse_number(cluster, "--cluster-distance");
+    if (request.options.cluster_distance < 0) usage_error("--cluster-distance: a length cannot be negative");
+  }
+  request.report = common.report_file();
+  common.apply(line);
+  line.command = request;
+  return line;
+}
+
+CommandLine parse_check(int argc, const char* const* argv) {
+  CLI::App app("Verify a mesh exactly: any tool's. Exit 0 where it passes, 3 where it does not.", "geomesh check");
+  Common common;
+  std::string mesh, project, help;
+  std::vector<std::string> surfaces;
+  CheckCommand command;
+  app.add_option("MESH", mesh, "The mesh (.vtu)")->required();
+  auto* p = app.add_option("--project", project, "Check against this project's box and surfaces")->type_name("P");
+  app.add_option("--surfaces", surfaces, "Check that these surfaces are covered by mesh faces")->type_name("FILE...")->excludes(p);
+  app.add_flag("--delaunay", command.delaunay, "Check that the mesh is (constrained) Delaunay");
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  check_file_exists(mesh);
+  if (!project.empty()) check_file_exists(project);
+  for (const std::string& surface : surfaces) {
+    check_file_exists(surface);
+    command.surfaces.emplace_back(surface);
+  }
+  command.mesh = mesh;
+  command.project = project;
+  command.report = common.report_file();
+  common.apply(line);
+  line.command = command;
+  return line;
+}
+
+CommandLine parse_info(int argc, const char* const* argv) {
+  CLI::App app("Tell what a surface, grid, model or mesh file holds, and what is wrong with it.", "geomesh info");
+  Common common;
+  std::string file, help;
+  app.add_option("FILE", file, "Any file that geomesh reads")->required();
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  check_file_exists(file);
+  common.apply(line);
+  line.command = InfoCommand{file, common.report_file()};
+  return line;
+}
+
+CommandLine parse_init(int argc, const char* const* argv) {
+  CLI::App app("Make a folder with a commented project that runs as it is.", "geomesh init");
+  Common common;
+  std::string directory, template_name = "layers", help;
+  app.add_option("DIR", directory, "The folder to make; it must not hold a project yet")->required();
+  app.add_option("--template", template_name, "Which template")->capture_default_str()->type_name("NAME");
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  common.apply(line);
+  line.command = InitCommand{directory, template_name};
+  return line;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+  static const std::map<std::string, std::function<CommandLine(int, const char* const*)>> commands{
+      {"mesh", parse_mesh}, {"delaunay", parse_delaunay}, {"check", parse_check}, {"info", parse_info}, {"init", parse_init}};
+  CommandLine line;
+  if (argc < 2) usage_error(std::string("what should be meshed?\n\n") + overview);
+  const std::string first = argv[1];
+  if (first == "--help" || first == "-h" || first == "help") {
+    line.command = Help{overview};
+    return line;
+  }
+  if (first == "--version") {
+    line.command = Help{"geomesh " GEOMESH_VERSION "\n"};
+    return line;
+  }
+  if (first == "--help-project") {
+    const char* const help[] = {argv[0], "--help"};
+    return parse_project(2, help);
+  }
+  const auto command = commands.find(first);
+  if (command != commands.end()) return command->second(argc - 1, argv + 1);
+  return parse_project(argc, argv);
+}
+
+}  // namespace geomesh::app

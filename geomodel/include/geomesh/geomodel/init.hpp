@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `geomesh init`: a commented project with surfaces of its own that runs as it is.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace geomesh::geomodel {
+
+/// Names accepted by init_project.
+std::vector<std::string> template_names();
+
+/// Writes `directory`/project.yaml and `directory`/surfaces/*.ts; returns the project file. Throws Error{usage} where the template is
+/// unknown (lists the known ones), where a project.yaml is there already, or where the folder cannot be made.
+std::filesystem::path init_project(const std::filesystem::path& directory, const std::string& template_name);
+
+}  // namespace geomesh::geomodel

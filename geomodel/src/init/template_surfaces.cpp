@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "init/template_surfaces.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace geomesh::geomodel {
+namespace {
+
+/// The two triangles of each cell of a grid with (n+1) x (n+1) nodes stored row by row, diagonals alternating.
+void add_grid_triangles(TriangulatedSurface& surface, int n) {
+  const auto node = [n](int i, int j) { return static_cast<VertexIndex>(j * (n + 1) + i); };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const VertexIndex a = node(i, j), b = node(i + 1, j), c = node(i + 1, j + 1), d = node(i, j + 1);
+      if ((i + j) % 2 == 0) {
+        surface.triangles.push_back({a, b, c});
+        surface.triangles.push_back({a, c, d});
+      } else {
+        surface.triangles.push_back({a, b, d});
+        surface.triangles.push_back({b, c, d});
+      }
+    }
+}
+
+void append_number(std::string& text, double value) {
+  char buffer[32];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+  text.append(buffer, result.ptr);
+}
+
+}  // namespace
+
+TriangulatedSurface height_surface(const std::string& name, double x0, double x1, double y0, double y1, int n,
+                                   const std::function<double(double, double)>& height) {
+  TriangulatedSurface surface;
+  surface.name = name;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const double x = x0 + (x1 - x0) * i / n, y = y0 + (y1 - y0) * j / n;
+      surface.points.push_back({x, y, height(x, y)});
+    }
+  add_grid_triangles(surface, n);
+  return surface;
+}
+
+TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, const Vec3& u, const Vec3& v, int n) {
+  TriangulatedSurface surface;
+  surface.name = name;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) surface.points.push_back(origin + (double(i) / n) * u + (double(j) / n) * v);
+  add_grid_triangles(surface, n);
+  return surface;
+}
+
+TriangulatedSurface revolved_surface(const std::string& name, double x, double y, double bottom, double top, int rings, int sectors,
+                                     const std::function<double(double)>& radius) {
+  TriangulatedSurface surface;
+  surface.name = name;
+  surface.points.push_back({x, y, bottom});
+  for (int r = 1; r < rings; ++r)
+    for (int s = 0; s < sectors; ++s) {
+      const double t = double(r) / rings, angle = 2 * std::numbers::pi * (s + 0.5 * (r % 2)) / sectors;
+      surface.points.push_back({x + radius(t) * std::cos(angle), y + radius(t) * std::sin(angle), bottom + t * (top - bottom)});
+    }
+  surface.points.push_back({x, y, top});
+  const auto last = static_cast<VertexIndex>(surface.points.size() - 1);
+  const auto node = [sectors](int r, int s) { return static_cast<VertexIndex>(1 + (r - 1) * sectors + s % sectors); };
+  for (int s = 0; s < sectors; ++s) surface.triangles.push_back({0, node(1, s + 1), node(1, s)});
+  for (int r = 1; r + 1 < rings; ++r)
+    for (int s = 0; s < sectors; ++s) {
+      surface.triangles.push_back({node(r, s), node(r, s + 1), node(r + 1, s)});
+      surface.triangles.push_back({node(r, s + 1), node(r + 1, s + 1), node(r + 1, s)});
+    }
+  for (int s = 0; s < sectors; ++s) surface.triangles.push_back({last, node(rings - 1, s), node(rings - 1, s + 1)});
+  return surface;
+}
+
+std::string to_gocad(const TriangulatedSurface& surface) {
+  std::string text = "GOCAD TSurf 1\nHEADER {\nname: " + surface.name + "\n}\nTFACE\n";
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    text += "VRTX " + std::to_string(i + 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      text += ' ';
+      append_number(text, surface.points[i][k]);
+    }
+    text += '\n';
+  }
+  for (const Triangle& t : surface.triangles)
+    text += "TRGL " + std::to_string(t[0] + 1) + ' ' + std::to_string(t[1] + 1) + ' ' + std::to_string(t[2] + 1) + '\n';
+  return text + "END\n";
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/finish.hpp"
+
+#include <cstdio>
+
+#include "geomesh/geomodel/report.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "pipeline/soup_vtp.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+std::string count_words(std::size_t n, const char* what) { return std::to_string(n) + " " + what; }
+
+/// "5.1e+09 m3" as a person reads it: four significant digits.
+std::string volume_words(double volume) {
+  char text[64];
+  if (volume >= 1e8) {
+    std::snprintf(text, sizeof text, "%.4g km3", volume / 1e9);
+  } else {
+    std::snprintf(text, sizeof text, "%.4g m3", volume);
+  }
+  return text;
+}
+
+std::vector<std::string> summarise(const ModelMesh& mesh) {
+  std::vector<std::string> lines;
+  lines.push_back(count_words(mesh.tetrahedra.size(), "tetrahedra, ") + count_words(mesh.points.size(), "points, ") +
+                  count_words(mesh.faces.size(), "faces on surfaces, ") + count_words(mesh.regions.size(), "regions:"));
+  for (const Region& region : mesh.regions) {
+    char line[256];
+    std::snprintf(line, sizeof line, "  %3d  %-28s %10zu tetrahedra  %s", region.id, region.name.c_str(), region.n_tetrahedra,
+                  volume_words(region.volume).c_str());
+    lines.emplace_back(line);
+  }
+  return lines;
+}
+
+ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
+  ConstrainedTetrahedralization core =
+      tetrahedralize(model.plc.plc, model.options, recorder.context(), model.naming.keep_hull);
+  if (core.tetrahedra.empty()) {
+    throw Error(ErrorKind::cannot_mesh,
+                "the surfaces enclose nothing: there is no region to mesh. Close the surfaces, add a box (--box "
+                "x0,y0,z0,x1,y1,z1), or keep the convex hull (--hull)");
+  }
+  if (!core.recovery.facets_not_recovered.empty())
+    warn(model.warnings, recorder.context(),
+         count_words(core.recovery.facets_not_recovered.size(),
+                     "facets are in the mesh but not Delaunay: small angles between surfaces would need more points than the budget"));
+  return core;
+}
+
+ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, PreparedModel& model, StageRecorder& recorder) {
+  StageScope stage(recorder.context(), "verify");
+  const std::size_t known = model.warnings.size();
+  ModelMesh mesh = name_model(core, model.arrangement.soup, model.plc, model.surfaces, model.points, model.naming, model.warnings);
+  for (std::size_t i = known; i < model.warnings.size(); ++i) recorder.context().note(LogLevel::warning, model.warnings[i]);
+  mesh.name = model.name;
+  mesh.origin = model.origin;
+  const std::vector<std::string> faults = validate_model_mesh(mesh);
+  if (!faults.empty()) {
+    std::string all = "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
+    for (const std::string& fault : faults) all += "\n  " + fault;
+    throw InternalError(all);
+  }
+  recorder.context().note(LogLevel::info, count_words(mesh.tetrahedra.size(), "tetrahedra exactly positive and conforming"));
+  return mesh;
+}
+
+/// STEM.report.json and the further copy that was asked for.
+void write_reports(const OutputPlan& plan, Report& report, const PreparedModel& model, const StageRecorder& recorder,
+                   JobResult& result) {
+  for (const auto& file : result.files) report.files.push_back(file.filename().string());
+  report.stages = recorder.records();
+  report.warnings = model.warnings;
+  result.warnings = model.warnings;
+  if (plan.report_beside) {
+    const std::filesystem::path file = plan.stem.string() + ".report.json";
+    write_report(report, file);
+    result.files.push_back(file);
+  }
+  if (plan.report_copy) {
+    write_report(report, *plan.report_copy);
+    result.files.push_back(*plan.report_copy);
+  }
+}
+
+Report begin_report(const PreparedModel& model) {
+  Report report;
+  report.command = model.command;
+  report.name = model.name;
+  report.input_json = model.input_json;
+  report.arrangement = &model.arrangement;
+  return report;
+}
+
+void make_output_folder(const OutputPlan& plan) {
+  if (!plan.stem.parent_path().empty()) std::filesystem::create_directories(plan.stem.parent_path());
+}
+
+JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder) {
+  JobResult result;
+  Report report = begin_report(model);
+  const ConstrainedTetrahedralization core = mesh_core(model, recorder);
+  report.core = &core;
+  const ModelMesh mesh = name_and_verify(core, model, recorder);
+  report.mesh = &mesh;
+  report.quality = measure_quality(mesh);
+  result.summary = summarise(mesh);
+  {
+    StageScope stage(recorder.context(), "write");
+    make_output_folder(plan);
+    for (const std::string& format : plan.formats)
+      for (auto& file : write_format(mesh, format, plan.stem)) result.files.push_back(std::move(file));
+    recorder.context().note(LogLevel::info, count_words(result.files.size(), "files"));
+  }
+  write_reports(plan, report, model, recorder, result);
+  return result;
+}
+
+JobResult stop_early(PreparedModel& model, const OutputPlan& plan, const StageRecorder& recorder) {
+  JobResult result;
+  Report report = begin_report(model);
+  make_output_folder(plan);
+  if (recorder.stop_after() == "intersect")
+    for (auto& file : write_soup_vtp(model.arrangement, model.surfaces, plan.stem)) result.files.push_back(std::move(file));
+  write_reports(plan, report, model, recorder, result);
+  result.summary.push_back("stopped after " + recorder.stop_after() + ", as asked");
+  return result;
+}
+
+}  // namespace
+
+void warn(std::vector<std::string>& warnings, const RunContext& context, std::string text) {
+  context.note(LogLevel::warning, text);
+  warnings.push_back(std::move(text));
+}
+
+JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder, const std::function<void()>& prepare) {
+  try {
+    prepare();
+    return mesh_and_write(model, plan, recorder);
+  } catch (const StopRequested&) {
+    return stop_early(model, plan, recorder);
+  }
+}
+
+}  // namespace geomesh::geomodel

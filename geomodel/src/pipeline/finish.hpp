@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What project and mesh jobs share from the soup on: mesh, name, verify, write.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/build_model.hpp"
+#include "geomesh/geomodel/pipeline.hpp"
+#include "pipeline/stage_recorder.hpp"
+
+namespace geomesh::geomodel {
+
+/// Everything known once the surfaces have been intersected.
+struct PreparedModel {
+  std::string command, name;
+  std::vector<TriangulatedSurface> surfaces;  ///< input surfaces followed by the box sides
+  std::vector<NamedPoint> points;
+  ArrangementResult arrangement;
+  ModelPlc plc;
+  NamingRules naming;
+  TetrahedralizeOptions options;
+  Vec3 origin{0, 0, 0};
+  std::string input_json;
+  std::vector<std::string> warnings;
+};
+
+struct OutputPlan {
+  std::filesystem::path stem;         ///< without extension
+  std::vector<std::string> formats;   ///< as known_formats()
+  bool report_beside = true;          ///< STEM.report.json
+  std::optional<std::filesystem::path> report_copy;
+};
+
+/// Runs `prepare` (stages read, build, intersect: fills the model), then the stages delaunay to write. With a stage to stop after,
+/// ends there with the report, and after `intersect` with the soup and its offending spots for viewing. Nothing is written where
+/// verification finds a fault (InternalError) or an error is thrown.
+JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder, const std::function<void()>& prepare);
+
+/// Collects a warning and passes it on to the log at once.
+void warn(std::vector<std::string>& warnings, const RunContext& context, std::string text);
+
+}  // namespace geomesh::geomodel
