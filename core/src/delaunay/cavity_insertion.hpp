@@ -37,6 +37,7 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
     FaceRef outer;                                ///< the face as seen from outside the cavity
   };
 
+  bool conflicts(CellIndex n, const Vec3& p, const FaceConflicts* estimate, unsigned i);
   bool find_cavity(CellIndex first, const Vec3& p);
   void close_cavity();
   bool star_shaped(const Vec3& p);
@@ -87,6 +88,17 @@ InsertionOutcome CavityInsertion<Space, Shared>::insert(VertexIndex v, double cl
   return InsertionOutcome::inserted;
 }
 
+/// Whether cell n is in conflict with p; `estimate`, where given, knows about the neighbour across face i.
+template <class Space, bool Shared>
+inline bool CavityInsertion<Space, Shared>::conflicts(CellIndex n, const Vec3& p, [[maybe_unused]] const FaceConflicts* estimate,
+                                                      [[maybe_unused]] unsigned i) {
+  const CellVertices& w = cells_[n].vertices;
+  if (flags_[n] & ghost_flag) return space_.ghost_conflict(w, p);
+  if constexpr (dimension == 3)
+    if (estimate) return space_.finite_conflict(w, p, estimate->value[i], estimate->error[i]);
+  return space_.finite_conflict(w, p);
+}
+
 template <class Space, bool Shared>
 bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p) {
   cavity_.clear();
@@ -103,29 +115,19 @@ bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p)
       open |= (flags_[outer.cell()] & cavity_flag ? 0u : 1u) << i;
     }
     if (open == 0) continue;
-    FaceConflicts estimate;
     const bool finite = !(flags_[cavity_[k]] & ghost_flag);
+    FaceConflicts estimate;
     if constexpr (dimension == 3)
       if (finite) space_.estimate_neighbors(cell.vertices, apex, p, estimate);
     for (unsigned i = 0; i < n_faces; ++i) {
-      if (!(open >> i & 1u)) continue;
       const FaceRef outer = cell.neighbors[i];
       const CellIndex n = outer.cell();
-      const std::uint8_t flags = flags_[n];
-      if (flags & cavity_flag) continue;
-      const CellVertices& w = cells_[n].vertices;
+      if (!(open >> i & 1u) || (flags_[n] & cavity_flag)) continue;
       ++conflict_tests_;
-      bool conflict;
-      if (flags & ghost_flag)
-        conflict = space_.ghost_conflict(w, p);
-      else if (dimension == 3 && finite)
-        conflict = space_.finite_conflict(w, p, estimate.value[i], estimate.error[i]);
-      else
-        conflict = space_.finite_conflict(w, p);
-      if (conflict) {
+      if (conflicts(n, p, finite ? &estimate : nullptr, i)) {
         if constexpr (Shared)
-          if (!this->owns_cell(w)) return false;
-        flags_[n] = flags | cavity_flag;
+          if (!this->owns_cell(cells_[n].vertices)) return false;
+        flags_[n] |= cavity_flag;
         cavity_.push_back(n);
         for (const FaceRef next : cells_[n].neighbors) __builtin_prefetch(&cells_[next.cell()]);
       } else {

@@ -8,15 +8,11 @@
 
 #include "delaunay/cavity_insertion.hpp"
 #include "delaunay/space3.hpp"
+#include "delaunay/twins.hpp"
 #include "geomesh/core/delaunay.hpp"
 #include "geomesh/core/run_context.hpp"
 
 namespace geomesh {
-
-/// A position whose point equals an inserted vertex.
-struct Twin {
-  VertexIndex position, vertex;
-};
 
 /// Parallel insertion after the idea of HXT (Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion tetrahedra"): a
 /// part is a stretch of the Hilbert curve, it may only change cells all of whose vertices lie on its stretch, and a point that needs

@@ -11,6 +11,7 @@
 #include "delaunay/flip_insertion.hpp"
 #include "delaunay/parallel.hpp"
 #include "delaunay/spatial_order.hpp"
+#include "delaunay/twins.hpp"
 #include "geomesh/core/predicates.hpp"
 
 namespace geomesh {
@@ -47,19 +48,6 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
   if (!bring(3, [&](VertexIndex v) { return orient3d(a, b, c, points[v]) != Sign::zero; })) throw no_volume("in one plane");
   if (orient3d(a, b, c, points[order[3]]) == Sign::negative) return {1, 0, 2, 3};
   return {0, 1, 2, 3};
-}
-
-/// Gives each vertex the least id of the points equal to it, and each point that id.
-std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
-  std::vector<VertexIndex> representative(n);
-  for (VertexIndex i = 0; i < n; ++i) representative[i] = i;
-  for (const Twin& t : twins) {
-    VertexIndex &kept = records[t.vertex].id, &other = records[t.position].id;
-    if (other < kept) std::swap(kept, other);
-    representative[other] = kept;
-  }
-  for (VertexIndex i = 0; i < n; ++i) representative[i] = representative[representative[i]];
-  return representative;
 }
 
 /// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine bits, if any two points

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The predicates of incremental triangulation in a plane in space.
+#pragma once
+
+#include "delaunay/point_record.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+
+namespace geomesh {
+
+/// As Space3, of exactly coplanar points. Orientations are those of the projection along `axis`, which is not parallel to the plane.
+class PlaneSpace {
+ public:
+  static constexpr int dimension = 2;
+  using CellVertices = TriMesh::CellVertices;
+
+  PlaneSpace(PointRecord* points, VertexIndex infinite, int axis) : points_(points), infinite_(infinite), axis_(axis) {}
+
+  static Vec2 project(const Vec3& p, int axis) { return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y}; }
+
+  PointRecord& record(VertexIndex v) const { return points_[v]; }
+  VertexIndex infinite() const { return infinite_; }
+
+  /// Sign of the orientation of edge `face` of a finite cell with p: negative where p is beyond it.
+  Sign side(const CellVertices& v, unsigned face, const Vec3& p) const {
+    return orientation(points_[v[(face + 1) % 3]], points_[v[(face + 2) % 3]], p);
+  }
+  bool finite_conflict(const CellVertices& v, const Vec3& p) const {
+    return in_circle_coplanar_perturbed(points_[v[0]], points_[v[1]], points_[v[2]], p) == Sign::positive;
+  }
+  /// The ghost's edge has p strictly beyond it, or strictly between its ends.
+  bool ghost_conflict(const CellVertices& v, const Vec3& p) const {
+    unsigned g = 0;
+    while (v[g] != infinite_) ++g;
+    const Vec3 &a = points_[v[(g + 1) % 3]], &b = points_[v[(g + 2) % 3]];
+    const Sign s = orientation(a, b, p);
+    if (s != Sign::zero) return s == Sign::positive;
+    return compare_lexicographic(a, p) * compare_lexicographic(p, b) > 0;
+  }
+  double squared_distance(VertexIndex v, const Vec3& p) const {
+    const Vec3 d = points_[v] - p;
+    return dot(d, d);
+  }
+
+ private:
+  Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    return orient2d(project(a, axis_), project(b, axis_), project(c, axis_));
+  }
+
+  PointRecord* points_;
+  VertexIndex infinite_;
+  int axis_;
+};
+
+}  // namespace geomesh

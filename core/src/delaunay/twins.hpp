@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Points with equal coordinates.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "delaunay/point_record.hpp"
+
+namespace geomesh {
+
+/// A position whose point equals an inserted vertex.
+struct Twin {
+  VertexIndex position, vertex;
+};
+
+/// Gives each vertex the least id of the points equal to it; returns that id for each point, its own where it has no twin.
+inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
+  std::vector<VertexIndex> representative(n);
+  for (VertexIndex i = 0; i < n; ++i) representative[i] = i;
+  for (const Twin& t : twins) {
+    VertexIndex &kept = records[t.vertex].id, &other = records[t.position].id;
+    if (other < kept) std::swap(kept, other);
+    representative[other] = kept;
+  }
+  // A kept id is replaced by lesser ones only, so going upwards each reference is final when it is followed.
+  for (VertexIndex i = 0; i < n; ++i) representative[i] = representative[representative[i]];
+  return representative;
+}
+
+}  // namespace geomesh
