@@ -68,7 +68,7 @@ TEST_CASE("solids conform to Delaunay", "[recover][shared]") {
   }
 }
 
-TEST_CASE("crossing facets are refused with both named", "[recover][shared]") {
+TEST_CASE("real models that cross themselves are refused", "[recover][shared]") {
   if (!have_shared_data()) return;
   for (const char* name : {"two_spheres.obj", "Gravgen.obj"}) {
     INFO(name);

@@ -57,6 +57,7 @@ void ConformingRecovery::find_sharp_vertices() {
 VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRecord record) {
   const DelaunayInsertion insertion = insert_delaunay(mesh_, p, mesh_.cell_of(near));
   if (insertion.vertex == no_vertex) return no_vertex;
+  recovery_.count_added_point();
   constraints_.vertices.resize(mesh_.points().size());
   constraints_.vertices[insertion.vertex] = record;
   sharp_.resize(mesh_.points().size(), 0);

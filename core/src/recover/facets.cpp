@@ -113,6 +113,7 @@ class FacetRecovery {
       if (insert_in_star(mesh_, constraints, x, ring.cells)) {
         constraints.vertices.resize(mesh_.points().size());
         constraints.vertices[x] = {VertexOrigin::on_facet, constraints.subfacets[subfacet_].facet};
+        recovery_.count_added_point();
         sides_.add_member(x);
         is_plain_ = false;
         return true;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "plc/find_crossing.hpp"
+
 namespace geomesh::recover {
 
 namespace {
@@ -131,6 +133,26 @@ void fail_facet_not_recovered(const Recovery& recovery, Index subfacet) {
               describe_subfacet(recovery, subfacet) + " cannot be recovered: no double near it makes positive cells" +
                   advice(ErrorKind::cannot_mesh),
               context_of(recovery, {f.facet}, {f.vertices[0], f.vertices[1], f.vertices[2]}));
+}
+
+void Recovery::count_added_point() {
+  if (++n_points_added == 100 + input_vertex.size() / 50) refuse_crossings();
+}
+
+void Recovery::refuse_crossings() const {
+  const auto crossing = find_crossing(plc);
+  if (!crossing) return;
+  ErrorContext where;
+  where.facets.push_back(crossing->facet);
+  if (crossing->edge_facet != no_index) where.facets.push_back(crossing->edge_facet);
+  where.vertices = {crossing->a, crossing->b};
+  where.places = {plc.points[crossing->a], plc.points[crossing->b]};
+  const std::string owner = crossing->edge_facet == no_index ? "" : " of facet " + std::to_string(crossing->edge_facet);
+  throw Error(ErrorKind::invalid_input,
+              "the edge from vertex " + std::to_string(crossing->a) + " to vertex " + std::to_string(crossing->b) + owner + " at " +
+                  coordinates(plc.points[crossing->a]) + " meets facet " + std::to_string(crossing->facet) +
+                  " outside shared vertices and edges" + advice(ErrorKind::invalid_input),
+              std::move(where));
 }
 
 }  // namespace geomesh::recover

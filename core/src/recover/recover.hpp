@@ -21,6 +21,14 @@ struct Recovery {
   const RunContext& context;
   /// Row in plc.points per vertex (no_vertex where added), for messages.
   const std::vector<VertexIndex>& input_vertex;
+  const PiecewiseLinearComplex& plc;
+  std::size_t n_points_added = 0;
+
+  /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a valid model hardly
+  /// ever takes the model is searched for crossings. Throws Error{invalid_input} with both items.
+  void count_added_point();
+  /// Searches the model for crossings; throws as above where there is one.
+  void refuse_crossings() const;
 };
 
 /// Every live subsegment is an edge of the mesh afterwards: flips first (segments_by_flips.cpp), then points on segments

@@ -106,6 +106,7 @@ void recover_by_points(Recovery& recovery, Missing first) {
     if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, 200)) continue;
     const VertexIndex x = insert_on_segment(recovery, item.subsegment);
     if (x == no_vertex) fail_segment_not_recovered(recovery, item.subsegment);
+    recovery.count_added_point();
     const bool inside_facet = s.segment == no_index;
     constraints.vertices.resize(mesh.points().size());
     constraints.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment, inside_facet ? s.facet : s.segment};

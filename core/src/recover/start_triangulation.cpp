@@ -111,7 +111,7 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, Declared
   {
     ConstrainedMesh mesh(delaunay.mesh, out.points, model.input_vertex.size());
     RecoveryStatistics unused;
-    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex};
+    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc};
     out.missing_facets = count_missing_subfacets(recovery);
   }
   if (may_scale && out.missing_edges > 20 && 10 * out.missing_edges > model.constraints.subsegments.size())

@@ -23,6 +23,29 @@ void refuse_invalid(const PiecewiseLinearComplex& plc) {
   throw Error(ErrorKind::invalid_input, message, faults[0].context);
 }
 
+/// Segments (3.1), facets (3.2), what is still missing (3.3).
+void recover_constraints(const PiecewiseLinearComplex& plc, DeclaredModel& model, ConstrainedMesh& mesh, RecoveryStatistics& statistics,
+                         const RecoverOptions& options, const RunContext& context) {
+  const StageScope stage(context, "recover");
+  Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc};
+  try {
+    if (options.mode == MeshMode::conforming) {
+      recover::ConformingRecovery conforming(recovery, options);
+      conforming.run();
+      statistics.facets_not_recovered = conforming.facets_given_up();
+    }
+    recover::recover_segments(recovery);
+    recover::recover_facets(recovery);
+    if (options.preserve_boundary || options.mode == MeshMode::constrained) recover::remove_added_points(recovery);
+    if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
+  } catch (const Error& e) {
+    // What cannot be meshed may be invalid in a place that recovery did not see first.
+    if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
+    throw;
+  }
+  recover::validate_recovered(recovery);
+}
+
 }  // namespace
 
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
@@ -45,21 +68,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   statistics.missing_edges_initial = start.missing_edges;
   statistics.missing_facets_before_segments = start.missing_facets;
   ConstrainedMesh mesh(std::move(start.mesh), std::move(start.points), model.input_vertex.size());
-  {
-    const StageScope stage(context, "recover");
-    Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex};
-    if (options.recover.mode == MeshMode::conforming) {
-      recover::ConformingRecovery conforming(recovery, options.recover);
-      conforming.run();
-      statistics.facets_not_recovered = conforming.facets_given_up();
-    }
-    recover::recover_segments(recovery);
-    recover::recover_facets(recovery);
-    const bool preserve = options.recover.preserve_boundary;
-    if (preserve || options.recover.mode == MeshMode::constrained) recover::remove_added_points(recovery);
-    if (preserve) recover::require_untouched_boundary(recovery);
-    recover::validate_recovered(recovery);
-  }
+  recover_constraints(plc, model, mesh, statistics, options.recover, context);
   const StageScope stage(context, "classify");
   ConstrainedTetrahedralization out = classify::classify(mesh, model, plc, context, keep_hull);
   const std::size_t n_tetrahedra = out.tetrahedra.size();

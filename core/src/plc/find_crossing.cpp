@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "plc/find_crossing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geomesh/core/predicates.hpp"
+
+namespace geomesh {
+
+namespace {
+
+struct Item {
+  Box3 box;
+  VertexIndex a = no_vertex, b = no_vertex, c = no_vertex;  ///< c: none for an edge
+  Index facet = no_index;
+};
+
+bool overlap(const Box3& a, const Box3& b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a.max[i] < b.min[i] || b.max[i] < a.min[i]) return false;
+  return true;
+}
+
+class CrossingSearch {
+ public:
+  explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
+
+  std::optional<PlcCrossing> run() {
+    collect();
+    const std::size_t axis = longest_axis();
+    const auto by_min = [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; };
+    std::stable_sort(edges_.begin(), edges_.end(), by_min);
+    std::stable_sort(triangles_.begin(), triangles_.end(), by_min);
+    std::optional<PlcCrossing> best;
+    std::vector<std::size_t> active;
+    std::size_t next = 0;
+    for (const Item& e : edges_) {
+      for (; next < triangles_.size() && triangles_[next].box.min[axis] <= e.box.max[axis]; ++next) active.push_back(next);
+      std::erase_if(active, [&](std::size_t t) { return triangles_[t].box.max[axis] < e.box.min[axis]; });
+      for (std::size_t t : active)
+        if (overlap(e.box, triangles_[t].box) && meet(e, triangles_[t])) keep_first(best, e, triangles_[t]);
+      if (best) return best;
+    }
+    return best;
+  }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return plc_.points[v]; }
+
+  Item make(VertexIndex a, VertexIndex b, VertexIndex c, Index facet) const {
+    Item out{{}, a, b, c, facet};
+    out.box.add(point(a));
+    out.box.add(point(b));
+    if (c != no_vertex) out.box.add(point(c));
+    return out;
+  }
+  void collect() {
+    for (Index f = 0; f < plc_.n_facets(); ++f) {
+      for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
+        const auto loop = plc_.loop(l);
+        for (std::size_t i = 0; i < loop.size(); ++i) edges_.push_back(make(loop[i], loop[(i + 1) % loop.size()], no_vertex, f));
+      }
+      const auto outer = plc_.outer_loop(f);
+      if (plc_.n_loops(f) == 1 && outer.size() == 3) triangles_.push_back(make(outer[0], outer[1], outer[2], f));
+    }
+    for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
+  }
+  std::size_t longest_axis() const {
+    Box3 box;
+    for (const Vec3& p : plc_.points) box.add(p);
+    const Vec3 size = box.max - box.min;
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  }
+  void keep_first(std::optional<PlcCrossing>& best, const Item& e, const Item& t) const {
+    const PlcCrossing found{e.a, e.b, e.facet, t.facet};
+    if (!best || found.facet < best->facet) best = found;
+  }
+
+  static bool has(const Item& t, VertexIndex v) { return v == t.a || v == t.b || v == t.c; }
+  bool meet(const Item& e, const Item& t) const {
+    const bool has_a = has(t, e.a), has_b = has(t, e.b);
+    if (has_a && has_b) return false;
+    const Sign sa = orient3d(point(t.a), point(t.b), point(t.c), point(e.a));
+    const Sign sb = orient3d(point(t.a), point(t.b), point(t.c), point(e.b));
+    if (sa == Sign::zero && sb == Sign::zero) return meet_in_plane(e, t, has_a, has_b);
+    if (has_a || has_b || sa * sb == Sign::positive) return false;
+    const Sign s0 = orient3d(point(e.a), point(e.b), point(t.a), point(t.b)), s1 = orient3d(point(e.a), point(e.b), point(t.b), point(t.c)),
+               s2 = orient3d(point(e.a), point(e.b), point(t.c), point(t.a));
+    const bool no_negative = s0 != Sign::negative && s1 != Sign::negative && s2 != Sign::negative;
+    const bool no_positive = s0 != Sign::positive && s1 != Sign::positive && s2 != Sign::positive;
+    return no_negative || no_positive;
+  }
+  bool meet_in_plane(const Item& e, const Item& t, bool has_a, bool has_b) const {
+    const Vec3 n = cross(point(t.b) - point(t.a), point(t.c) - point(t.a));
+    const unsigned axis = std::fabs(n.x) >= std::fabs(n.y) && std::fabs(n.x) >= std::fabs(n.z) ? 0 : std::fabs(n.y) >= std::fabs(n.z) ? 1 : 2;
+    const auto flat = [&](VertexIndex v) { return Vec2{point(v)[(axis + 1) % 3], point(v)[(axis + 2) % 3]}; };
+    std::array<Vec2, 3> c{flat(t.a), flat(t.b), flat(t.c)};
+    if (orient2d(c[0], c[1], c[2]) == Sign::negative) std::swap(c[1], c[2]);
+    const Vec2 p = flat(e.a), q = flat(e.b);
+    if ((!has_a && contains(c, p)) || (!has_b && contains(c, q))) return true;
+    for (unsigned i = 0; i < 3; ++i) {
+      const Vec2 &u = c[i], &v = c[(i + 1) % 3];
+      if (u == p || u == q || v == p || v == q) continue;
+      if (orient2d(p, q, u) * orient2d(p, q, v) == Sign::negative && orient2d(u, v, p) * orient2d(u, v, q) == Sign::negative) return true;
+    }
+    return false;
+  }
+  static bool contains(const std::array<Vec2, 3>& c, const Vec2& p) {
+    return orient2d(c[0], c[1], p) != Sign::negative && orient2d(c[1], c[2], p) != Sign::negative && orient2d(c[2], c[0], p) != Sign::negative;
+  }
+
+  const PiecewiseLinearComplex& plc_;
+  std::vector<Item> edges_, triangles_;
+};
+
+}  // namespace
+
+std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc) { return CrossingSearch(plc).run(); }
+
+}  // namespace geomesh

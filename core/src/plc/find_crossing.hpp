@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Exact search for items of a PLC that meet where they may not. Recovery does without: it asks only where it has had to add more points
+/// than a valid model is likely to need.
+#pragma once
+
+#include <optional>
+
+#include "geomesh/core/plc.hpp"
+
+namespace geomesh {
+
+/// A segment or facet border and a triangular facet that meet outside shared vertices and edges.
+struct PlcCrossing {
+  VertexIndex a = no_vertex, b = no_vertex;  ///< the edge
+  Index edge_facet = no_index;               ///< a facet that has it, or no_index for a segment of its own
+  Index facet = no_index;                    ///< the facet met
+};
+
+/// The first one by edge, then facet. Triangles are searched, polygons are not (declaring them has checked them within). O(n log n) plus
+/// pairs whose boxes overlap along the longest axis.
+std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
+
+}  // namespace geomesh
