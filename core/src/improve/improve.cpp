@@ -30,6 +30,8 @@ Schedule schedule_of(QualityLevel level) {
   }
 }
 
+constexpr unsigned first_pass_with_points = 2;
+
 struct BadCell {
   double shape;
   CellIndex cell;
@@ -100,9 +102,28 @@ class Improver {
     std::size_t n = 0, visited = 0;
     for (const BadCell& b : cells_below(shape_of_angle(schedule_.target_angle))) {
       if (++visited % 64 == 0 && out_of_time()) break;
-      if (unchanged(b) && repair_cell(b, pass)) ++n;
+      if (!unchanged(b) || known_hopeless(b.cell)) continue;
+      if (repair_cell(b, pass))
+        ++n;
+      else if (pass >= first_pass_with_points)
+        remember_failure(b.cell);
     }
     return n;
+  }
+
+  /// Everything was tried in vain, and nothing about the cell has changed since.
+  bool known_hopeless(CellIndex c) {
+    if (c >= failed_at_.size() || failed_at_[c] == 0) return false;
+    for (const VertexIndex v : mesh_.vertices(c)) {
+      mesh_.star(v, tools_.work.marks, tools_.work.cells);
+      for (const CellIndex k : tools_.work.cells)
+        if (mesh_.changed_at(k) > failed_at_[c]) return false;
+    }
+    return true;
+  }
+  void remember_failure(CellIndex c) {
+    if (c >= failed_at_.size()) failed_at_.resize(mesh_.n_slots() + mesh_.n_slots() / 8 + 1, 0);
+    failed_at_[c] = mesh_.clock();
   }
 
   bool repair_cell(const BadCell& b, unsigned pass) {
@@ -112,7 +133,7 @@ class Improver {
     for (const VertexIndex v : b.vertices) moved |= smooth_vertex(tools_, v, rule);
     if (moved || pass == 0) return moved;
     if (collapse(b)) return true;
-    return pass >= 2 && b.shape < shape_of_angle(schedule_.insertion_angle) && add_point(b);
+    return pass >= first_pass_with_points && b.shape < shape_of_angle(schedule_.insertion_angle) && add_point(b);
   }
 
   bool collapse(const BadCell& b) {
@@ -134,6 +155,7 @@ class Improver {
   const RunContext& context_;
   Schedule schedule_;
   double budget_;
+  std::vector<std::uint64_t> failed_at_;  // by cell: the mesh's clock then
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -12,8 +12,9 @@ namespace {
 class SizeFieldBuilder {
  public:
   SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
-                   const std::vector<Index>& patch)
+                   const std::vector<Index>& patch, double tolerance)
       : plc_(plc),
+        tolerance_(tolerance),
         mesh_(mesh),
         options_(options),
         patch_(patch),
@@ -21,7 +22,7 @@ class SizeFieldBuilder {
         at_vertex_(mesh.n_vertices(), infinity) {}
 
   SizeField run() {
-    if (options_.from_input_edges) add_input_edges();
+    add_input_edges();
     visit_faces();
     add_curve_sizes();
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
@@ -56,19 +57,20 @@ class SizeFieldBuilder {
       }
   }
 
-  /// At each vertex on a surface the mean length of the constrained edges there. Means, not least lengths: input meshes have
-  /// stray short edges that should not be copied into their surroundings.
+  /// At each vertex on a surface the harmonic mean of the lengths of the constrained edges there: in an even triangulation their
+  /// mean; near a few short edges among long ones a few times the short ones, which is what elements of good shape need there.
   void add_input_edges() {
     std::vector<double> sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
+    shortest_.assign(mesh_.n_vertices(), infinity);
     for_each_face([&](CellIndex, unsigned, const Triangle& t, Index) {
       for (unsigned k = 0; k < 3; ++k) {
         const VertexIndex a = t[k], b = t[(k + 1) % 3];
         const double l = distance(mesh_.point(a), mesh_.point(b));
-        for (const VertexIndex v : {a, b}) sum[v] += l, count[v] += 1;
+        for (const VertexIndex v : {a, b}) sum[v] += 1 / l, count[v] += 1, shortest_[v] = std::min(shortest_[v], l);
       }
     });
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
-      if (count[v] > 0) ask(v, sum[v] / count[v]);
+      if (options_.from_input_edges && count[v] > 0) ask(v, count[v] / sum[v]);
   }
 
   /// Sizes of patches hold over their faces, curvature at their edges.
@@ -78,7 +80,7 @@ class SizeFieldBuilder {
       if (patch >= options_.patch_size.size() || !(options_.patch_size[patch] > 0)) return;
       add_triangle(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), options_.patch_size[patch]);
     });
-    if (options_.curvature_angle > 0) add_curvature();
+    if (options_.curvature_angle > 0 || tolerance_ > 0) add_curvature();
   }
 
   /// A large triangle of the input is covered with sources no farther apart than its size asks for (at most a few thousand).
@@ -131,9 +133,15 @@ class SizeFieldBuilder {
       if (x.edge != y.edge || x.patch != y.patch) continue;
       const double turn = std::acos(std::clamp(std::abs(dot(x.normal, y.normal)), 0.0, 1.0));
       if (turn < 1e-3 || turn > 0.8) continue;  // flat, or a crease
-      const double size = options_.curvature_angle * std::acos(-1.0) / 180 * distance(x.centroid, y.centroid) / turn;
+      const double radius = distance(x.centroid, y.centroid) / turn;
+      double size = infinity;
+      if (options_.curvature_angle > 0) size = options_.curvature_angle * std::acos(-1.0) / 180 * radius;
+      if (tolerance_ > 0) size = std::min(size, std::max(std::sqrt(8 * radius * tolerance_), shortest_at(x.edge)));
       for (const VertexIndex v : x.edge) ask(v, size);
     }
+  }
+  double shortest_at(const std::array<VertexIndex, 2>& edge) const {
+    return edge[0] < shortest_.size() ? std::min(shortest_[edge[0]], shortest_[edge[1]]) : 0;
   }
   static bool compare(const Vec3& a, const Vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
@@ -192,18 +200,20 @@ class SizeFieldBuilder {
   }
 
   const PiecewiseLinearComplex& plc_;
+  double tolerance_;  // of surfaces; 0 where they are kept exactly
   const DomainMesh& mesh_;
   const SizeOptions& options_;
   const std::vector<Index>& patch_;
   std::vector<SizeSource> sources_;
   std::vector<double> at_vertex_;
+  std::vector<double> shortest_;  // input edge at a vertex
 };
 
 }  // namespace
 
 SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
-                           const std::vector<Index>& facet_patch) {
-  return SizeFieldBuilder(plc, mesh, options, facet_patch).run();
+                           const std::vector<Index>& facet_patch, double tolerance) {
+  return SizeFieldBuilder(plc, mesh, options, facet_patch, tolerance).run();
 }
 
 double estimate_elements(const DomainMesh& mesh, const SizeField& size) {

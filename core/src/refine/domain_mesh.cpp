@@ -26,6 +26,7 @@ void DomainMesh::reserve(std::size_t n_vertices, std::size_t n_cells) {
   component_.reserve(n_cells);
   tags_.reserve(n_cells);
   shape_.reserve(n_cells);
+  changed_.reserve(n_cells);
 }
 
 CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
@@ -34,6 +35,7 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
     component_.push_back(component);
     tags_.emplace_back();
     shape_.push_back(0);
+    changed_.push_back(0);
   } else {
     component_[c] = component;
     tags_[c] = {};
@@ -46,6 +48,7 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
 void DomainMesh::refresh_shape(CellIndex c) {
   const Tetrahedron& t = mesh_.vertices(c);
   shape_[c] = shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
+  changed_[c] = ++clock_;
 }
 
 std::array<VertexIndex, 3> DomainMesh::face_key(const Tetrahedron& t, unsigned i) {

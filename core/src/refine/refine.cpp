@@ -24,6 +24,8 @@ void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
   if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets()) refuse("one patch must be given for each facet");
 }
 
+double size_tolerance(const RefineOptions& o) { return o.honour == Honour::tolerance ? o.tolerance : 0; }
+
 void check_estimate(double estimate, std::size_t limit) {
   if (estimate <= static_cast<double>(limit)) return;
   throw Error(ErrorKind::cannot_mesh, "the sizes ask for about " + std::to_string(static_cast<long long>(estimate)) +
@@ -59,6 +61,7 @@ double share_of_edges_within_size(Toolbox& tools) {
 
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
   const StageScope stage(context, "refine");
+  if (options.honour == Honour::tolerance) remesh::regularize_surfaces(tools, context);
   remesh::collapse_short_edges(tools, false, context);
   remesh::split_long_edges(tools, true, options.max_elements, context);
   remesh::flip_towards_delaunay(tools, context);
@@ -108,8 +111,8 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
                          const RefineOptions& options) {
   check_options(plc, options);
   const DomainMesh domain = remesh::import_domain(plc, mesh, options);
-  return remesh::estimate_elements(domain,
-                                   remesh::build_size_field(plc, domain, options.size, remesh::named_patches(plc, options)));
+  return remesh::estimate_elements(
+      domain, remesh::build_size_field(plc, domain, options.size, remesh::named_patches(plc, options), size_tolerance(options)));
 }
 
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
@@ -118,7 +121,8 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   RefineResult result;
   DomainMesh mesh = remesh::import_domain(plc, input, options);
   const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
-  result.size_field = remesh::build_size_field(plc, mesh, options.size, remesh::named_patches(plc, options));
+  result.size_field =
+      remesh::build_size_field(plc, mesh, options.size, remesh::named_patches(plc, options), size_tolerance(options));
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   if (options.refine) {
     result.statistics.estimated_elements = remesh::estimate_elements(mesh, result.size_field);

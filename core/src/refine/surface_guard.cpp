@@ -17,6 +17,10 @@ std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
+/// Between samples a face may be farther from the reference than at any of them. Operations are held to this share of the
+/// tolerance.
+constexpr double sampling_margin = 0.7;
+
 /// Newell's normal of a loop, of length one, or zero.
 Vec3 loop_normal(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
   Vec3 n;
@@ -54,7 +58,7 @@ double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFa
 }  // namespace
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance)
-    : honour_(honour), tolerance_(tolerance) {
+    : honour_(honour), tolerance_(sampling_margin * tolerance) {
   for (Index f = 0; f < plc.n_facets(); ++f) {
     facet_normal_.push_back(loop_normal(plc, plc.outer_loop(f)));
     facet_point_.push_back(plc.points[plc.outer_loop(f)[0]]);

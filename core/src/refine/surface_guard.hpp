@@ -35,7 +35,6 @@ class SurfaceGuard {
   SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance);
 
   bool exact() const { return honour_ == Honour::exact; }
-  double tolerance() const { return tolerance_; }
 
   /// Direction in which a vertex on a patch may not move: normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
@@ -61,7 +60,7 @@ class SurfaceGuard {
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
   Honour honour_ = Honour::exact;
-  double tolerance_ = 0;
+  double tolerance_ = 0;                          // what samples are held to
   std::vector<Vec3> facet_normal_, facet_point_;  // by facet
   ClosestPointTrees patches_, curves_;
   ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
