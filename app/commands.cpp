@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/init.hpp"
 #include "geomesh/geomodel/writers.hpp"
 
@@ -52,8 +53,11 @@ int run_command(const CheckCommand& command, const RunContext&, Verbosity verbos
   return result.faults.empty() ? 0 : status_faults_found;
 }
 
-int run_command(const InfoCommand&, const RunContext&, Verbosity) {
-  throw Error(ErrorKind::usage, "info is not offered yet");
+int run_command(const InfoCommand& command, const RunContext&, Verbosity) {
+  const geomodel::FileInfo info = geomodel::describe_file(command.file);
+  if (command.report) geomodel::write_text_file(*command.report, geomodel::to_json(info));
+  std::cout << geomodel::to_text(info);
+  return 0;
 }
 
 int run_command(const InitCommand& command, const RunContext&, Verbosity verbosity) {

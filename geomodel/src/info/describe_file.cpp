@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <map>
+
+#include "check/mesh_files.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/info.hpp"
+#include "geomesh/geomodel/readers.hpp"
+#include "sets/sums.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+bool may_be_mesh(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".vtu" || extension == ".msh" || extension == ".inp";
+}
+
+/// False where the file holds no tetrahedra.
+bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
+  const checking::MeshFile file = checking::read_mesh_file(path);
+  if (file.tetrahedra.empty()) return false;
+  info.format = file.format;
+  MeshInfo mesh;
+  mesh.n_points = file.points.size();
+  mesh.n_tetrahedra = file.tetrahedra.size();
+  mesh.n_other_solids = file.n_other_solids;
+  mesh.n_lower_cells = file.n_lower_cells;
+  mesh.region_array = file.region_array;
+  for (const Vec3& p : file.points) mesh.bounds.add(p);
+  std::map<std::int32_t, std::size_t> counts;
+  for (const std::int32_t id : file.region) ++counts[id];
+  for (const auto& [id, n] : counts) {
+    const auto name = file.region_names.find(id);
+    mesh.regions.push_back({id, name == file.region_names.end() ? "" : name->second, n});
+  }
+  if (file.region.empty()) info.warnings.push_back("no region array: the solver will see one material");
+  if (file.n_other_solids > 0)
+    info.warnings.push_back(std::to_string(file.n_other_solids) + " cells are solids other than tetrahedra");
+  if (file.single_precision)
+    info.warnings.push_back("coordinates are stored in single precision: at UTM northings that is half a metre");
+  info.meshes.push_back(std::move(mesh));
+  return true;
+}
+
+void describe_plc(const std::filesystem::path& path, FileInfo& info) {
+  const PlcFile file = read_plc_file(path);
+  info.format = "TetGen PLC";
+  info.n_facets = file.plc.n_facets();
+  info.regions = file.region_names;
+  info.warnings = file.warnings;
+  info.notes.push_back(std::to_string(file.plc.points.size()) + " points, " + std::to_string(file.plc.hole_seeds.size()) + " holes");
+}
+
+std::string place(const Vec3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.8g, %.8g, %.8g)", p.x, p.y, p.z);
+  return text;
+}
+
+void warn_of_surface(const SurfaceInfo& s, std::vector<std::string>& warnings) {
+  if (s.n_triangles == 0) warnings.push_back(s.name + " has no triangle");
+  if (s.n_degenerate > 0) warnings.push_back(s.name + " has " + std::to_string(s.n_degenerate) + " triangles of zero area");
+  if (s.n_repeated > 0) warnings.push_back(s.name + " has " + std::to_string(s.n_repeated) + " repeated triangles");
+  if (s.n_non_manifold_edges > 0)
+    warnings.push_back(s.name + " has " + std::to_string(s.n_non_manifold_edges) + " edges with more than two triangles, one near " +
+                       place(s.non_manifold_place));
+  if (s.n_misoriented_edges > 0)
+    warnings.push_back(s.name + " has " + std::to_string(s.n_misoriented_edges) + " edges whose triangles are oriented differently");
+}
+
+void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {
+  FileContents contents = read_surface_file(path);
+  info.format = contents.format;
+  info.notes = std::move(contents.notes);
+  info.warnings = std::move(contents.warnings);
+  for (TriangulatedSurface& surface : contents.surfaces) {
+    if (surface.name.empty()) surface.name = path.stem().string();
+    info.surfaces.push_back(measure_surface(surface));
+    warn_of_surface(info.surfaces.back(), info.warnings);
+  }
+  for (const Polyline& line : contents.polylines) {
+    CompensatedSum length;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      const Vec3 step = line.points[i] - line.points[i - 1];
+      length.add(std::sqrt(dot(step, step)));
+    }
+    info.polylines.push_back({line.name, line.points.size(), length.value()});
+  }
+  info.n_named_points = contents.points.size();
+  for (const RegionHint& region : contents.regions) info.regions.push_back(region.name);
+}
+
+}  // namespace
+
+FileInfo describe_file(const std::filesystem::path& path) {
+  FileInfo info;
+  info.file = path.filename().string();
+  if (may_be_mesh(path) && describe_mesh(path, info)) return info;
+  if (is_plc_file(path)) {
+    describe_plc(path, info);
+  } else {
+    describe_surfaces(path, info);
+  }
+  return info;
+}
+
+}  // namespace geomesh::geomodel
