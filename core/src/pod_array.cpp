@@ -42,8 +42,7 @@ void* resize_block(void*& raw, void* data, std::size_t used, std::size_t bytes) 
   if (moved == nullptr) throw std::bad_alloc();
   raw = moved;
   void* start = aligned(raw);
-  if (used != 0 && start != static_cast<char*>(raw) + shift)
-    std::memmove(start, static_cast<char*>(raw) + shift, used);
+  if (used != 0 && start != static_cast<char*>(raw) + shift) std::memmove(start, static_cast<char*>(raw) + shift, used);
   ask_for_huge_pages(start, bytes);
   return start;
 }

@@ -40,7 +40,8 @@ double bytes_a_tetrahedron(const Measurement& m) {
 }
 
 void compare_peers(const std::vector<std::string>& inputs, std::size_t n, const Settings& settings) {
-  std::printf("| input | points | triangulator | CPU s | million tetrahedra a CPU second | times geomesh | bytes a tetrahedron |\n");
+  std::printf(
+      "| input | points | triangulator | CPU s | million tetrahedra a CPU second | times geomesh | bytes a tetrahedron |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   for (const std::string& input : inputs) {
     const std::vector<Vec3> points = make_points(input, n, seed);
@@ -71,9 +72,11 @@ void growth(const Settings& settings) {
   for (std::size_t n = 100000; n <= settings.largest; n *= 10) {
     const std::vector<Vec3> points = make_points("uniform", n, seed);
     std::vector<Measurement> runs;
-    for (int r = 0; r < (n > 1000000 ? 1 : settings.repetitions); ++r) runs.push_back(measure({[&] { return run_geomesh(points, {}, 1); }})[0]);
+    for (int r = 0; r < (n > 1000000 ? 1 : settings.repetitions); ++r)
+      runs.push_back(measure({[&] { return run_geomesh(points, {}, 1); }})[0]);
     const Measurement m = median(runs, &Measurement::cpu_s);
-    std::printf("| %zu | %.3f | %.1f | %.2f |\n", n, m.cpu_s, bytes_a_tetrahedron(m), static_cast<double>(m.answer.walk_steps) / static_cast<double>(n));
+    std::printf("| %zu | %.3f | %.1f | %.2f |\n", n, m.cpu_s, bytes_a_tetrahedron(m),
+                static_cast<double>(m.answer.walk_steps) / static_cast<double>(n));
     std::fflush(stdout);
   }
 }
@@ -94,8 +97,8 @@ void threads(const Settings& settings) {
   const double t1 = median(alone, &Measurement::wall_s).wall_s, tb = median(beside, &Measurement::wall_s).wall_s,
                t2 = median(two, &Measurement::wall_s).wall_s;
   std::printf("| run | wall s | speed-up |\n|---|---|---|\n");
-  std::printf("| one thread | %.2f | 1 |\n| two runs of one thread side by side | %.2f | %.2f |\n| two threads | %.2f | %.2f |\n", t1, tb,
-              2 * t1 / tb, t2, t1 / t2);
+  std::printf("| one thread | %.2f | 1 |\n| two runs of one thread side by side | %.2f | %.2f |\n| two threads | %.2f | %.2f |\n",
+              t1, tb, 2 * t1 / tb, t2, t1 / t2);
   const double c1 = median(cgal_one, &Measurement::wall_s).wall_s, c2 = median(cgal_two, &Measurement::wall_s).wall_s;
   std::printf("| CGAL with TBB, one thread | %.2f | 1 |\n| CGAL with TBB, two threads | %.2f | %.2f |\n", c1, c2, c1 / c2);
   std::printf("\nTwo threads reach %.0f %% of the speed-up of two independent runs.\n", 100 * (t1 / t2) / (2 * t1 / tb));
@@ -112,8 +115,8 @@ void clusters(const Settings& settings) {
     const Measurement m = median(runs, &Measurement::cpu_s);
     char label[32];
     std::snprintf(label, sizeof label, "%g", distance);
-    std::printf("| %s | %zu | %.2f | %zu | %.2f |\n", distance < 0 ? "auto" : label, m.answer.deferred, m.cpu_s, m.answer.exact_calls,
-                static_cast<double>(m.answer.walk_steps) / static_cast<double>(points.size()));
+    std::printf("| %s | %zu | %.2f | %zu | %.2f |\n", distance < 0 ? "auto" : label, m.answer.deferred, m.cpu_s,
+                m.answer.exact_calls, static_cast<double>(m.answer.walk_steps) / static_cast<double>(points.size()));
     std::fflush(stdout);
   }
 }
@@ -122,12 +125,18 @@ Settings parse(int argc, char** argv) {
   Settings s;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string key = argv[i], value = argv[i + 1];
-    if (key == "--repetitions") s.repetitions = std::stoi(value);
-    else if (key == "--tetgen-repetitions") s.tetgen_repetitions = std::stoi(value);
-    else if (key == "--size") s.size = std::stoul(value);
-    else if (key == "--largest") s.largest = std::stoul(value);
-    else if (key == "--section") s.sections.insert(value);
-    else std::fprintf(stderr, "unknown option %s\n", key.c_str()), std::exit(2);
+    if (key == "--repetitions")
+      s.repetitions = std::stoi(value);
+    else if (key == "--tetgen-repetitions")
+      s.tetgen_repetitions = std::stoi(value);
+    else if (key == "--size")
+      s.size = std::stoul(value);
+    else if (key == "--largest")
+      s.largest = std::stoul(value);
+    else if (key == "--section")
+      s.sections.insert(value);
+    else
+      std::fprintf(stderr, "unknown option %s\n", key.c_str()), std::exit(2);
   }
   return s;
 }
@@ -142,9 +151,13 @@ void section(const Settings& settings, const char* name, const char* title, cons
 
 int main(int argc, char** argv) {
   const Settings settings = parse(argc, argv);
-  section(settings, "ratios", "One core", [&] { compare_peers({"uniform", "horizons", "clusters", "grid"}, settings.size, settings); });
+  section(settings, "ratios", "One core", [&] {
+    compare_peers({"uniform", "horizons", "clusters", "grid"}, settings.size, settings);
+  });
   section(settings, "small", "A tenth of the points", [&] { compare_peers({"uniform"}, settings.size / 10, settings); });
-  section(settings, "degenerate", "Degenerate inputs", [&] { compare_peers({"sphere", "plane", "line"}, settings.size / 10, settings); });
+  section(settings, "degenerate", "Degenerate inputs", [&] {
+    compare_peers({"sphere", "plane", "line"}, settings.size / 10, settings);
+  });
   section(settings, "growth", "Growth", [&] { growth(settings); });
   section(settings, "threads", "Threads", [&] { threads(settings); });
   section(settings, "clusters", "Deferred insertion of clustered points", [&] { clusters(settings); });

@@ -11,7 +11,9 @@ namespace {
 
 using Engine = std::mt19937_64;
 
-double uniform(Engine& random, double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53; }
+double uniform(Engine& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+}
 
 Vec3 in_cube(Engine& random, double half) {
   const double x = uniform(random, -half, half), y = uniform(random, -half, half);
@@ -24,7 +26,8 @@ std::vector<Vec3> horizons(std::size_t n, Engine& random) {
   for (std::size_t i = 0; i < n; ++i) {
     const double x = uniform(random, 0, 50000), y = uniform(random, 0, 50000);
     const double layer = static_cast<double>(i % 10);
-    const double fold = 200 * std::sin(x / 4000) * std::cos(y / 6000) + 15 * std::sin(x / 700 + layer) + 10 * std::cos(y / 900 - layer);
+    const double fold =
+        200 * std::sin(x / 4000) * std::cos(y / 6000) + 15 * std::sin(x / 700 + layer) + 10 * std::cos(y / 900 - layer);
     points[i] = {x, y, -2000 - 35 * layer + fold};
   }
   return points;

@@ -25,8 +25,8 @@ struct Measurement {
   Answer answer;
 };
 
-/// Forks, runs each job and measures it there, so that no run sees the heap that another left and a crash is a result. Several jobs
-/// run side by side.
+/// Forks, runs each job and measures it there, so that no run sees the heap that another left and a crash is a result. Several
+/// jobs run side by side.
 std::vector<Measurement> measure(const std::vector<Job>& side_by_side);
 
 }  // namespace geomesh::bench

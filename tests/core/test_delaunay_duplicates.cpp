@@ -47,10 +47,13 @@ TEST_CASE("Delaunay: inputs without volume and unsafe coordinates get an answer"
     plane.push_back({0.1 * (i % 23), 0.3 * (i / 23), 0});
     line.push_back({double(i), 2.0 * i, 3.0 * i});
   }
-  CHECK(kind_of(plane) == std::pair(ErrorKind::cannot_mesh, std::string("all points lie in one plane: there is no volume to triangulate")));
-  CHECK(kind_of(line) == std::pair(ErrorKind::cannot_mesh, std::string("all points lie on one line: there is no volume to triangulate")));
+  CHECK(kind_of(plane) ==
+        std::pair(ErrorKind::cannot_mesh, std::string("all points lie in one plane: there is no volume to triangulate")));
+  CHECK(kind_of(line) ==
+        std::pair(ErrorKind::cannot_mesh, std::string("all points lie on one line: there is no volume to triangulate")));
   CHECK(kind_of({{1, 1, 1}, {1, 1, 1}}).first == ErrorKind::cannot_mesh);
   CHECK(kind_of({}).first == ErrorKind::cannot_mesh);
   CHECK(kind_of({{1, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1e-300, 1}}).first == ErrorKind::invalid_input);
-  CHECK(kind_of({{1, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 1}}).first == ErrorKind::invalid_input);
+  CHECK(kind_of({{1, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 1}}).first ==
+        ErrorKind::invalid_input);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The flip algorithm: the same tetrahedra as the cavity algorithm, no stuck face in insertion; flips from starts that are not Delaunay.
+// The flip algorithm: the same tetrahedra as the cavity algorithm, no stuck face in insertion; flips from starts that are not
+// Delaunay.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -93,4 +94,46 @@ TEST_CASE("Delaunay: flips from a start that is not Delaunay keep a valid mesh a
   }
   CHECK(clean > 0);
   WARN("flips from split-only starts: " << clean << " of 20 reach Delaunay, " << stuck_total << " faces stuck in the others");
+}
+
+TEST_CASE("Delaunay: stuck faces are counted and mended from starts tangled by flips at random", "[delaunay]") {
+  std::size_t n_stuck = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    const VertexIndex n = 40;
+    std::vector<Vec3> points;
+    std::vector<PointRecord> records(n + 1);
+    while (points.size() < n) points.push_back({coordinate(random), coordinate(random), coordinate(random)});
+    for (VertexIndex v = 0; v < n; ++v) static_cast<Vec3&>(records[v]) = points[v];
+    const auto expected = delaunay_tetrahedralization(points);
+    TetMesh mesh = expected.mesh;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+      for (unsigned i = 0; i < 4; ++i)
+        if (mesh.vertex(c, i) == infinite_vertex) {
+          mesh.set_vertex(c, i, n);
+          mesh.flags(c) = FlipInsertion::ghost_flag;
+        }
+    SlotSource slots;
+    slots.restart(mesh.n_slots(), mesh.n_slots());
+    FlipInsertion tangle(mesh, Space3(records.data(), n, 0), slots);
+    for (int k = 0; k < 3000; ++k) {
+      const auto c = static_cast<CellIndex>(random() % mesh.n_slots());
+      const bool used = mesh.is_live(c) && c < tangle.slots().used_end();
+      const auto unused = tangle.slots().unused(mesh.n_slots());
+      if (used && std::find(unused.begin(), unused.end(), c) == unused.end()) tangle.flip_face(FaceRef(c, random() % 4));
+    }
+    tangle.slots().finish(mesh);
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+      for (unsigned i = 0; i < 4; ++i)
+        if (mesh.vertex(c, i) == n) mesh.set_vertex(c, i, infinite_vertex);
+    REQUIRE(validate_topology(mesh).empty());
+    REQUIRE(validate_geometry(mesh, points).empty());
+    REQUIRE_FALSE(validate_delaunay(mesh, points).empty());
+    n_stuck += make_delaunay(mesh, points) > 0;
+    CHECK(validate_topology(mesh).empty());
+    CHECK(validate_delaunay(mesh, points).empty());
+    CHECK(finite_cells(mesh) == finite_cells(expected.mesh));
+  }
+  CHECK(n_stuck > 0);
 }

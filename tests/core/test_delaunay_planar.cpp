@@ -41,7 +41,8 @@ TEST_CASE("planar Delaunay: every perturbed circle is empty and the hull is fill
   std::mt19937_64 random(3);
   for (const int side : {3, 7, 1000000}) {
     std::vector<Vec2> points;
-    for (int i = 0; i < 150; ++i) points.push_back({double(random() % static_cast<unsigned>(side)), double(random() % static_cast<unsigned>(side))});
+    for (int i = 0; i < 150; ++i)
+      points.push_back({double(random() % static_cast<unsigned>(side)), double(random() % static_cast<unsigned>(side))});
     const auto result = delaunay_triangulation(points);
     check_links(result.mesh);
     for (CellIndex c = 0; c < result.mesh.n_slots(); ++c) {

@@ -20,7 +20,7 @@ std::vector<Vec3> points_of_kind(int kind, std::size_t n) {
     Vec3& p = points[i];
     p = {coordinate(random), coordinate(random), coordinate(random)};
     if (kind == 1) p = {double(random() % 60), double(random() % 60), double(random() % 60)};  // a lattice with equal points
-    if (kind == 2) p = std::pow(10.0, -double(i % 8)) * p;                                       // crowded towards the middle
+    if (kind == 2) p = std::pow(10.0, -double(i % 8)) * p;                                     // crowded towards the middle
   }
   return points;
 }
@@ -45,7 +45,8 @@ TEST_CASE("Delaunay: the same bytes on 1, 2 and 5 threads", "[delaunay]") {
         REQUIRE(many.mesh.n_slots() == one.mesh.n_slots());
         bool same = many.representative == one.representative;
         for (CellIndex c = 0; c < one.mesh.n_slots(); ++c)
-          same = same && one.mesh.vertices(c) == many.mesh.vertices(c) && one.mesh.cells()[c].neighbors == many.mesh.cells()[c].neighbors;
+          same = same && one.mesh.vertices(c) == many.mesh.vertices(c) &&
+                 one.mesh.cells()[c].neighbors == many.mesh.cells()[c].neighbors;
         CHECK(same);
         CHECK(many.statistics.points_deferred == one.statistics.points_deferred);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predicates against rationals: sign tables, near-degenerate sweeps, scalings by powers of two and of ten, random degenerate grids.
+// Predicates against rationals: sign tables, near-degenerate sweeps, scalings by powers of two and of ten, random degenerate
+// grids.
 #include <CGAL/Gmpq.h>
 
 #include <algorithm>

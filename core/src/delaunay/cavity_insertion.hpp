@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions: locate, find the
-/// conflict zone, stellate.
+/// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions: locate, find
+/// the conflict zone, stellate.
 #pragma once
 
 #include <cstring>
@@ -13,12 +13,13 @@
 
 namespace geomesh {
 
-/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1); builds with
-/// expensive checks assert it by P2 for every face.
+/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1); builds
+/// with expensive checks assert it by P2 for every face.
 template <class Space, bool Shared = false>
 class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   using Base = IncrementalTriangulation<Space, Shared>;
-  using Base::cavity_flag, Base::cells_, Base::dimension, Base::flags_, Base::ghost_flag, Base::infinite_, Base::n_faces, Base::space_;
+  using Base::cavity_flag, Base::cells_, Base::dimension, Base::flags_, Base::ghost_flag, Base::infinite_, Base::n_faces,
+      Base::space_;
   using typename Base::Cell, typename Base::CellVertices;
 
  public:
@@ -51,9 +52,9 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
 
   static constexpr unsigned table_side = 64;
 
-  std::vector<CellIndex> cavity_;       ///< then the slots of the new cells, by boundary face
+  std::vector<CellIndex> cavity_;  ///< then the slots of the new cells, by boundary face
   std::vector<BoundaryFace> boundary_;
-  std::vector<VertexIndex> numbered_;   ///< vertices of the boundary by local number
+  std::vector<VertexIndex> numbered_;  ///< vertices of the boundary by local number
   std::uint16_t infinite_local_ = PointRecord::no_local;
   /// 3D: the new cell's face on the directed boundary edge (a, b) at a * table_side + b. 2D: that on boundary vertex a.
   std::array<FaceRef, table_side * table_side> table_;
@@ -206,8 +207,8 @@ void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexIndex v) {
   flags_[cavity_[k]] = ghost ? ghost_flag : 0;
 }
 
-/// The common path: boundary vertices numbered from 0, new faces in a square table by directed edge; each entry is written before it is
-/// read, so the table is never cleared.
+/// The common path: boundary vertices numbered from 0, new faces in a square table by directed edge; each entry is written before
+/// it is read, so the table is never cleared.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   numbered_.clear();

@@ -20,15 +20,24 @@ struct PartRun {
   std::vector<Twin> twins;
 };
 
-void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::vector<VertexIndex>& positions, std::size_t first, double distance) {
-  run.left.assign(positions.begin() + static_cast<std::ptrdiff_t>(run.begin), positions.begin() + static_cast<std::ptrdiff_t>(first));
+void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::vector<VertexIndex>& positions, std::size_t first,
+                 double distance) {
+  run.left.assign(positions.begin() + static_cast<std::ptrdiff_t>(run.begin),
+                  positions.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t i = first; i < run.end; ++i) {
     const VertexIndex v = positions[i];
     switch (part.insert(v, distance)) {
-      case InsertionOutcome::inserted: break;
-      case InsertionOutcome::duplicate: run.twins.push_back({v, part.twin()}); break;
-      case InsertionOutcome::too_near: run.too_near.push_back(v); break;
-      case InsertionOutcome::not_owned: run.left.push_back(v); break;
+      case InsertionOutcome::inserted:
+        break;
+      case InsertionOutcome::duplicate:
+        run.twins.push_back({v, part.twin()});
+        break;
+      case InsertionOutcome::too_near:
+        run.too_near.push_back(v);
+        break;
+      case InsertionOutcome::not_owned:
+        run.left.push_back(v);
+        break;
     }
   }
 }
@@ -45,8 +54,14 @@ std::vector<PartRun> cut_curve(std::size_t n_parts) {
 
 CavityStage::CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit, double cluster_distance,
                          const RunContext& context)
-    : mesh_(mesh), records_(records), n_points_(n_points), space_(records, n_points, unit), cluster_distance_(cluster_distance),
-      context_(context), threads_(thread_count(context.threads)), sequential_(mesh, space_, SlotSource(0, 0, 0, 1)) {}
+    : mesh_(mesh),
+      records_(records),
+      n_points_(n_points),
+      space_(records, n_points, unit),
+      cluster_distance_(cluster_distance),
+      context_(context),
+      threads_(thread_count(context.threads)),
+      sequential_(mesh, space_, SlotSource(0, 0, 0, 1)) {}
 
 void CavityStage::report() {
   context_.check_cancelled();
@@ -78,16 +93,22 @@ void CavityStage::insert_all(const std::vector<VertexIndex>& positions, double d
 void CavityStage::insert_one_by_one(const std::vector<VertexIndex>& positions, double distance) {
   for (const VertexIndex v : positions) {
     switch (sequential_.insert(v, distance)) {
-      case InsertionOutcome::duplicate: twins_.push_back({v, sequential_.twin()}); break;
-      case InsertionOutcome::too_near: waiting_.push_back(v); break;
-      default: break;
+      case InsertionOutcome::duplicate:
+        twins_.push_back({v, sequential_.twin()});
+        break;
+      case InsertionOutcome::too_near:
+        waiting_.push_back(v);
+        break;
+      default:
+        break;
     }
     if (++n_done_ % 65536 == 0) report();
   }
 }
 
 /// First position whose point lies in a cell that the part owns, which becomes its hint; `end` where a few tries find none.
-std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& positions, std::size_t begin, std::size_t end, Ownership owned) {
+std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& positions, std::size_t begin, std::size_t end,
+                                    Ownership owned) {
   constexpr std::size_t step = 48, tries = 64;
   for (std::size_t i = begin; i < std::min(end, begin + step * tries); i += step) {
     const CellIndex c = sequential_.locate(records_[positions[i]]);

@@ -17,13 +17,21 @@
 namespace geomesh {
 namespace {
 
+/// 8 cells a point are room for any input that is meshed in linear size; cells have 30 bits.
+constexpr std::size_t most_points = 120000000;
+
 void check_coordinates(std::span<const Vec3> points) {
+  if (points.size() > most_points)
+    throw Error(ErrorKind::cannot_mesh, std::to_string(points.size()) + " points are more than the " +
+                                            std::to_string(most_points) +
+                                            " that cells with 32-bit indices can hold; mesh parts of the model one by one");
   if (exponents_are_safe(points)) return;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (exponents_are_safe(points.subspan(i, 1))) continue;
     throw Error(ErrorKind::invalid_input,
-                "point " + std::to_string(i) + " has a coordinate that is not finite, or so large or so near zero that exact arithmetic "
-                "would over- or underflow (allowed: 0 and magnitudes from 2^-148 to 2^148, about 3e-45 to 3e44)",
+                "point " + std::to_string(i) +
+                    " has a coordinate that is not finite, or so large or so near zero that exact arithmetic "
+                    "would over- or underflow (allowed: 0 and magnitudes from 2^-148 to 2^148, about 3e-45 to 3e44)",
                 {{}, {}, {static_cast<VertexIndex>(i)}, {points[i]}});
   }
 }
@@ -50,8 +58,9 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
   return {0, 1, 2, 3};
 }
 
-/// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine bits, if any two points
-/// that follow each other on the curve are that near; else none. Waiting costs more than it saves at larger distances (docs/performance.md).
+/// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine bits, if any
+/// two points that follow each other on the curve are that near; else none. Waiting costs more than it saves at larger distances
+/// (docs/performance.md).
 double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   Box3 box;
   double least = std::numeric_limits<double>::infinity();
@@ -66,8 +75,8 @@ double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   return least < distance * distance ? distance : 0;
 }
 
-std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<PointRecord>& records, const Tetrahedron& first, double unit,
-                                  double cluster_distance, const RunContext& context) {
+std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<PointRecord>& records, const Tetrahedron& first,
+                                  double unit, double cluster_distance, const RunContext& context) {
   const auto n = static_cast<VertexIndex>(records.size() - 1);
   FlipInsertion insertion(result.mesh, Space3(records.data(), n, unit), SlotSource(0, 0, 0, 1));
   insertion.start(first);
@@ -93,7 +102,8 @@ std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<P
 }
 
 /// From positions in insertion order to the caller's rows.
-void finish(DelaunayTetrahedralization& result, const std::vector<Twin>& twins, PodArray<PointRecord>& records, unsigned threads) {
+void finish(DelaunayTetrahedralization& result, const std::vector<Twin>& twins, PodArray<PointRecord>& records,
+            unsigned threads) {
   TetMesh::Cell* cells = result.mesh.cells();
   result.representative = merge_twins(twins, records.data(), static_cast<VertexIndex>(records.size() - 1));
   for_each_index(result.mesh.n_slots(), threads, [&](std::size_t c) {
@@ -104,7 +114,8 @@ void finish(DelaunayTetrahedralization& result, const std::vector<Twin>& twins, 
 
 }  // namespace
 
-DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> points, const DelaunayOptions& options, const RunContext& context) {
+DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> points, const DelaunayOptions& options,
+                                                       const RunContext& context) {
   check_coordinates(points);
   const unsigned threads = thread_count(context.threads);
   const auto n = static_cast<VertexIndex>(points.size());
@@ -134,12 +145,59 @@ DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> poi
   CavityStage stage(mesh, records.data(), n, unit, distance, context);
   stage.start(first);
   for (std::size_t r = 0; r + 1 < round_begin.size(); ++r)
-    if (round_begin[r + 1] > 4) stage.insert_round(static_cast<VertexIndex>(std::max<std::size_t>(round_begin[r], 4)), static_cast<VertexIndex>(round_begin[r + 1]));
+    if (round_begin[r + 1] > 4)
+      stage.insert_round(static_cast<VertexIndex>(std::max<std::size_t>(round_begin[r], 4)),
+                         static_cast<VertexIndex>(round_begin[r + 1]));
   stage.insert_waiting();
   stage.finish(result.statistics);
 
   finish(result, stage.twins(), records, threads);
   return result;
+}
+
+std::size_t make_delaunay(TetMesh& mesh, std::span<const Vec3> points) {
+  check_coordinates(points);
+  const auto n = static_cast<VertexIndex>(points.size());
+  PodArray<PointRecord> records;
+  records.grow_to(std::size_t{n} + 1);
+  std::vector<char> used(points.size(), 0);
+  for (VertexIndex v = 0; v < n; ++v) records[v] = PointRecord{points[v], v};
+  records[n] = PointRecord{Vec3{}, infinite_vertex};
+  mesh.compact();
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    mesh.flags(c) = mesh.is_ghost(c) ? FlipInsertion::ghost_flag : 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      const VertexIndex v = mesh.vertex(c, i);
+      if (v == infinite_vertex)
+        mesh.set_vertex(c, i, n);
+      else
+        used[v] = 1;
+    }
+  }
+  SlotSource slots;
+  slots.restart(mesh.n_slots(), mesh.n_slots());
+  FlipInsertion flips(mesh, Space3(records.data(), n, coordinate_unit(points)), slots);
+  const std::size_t stuck = flips.flip_all();
+  flips.slots().finish(mesh);
+  if (stuck == 0) {
+    DelaunayTetrahedralization result;
+    std::swap(result.mesh, mesh);
+    finish(result, {}, records, 1);
+    std::swap(result.mesh, mesh);
+    return 0;
+  }
+  std::vector<Vec3> kept;
+  std::vector<VertexIndex> row;
+  for (VertexIndex v = 0; v < n; ++v)
+    if (used[v]) {
+      kept.push_back(points[v]);
+      row.push_back(v);
+    }
+  mesh = delaunay_tetrahedralization(kept).mesh;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh.vertex(c, i) != infinite_vertex) mesh.set_vertex(c, i, row[mesh.vertex(c, i)]);
+  return stuck;
 }
 
 }  // namespace geomesh

@@ -15,8 +15,10 @@ struct FaceConflicts {
   alignas(32) double error[4];
 };
 
-/// `cell` is finite and positively oriented; `apex[i]` is the vertex of neighbour i that is not on face i. Where an apex is infinite its
-/// lane means nothing. The four determinants share the differences of the cell's vertices; the bound is that of filters.hpp.
-void face_conflicts(const PointRecord* points, const VertexIndex* cell, const VertexIndex* apex, const Vec3& p, FaceConflicts& result);
+/// `cell` is finite and positively oriented; `apex[i]` is the vertex of neighbour i that is not on face i. Where an apex is
+/// infinite its lane means nothing. The four determinants share the differences of the cell's vertices; the bound is that of
+/// filters.hpp.
+void face_conflicts(const PointRecord* points, const VertexIndex* cell, const VertexIndex* apex, const Vec3& p,
+                    FaceConflicts& result);
 
 }  // namespace geomesh

@@ -141,8 +141,8 @@ std::size_t FlipInsertion::flip_all() {
   return stuck_ = flip_queue(no_vertex);
 }
 
-/// Flips until no queued face can be flipped; returns how many of those are not locally Delaunay. In the insertion of v only link faces,
-/// those opposite v, may be flipped: flips within the star would get stuck.
+/// Flips until no queued face can be flipped; returns how many of those are not locally Delaunay. In the insertion of v only link
+/// faces, those opposite v, may be flipped: flips within the star would get stuck.
 std::size_t FlipInsertion::flip_queue(VertexIndex v) {
   std::vector<Candidate> waiting;
   for (bool progress = true; progress;) {
@@ -183,8 +183,8 @@ bool FlipInsertion::try_flip(FaceRef f) {
   return try_3_to_2(f, outer) || try_2_to_3(f, outer) || try_4_to_4(f, outer);
 }
 
-// Below, v and d are the apexes of the two cells on face (a, b, c). Replacing one face vertex by d in v's cell gives the cells on the new edge
-// (v, d), with their orientation.
+// Below, v and d are the apexes of the two cells on face (a, b, c). Replacing one face vertex by d in v's cell gives the cells on
+// the new edge (v, d), with their orientation.
 
 /// Three cells about edge (a, b): v's, d's, and one on (v, d, a, b).
 bool FlipInsertion::try_3_to_2(FaceRef f, FaceRef outer) {

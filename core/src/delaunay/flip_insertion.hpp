@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split what holds the new point, then flip link faces until
-/// all are locally Delaunay. Edelsbrunner and Shah (1996) prove that in insertion this ends with no face left over.
+/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split what holds the new point, then flip link faces
+/// until all are locally Delaunay. Edelsbrunner and Shah (1996) prove that in insertion this ends with no face left over.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace geomesh {
 
-/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own: a 4-4 flip with an infinite
-/// vertex is the 2-2 flip of two coplanar hull faces; a 3-2 flip about an edge to infinity takes a vertex off the hull.
+/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own: a 4-4 flip with an
+/// infinite vertex is the 2-2 flip of two coplanar hull faces; a 3-2 flip about an edge to infinity takes a vertex off the hull.
 class FlipInsertion : public IncrementalTriangulation<Space3, false> {
  public:
   using IncrementalTriangulation::IncrementalTriangulation;
@@ -23,9 +23,12 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
   /// Splits what holds v and flips nothing: the result need not be Delaunay.
   InsertionOutcome split_only(VertexIndex v);
-  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left (stuck). Each flip
-  /// lowers the lifted surface, so this ends from any triangulation.
+  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left (stuck). Each
+  /// flip lowers the lifted surface, so this ends from any triangulation.
   std::size_t flip_all();
+
+  /// The first flip of 3-2, 2-3, 4-4 that is possible at face f, Delaunay or not; false where none is.
+  bool flip_face(FaceRef f) { return try_flip(f); }
 
   std::size_t stuck_faces() const { return stuck_; }
   std::size_t flips() const { return flips_; }
@@ -54,8 +57,8 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   void replace();
   unsigned index_of(CellIndex c, VertexIndex v) const { return mesh_.index_of(c, v); }
 
-  std::vector<CellIndex> old_;            ///< cells to be replaced
-  std::vector<CellVertices> new_;         ///< by these; after replace() their slots are in made_
+  std::vector<CellIndex> old_;     ///< cells to be replaced
+  std::vector<CellVertices> new_;  ///< by these; after replace() their slots are in made_
   std::vector<CellIndex> made_;
   std::vector<Candidate> queue_;
   std::size_t stuck_ = 0, flips_ = 0;

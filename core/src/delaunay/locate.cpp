@@ -20,7 +20,8 @@ Location classify(CellIndex c, unsigned zero_faces) {
   for (unsigned i = 0; i < 4; ++i)
     if (!(zero_faces >> i & 1u)) off[n_off++] = i;
   switch (n_off) {
-    case 4: return at;
+    case 4:
+      return at;
     case 3:
       at.kind = LocationKind::on_face;
       for (unsigned i = 0; i < 4; ++i)

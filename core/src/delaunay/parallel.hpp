@@ -26,9 +26,12 @@ void for_each_task(std::size_t n, unsigned threads, const Task& task) {
   }
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1), [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t k = range.begin(); k < range.end(); ++k) task(k);
-    }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t k = range.begin(); k < range.end(); ++k) task(k);
+        },
+        tbb::simple_partitioner());
   });
 }
 

@@ -15,7 +15,9 @@ namespace {
 
 /// Moves three points that are not collinear to the front, positively oriented; returns the axis to drop.
 int bring_first_triangle(std::span<const Vec3> points, std::vector<VertexIndex>& order) {
-  const auto no_area = [] { return Error(ErrorKind::cannot_mesh, "all points lie on one line: there is no area to triangulate"); };
+  const auto no_area = [] {
+    return Error(ErrorKind::cannot_mesh, "all points lie on one line: there is no area to triangulate");
+  };
   const auto second = std::find_if(order.begin(), order.end(), [&](VertexIndex v) { return !(points[v] == points[order[0]]); });
   if (second == order.end()) throw no_area();
   std::rotate(order.begin() + 1, second, second + 1);
@@ -36,12 +38,14 @@ int bring_first_triangle(std::span<const Vec3> points, std::vector<VertexIndex>&
 
 DelaunayTriangulation delaunay_triangulation_in_plane(std::span<const Vec3> points) {
   if (!exponents_are_safe(points))
-    throw Error(ErrorKind::invalid_input, "a coordinate is not finite, or out of the range of exact arithmetic (2^-148 to 2^148)");
+    throw Error(ErrorKind::invalid_input,
+                "a coordinate is not finite, or out of the range of exact arithmetic (2^-148 to 2^148)");
   std::vector<VertexIndex> order = spatial_order(points).order;
   const int axis = bring_first_triangle(points, order);
   for (VertexIndex v = 0; v < points.size(); ++v)
     if (orient3d(points[order[0]], points[order[1]], points[order[2]], points[v]) != Sign::zero)
-      throw Error(ErrorKind::invalid_input, "point " + std::to_string(v) + " is not in the plane of the others", {{}, {}, {v}, {points[v]}});
+      throw Error(ErrorKind::invalid_input, "point " + std::to_string(v) + " is not in the plane of the others",
+                  {{}, {}, {v}, {points[v]}});
 
   const auto n = static_cast<VertexIndex>(points.size());
   std::vector<PointRecord> records(points.size() + 1);

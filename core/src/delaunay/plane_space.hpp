@@ -9,7 +9,8 @@
 
 namespace geomesh {
 
-/// As Space3, of exactly coplanar points. Orientations are those of the projection along `axis`, which is not parallel to the plane.
+/// As Space3, of exactly coplanar points. Orientations are those of the projection along `axis`, which is not parallel to the
+/// plane.
 class PlaneSpace {
  public:
   static constexpr int dimension = 2;
@@ -17,7 +18,9 @@ class PlaneSpace {
 
   PlaneSpace(PointRecord* points, VertexIndex infinite, int axis) : points_(points), infinite_(infinite), axis_(axis) {}
 
-  static Vec2 project(const Vec3& p, int axis) { return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y}; }
+  static Vec2 project(const Vec3& p, int axis) {
+    return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
+  }
 
   PointRecord& record(VertexIndex v) const { return points_[v]; }
   VertexIndex infinite() const { return infinite_; }

@@ -11,9 +11,9 @@ namespace geomesh {
 
 /// 32 bytes, half a cache line. Slicing to Vec3 gives the coordinates.
 struct PointRecord : Vec3 {
-  VertexIndex id = no_vertex;               ///< row of the caller
-  std::uint16_t local = no_local;           ///< number among the vertices of the cavity's boundary, while one is open
-  std::uint16_t place = 0;                  ///< part of the Hilbert curve (SpatialOrder::place)
+  VertexIndex id = no_vertex;      ///< row of the caller
+  std::uint16_t local = no_local;  ///< number among the vertices of the cavity's boundary, while one is open
+  std::uint16_t place = 0;         ///< part of the Hilbert curve (SpatialOrder::place)
   static constexpr std::uint16_t no_local = 0xFFFF;
 };
 static_assert(sizeof(PointRecord) == 32);

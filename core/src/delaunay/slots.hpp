@@ -10,8 +10,9 @@
 
 namespace geomesh {
 
-/// One of `n_sources` sources that share the mesh beyond `base`: source k owns the blocks k, k + n_sources, ... of `block` slots each.
-/// So the slots a source hands out depend on its own work alone, not on when the others ran. With one source the blocks join to one range.
+/// One of `n_sources` sources that share the mesh beyond `base`: source k owns the blocks k, k + n_sources, ... of `block` slots
+/// each. So the slots a source hands out depend on its own work alone, not on when the others ran. With one source the blocks
+/// join to one range.
 class SlotSource {
  public:
   SlotSource() = default;

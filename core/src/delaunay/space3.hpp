@@ -17,11 +17,12 @@
 
 namespace geomesh {
 
-/// A space answers, about points given by their records: on which side of a face a point lies, and which cells it conflicts with. It
-/// is the one part of the incremental algorithms that differs between the plane, a facet's plane and space, apart from the dimension.
+/// A space answers, about points given by their records: on which side of a face a point lies, and which cells it conflicts with.
+/// It is the one part of the incremental algorithms that differs between the plane, a facet's plane and space, apart from the
+/// dimension.
 ///
-/// Where all coordinates are multiples of one power of two (lattices, rounded data), differences of up to 512 units make the plain
-/// determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
+/// Where all coordinates are multiples of one power of two (lattices, rounded data), differences of up to 512 units make the
+/// plain determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
 class Space3 {
  public:
   static constexpr int dimension = 3;
@@ -29,7 +30,8 @@ class Space3 {
   using CellVertices = TetMesh::CellVertices;
 
   /// `points[infinite]` must exist; its coordinates are never used. `unit`: the coordinates are multiples of it, or 0.
-  Space3(PointRecord* points, VertexIndex infinite, double unit) : points_(points), infinite_(infinite), exact_reach_(512 * unit) {}
+  Space3(PointRecord* points, VertexIndex infinite, double unit)
+      : points_(points), infinite_(infinite), exact_reach_(512 * unit) {}
 
   PointRecord& record(VertexIndex v) const { return points_[v]; }
   VertexIndex infinite() const { return infinite_; }

@@ -13,8 +13,9 @@
 namespace geomesh {
 namespace {
 
-/// The Hilbert curve in 3D as a finite automaton (Hamilton 2006, "Compact Hilbert indices", algorithm 2): a state is the entry corner
-/// and the axis of the curve in the current octant; a step maps an octant's bits to its rank on the curve and to the next state.
+/// The Hilbert curve in 3D as a finite automaton (Hamilton 2006, "Compact Hilbert indices", algorithm 2): a state is the entry
+/// corner and the axis of the curve in the current octant; a step maps an octant's bits to its rank on the curve and to the next
+/// state.
 struct HilbertAutomaton {
   std::array<std::array<std::uint8_t, 8>, 24> rank{};
   std::array<std::array<std::uint8_t, 8>, 24> next{};
@@ -91,7 +92,8 @@ constexpr int index_bits = 28;
 constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
 constexpr unsigned n_rounds = 8;
 
-/// Stable sort by the key's low `bits` bits: least significant digit first. Either span may hold the result: it is `items` at the end.
+/// Stable sort by the key's low `bits` bits: least significant digit first. Either span may hold the result: it is `items` at the
+/// end.
 void radix_sort(std::span<std::uint64_t>& items, std::span<std::uint64_t> other, int bits) {
   constexpr int digit = 12;
   std::vector<std::size_t> start(std::size_t{1} << digit);
@@ -162,7 +164,8 @@ SpatialOrder spatial_order(std::span<const Vec3> points, std::span<std::uint64_t
   const int levels = levels_for(points.size());
   const HilbertPlaces place(points, result.order, levels);
   for_each_index(n, threads, [&](std::size_t i) {
-    const auto zeros = static_cast<unsigned>(std::countr_zero(coordinate_hash(points[i]) | std::uint64_t{1} << 3 * (n_rounds - 1)) / 3);
+    const auto zeros =
+        static_cast<unsigned>(std::countr_zero(coordinate_hash(points[i]) | std::uint64_t{1} << 3 * (n_rounds - 1)) / 3);
     const std::uint64_t round = n_rounds - 1 - zeros;
     items[i] = (round << 3 * levels | place(points[i])) << index_bits | i;
   });

@@ -70,7 +70,8 @@ Sign in_sphere_of_differences(const Vec3& a, const Vec3& b, const Vec3& c, const
 
 Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
   double ux, uy, vx, vy;
-  if (exact_difference(ax, cx, ux) && exact_difference(ay, cy, uy) && exact_difference(bx, cx, vx) && exact_difference(by, cy, vy))
+  if (exact_difference(ax, cx, ux) && exact_difference(ay, cy, uy) && exact_difference(bx, cx, vx) &&
+      exact_difference(by, cy, vy))
     return minor2(ux, vy, uy, vx).sign();
   return orient2d_expansion(ax, ay, bx, by, cx, cy).sign();
 }
@@ -106,8 +107,8 @@ namespace {
 
 constexpr double unit = 1.1102230246251565e-16;
 
-/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the magnitudes (of the
-/// product); differences of doubles are exact.
+/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the magnitudes
+/// (of the product); differences of doubles are exact.
 struct TwoDouble {
   double hi = 0, lo = 0;
   static TwoDouble difference(double a, double b) {
@@ -170,9 +171,9 @@ Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
 
 }  // namespace
 
-// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its upper limit: 8 u and
-// 17 u in doubles (10 and 22 here for terms of second order). In TwoDouble a product passes through at most 12 operations of 6 u^2 each:
-// 72 u^2 = 2^-99.8; 2^-98 here.
+// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its upper limit: 8
+// u and 17 u in doubles (10 and 22 here for terms of second order). In TwoDouble a product passes through at most 12 operations
+// of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 here.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);

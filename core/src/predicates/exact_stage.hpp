@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What follows where a semi-static filter is not certain: a dynamic filter (bound from the terms' own magnitudes), then the exact
-/// sign by expansions. Inside the core only; callers elsewhere use geomesh/core/predicates.hpp.
+/// What follows where a semi-static filter is not certain: a dynamic filter (bound from the terms' own magnitudes), then the
+/// exact sign by expansions. Inside the core only; callers elsewhere use geomesh/core/predicates.hpp.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace geomesh::exact {
 
-/// Exact signs in the conventions of predicates.hpp. Each first tries differences that happen to be exact (they are where points are
-/// near each other), then works on the coordinates themselves.
+/// Exact signs in the conventions of predicates.hpp. Each first tries differences that happen to be exact (they are where points
+/// are near each other), then works on the coordinates themselves.
 Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy);
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);

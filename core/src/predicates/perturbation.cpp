@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i grows by e_i, with e_i much
-// larger than e_j where i is lexicographically greater than j. The perturbed determinant is then led by the cofactor of the greatest
-// point whose cofactor does not vanish; that cofactor is the orientation of the others.
+// Ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i grows by e_i, with e_i
+// much larger than e_j where i is lexicographically greater than j. The perturbed determinant is then led by the cofactor of the
+// greatest point whose cofactor does not vanish; that cofactor is the orientation of the others.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +27,8 @@ Vec2 drop_axis(const Vec3& p, int axis) { return axis == 0 ? Vec2{p.y, p.z} : ax
 
 /// The tie of four cocircular points under any planar orientation function; `orientation` is that of a, b, c, not zero.
 template <class Point, class Orient>
-Sign in_circle_tie(const std::array<std::size_t, 4>& order, const std::array<const Point*, 4>& points, Orient orient, Sign orientation) {
+Sign in_circle_tie(const std::array<std::size_t, 4>& order, const std::array<const Point*, 4>& points, Orient orient,
+                   Sign orientation) {
   for (std::size_t i : order) {
     if (i == 3) return Sign::negative;
     std::array<const Point*, 3> with_d{points[0], points[1], points[2]};
@@ -77,8 +78,8 @@ Sign in_circle_coplanar_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, c
     if (orientation != Sign::zero) break;
   }
   GEOMESH_CHECK(orientation != Sign::zero);
-  // Any sphere through a, b, c and a point q off their plane meets the plane in their circle. q is a moved along the axis dropped, which
-  // is not parallel to the plane, by about the triangle's size so that the filters hold.
+  // Any sphere through a, b, c and a point q off their plane meets the plane in their circle. q is a moved along the axis
+  // dropped, which is not parallel to the plane, by about the triangle's size so that the filters hold.
   Vec3 q = a;
   const auto k = static_cast<std::size_t>(axis);
   const double size = std::max({std::fabs(b.x - a.x), std::fabs(b.y - a.y), std::fabs(b.z - a.z)});

@@ -14,9 +14,9 @@
 ///           \|/
 ///            v1
 ///
-/// Ghost cells: each hull face carries one cell whose vertex is `infinite_vertex` (in any position); its orientation is that which it
-/// would have with a point outside the hull beyond that face in that position. So every cell has D+1 neighbours and the complex
-/// is a topological sphere.
+/// Ghost cells: each hull face carries one cell whose vertex is `infinite_vertex` (in any position); its orientation is that
+/// which it would have with a point outside the hull beyond that face in that position. So every cell has D+1 neighbours and the
+/// complex is a topological sphere.
 ///
 /// A neighbour is a `FaceRef`: 4 * cell + index of the shared face in that cell (in 2D too), so that the mirror face is at hand.
 ///
@@ -62,8 +62,8 @@ inline constexpr std::array<std::array<std::uint8_t, 2>, 6> edge_vertices{{{0, 1
 
 /// D+1 vertices and D+1 neighbours a cell, recycled slots, one byte of flags. No coordinates: those live with the caller.
 ///
-/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity read both; flags
-/// are an array of their own.
+/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity read both;
+/// flags are an array of their own.
 template <int Dim>
 class SimplexMesh {
   static_assert(Dim == 2 || Dim == 3);
@@ -149,8 +149,8 @@ class SimplexMesh {
   const Cell* cells() const { return cells_.data(); }
   std::uint8_t* cell_flags() { return flags_.data(); }
   std::size_t capacity() const { return cells_.capacity(); }
-  /// Makes slots up to n; the new ones are neither initialised nor on the free list, so fill them or let `compact` drop them after
-  /// marking them with `vertices[0] = no_vertex`.
+  /// Makes slots up to n; the new ones are neither initialised nor on the free list, so fill them or let `compact` drop them
+  /// after marking them with `vertices[0] = no_vertex`.
   void grow_to(std::size_t n) {
     GEOMESH_CHECK(n <= no_cell);
     cells_.grow_to(n);
