@@ -41,11 +41,14 @@ class Arrangement {
     result_.n_pairs = contacts.n_pairs;
     log_round(0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
+    // A soup that grows beyond these while it is mended will not end.
+    const std::size_t most_facets = 4 * complex.facets.size() + 1000, most_contacts = 4 * contacts.facets.size() + 1000;
     for (unsigned round = 1;; ++round) {
       contacts = find_contacts(complex, context_);
       if (contacts.empty()) break;
       log_round(round, complex, contacts);
-      if (round > options_.max_rounding_rounds) refuse(complex, contacts);
+      if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets || contacts.facets.size() > most_contacts)
+        refuse(complex, contacts);
       result_.n_rounding_rounds = round;
       complex = round_again(complex, contacts, round);
     }
@@ -71,7 +74,7 @@ class Arrangement {
     const Arranged arranged = arrange_round(complex, contacts, context_);
     RoundingOptions rounding{0, options_.box};
     // What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
-    rounding.snap = unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(2 * static_cast<int>(round), 10));
+    rounding.snap = unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
     return take(round_to_doubles(arranged, complex, rounding));
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geomesh/core/predicates.hpp"
+#include "separation.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -179,6 +180,7 @@ void Contacts::append(const Contacts& more) {
 
 void facet_facet_contact(const Complex& complex, Index ia, Index ib, Contacts& out) {
   const FacetView a(complex, ia), b(complex, ib);
+  if (proven_apart({&a.p(0), &a.p(1), &a.p(2)}, a.v, {&b.p(0), &b.p(1), &b.p(2)}, b.v)) return;
   std::array<int, 3> sb, sa;
   if (!plane_signs(a, b, sb)) return;
   if (sb == std::array<int, 3>{0, 0, 0}) {
