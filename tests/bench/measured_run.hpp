@@ -14,6 +14,7 @@ namespace geomesh::bench {
 struct Answer {
   std::size_t tetrahedra = 0;
   std::size_t exact_calls = 0, walk_steps = 0, deferred = 0;
+  std::size_t added_points = 0;  ///< recovery only
 };
 using Job = std::function<Answer()>;
 

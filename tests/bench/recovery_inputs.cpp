@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recovery_inputs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "corpus_models.hpp"
+#include "corpus_shared.hpp"
+#ifdef GEOMESH_BENCH_GEOMODEL
+#include "geomesh/geomodel/arrangement.hpp"
+#endif
+
+namespace geomesh::bench {
+
+namespace {
+
+#ifdef GEOMESH_BENCH_GEOMODEL
+/// All surfaces of a folder, intersected with each other and with the sides of a box a tenth larger than they are.
+PiecewiseLinearComplex intersected_faults(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  std::vector<geomodel::TriangulatedSurface> surfaces;
+  geomodel::ArrangementOptions options;
+  Box3 box;
+  for (const std::string& path : paths) {
+    const test::GocadTriangles soup = test::read_gocad_triangles(path);
+    geomodel::TriangulatedSurface surface;
+    surface.name = std::filesystem::path(path).stem().string();
+    surface.points = soup.points;
+    surface.triangles = soup.triangles;
+    surfaces.push_back(surface);
+    for (const Vec3& p : soup.points) box.add(p);
+  }
+  const Vec3 margin = 0.1 * (box.max - box.min);
+  options.box = Box3{box.min - margin, box.max + margin};
+  const geomodel::PolygonSoup soup = geomodel::arrange(surfaces, {}, {}, options).soup;
+  PiecewiseLinearComplex plc;
+  plc.points = soup.points;
+  for (const Triangle& t : soup.facets) plc.add_triangle(t);
+  return plc;
+}
+#endif
+
+}  // namespace
+
+std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder) {
+  std::vector<RecoveryInput> inputs;
+  for (const test::SharedModel& m : test::shared_models(data_folder)) inputs.push_back({m.name, m.make});
+#ifdef GEOMESH_BENCH_GEOMODEL
+  for (const char* group : {"SALT", "MJVA", "SNFA"}) {
+    const std::string folder = data_folder + "/faults/" + group;
+    if (std::filesystem::exists(folder))
+      inputs.push_back({std::string("faults/") + group, [folder] { return intersected_faults(folder); }});
+  }
+#endif
+  for (const char* name :
+       {"chazelle_8", "chazelle_16", "nested_spheres_fine", "cube_lattice_12", "pinching_layers", "pinching_layers_fine",
+        "flat_layers", "flat_layers_wide", "pyramids_and_block_0.5", "high_degree_vertex", "dodecahedron_icosahedron"})
+    inputs.push_back({std::string("corpus/") + name, test::corpus_model(name).make});
+  return inputs;
+}
+
+}  // namespace geomesh::bench
