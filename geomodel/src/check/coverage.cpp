@@ -27,8 +27,8 @@ BoxTree tree_over(const std::vector<Vec3>& points, const std::vector<Triangle>& 
   return BoxTree(std::move(boxes));
 }
 
-/// A body that removes horizons and faults inside it.
-struct CuttingBody {
+/// A body: with `cuts_all` it removes horizons and faults inside it; what of it lies inside itself on both sides is removed too.
+struct Body {
   const TriangulatedSurface* surface;
   BoxTree tree;
 };
@@ -45,7 +45,7 @@ class CoverageJudge {
         candidates_(candidate_faces(set_faces)),
         tree_(tree_over(mesh.file.points, candidates_)) {
     for (const TriangulatedSurface& s : claim.surfaces)
-      if (s.cuts_all) bodies_.push_back({&s, tree_over(s.points, s.triangles)});
+      if (s.kind == SurfaceKind::body || s.cuts_all) bodies_.push_back({&s, tree_over(s.points, s.triangles)});
     if (!faces_) return;
     for (Index i = 0; i < claim.surfaces.size(); ++i)
       for (const auto& [id, name] : faces_->surface_names)
@@ -86,8 +86,9 @@ class CoverageJudge {
   void collect_clip_edges();
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
-  bool uncovered_is_in_bodies(const PlaneTriangle& triangle, const std::vector<Index>& pieces, Vec3& place) const;
-  bool is_in_a_body(const Vec3& p, bool& undecided) const;
+  bool uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces, Vec3& place) const;
+  bool is_removed(const PlaneTriangle& triangle, Index surface, const Vec3& p) const;
+  bool may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces, Vec3& place) const;
 
   const JudgedMesh& mesh_;
   const Claim& claim_;
@@ -95,7 +96,7 @@ class CoverageJudge {
   double tolerance_;
   std::vector<Triangle> candidates_;
   BoxTree tree_;
-  std::vector<CuttingBody> bodies_;
+  std::vector<Body> bodies_;
   std::map<std::int32_t, Index> surface_of_id_;
   std::map<Index, std::int32_t> id_of_surface_;
   std::vector<std::pair<VertexIndex, VertexIndex>> clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
@@ -166,13 +167,20 @@ void CoverageJudge::check_sources(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-bool CoverageJudge::is_in_a_body(const Vec3& p, bool& undecided) const {
-  for (const CuttingBody& body : bodies_) {
-    const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, p, p, p);
-    if (!winding) undecided = true;
-    if (winding && *winding != 0) return true;
-  }
-  return false;
+/// Whether the rules take p, a point of the surface's triangle, away: parts of horizons and faults inside a body that cuts, and
+/// parts of a body that crosses itself with its inside on either side. Where p is on a body's surface the answer is yes: the open
+/// edges speak there.
+bool CoverageJudge::is_removed(const PlaneTriangle& triangle, Index surface, const Vec3& p) const {
+  const auto in = [](const Body& body, const Vec3& q) {
+    const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, q, q, q);
+    return !winding || *winding != 0;
+  };
+  if (is_cut_kind(surface))
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) { return body.surface->cuts_all && in(body, p); });
+  const Vec3 off = (4 * tolerance_) * triangle.normal();
+  return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+    return body.surface == &claim_.surfaces[surface] && in(body, p + off) && in(body, p - off);
+  });
 }
 
 /// No face of a horizon or fault lies inside a body that cuts.
@@ -189,7 +197,8 @@ void CoverageJudge::check_bodies(CheckResult& result) {
     }
     if (!is_cut || bounds_body) continue;
     const Triangle& t = candidates_[f];
-    for (const CuttingBody& body : bodies_) {
+    for (const Body& body : bodies_) {
+      if (!body.surface->cuts_all) continue;
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, corner(t, 0),
                                                   corner(t, 1), corner(t, 2));
       if (winding && *winding != 0) {
@@ -229,8 +238,9 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, co
   return true;
 }
 
-/// Judges a lattice of points of the triangle: what lies in the box and under no piece must lie in a body.
-bool CoverageJudge::uncovered_is_in_bodies(const PlaneTriangle& triangle, const std::vector<Index>& pieces, Vec3& place) const {
+/// Judges a lattice of points of the triangle: what lies in the box and under no piece must have been taken away by rule.
+bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+                                         Vec3& place) const {
   constexpr int lattice = 14;
   const auto& c = triangle.corners();
   std::vector<PlaneTriangle> flat;
@@ -247,12 +257,19 @@ bool CoverageJudge::uncovered_is_in_bodies(const PlaneTriangle& triangle, const 
       }
       const bool covered = std::any_of(flat.begin(), flat.end(),
                                        [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance_; });
-      bool undecided = false;
-      if (covered || is_in_a_body(p, undecided) || undecided) continue;
+      if (covered || is_removed(triangle, surface, p)) continue;
       place = p;
       return false;
     }
   return true;
+}
+
+/// Whether what no piece covers may be what the rules take away; `place`: where not.
+bool CoverageJudge::may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+                                   Vec3& place) const {
+  if (bodies_.empty() || !(is_cut_kind(surface) || claim_.surfaces[surface].kind == SurfaceKind::body)) return false;
+  if (is_cut_kind(surface) && faces_ && !open_edges_run_along_clips(triangle, pieces)) return false;
+  return uncovered_is_removed(triangle, surface, pieces, place);
 }
 
 void CoverageJudge::check_triangles(CheckResult& result) {
@@ -278,9 +295,7 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       if (due < triangle.area() - slack) ++n_clipped;
       if (covered >= due - slack) continue;
       Vec3 place = (1.0 / 3) * (triangle.corners()[0] + triangle.corners()[1] + triangle.corners()[2]);
-      const bool may_be_cut = is_cut_kind(s) && !bodies_.empty();
-      if (may_be_cut && (!faces_ || open_edges_run_along_clips(triangle, pieces)) &&
-          uncovered_is_in_bodies(triangle, pieces, place)) {
+      if (may_be_removed(triangle, s, pieces, place)) {
         ++n_clipped;
         continue;
       }

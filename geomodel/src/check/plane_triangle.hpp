@@ -19,6 +19,7 @@ class PlaneTriangle {
   bool degenerate() const { return length_ == 0; }
   double area() const { return 0.5 * length_; }
   double perimeter() const;
+  const Vec3& normal() const { return normal_; }  ///< of unit length
   const std::array<Vec3, 3>& corners() const { return corner_; }
 
   /// Distance of p from the plane.
