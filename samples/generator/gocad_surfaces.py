@@ -4,16 +4,31 @@
 Standard library only. Everything is a function of an explicit seed: running a script again gives the same bytes. Coordinates are
 written in metres with three decimals, and grid points are moved about so that no four of them are coplanar by accident.
 """
+import json
 import math
 import random
 
 
-def write_ts(path, name, points, triangles):
+def gocad_head(kind, name, unit="m", z_positive="Elevation"):
+    return ["GOCAD " + kind + " 1", "HEADER {", "name:" + name, "}", "GOCAD_ORIGINAL_COORDINATE_SYSTEM", "NAME Default",
+            'AXIS_NAME "X" "Y" "Z"', 'AXIS_UNIT "%s" "%s" "%s"' % (unit, unit, unit), "ZPOSITIVE " + z_positive,
+            "END_ORIGINAL_COORDINATE_SYSTEM"]
+
+
+def write_ts(path, name, points, triangles, unit="m", z_positive="Elevation"):
     """One TSurf. Rows of `triangles` are 0-based rows of `points`; vertices are numbered from 1 in the file."""
-    lines = ["GOCAD TSurf 1", "HEADER {", "name:" + name, "}", "GOCAD_ORIGINAL_COORDINATE_SYSTEM", "NAME Default",
-             'AXIS_NAME "X" "Y" "Z"', 'AXIS_UNIT "m" "m" "m"', "ZPOSITIVE Elevation", "END_ORIGINAL_COORDINATE_SYSTEM", "TFACE"]
+    lines = gocad_head("TSurf", name, unit, z_positive) + ["TFACE"]
     lines += ["VRTX %d %.3f %.3f %.3f" % (i + 1, *p) for i, p in enumerate(points)]
     lines += ["TRGL %d %d %d" % (a + 1, b + 1, c + 1) for a, b, c in triangles]
+    with open(path, "w", newline="\n") as file:
+        file.write("\n".join(lines + ["END", ""]))
+
+
+def write_polyline(path, name, points):
+    """One GOCAD PLine with one part."""
+    lines = gocad_head("PLine", name) + ["ILINE"]
+    lines += ["VRTX %d %.3f %.3f %.3f" % (i + 1, *p) for i, p in enumerate(points)]
+    lines += ["SEG %d %d" % (i, i + 1) for i in range(1, len(points))]
     with open(path, "w", newline="\n") as file:
         file.write("\n".join(lines + ["END", ""]))
 
@@ -87,3 +102,62 @@ def smooth_curve(knots):
         return ((1 + 2 * t) * (1 - t) ** 2 * knots[i][1] + t * (1 - t) ** 2 * h * tangent[i] + t * t * (3 - 2 * t) * knots[i + 1][1]
                 + t * t * (t - 1) * h * tangent[i + 1])
     return value
+
+
+def rectangles(corner_lists):
+    """Plane quadrilaterals, each given by four corners in order, as one surface of unconnected parts."""
+    points, triangles = [], []
+    for corners in corner_lists:
+        a = len(points)
+        points += corners
+        triangles += [(a, a + 1, a + 2), (a, a + 2, a + 3)]
+    return points, triangles
+
+
+def section_strip(line, y_range):
+    """A surface that strikes along y: the polyline `line` of (x, z) swept over y_range."""
+    points = [(x, y, z) for y in y_range for x, z in line]
+    n = len(line)
+    triangles = []
+    for i in range(n - 1):
+        triangles += [(i, i + 1, n + i + 1), (i, n + i + 1, n + i)]
+    return points, triangles
+
+
+def section_area(polygon):
+    """Area of a polygon of (x, z) in a vertical section."""
+    return abs(sum(x0 * z1 - x1 * z0 for (x0, z0), (x1, z1) in zip(polygon, polygon[1:] + polygon[:1]))) / 2
+
+
+def volume_between(points, triangles, low, high):
+    """Volume that a closed outward surface encloses between the heights low and high (divergence theorem on the clipped triangles)."""
+    def above(level):
+        total = 0.0
+        for t in triangles:
+            polygon, kept = [points[v] for v in t], []
+            for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+                if p[2] >= level:
+                    kept.append(p)
+                if (p[2] > level) != (q[2] > level) and p[2] != level and q[2] != level:
+                    s = (level - p[2]) / (q[2] - p[2])
+                    kept.append((p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1]), level))
+            for b, c in zip(kept[1:], kept[2:]):
+                a = kept[0]
+                flat = ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+                total += flat * ((a[2] + b[2] + c[2]) / 3 - level)
+        return total
+    return above(low) - above(high)
+
+
+def rounded(points):
+    """As write_ts writes them."""
+    return [tuple(float("%.3f" % x) for x in p) for p in points]
+
+
+def write_expected(path, units):
+    """expected.json of a sample: the volumes of the regions of each unit, in m3; null where only the count is known. Regions of one unit
+    are listed from small to large."""
+    units = {name: sorted(volumes, key=lambda v: v if v is not None else 0.0) for name, volumes in units.items()}
+    with open(path, "w", newline="\n") as file:
+        json.dump({"units": units}, file, indent=1, sort_keys=True)
+        file.write("\n")
