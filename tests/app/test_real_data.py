@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Real surfaces from the shared test data, where that stands beside the project."""
+import glob
+import os
+import re
+
+from geomesh_program import ProgramTest, main
+
+
+class Claudius(ProgramTest):
+    """Four seismic horizons of one GOCAD file: horizon_0, horizon_60, horizon_250, horizon_330."""
+
+    def project(self, box):
+        file = self.shared("claudius", "claudius_delaunay.ts")
+        with open(file) as text:
+            names = re.findall(r"^name:(\S+)", text.read(), re.MULTILINE)
+        self.assertEqual(len(names), 4)
+        order = sorted(names, key=lambda name: int(name.split("_")[1]))
+        column = ["unit_1"]
+        for i, name in enumerate(order):
+            column += [name, "unit_%d" % (i + 2)]
+        surfaces = "".join("  - {name: %s, kind: horizon, file: %s}\n" % (name, file) for name in order)
+        return self.write("claudius.yaml", "name: claudius\nbox: {min: [%s], max: [%s]}\nsurfaces:\n%scolumn: [%s]\n" % (
+            ", ".join(box[:3]), ", ".join(box[3:]), surfaces, ", ".join(column)))
+
+    def test_small_box_has_five_regions(self):
+        project = self.project(["549500", "7820100", "-11010", "550850", "7821750", "-8400"])
+        self.run_program(project, "-o", self.folder)
+        check = self.check(self.path("claudius.vtu"), "--project", project)
+        self.assertEqual(self.region_names(check), ["unit_1", "unit_2", "unit_3", "unit_4", "unit_5"])
+        self.assertAlmostEqual(check["volume"] / (1350.0 * 1650 * 2610), 1, delta=1e-12)
+
+    def test_whole_box_warns_of_gaps(self):
+        """In the box of claudiusbb.txt the horizons have holes and stop short: which ones, where, and which units join."""
+        with open(self.shared("claudius", "claudiusbb.txt")) as file:
+            low, high = [[repr(float(x)) for x in line.split()] for line in file.read().splitlines()[:2]]
+        project = self.project(low + high)
+        self.run_program(project, "-o", self.folder)
+        self.check(self.path("claudius.vtu"), "--project", project)
+        warnings = "\n".join(self.report(self.path("claudius.report.json"))["warnings"])
+        for horizon in ("horizon_0", "horizon_60", "horizon_250", "horizon_330"):
+            self.assertIn(horizon, warnings)
+        self.assertIn("unit_", warnings)
+
+
+class Faults(ProgramTest):
+    def test_salt_faults_in_a_box(self):
+        """Eleven faults that cross, end inside and are partly non-manifold, in a box about them all."""
+        files = sorted(glob.glob(os.path.join(self.shared("faults", "SALT"), "*.ts")))
+        self.assertEqual(len(files), 11)
+        low, high = [1e30] * 3, [-1e30] * 3
+        for name in files:
+            with open(name) as file:
+                for line in file:
+                    if line.startswith(("VRTX", "PVRTX")):
+                        point = [float(x) for x in line.split()[2:5]]
+                        low, high = list(map(min, low, point)), list(map(max, high, point))
+        box = [int(x) - 1000 for x in low] + [int(x) + 1000 for x in high]
+        self.run_program("mesh", *files, "--box", ",".join(map(str, box)), "-o", self.path("salt.vtu"))
+        check = self.check(self.path("salt.vtu"), "--surfaces", *files)
+        volume = 1.0
+        for i in range(3):
+            volume *= box[i + 3] - box[i]
+        self.assertAlmostEqual(check["volume"] / volume, 1, delta=1e-12)
+
+
+class ModelA4(ProgramTest):
+    def test_region_volumes(self):
+        wanted = {}
+        with open(self.shared("modelA4", "region_volumes.txt")) as file:
+            for line in file:
+                found = re.match(r"\s+(H\w+)\s+volume\s+(\S+)", line)
+                if found:
+                    wanted[found.group(1)] = float(found.group(2))
+        self.assertEqual(len(wanted), 8)
+        self.run_program("mesh", self.shared("modelA4", "modelA4.ml"), "-o", self.path("a4.vtu"))
+        check = self.check(self.path("a4.vtu"))
+        self.assertEqual(self.region_names(check), sorted(wanted))
+        for region in check["regions"]:
+            self.assertAlmostEqual(region["volume"] / wanted[region["name"]], 1, delta=1e-9, msg=region["name"])
+
+
+class Solids(ProgramTest):
+    def test_solids(self):
+        for name in ("sphere1.obj", "res.obj", "cow25k.obj", "humanoid.off"):
+            file = self.shared("solids", name)
+            self.run_program("mesh", file, "-o", self.path(name + ".vtu"))
+            self.check(self.path(name + ".vtu"), "--surfaces", file)
+
+
+if __name__ == "__main__":
+    main()

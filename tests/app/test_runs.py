@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a run behaves: threads, stopping early, interrupts, what is left behind, check as a judge of other meshes."""
+import filecmp
+import os
+import signal
+import subprocess
+import time
+
+from geomesh_program import BAD_INPUT, INTERRUPTED, PROGRAM, USAGE, ProgramTest, box_surface, main, triangles_ts
+
+
+class Runs(ProgramTest):
+    def test_threads_give_identical_files(self):
+        for threads in (1, 2):
+            self.run_program(self.sample("salt-dome"), "-o", self.path(str(threads)), "--threads", threads, "--quiet")
+        for ending in (".vtu", ".faces.vtp", ".curves.vtp"):
+            name = "salt_dome" + ending
+            self.assertTrue(filecmp.cmp(self.path("1", name), self.path("2", name), shallow=False), name)
+
+    def test_stop_after(self):
+        stages = ["read", "build", "intersect", "delaunay", "recover", "classify"]
+        for stage in ("read", "intersect", "delaunay"):
+            folder = self.path(stage)
+            self.run_program(self.sample("faulted-layers"), "-o", folder, "--stop-after", stage)
+            names = [entry["name"] for entry in self.report(os.path.join(folder, "faulted_layers.report.json"))["stages"]]
+            self.assertEqual(names[-1], stage)
+            self.assertEqual(names, [name for name in stages if name in names])
+            self.assertFalse(os.path.exists(os.path.join(folder, "faulted_layers.vtu")))
+        self.assertTrue(any(name.endswith(".vtp") for name in os.listdir(self.path("intersect"))), os.listdir(self.path("intersect")))
+
+    def test_stop_after_an_unknown_stage(self):
+        self.assertIn("intersect", self.run_program(self.sample("salt-dome"), "--stop-after", "lunch", status=USAGE))
+
+    def test_quiet_prints_nothing_where_nothing_is_wrong(self):
+        points, triangles = box_surface((0, 0, 0), (1, 2, 3))
+        self.write("box.ts", triangles_ts("box", points, triangles))
+        self.assertEqual(self.run_program("mesh", "box.ts", "-o", "box.vtu", "--quiet"), "")
+        self.assertEqual(self.check(self.path("box.vtu"), "--surfaces", self.path("box.ts"))["volume"], 6)
+
+    def test_progress_line_per_stage(self):
+        printed = self.run_program(self.sample("faulted-layers"), "-o", self.folder)
+        for stage in ("read", "intersect", "delaunay", "recover", "classify", "verify", "write"):
+            self.assertTrue(any(line.startswith(stage) for line in printed.splitlines()), printed)
+
+    def interrupt(self, number, status):
+        """Signals a run at several moments; each ends with the status and leaves nothing, or was done before."""
+        interrupted = 0
+        for delay in (0.02, 0.1, 0.3, 0.6):
+            folder = self.path("after_%g" % delay)
+            run = subprocess.Popen([PROGRAM, self.sample("salt-dome"), "-o", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(delay)
+            run.send_signal(number)
+            run.wait(timeout=60)
+            left = os.listdir(folder) if os.path.exists(folder) else []
+            if run.returncode == 0:
+                self.assertIn("salt_dome.vtu", left)
+                continue
+            self.assertIn(run.returncode, (status, -number))  # a signal before the handler stands kills the program
+            interrupted += run.returncode == status
+            self.assertFalse([name for name in left if name.endswith(".part")], left)
+            for name in left:  # what is there is complete
+                if name.endswith(".vtu"):
+                    self.check(os.path.join(folder, name))
+        self.assertGreater(interrupted, 0)
+
+    def test_interrupt(self):
+        self.interrupt(signal.SIGINT, INTERRUPTED)
+
+    def test_terminate(self):
+        self.interrupt(signal.SIGTERM, 143)
+
+
+class Check(ProgramTest):
+    def test_faults_are_named_and_the_status_is_three(self):
+        # One tetrahedron turned inside out, as another tool's Gmsh 2.2 file.
+        self.write("bad.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+                              "$Elements\n1\n1 4 2 1 1 1 3 2 4\n$EndElements\n")
+        printed = self.run_program("check", "bad.msh", status=BAD_INPUT)
+        self.assertIn("inverted_tetrahedra", printed)
+        self.assertIn("does not pass", printed)
+
+    def test_a_sound_mesh_of_another_tool(self):
+        self.write("good.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+                               "$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n")
+        self.assertIn("passes", self.run_program("check", "good.msh", "--delaunay"))
+
+
+class Init(ProgramTest):
+    def test_the_project_that_init_writes_runs(self):
+        self.run_program("init", self.path("mine"))
+        projects = [name for name in os.listdir(self.path("mine")) if name.endswith(".yaml")]
+        self.assertEqual(len(projects), 1)
+        project = self.path("mine", projects[0])
+        self.run_program(project, "-o", self.path("out"))
+        meshes = [name for name in os.listdir(self.path("out")) if name.endswith(".vtu")]
+        self.check(self.path("out", meshes[0]), "--project", project)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The samples run as they are, and their meshes pass."""
+import json
+import os
+import re
+import subprocess
+import sys
+
+from geomesh_program import SOURCE, ProgramTest, main
+
+
+def enclosed_volume(ts_file):
+    """Volume inside the closed surface of a TSurf, by the divergence theorem."""
+    points, six_volumes = [], 0.0
+    with open(ts_file) as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ["VRTX"]:
+                points.append([float(x) for x in words[2:5]])
+            if words[:1] == ["TRGL"]:
+                a, b, c = (points[int(i) - 1] for i in words[1:4])
+                six_volumes += (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
+    return six_volumes / 6
+
+
+class Samples(ProgramTest):
+    def run_with_expected(self, name):
+        """Meshes a sample that has an expected.json: regions by unit (the name without the suffix by place) and their volumes."""
+        report, check = self.mesh_sample(name)
+        with open(os.path.join(SOURCE, "samples", name, "expected.json")) as file:
+            expected = json.load(file)["units"]
+        found = {}
+        for region in check["regions"]:
+            found.setdefault(re.sub(r"__\d+$", "", region["name"]), []).append(region["volume"])
+        self.assertEqual(sorted(found), sorted(expected))
+        for unit, volumes in expected.items():
+            self.assertEqual(len(found[unit]), len(volumes), unit)
+            for volume, wanted in zip(sorted(found[unit]), volumes):
+                if wanted is not None:
+                    self.assertAlmostEqual(volume / wanted, 1, delta=1e-9, msg=unit)
+        return report, check
+
+    def test_layer_cake_with_pinch_outs(self):
+        self.run_with_expected("layer-cake")
+
+    def test_fault_junctions(self):
+        self.run_with_expected("fault-junctions")
+
+    def test_unconformity(self):
+        self.run_with_expected("unconformity")
+
+    def test_onlap(self):
+        self.run_with_expected("onlap")
+
+    def test_normal_fault(self):
+        self.run_with_expected("normal-fault")
+
+    def test_rooted_salt(self):
+        self.run_with_expected("rooted-salt")
+
+    def test_depth_in_feet(self):
+        self.run_with_expected("depth-in-feet")
+
+    def test_wells(self):
+        report, _ = self.run_with_expected("wells")
+        wells = {curve["name"]: curve["length"] for curve in report["curves"] if curve["kind"] == "well"}
+        self.assertEqual(sorted(wells), ["w1", "w2"])
+        self.assertAlmostEqual(wells["w1"], 1450, delta=1e-6)
+
+    def test_sediment_grains(self):
+        self.run_with_expected("sediment-grains")
+
+    def test_a_hundred_grains(self):
+        """From the sample's generator."""
+        script = os.path.join(SOURCE, "samples", "sediment-grains", "make_surfaces.py")
+        subprocess.run([sys.executable, script, "--grains", "100", "--output", self.path("grains")], check=True, timeout=60)
+        project = self.path("grains", "project.yaml")
+        self.run_program(project, "-o", self.folder)
+        check = self.check(self.path("sediment_grains.vtu"), "--project", project)
+        self.assertEqual(len(check["regions"]), 101)
+
+    def test_salt_dome(self):
+        report, check = self.mesh_sample("salt-dome")
+        self.assertEqual(self.region_names(check), ["bunter", "chalk", "lower_cretaceous", "salt", "tertiary"])
+        self.assertEqual(self.region_names(report), self.region_names(check))
+        volumes = {region["name"]: region["volume"] for region in check["regions"]}
+        self.assertAlmostEqual(sum(volumes.values()) / 4e11, 1, delta=1e-12)
+        salt = enclosed_volume(os.path.join(SOURCE, "samples", "salt-dome", "surfaces", "salt.ts"))
+        self.assertAlmostEqual(volumes["salt"] / salt, 1, delta=1e-9)
+        clipping = report["displacement"]["clipping"]
+        for surface in clipping["surfaces"]:
+            if surface["surface"] in ("top_chalk", "base_chalk", "top_bunter"):
+                self.assertGreater(surface["area_by_bodies"], 1e6, surface)
+                self.assertGreater(surface["area_by_box"], 1e6, surface)
+        inside = {region["name"]: region["inside"] for region in report["regions"]}
+        self.assertEqual(inside["salt"], ["salt"])
+        self.assertEqual(inside["chalk"], [])
+
+    def test_faulted_layers(self):
+        report, check = self.mesh_sample("faulted-layers")
+        units = [name + "__" + str(block) for name in ("basement", "cover", "sand", "shale") for block in (1, 2, 3)]
+        self.assertEqual(self.region_names(check), units)
+        self.assertAlmostEqual(check["volume"] / 9e10, 1, delta=1e-12)
+        self.assertTrue(any(curve["kind"] == "fault_tip" and "north_fault" in curve["name"] for curve in report["curves"]), report["curves"])
+        self.assertTrue(any("sand" in warning for warning in report["warnings"]), report["warnings"])
+
+    def test_generators_write_what_is_committed(self):
+        """The scripts make the very files that stand in the tree (in a copy of it)."""
+        import filecmp
+        import shutil
+        copy = self.path("samples")
+        shutil.copytree(os.path.join(SOURCE, "samples"), copy, ignore=shutil.ignore_patterns("out"))
+        for name in sorted(os.listdir(copy)):
+            script = os.path.join(copy, name, "make_surfaces.py")
+            if not os.path.exists(script):
+                continue
+            shutil.rmtree(os.path.join(copy, name, "surfaces"))
+            expected = os.path.join(copy, name, "expected.json")
+            if os.path.exists(expected):
+                os.remove(expected)
+            subprocess.run([sys.executable, script], check=True, timeout=60)
+            original = os.path.join(SOURCE, "samples", name, "surfaces")
+            files = sorted(os.listdir(original))
+            self.assertEqual(sorted(os.listdir(os.path.join(copy, name, "surfaces"))), files)
+            _, differ, missing = filecmp.cmpfiles(original, os.path.join(copy, name, "surfaces"), files, shallow=False)
+            self.assertEqual((differ, missing), ([], []), name)
+            if os.path.exists(os.path.join(SOURCE, "samples", name, "expected.json")):
+                self.assertTrue(filecmp.cmp(os.path.join(SOURCE, "samples", name, "expected.json"), expected, shallow=False), name)
+
+
+if __name__ == "__main__":
+    main()
