@@ -232,6 +232,35 @@ TEST_CASE("arrange: pieces in a box side merge with it", "[arrangement]") {
   CHECK(n_with_origins(result.soup, 2) > 0);
 }
 
+TEST_CASE("arrange: union, difference and overlap of two solids from the soup", "[arrangement]") {
+  const auto volumes = [](const TriangulatedSurface& a, const TriangulatedSurface& b) {
+    const PolygonSoup soup = arrange({a, b}, {}, {}, {}).soup;
+    require_sound(soup);
+    std::array<double, 2> out{}, in{};
+    Vec3 union_area, overlap_area;  // vector areas: zero for closed surfaces
+    for (Index f = 0; f < soup.facets.size(); ++f) {
+      const auto& [i, j, k] = soup.facets[f];
+      const Vec3 &p = soup.points[i], &q = soup.points[j], &r = soup.points[k];
+      const Index own = soup.origins[soup.origin_offsets[f]].surface;
+      const bool is_in = winding_number(own == 0 ? b : a, (1.0 / 3) * (p + q + r)) != 0;
+      (is_in ? in : out)[own] += dot(p, cross(q, r)) / 6;
+      Vec3& total = is_in ? overlap_area : union_area;
+      total = total + cross(q - p, r - p);
+    }
+    CHECK(dot(union_area, union_area) == Approx(0).margin(1e-18));
+    CHECK(dot(overlap_area, overlap_area) == Approx(0).margin(1e-18));
+    return std::array<double, 3>{out[0] + out[1], out[0] - in[1], in[0] + in[1]};
+  };
+  const auto cubes = volumes(cube("a", {0, 0, 0}, {4, 4, 4}, SurfaceKind::surface), cube("b", {2, 1, 1}, {6, 3, 3}, SurfaceKind::surface));
+  CHECK(cubes[0] == Approx(64 + 8.0).epsilon(1e-14));
+  CHECK(cubes[1] == Approx(64 - 8.0).epsilon(1e-14));
+  CHECK(cubes[2] == Approx(8.0).epsilon(1e-14));
+  const auto a = ellipsoid("a", {0, 0, 0}, {1, 1.5, 1}, 3), b = ellipsoid("b", {0.7, 0.2, 0.1}, {1, 1, 1.3}, 3);
+  const auto v = volumes(a, b);
+  const double volume_a = volume_inside(arrange({a}, {}, {}, {}).soup, [](const auto&) { return true; });
+  CHECK(v[1] + v[2] == Approx(volume_a).epsilon(1e-13));
+}
+
 TEST_CASE("winding_number: nested and doubled shells", "[arrangement]") {
   auto shell = cube("shell", {0, 0, 0}, {4, 4, 4}, SurfaceKind::body);
   CHECK(winding_number(shell, {2, 2, 2}) == 1);
