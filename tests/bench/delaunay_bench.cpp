@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Writes the tables of the Delaunay section of docs/performance.md to standard output:
-///     delaunay_bench [--repetitions N] [--tetgen-repetitions N] [--size N] [--largest N] [--section NAME]...
+///     delaunay_bench [--repetitions N] [--tetgen-repetitions N] [--size N] [--largest N] [--section NAME]... [--peer NAME]...
 /// Sections: ratios, small, degenerate, growth, threads, clusters. All by default.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <set>
@@ -26,7 +25,13 @@ constexpr unsigned seed = 42;
 struct Settings {
   int repetitions = 5, tetgen_repetitions = 1;
   std::size_t size = 1000000, largest = 10000000;
-  std::set<std::string> sections;
+  std::set<std::string> sections, peers;
+  /// Whether a triangulator runs in repetition r: geomesh, CGAL, or TetGen, which is slow.
+  bool runs(const std::string& name, int r) const {
+    if (!peers.empty() && std::none_of(peers.begin(), peers.end(), [&](const std::string& p) { return name.starts_with(p); }))
+      return false;
+    return name != "TetGen" || r < tetgen_repetitions;
+  }
   bool wants(const char* section) const { return sections.empty() || sections.contains(section); }
 };
 
@@ -52,8 +57,8 @@ void compare_peers(const std::vector<std::string>& inputs, std::size_t n, const 
     std::map<std::string, std::vector<Measurement>> runs;
     for (int r = 0; r < settings.repetitions; ++r)
       for (const auto& [name, job] : peers)
-        if (std::strcmp(name, "TetGen") != 0 || r < settings.tetgen_repetitions) runs[name].push_back(measure({job})[0]);
-    const double ours = median(runs["geomesh"], &Measurement::cpu_s).cpu_s;
+        if (settings.runs(name, r)) runs[name].push_back(measure({job})[0]);
+    const double ours = runs["geomesh"].empty() ? 0 : median(runs["geomesh"], &Measurement::cpu_s).cpu_s;
     for (const auto& [name, job] : peers) {
       if (runs[name].empty()) continue;
       const Measurement m = median(runs[name], &Measurement::cpu_s);
@@ -133,6 +138,8 @@ Settings parse(int argc, char** argv) {
       s.size = std::stoul(value);
     else if (key == "--largest")
       s.largest = std::stoul(value);
+    else if (key == "--peer")
+      s.peers.insert(value);
     else if (key == "--section")
       s.sections.insert(value);
     else

@@ -4,7 +4,7 @@
 /// the conflict zone, stellate.
 #pragma once
 
-#include <cstring>
+#include <cmath>
 #include <unordered_map>
 #include <vector>
 
@@ -167,7 +167,8 @@ bool CavityInsertion<Space, Shared>::near_boundary(const Vec3& p, double distanc
   // The nearest vertex is joined to p in the new triangulation, so it is on the boundary.
   for (const BoundaryFace& b : boundary_)
     for (const VertexIndex u : b.vertices)
-      if (u != infinite_ && space_.squared_distance(u, p) < distance * distance) return true;
+      if (u != infinite_ && std::fabs(space_.record(u).x - p.x) < distance && space_.squared_distance(u, p) < distance * distance)
+        return true;
   return false;
 }
 

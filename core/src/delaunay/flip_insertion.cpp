@@ -178,6 +178,11 @@ bool FlipInsertion::locally_delaunay(FaceRef f) {
   return !(has_infinite(w) ? space_.ghost_conflict(w, space_.record(v)) : space_.finite_conflict(w, space_.record(v)));
 }
 
+bool FlipInsertion::flip_face(FaceRef f) {
+  const CellIndex other = cells_[f.cell()].neighbors[f.face()].cell();
+  return !((flags_[f.cell()] | flags_[other]) & ghost_flag) && try_flip(f);
+}
+
 bool FlipInsertion::try_flip(FaceRef f) {
   const FaceRef outer = cells_[f.cell()].neighbors[f.face()];
   return try_3_to_2(f, outer) || try_2_to_3(f, outer) || try_4_to_4(f, outer);

@@ -27,8 +27,9 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   /// flip lowers the lifted surface, so this ends from any triangulation.
   std::size_t flip_all();
 
-  /// The first flip of 3-2, 2-3, 4-4 that is possible at face f, Delaunay or not; false where none is.
-  bool flip_face(FaceRef f) { return try_flip(f); }
+  /// The first flip of 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not; false where none is.
+  /// (At ghosts orientations alone would let a flip dent the hull; there the conflict test is what keeps it convex.)
+  bool flip_face(FaceRef f);
 
   std::size_t stuck_faces() const { return stuck_; }
   std::size_t flips() const { return flips_; }
