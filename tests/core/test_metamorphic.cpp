@@ -9,9 +9,9 @@ using namespace geomesh::test;
 
 namespace {
 
-void mesh_all(const std::function<PiecewiseLinearComplex(const PiecewiseLinearComplex&)>& image) {
+void mesh_all(const std::function<PiecewiseLinearComplex(const PiecewiseLinearComplex&)>& image, bool needs_room = false) {
   for (const CorpusModel& model : corpus_models()) {
-    if (model.is_large) continue;
+    if (model.is_large || (needs_room && !model.fits_utm)) continue;
     INFO(model.name);
     const CorpusRun run = run_and_judge(image(model.make()));
     CHECK(run.trouble == "");
@@ -21,9 +21,25 @@ void mesh_all(const std::function<PiecewiseLinearComplex(const PiecewiseLinearCo
 
 }  // namespace
 
+TEST_CASE("the hard models are meshed whatever the order of vertices and facets", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return shuffled(plc, 7); });
+}
 TEST_CASE("the hard models are meshed with its axes permuted", "[judged][metamorphic]") {
   mesh_all([](const auto& plc) { return mapped(plc, axes_permuted()); });
 }
 TEST_CASE("the hard models are meshed mirrored", "[judged][metamorphic]") {
   mesh_all([](const auto& plc) { return mapped(plc, mirrored(), -1); });
+}
+TEST_CASE("the hard models are meshed scaled by powers of two", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(plc, scaled(-20)); });
+  mesh_all([](const auto& plc) { return mapped(plc, scaled(31)); });
+}
+TEST_CASE("the hard models are meshed as triangles turned by odd angles", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(as_triangles(plc), turned()); });
+}
+TEST_CASE("the hard models are meshed as triangles in UTM coordinates", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(as_triangles(plc), moved_to_utm()); }, true);
+}
+TEST_CASE("the hard models are meshed as triangles turned and in UTM coordinates", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(mapped(as_triangles(plc), turned()), moved_to_utm()); }, true);
 }
