@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,11 +103,5 @@ struct SoupFault {
 };
 /// Exact check of the soup's invariants, written apart from the arrangement; collects all faults (at most `limit`).
 std::vector<SoupFault> validate_soup(const PolygonSoup& soup, std::size_t limit = 100);
-
-/// For viewing (`--stop-after intersect`): stem.soup.vtp holds the facets (cell arrays surface, source_triangle, n_origins) and wells
-/// (polyline), stem.spots.vtp the spots as vertices (what, surface_a, surface_b, count, measure; -1 where none). Surface rows are those
-/// of `surfaces`, then the box sides; names in field data. Returns the files written; each is complete or absent.
-std::vector<std::filesystem::path> write_arrangement_vtp(const ArrangementResult& result, const std::vector<TriangulatedSurface>& surfaces,
-                                                         const std::filesystem::path& stem);
 
 }  // namespace geomesh::geomodel
