@@ -65,7 +65,7 @@ template <typename Run>
 void peer(const char* who, int repeats, const std::function<void()>& prepare, Run&& run) {
   try {
     print(who, timed(repeats, prepare, run));
-  } catch (const std::exception& error) {
+  } catch (const std::exception&) {
     std::printf(" | %s refuses", who);
   }
   std::fflush(stdout);
@@ -110,8 +110,10 @@ int main(int n, char** arguments) {
   std::vector<std::string> folders;
   for (int k = 1; k < n; ++k) {
     const std::string word = arguments[k];
-    if (word == "--all") all = true;
-    else if (word != "--faults") folders.push_back(word);
+    if (word == "--all")
+      all = true;
+    else if (word != "--faults")
+      folders.push_back(word);
   }
   compare("two grids of 20,000", crossing_grids(100), 3);
   for (const std::string& folder : folders) compare(std::filesystem::path(folder).filename().string(), load_folder(folder), 3);
