@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Every operation over every kind of edge, face, cell and vertex of small models, the validator after each that did something.
+#include <catch2/catch.hpp>
+
+#include "improve/improve.hpp"
+#include "refine/domain_io.hpp"
+#include "refine/refinement.hpp"
+#include "refine_models.hpp"
+
+using namespace geomesh;
+using namespace geomesh::remesh;
+using namespace refine_models;
+
+namespace {
+
+struct Bench {
+  Model model;
+  RefineOptions options;
+  DomainMesh mesh;
+  SurfaceGuard guard;
+  SizeField size;
+  RefineStatistics statistics;
+  Toolbox tools;
+
+  explicit Bench(Model m, double tolerance = 0)
+      : model(std::move(m)),
+        options(make_options(tolerance)),
+        mesh(import_domain(model.plc, model.mesh, options)),
+        guard(mesh, model.plc, options.honour, options.tolerance),
+        size(build_size_field(model.plc, mesh, options.size, named_patches(model.plc, options), tolerance)),
+        tools(mesh, guard, size, statistics) {}
+
+  static RefineOptions make_options(double tolerance) {
+    RefineOptions o;
+    o.size.from_input_edges = false;  // no size is asked: lengths refuse nothing
+    o.size.gap_layers = 0;
+    if (tolerance > 0) o.honour = Honour::tolerance, o.tolerance = tolerance;
+    return o;
+  }
+  double volume() const {
+    double v = 0;
+    for (const double part : component_volumes(export_domain(mesh, model.plc, model.mesh))) v += part;
+    return v;
+  }
+};
+
+/// Applies operate(bench, cell) to cells of a growing mesh, the k-th of every `stride`, validating after each success.
+template <class Operate>
+std::size_t over_cells(Bench& bench, CellIndex stride, Operate operate) {
+  std::size_t done = 0;
+  for (CellIndex c = 0; c < bench.mesh.n_slots() && done < 40; c += stride) {
+    if (!bench.mesh.is_live(c) || !operate(bench, c)) continue;
+    ++done;
+    REQUIRE(bench.mesh.validate() == "");
+  }
+  return done;
+}
+
+}  // namespace
+
+TEST_CASE("The imported mesh is valid and comes back as it was", "[improve]") {
+  for (const Model& model : {two_boxes(2), ball_in_box(4), box_with_well(4)}) {
+    const DomainMesh mesh = import_domain(model.plc, model.mesh, {});
+    CHECK(mesh.validate() == "");
+    const ConstrainedTetrahedralization back = export_domain(mesh, model.plc, model.mesh);
+    CHECK(back.points == model.mesh.points);
+    CHECK(back.tetrahedra == model.mesh.tetrahedra);
+    CHECK(back.component == model.mesh.component);
+    CHECK(back.faces.size() == model.mesh.faces.size());
+    CHECK(back.edges.size() == model.mesh.edges.size());
+  }
+}
+
+TEST_CASE("Splitting any edge keeps the mesh valid and its volume", "[improve]") {
+  Bench bench(box_with_well(4));
+  const double before = bench.volume();
+  for (unsigned e = 0; e < 6; ++e)
+    CHECK(over_cells(bench, 7, [e](Bench& b, CellIndex c) {
+            const Tetrahedron t = b.mesh.vertices(c);
+            return split_edge(b.tools, c, t[edge_vertices[e][0]], t[edge_vertices[e][1]]).has_value();
+          }) > 0);
+  CHECK(bench.volume() == Approx(before));
+  CHECK(bench.statistics.points_on_surfaces > 0);
+  CHECK(bench.statistics.points_inside > 0);
+}
+
+TEST_CASE("Collapsing keeps the mesh valid, corners and the domain", "[improve]") {
+  Bench bench(ball_in_box(4));
+  over_cells(bench, 5, [](Bench& b, CellIndex c) {
+    const Tetrahedron t = b.mesh.vertices(c);
+    return split_edge(b.tools, c, t[0], t[1]).has_value();
+  });
+  std::size_t n_corners = 0;
+  for (VertexIndex v = 0; v < bench.mesh.n_vertices(); ++v) n_corners += bench.mesh.kind(v) == VertexKind::corner;
+  const double before = bench.volume();
+  for (unsigned e = 0; e < 6; ++e)
+    over_cells(bench, 1, [e](Bench& b, CellIndex c) {
+      const Tetrahedron t = b.mesh.vertices(c);
+      return try_collapse(b.tools, t[edge_vertices[e][0]], t[edge_vertices[e][1]], CollapseRule::coarsen, 1e-3);
+    });
+  CHECK(bench.statistics.collapses > 0);
+  CHECK(bench.volume() == Approx(before));
+  for (VertexIndex v = 0; v < bench.mesh.n_vertices(); ++v) n_corners -= bench.mesh.kind(v) == VertexKind::corner;
+  CHECK(n_corners == 0);
+}
+
+TEST_CASE("Insertion inside and on surfaces keeps the mesh valid", "[improve]") {
+  Bench bench(two_boxes(1));
+  const double before = bench.volume();
+  CHECK(over_cells(bench, 3, [](Bench& b, CellIndex c) {
+          const Tetrahedron& t = b.mesh.vertices(c);
+          const Vec3 p = 0.25 * (b.mesh.point(t[0]) + b.mesh.point(t[1]) + b.mesh.point(t[2]) + b.mesh.point(t[3]));
+          return insert_inside(b.tools, p, c, {1e-3, 1e-6}).has_value();
+        }) > 5);
+  CHECK(over_cells(bench, 3, [](Bench& b, CellIndex c) {
+          for (unsigned i = 0; i < 4; ++i) {
+            if (!b.mesh.tag(c, i).constrained()) continue;
+            const Tetrahedron& t = b.mesh.vertices(c);
+            const auto& f = face_vertices[i];
+            const Vec3 p = (1.0 / 3) * (b.mesh.point(t[f[0]]) + b.mesh.point(t[f[1]]) + b.mesh.point(t[f[2]]));
+            if (insert_on_surface(b.tools, p, FaceRef(c, i), {1e-3, 1e-6})) return true;
+          }
+          return false;
+        }) > 5);
+  CHECK(bench.volume() == Approx(before));
+  CHECK(bench.statistics.points_on_surfaces > 5);
+}
+
+TEST_CASE("Flips, smoothing and improving insertions raise the worst shape about them", "[improve]") {
+  for (const double tolerance : {0.0, 0.05}) {
+    Model model = ball_in_box(4);
+    disturb_inside(model, 11);
+    Bench bench(std::move(model), tolerance);
+    const auto worst = [&] {
+      double w = 1;
+      for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
+        if (bench.mesh.is_live(c)) w = std::min(w, bench.mesh.shape_of(c));
+      return w;
+    };
+    double before = worst();
+    const auto rises = [&](bool done) {
+      if (done) {
+        const double now = worst();
+        CHECK(now >= before);
+        before = now;
+      }
+      return done;
+    };
+    over_cells(bench, 1, [&](Bench& b, CellIndex c) {
+      const Tetrahedron t = b.mesh.vertices(c);
+      for (const auto& e : edge_vertices)
+        if (rises(remove_edge(b.tools, c, t[e[0]], t[e[1]]))) return true;
+      return false;
+    });
+    over_cells(bench, 1, [&](Bench& b, CellIndex c) { return rises(remove_face(b.tools, c, c % 4)); });
+    over_cells(bench, 1, [&](Bench& b, CellIndex c) { return rises(smooth_vertex(b.tools, b.mesh.vertices(c)[c % 4], {})); });
+    over_cells(bench, 5, [&](Bench& b, CellIndex c) { return rises(insert_to_improve(b.tools, c)); });
+    over_cells(bench, 5, [&](Bench& b, CellIndex c) {
+      const Tetrahedron t = b.mesh.vertices(c);
+      return rises(split_to_improve(b.tools, c, t[0], t[1]));
+    });
+    CHECK(bench.statistics.edge_removals > 0);
+    CHECK(bench.statistics.smoothing_moves > 0);
+    const auto [out, back] = bench.guard.deviation(bench.mesh);
+    CHECK(out <= std::max(tolerance, 1e-14));
+    CHECK(back <= std::max(tolerance, 1e-14));
+  }
+}
+
+TEST_CASE("Flips towards Delaunay leave no flippable face and keep the volume", "[improve]") {
+  Model model = two_boxes(3);
+  disturb_inside(model, 5);
+  Bench bench(std::move(model));
+  const double before = bench.volume();
+  CHECK(flip_towards_delaunay(bench.tools, {}) > 0);
+  CHECK(bench.mesh.validate() == "");
+  CHECK(flip_towards_delaunay(bench.tools, {}) == 0);
+  CHECK(bench.volume() == Approx(before));
+}
