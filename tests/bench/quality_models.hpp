@@ -20,7 +20,7 @@ struct QualityModel {
 /// Eight grains of 320 triangles on a 2 x 2 x 2 lattice in a box whose sides are gridded at the grains' edge length: nine
 /// regions. roughness 0: round; else radii vary by that share, smoothly, from the seed.
 QualityModel grains(double roughness, unsigned seed);
-/// A solid of /shared data as it is; an empty PLC where the file is absent.
+/// A solid of the outside test data as it is; an empty PLC where the file is absent.
 QualityModel solid(const std::string& file);
 
 /// TetGen's PLC file, with facet markers.
