@@ -73,6 +73,7 @@ void write_reports(const OutputPlan& plan, Report& report, const PreparedModel& 
                    JobResult& result) {
   for (const auto& file : result.files) report.files.push_back(file.filename().string());
   report.stages = recorder.records();
+  report.notes = model.notes;
   report.warnings = model.warnings;
   result.warnings = model.warnings;
   if (plan.report_beside) {
@@ -131,6 +132,11 @@ JobResult stop_early(PreparedModel& model, const OutputPlan& plan, const StageRe
 }
 
 }  // namespace
+
+void note(std::vector<std::string>& notes, const RunContext& context, std::string text) {
+  context.note(LogLevel::info, text);
+  notes.push_back(std::move(text));
+}
 
 void warn(std::vector<std::string>& warnings, const RunContext& context, std::string text) {
   context.note(LogLevel::warning, text);

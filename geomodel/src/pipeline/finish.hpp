@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/build_model.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "pipeline/stage_recorder.hpp"
 
@@ -25,7 +26,10 @@ struct PreparedModel {
   NamingRules naming;
   TetrahedralizeOptions options;
   Vec3 origin{0, 0, 0};
+  ModelRules rules;
+  std::vector<Index> n_given_triangles;  ///< per input surface: later rows were made by rule
   std::string input_json;
+  std::vector<std::string> notes;        ///< what rules changed
   std::vector<std::string> warnings;
 };
 
@@ -40,6 +44,9 @@ struct OutputPlan {
 /// ends there with the report, and after `intersect` with the soup and its offending spots for viewing. Nothing is written where
 /// verification finds a fault (InternalError) or an error is thrown.
 JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder, const std::function<void()>& prepare);
+
+/// Collects what a rule changed and passes it on to the log.
+void note(std::vector<std::string>& notes, const RunContext& context, std::string text);
 
 /// Collects a warning and passes it on to the log at once.
 void warn(std::vector<std::string>& warnings, const RunContext& context, std::string text);

@@ -26,6 +26,15 @@ void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
 
 }  // namespace
 
+void build(PreparedModel& model, const RunContext& context) {
+  StageScope stage(context, "build");
+  BuiltSurfaces built = build_surfaces(model.surfaces, model.rules);
+  model.surfaces = std::move(built.surfaces);
+  model.n_given_triangles = std::move(built.n_given_triangles);
+  for (std::string& text : built.notes) note(model.notes, context, std::move(text));
+  for (std::string& text : built.warnings) warn(model.warnings, context, std::move(text));
+}
+
 void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const ArrangementOptions& options,
                const RunContext& context) {
   StageScope stage(context, "intersect");
@@ -33,6 +42,11 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
+  if (model.rules.trims()) {
+    TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.n_given_triangles, model.rules);
+    model.arrangement.soup = std::move(trimmed.soup);
+    for (std::string& text : trimmed.notes) note(model.notes, context, std::move(text));
+  }
   model.plc = make_plc(model.arrangement.soup, model.surfaces, wells);
   context.note(LogLevel::info, std::to_string(model.arrangement.n_crossing_pairs) + " pairs of triangles cross; " +
                                    std::to_string(model.arrangement.soup.facets.size()) + " facets");

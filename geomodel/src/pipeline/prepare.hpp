@@ -18,7 +18,11 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
 /// Reads the files given to `geomesh mesh`; a single PLC file (.poly, .smesh) goes to the engine as it is.
 void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunContext& context);
 
+/// Stage build: applies model.rules to the surfaces (holes, continuations, open bodies).
+void build(PreparedModel& model, const RunContext& context);
+
 /// Stage intersect: fills model.arrangement and model.plc, appends the box sides to model.surfaces.
+/// Rules on crossings (erosion, onlap, ends of continuations) are applied to the soup.
 void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const ArrangementOptions& options, const RunContext& context);
 
 /// Makes names unique by a suffix `_2`, `_3` ... in order; names of box sides are reserved.

@@ -88,7 +88,9 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
     }
     context.note(LogLevel::info, std::to_string(model.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");
   }
-  model.naming.column = project.column;
+  model.naming = project.naming;
+  for (NamedPoint& seed : model.naming.seeds) seed.point = seed.point - project.output.origin;
+  model.rules = project.rules;
   model.origin = project.output.origin;
   model.options = project.mesh.options;
   model.input_json = describe_input(project, model);
@@ -99,6 +101,8 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
     options.box->min = options.box->min - project.output.origin;
     options.box->max = options.box->max - project.output.origin;
   }
+  model.rules.box = options.box;
+  build(model, context);
   intersect(model, wells, options, context);
 }
 

@@ -6,6 +6,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "project/read_rules.hpp"
 #include "project/yaml_values.hpp"
 #include "readers/input_file.hpp"
 
@@ -47,7 +48,8 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "mesh", "output"});
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "rules", "regions", "groups", "attributes",
+                              "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v);
@@ -63,6 +65,11 @@ class ProjectReader {
     }
     if (!map.find("surfaces") && !map.find("box")) root.problem("neither 'surfaces' nor 'box' is given: there is nothing to mesh");
     if (const auto v = map.find("column")) read_column(*v);
+    if (const auto v = map.find("rules")) read_model_rules(*v, project_);
+    if (const auto v = map.find("regions")) read_region_seeds(*v, project_);
+    if (const auto v = map.find("groups")) read_groups(*v, project_);
+    if (const auto v = map.find("attributes")) read_attributes(*v, project_);
+    finish_rules(root, project_);
     if (const auto v = map.find("mesh")) read_mesh(*v);
     if (const auto v = map.find("output")) read_output(*v);
   }
@@ -137,7 +144,7 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    const YamlMap map(value, {"name", "kind", "file", "cuts"});
+    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base"});
     if (!map.is_map()) return;
     SurfaceSpec spec;
     spec.line = map.place().line;
@@ -155,6 +162,7 @@ class ProjectReader {
       if (cuts == "all" && spec.kind != SurfaceKind::body) v->problem("only a body cuts; this surface is a " + std::string(to_string(spec.kind)));
       spec.cuts_all = cuts == "all";
     }
+    read_surface_rules(map, spec);
     project_.surfaces.push_back(std::move(spec));
   }
 

@@ -150,6 +150,7 @@ std::string to_json(const Report& report) {
   if (report.mesh) add_mesh(*report.mesh, root);
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
+  root["notes"] = report.notes;
   root["warnings"] = report.warnings;
   root["files"] = report.files;
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";

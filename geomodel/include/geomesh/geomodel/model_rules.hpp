@@ -56,6 +56,12 @@ struct ModelRules {
   double trim_overshoot = 0;
 
   SurfaceRules of(std::size_t row) const { return row < surfaces.size() ? surfaces[row] : SurfaceRules{}; }
+  /// Whether any rule acts on the soup.
+  bool trims() const {
+    for (const SurfaceRules& rule : surfaces)
+      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable) return true;
+    return on_crossing != OnCrossing::leave || trim_overshoot > 0;
+  }
 };
 
 struct BuiltSurfaces {

@@ -10,6 +10,8 @@
 
 #include "geomesh/core/geometry.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
+#include "geomesh/geomodel/build_model.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {
@@ -20,6 +22,7 @@ struct SurfaceSpec {
   std::filesystem::path file;  ///< absolute, resolved against the project file
   std::string file_as_written;
   bool cuts_all = false;  ///< `cuts: all`; default true for bodies
+  SurfaceRules rules;     ///< `extend`, `fill_holes`, `extent`, `base`
   int line = 0;           ///< where it stands in the project file, from 1
 };
 
@@ -58,6 +61,8 @@ struct Project {
   std::vector<NamedPoint> points;
   /// unit, horizon, unit, horizon, ..., unit; youngest first. Empty where not given.
   std::vector<std::string> column;
+  ModelRules rules;    ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
+  NamingRules naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
   MeshSpec mesh;
   OutputSpec output;
 };

@@ -48,6 +48,7 @@ struct Report {
   const ModelMesh* mesh = nullptr;
   std::vector<std::string> surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<QualityStatistics> quality;
+  std::vector<std::string> notes;  ///< what rules of the model changed, with areas
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< written, relative to the report
 };

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The rules of a project file (docs/model-building.md): of one surface, and of the model.
+#pragma once
+
+#include "geomesh/geomodel/project.hpp"
+#include "project/yaml_values.hpp"
+
+namespace geomesh::geomodel {
+
+/// Keys extend, fill_holes, extent and base of an entry of `surfaces`, whose name and kind are known.
+void read_surface_rules(const YamlMap& map, SurfaceSpec& spec);
+
+/// Key `rules`.
+void read_model_rules(const YamlValue& value, Project& project);
+/// Key `regions`: own names by seed points.
+void read_region_seeds(const YamlValue& value, Project& project);
+/// Keys `groups` and `attributes`.
+void read_groups(const YamlValue& value, Project& project);
+void read_attributes(const YamlValue& value, Project& project);
+
+/// What can be checked once everything is read: names in rules, a box where one is needed. Fills project.rules from the rest.
+void finish_rules(const YamlValue& root, Project& project);
+
+}  // namespace geomesh::geomodel
