@@ -152,6 +152,6 @@ inline GridModel three_layers(int n = 2) {
   return make_grid_model({n, n, 3}, {1, 1, 1},
                          {plane("upper", SurfaceKind::horizon, 2, 2), plane("lower", SurfaceKind::horizon, 2, 1)});
 }
-inline NamingRules three_layer_rules() { return {{"top", "upper", "middle", "lower", "bottom"}, {}, {}, false}; }
+inline NamingRules three_layer_rules() { return {{"top", "upper", "middle", "lower", "bottom"}, {}, {}}; }
 
 }  // namespace geomesh::geomodel::testing

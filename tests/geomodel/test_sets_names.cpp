@@ -71,7 +71,7 @@ TEST_CASE("regions of a layer cake take the units of the column, youngest first,
 TEST_CASE("a fault cuts units into blocks with suffixes by place", "[sets]") {
   const Named named = name_grid(make_grid_model({2, 1, 2}, {1, 1, 1},
                                                 {plane("base", SurfaceKind::horizon, 2, 1), plane("f", SurfaceKind::fault, 0, 1)}),
-                                {{"sand", "base", "shale"}, {}, {}, false});
+                                {{"sand", "base", "shale"}, {}, {}});
   CHECK(region_names(named.model) == Names{"sand__1", "sand__2", "shale__1", "shale__2"});
   CHECK(some_warning_has(named.warnings, {"sand falls into 2 regions", "sand__1", "sand__2"}));
   for (const auto& face : named.model.faces)
@@ -106,7 +106,7 @@ TEST_CASE("a hole in a horizon and a border that stops short join units, and the
                             };
                             return in(1, 0, 2) || in(3, 1, 4);
                           }}}),
-        {{"sand", "h", "shale"}, {}, {}, false});
+        {{"sand", "h", "shale"}, {}, {}});
     CHECK(region_names(named.model) == Names{"sand__1", "sand__2", "shale__1", "shale__2"});
     CHECK(some_warning_has(named.warnings, {"h stops short", "ends there inside region sand__1"}));
   }
@@ -140,7 +140,7 @@ TEST_CASE("a horizon missing in a block, a pocket of crossing horizons and a blo
     const Named named = name_grid(make_grid_model({2, 1, 2}, {1, 1, 1},
                                                   {plane("f", SurfaceKind::fault, 0, 1),
                                                    plane("base", SurfaceKind::horizon, 2, 1, [](int i, int, int) { return i <= 1; })}),
-                                  {{"sand", "base", "shale"}, {}, {}, false});
+                                  {{"sand", "base", "shale"}, {}, {}});
     CHECK(region_names(named.model) == Names{"sand", "shale", "region_1"});
     CHECK(some_warning_has(named.warnings, {"touches no horizon"}));
   }
@@ -173,7 +173,7 @@ TEST_CASE("bodies name what they hold, the innermost first, and every region kno
         if (o.surface == s && o.triangle == t) o.reversed = !o.reversed;
     }
   }
-  const Named named = name_grid(grid, {{"rock"}, {}, {}, false});
+  const Named named = name_grid(grid, {{"rock"}, {}, {}});
   CHECK(region_names(named.model) == Names{"rock", "salt", "core"});
   CHECK(named.model.regions[1].inside == Names{"salt"});
   CHECK(named.model.regions[2].inside == Names{"salt", "core"});
@@ -186,21 +186,21 @@ TEST_CASE("hints and seeds name regions; what is left is numbered by first input
   RegionHint hint{"reservoir", {}};
   for (Index t = 0; t < grid.surfaces[0].triangles.size(); ++t) hint.boundary.push_back({0, t, true});  // below `upper`
   for (Index t = 0; t < grid.surfaces[1].triangles.size(); ++t) hint.boundary.push_back({1, t, false});
-  CHECK(region_names(name_grid(grid, {{}, {hint}, {}, false}).model) == Names{"reservoir", "region_1", "region_2"});
+  CHECK(region_names(name_grid(grid, {{}, {hint}, {}}).model) == Names{"reservoir", "region_1", "region_2"});
   grid.mesh.component_seed[grid.mesh.component.front()] = 0;
-  CHECK(region_names(name_grid(grid, {{}, {hint}, {"seeded"}, false}).model) == Names{"reservoir", "seeded", "region_1"});
+  CHECK(region_names(name_grid(grid, {{}, {hint}, {"seeded"}}).model) == Names{"reservoir", "seeded", "region_1"});
   CHECK(region_names(name_grid(three_layers(1), {}).model) == Names{"region_1", "region_2", "region_3"});
 }
 
 TEST_CASE("a column that is malformed or names no surface is refused", "[sets]") {
-  CHECK_THROWS_AS(name_grid(three_layers(1), {{"a", "upper"}, {}, {}, false}), Error);
-  CHECK_THROWS_AS(name_grid(three_layers(1), {{"a", "nowhere", "b"}, {}, {}, false}), Error);
+  CHECK_THROWS_AS(name_grid(three_layers(1), {{"a", "upper"}, {}, {}}), Error);
+  CHECK_THROWS_AS(name_grid(three_layers(1), {{"a", "nowhere", "b"}, {}, {}}), Error);
 }
 
 TEST_CASE("a fault inside one region keeps its orientation and its tip is a curve", "[sets]") {
   const Named named = name_grid(make_grid_model({4, 2, 4}, {1, 1, 1},
                                                 {plane("f", SurfaceKind::fault, 0, 2, [](int, int, int k) { return k >= 2; })}),
-                                {{"rock"}, {}, {}, false});
+                                {{"rock"}, {}, {}});
   const std::int32_t f = named.model.surfaces[0].id;
   std::size_t n = 0;
   for (const auto& face : named.model.faces) {
@@ -293,7 +293,7 @@ TEST_CASE("regions below min_volume are reported, or join the neighbour across m
 }
 
 TEST_CASE("what lies above the topography is left out", "[sets]") {
-  NamingRules rules{{"soil", "base", "rock"}, {}, {}, false};
+  NamingRules rules{{"soil", "base", "rock"}, {}, {}};
   rules.topography = "relief";
   const GridModel grid = make_grid_model({2, 2, 3}, {1, 1, 1},
                                          {plane("relief", SurfaceKind::horizon, 2, 2), plane("base", SurfaceKind::horizon, 2, 1)});
