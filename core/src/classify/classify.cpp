@@ -151,7 +151,13 @@ class Classifier {
       if (s.live && s.segment != no_index && constraints.segments[s.segment].row != no_index) parts[s.segment].push_back(&s);
     for (Index row = 0; row < model_.segment_of_row.size(); ++row)
       for (const Subsegment* s : parts[model_.segment_of_row[row]])
-        if (point_[s->a] != no_vertex && point_[s->b] != no_vertex) out_.edges.push_back({point_[s->a], point_[s->b], row});
+        if (point_[s->a] != no_vertex && point_[s->b] != no_vertex && is_kept_edge(*s)) out_.edges.push_back({point_[s->a], point_[s->b], row});
+  }
+  /// Some cell about the edge is kept; both ends may be though none is.
+  bool is_kept_edge(const Subsegment& s) const {
+    recover::EdgeRing ring;
+    mesh_.ring(mesh_.find_edge(s.a, s.b), s.a, s.b, ring);
+    return std::any_of(ring.cells.begin(), ring.cells.end(), [&](CellIndex c) { return kept(c); });
   }
 
   ConstrainedMesh& mesh_;

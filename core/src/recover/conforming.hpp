@@ -5,6 +5,7 @@
 ///
 /// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
 ///   - `max_steiner_per_facet` points on one facet, and as many on one segment;
+///   - 30 points for each vertex of the model, and 3000 more, in all;
 ///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096 ulps of it.
 #pragma once
 
@@ -19,8 +20,9 @@ class ConformingRecovery {
  public:
   ConformingRecovery(Recovery& recovery, const RecoverOptions& options);
 
-  /// Segments, then facets, each with what the other has lost again, until nothing is missing or all that is has been given up.
-  void run();
+  /// Segments, then facets, each with what the other has lost again, until nothing is missing or all that is has been given up. False:
+  /// more points than the budget were needed in all; what is still missing has been given up too.
+  bool run();
   /// Facets given up, sorted.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
@@ -48,6 +50,7 @@ class ConformingRecovery {
   Constraints& constraints_;
   RecoverOptions options_;
   double min_edge_ = 0;
+  std::size_t max_points_ = 0;
   std::vector<std::uint8_t> sharp_;               ///< per vertex: segments meet there at less than 60 degrees
   std::deque<Index> missing_segments_, missing_facets_;
   FaceMap facet_of_face_;                         ///< faces of facets found present

@@ -63,10 +63,33 @@ class Draft {
   std::vector<Triangle> triangles_;
 };
 
+/// Of each draft triangle that is no face: its longest edge that is missing, or all three where all are there.
+std::set<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
+  std::set<DirectedEdge> out;
+  for (const Triangle& t : draft) {
+    if (mesh.find_face(t[0], t[1], t[2]).valid()) continue;
+    DirectedEdge longest{no_vertex, no_vertex};
+    double length = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+      const VertexIndex a = std::min(t[i], t[(i + 1) % 3]), b = std::max(t[i], t[(i + 1) % 3]);
+      const Vec3 d = mesh.point(b) - mesh.point(a);
+      if (dot(d, d) <= length || mesh.find_edge(a, b) != no_cell) continue;
+      length = dot(d, d);
+      longest = {a, b};
+    }
+    if (longest[0] != no_vertex) {
+      out.insert(longest);
+    } else {
+      for (unsigned i = 0; i < 3; ++i) out.insert({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 void ConformingRecovery::recover_queued_facets() {
-  while (!missing_facets_.empty()) {
+  while (!missing_facets_.empty() && recovery_.n_points_added < max_points_) {
     recovery_.context.check_cancelled();
     recover_queued_segments();
     const Index f = missing_facets_.front();
@@ -103,27 +126,10 @@ void ConformingRecovery::insert_into_facet(Index f) {
   if (points_on_facet_[f] >= options_.max_steiner_per_facet) return give_up_facet(f);
   Draft draft(mesh_, constraints_.subfacets[f].vertices, constraints_.piece_of(f));
   if (!draft.build()) return give_up_facet(f);
-  DirectedEdge longest{no_vertex, no_vertex};
-  double length = 0;
-  const Triangle* missing = nullptr;
-  for (const Triangle& t : draft.triangles()) {
-    if (!missing && !mesh_.find_face(t[0], t[1], t[2]).valid()) missing = &t;
-    for (unsigned i = 0; i < 3; ++i) {
-      const VertexIndex a = t[i], b = t[(i + 1) % 3];
-      const Vec3 d = mesh_.point(b) - mesh_.point(a);
-      if (dot(d, d) <= length || mesh_.find_edge(a, b) != no_cell) continue;
-      length = dot(d, d);
-      longest = {a, b};
-    }
-  }
-  if (longest[0] != no_vertex) {
-    if (!insert_midpoint(f, longest[0], longest[1])) give_up_facet(f);
-    return;
-  }
-  if (!missing) return give_up_facet(f);
-  const Triangle t = *missing;
-  for (unsigned i = 0; i < 3; ++i)
-    if (!insert_midpoint(f, t[i], t[(i + 1) % 3])) return give_up_facet(f);
+  const std::set<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
+  if (edges.empty()) return give_up_facet(f);
+  for (const DirectedEdge& e : edges)
+    if (points_on_facet_[f] >= options_.max_steiner_per_facet || !insert_midpoint(f, e[0], e[1])) return give_up_facet(f);
 }
 
 bool ConformingRecovery::insert_midpoint(Index f, VertexIndex a, VertexIndex b) {

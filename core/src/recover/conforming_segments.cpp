@@ -13,6 +13,7 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   for (VertexIndex v = 0; v < mesh_.n_input(); ++v)
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(mesh_.point(v)[i]));
   min_edge_ = std::ldexp(largest, -40);
+  max_points_ = 30 * mesh_.n_input() + 3000;
   facet_queued_.assign(constraints_.subfacets.size(), 0);
   facet_is_given_up_.assign(constraints_.subfacets.size(), 0);
   points_on_facet_.assign(constraints_.subfacets.size(), 0);
@@ -21,7 +22,7 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   find_sharp_vertices();
 }
 
-void ConformingRecovery::run() {
+bool ConformingRecovery::run() {
   for (Index s = 0; s < constraints_.subsegments.size(); ++s)
     if (mesh_.find_edge(constraints_.subsegments[s].a, constraints_.subsegments[s].b) == no_cell) missing_segments_.push_back(s);
   recover_queued_segments();
@@ -32,8 +33,10 @@ void ConformingRecovery::run() {
       missing_facets_.push_back(f);
     }
   recover_queued_facets();
+  for (const Index f : missing_facets_) give_up_facet(f);
   std::sort(given_up_.begin(), given_up_.end());
   given_up_.erase(std::unique(given_up_.begin(), given_up_.end()), given_up_.end());
+  return recovery_.n_points_added < max_points_;
 }
 
 bool ConformingRecovery::too_short(const Vec3& a, const Vec3& b) const { return dot(b - a, b - a) < min_edge_ * min_edge_; }
@@ -77,7 +80,7 @@ VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRe
 }
 
 void ConformingRecovery::recover_queued_segments() {
-  while (!missing_segments_.empty()) {
+  while (!missing_segments_.empty() && recovery_.n_points_added < max_points_) {
     recovery_.context.check_cancelled();
     const Index s = missing_segments_.front();
     missing_segments_.pop_front();

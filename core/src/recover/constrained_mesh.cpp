@@ -131,6 +131,10 @@ bool ConstrainedMesh::ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRin
     first = mesh_.vertex(c, k);
     c = next.cell();
   } while (c != cell);
+  // From a start that does not depend on the course of recovery.
+  const auto start = std::min_element(out.ring.begin(), out.ring.end()) - out.ring.begin();
+  std::rotate(out.ring.begin(), out.ring.begin() + start, out.ring.end());
+  std::rotate(out.cells.begin(), out.cells.begin() + start, out.cells.end());
   return true;
 }
 

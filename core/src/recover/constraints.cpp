@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "geomesh/core/error.hpp"
+
 namespace geomesh::recover {
 
 void Constraints::reserve(std::size_t n_subsegments, std::size_t n_subfacets) {
@@ -21,6 +23,7 @@ Index Constraints::add_subsegment(VertexIndex a, VertexIndex b, Index segment, I
 }
 
 Index Constraints::add_subfacet(const Triangle& t, Index facet) {
+  GEOMESH_CHECK(subfacet_of(t[0], t[1], t[2]) == no_index);
   const Index f = static_cast<Index>(subfacets.size());
   subfacets.push_back({t, facet, true});
   subfacet_map_.insert({t[0], t[1], t[2]}, f);

@@ -21,10 +21,22 @@ class Tracer {
       advance(p, q);
     }
     if (out_.status == FacetTrace::Status::complete && !out_.piercing.empty()) out_.status = FacetTrace::Status::pierced;
+    if (out_.status == FacetTrace::Status::complete && !covers_once()) out_.status = FacetTrace::Status::unclear;
     return std::move(out_);
   }
 
  private:
+  /// The faces' border is the subfacet's: each directed edge is the border's or cancels with its reverse, and none stands twice.
+  bool covers_once() const {
+    std::set<DirectedEdge> edges;
+    for (const Triangle& t : out_.faces)
+      for (unsigned i = 0; i < 3; ++i)
+        if (!edges.insert({t[i], t[(i + 1) % 3]}).second) return false;
+    for (const DirectedEdge& e : border_)
+      if (!edges.count(e)) return false;
+    return std::all_of(edges.begin(), edges.end(), [&](const DirectedEdge& e) { return border_.count(e) || edges.count({e[1], e[0]}); });
+  }
+
   void fail(FacetTrace::Status status, VertexIndex culprit = no_vertex) {
     if (out_.status == FacetTrace::Status::touched) return;
     out_.status = status;

@@ -93,13 +93,19 @@ class FacetRecovery {
     return trace;
   }
 
+  /// In the plane of the input's corners. Extended precision: the plane of a thin triangle is known to fewer digits than its corners.
   Vec3 piercing_point(const PiercingEdge& e) const {
-    const Triangle& t = plane_;
-    const Vec3 &p = mesh_.point(t[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);
-    const Vec3 n = cross(mesh_.point(t[1]) - p, mesh_.point(t[2]) - p);
-    const double da = dot(n, a - p), db = dot(n, b - p);
-    const double s = da == db ? 0.5 : std::clamp(da / (da - db), 0.0, 1.0);
-    return s <= 0.5 ? a + s * (b - a) : b + (1 - s) * (a - b);
+    using Real = long double;
+    const Vec3 &p = mesh_.point(plane_[0]), &q = mesh_.point(plane_[1]), &r = mesh_.point(plane_[2]);
+    const Vec3 &a = mesh_.point(e.below), &b = mesh_.point(e.above);
+    const std::array<Real, 3> u{Real(q.x) - p.x, Real(q.y) - p.y, Real(q.z) - p.z}, v{Real(r.x) - p.x, Real(r.y) - p.y, Real(r.z) - p.z};
+    const std::array<Real, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const auto height = [&](const Vec3& x) { return n[0] * (Real(x.x) - p.x) + n[1] * (Real(x.y) - p.y) + n[2] * (Real(x.z) - p.z); };
+    const Real da = height(a), db = height(b);
+    const Real s = da == db ? Real(0.5) : std::clamp(da / (da - db), Real(0), Real(1));
+    Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<double>(a[i] + s * (Real(b[i]) - a[i]));
+    return out;
   }
 
   /// Splits the piercing edge nearest to its middle, so that the new cells are as thick as can be; else any.

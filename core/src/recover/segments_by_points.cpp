@@ -62,7 +62,15 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   return false;
 }
 
-/// A point on the missing subsegment where the line crosses the mesh, as near to the middle as can be.
+/// Square of the distance to the nearest of the segment's ends and of the vertices of the simplex crossed.
+double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, const Vec3& a, const Vec3& b) {
+  double out = std::min(dot(x - a, x - a), dot(x - b, x - b));
+  for (VertexIndex v : c.v)
+    if (v != no_vertex) out = std::min(out, dot(x - mesh.point(v), x - mesh.point(v)));
+  return out;
+}
+
+/// A point on the missing subsegment where the line crosses the mesh, as far from other vertices as can be.
 VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
   const VertexIndex a = recovery.constraints.subsegments[s].a, b = recovery.constraints.subsegments[s].b;
@@ -71,15 +79,16 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   walk_line(mesh, a, b, line);
   refuse_contradictions(recovery, s, line);
   std::vector<std::pair<double, std::size_t>> order;
-  std::vector<double> parameter;
+  std::vector<Vec3> places;
   for (std::size_t i = 0; i < line.crossings.size(); ++i) {
-    parameter.push_back(crossing_parameter(mesh, line.crossings[i], pa, pb));
-    order.emplace_back(std::fabs(parameter[i] - 0.5), i);
+    const double t = crossing_parameter(mesh, line.crossings[i], pa, pb);
+    places.push_back(on_segment(pa, pb, t));
+    if (t > 0 && t < 1) order.emplace_back(-clearance(mesh, line.crossings[i], places[i], pa, pb), i);
   }
   std::sort(order.begin(), order.end());
   VertexIndex x = no_vertex;
-  for (const auto& [distance, i] : order)
-    if (distance < 0.5 && try_point(recovery, on_segment(pa, pb, parameter[i]), crossed_cells(mesh, line.crossings[i]), x)) return x;
+  for (const auto& [negative_clearance, i] : order)
+    if (try_point(recovery, places[i], crossed_cells(mesh, line.crossings[i]), x)) return x;
   for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
     if (try_point(recovery, on_segment(pa, pb, t), {mesh.cell_of(a)}, x)) return x;
   return no_vertex;

@@ -31,8 +31,9 @@ void recover_constraints(const PiecewiseLinearComplex& plc, DeclaredModel& model
   try {
     if (options.mode == MeshMode::conforming) {
       recover::ConformingRecovery conforming(recovery, options);
-      conforming.run();
+      const bool within_budget = conforming.run();
       statistics.facets_not_recovered = conforming.facets_given_up();
+      if (!within_budget) throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
     }
     recover::recover_segments(recovery);
     recover::recover_facets(recovery);
@@ -48,11 +49,10 @@ void recover_constraints(const PiecewiseLinearComplex& plc, DeclaredModel& model
 
 }  // namespace
 
-ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
-                                             const RunContext& context, bool keep_hull) {
-  if (options.recover.preserve_boundary && options.recover.mode == MeshMode::conforming)
-    throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
-  refuse_invalid(plc);
+namespace {
+
+ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
+                                           bool keep_hull, std::vector<Index>& given_up) {
   DeclaredModel model = recover::declare_constraints(plc, context);
   if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
   RecoveryStatistics statistics;
@@ -68,7 +68,12 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   statistics.missing_edges_initial = start.missing_edges;
   statistics.missing_facets_before_segments = start.missing_facets;
   ConstrainedMesh mesh(std::move(start.mesh), std::move(start.points), model.input_vertex.size());
-  recover_constraints(plc, model, mesh, statistics, options.recover, context);
+  try {
+    recover_constraints(plc, model, mesh, statistics, options.recover, context);
+  } catch (const Error&) {
+    given_up = statistics.facets_not_recovered;
+    throw;
+  }
   const StageScope stage(context, "classify");
   ConstrainedTetrahedralization out = classify::classify(mesh, model, plc, context, keep_hull);
   const std::size_t n_tetrahedra = out.tetrahedra.size();
@@ -81,6 +86,32 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
     out.recovery.steiner_inside += origin == VertexOrigin::inside;
   }
   out.delaunay_statistics = start.statistics;
+  return out;
+}
+
+}  // namespace
+
+ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
+                                             const RunContext& context, bool keep_hull) {
+  if (options.recover.preserve_boundary && options.recover.mode == MeshMode::conforming)
+    throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
+  refuse_invalid(plc);
+  std::vector<Index> given_up;
+  if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, keep_hull, given_up);
+  try {
+    return mesh_in_mode(plc, options, context, keep_hull, given_up);
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::cannot_mesh) throw;
+    context.note(LogLevel::warning, "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
+  }
+  // Points crowded by small angles can leave no room for what is still missing; without them there is.
+  TetrahedralizeOptions constrained = options;
+  constrained.recover.mode = MeshMode::constrained;
+  if (given_up.empty())
+    for (Index f = 0; f < plc.n_facets(); ++f) given_up.push_back(f);
+  std::vector<Index> unused;
+  ConstrainedTetrahedralization out = mesh_in_mode(plc, constrained, context, keep_hull, unused);
+  out.recovery.facets_not_recovered = given_up;
   return out;
 }
 
