@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/finish.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "geomesh/geomodel/report.hpp"
@@ -23,16 +24,21 @@ std::string volume_words(double volume) {
   return text;
 }
 
+constexpr std::size_t most_regions_listed = 30;
+
 std::vector<std::string> summarise(const ModelMesh& mesh) {
   std::vector<std::string> lines;
   lines.push_back(count_words(mesh.tetrahedra.size(), "tetrahedra, ") + count_words(mesh.points.size(), "points, ") +
                   count_words(mesh.faces.size(), "faces on surfaces, ") + count_words(mesh.regions.size(), "regions:"));
-  for (const Region& region : mesh.regions) {
+  for (std::size_t i = 0; i < std::min(mesh.regions.size(), most_regions_listed); ++i) {
+    const Region& region = mesh.regions[i];
     char line[256];
     std::snprintf(line, sizeof line, "  %3d  %-28s %10zu tetrahedra  %s", region.id, region.name.c_str(), region.n_tetrahedra,
                   volume_words(region.volume).c_str());
     lines.emplace_back(line);
   }
+  if (mesh.regions.size() > most_regions_listed)
+    lines.push_back("  ... and " + count_words(mesh.regions.size() - most_regions_listed, "more, listed in the report"));
   return lines;
 }
 
