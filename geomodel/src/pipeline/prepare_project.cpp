@@ -27,6 +27,20 @@ void subtract(std::vector<Vec3>& points, const Vec3& origin) {
   for (Vec3& p : points) p = p - origin;
 }
 
+/// Conversions of the whole project are not offered: what would be read in silence as something else is refused.
+void refuse_conversions(const Project& project) {
+  const std::string where = project.file.filename().string() + ": crs";
+  if (project.crs.horizontal == "geographic")
+    throw Error(ErrorKind::usage, where + ".horizontal: geographic coordinates are not offered yet; give surfaces and box in a projected "
+                                          "system (utm 32N) or in local metres");
+  if (project.crs.depth)
+    throw Error(ErrorKind::usage, where + ".z: depth is not offered yet for a whole project; files that say so themselves (ZPOSITIVE "
+                                          "Depth) are turned when read");
+  if (project.crs.unit != "m")
+    throw Error(ErrorKind::usage, where + ".unit: " + project.crs.unit + " is not offered yet for a whole project; files that name their "
+                                          "unit are converted to metres when read");
+}
+
 std::string describe_input(const Project& project, const PreparedModel& model) {
   nlohmann::ordered_json input;
   input["project"] = project.file.filename().string();
@@ -54,6 +68,7 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
 }  // namespace
 
 void prepare_project(const Project& project, PreparedModel& model, const RunContext& context) {
+  refuse_conversions(project);
   std::vector<Polyline> wells;
   {
     StageScope stage(context, "read");
