@@ -80,13 +80,14 @@ std::string added_share(const std::vector<Row>& rows, const std::string& group, 
       added += (row.*run).answer.added_points;
       points += row.n_points;
     }
+  if (points == 0) return "–";
   char text[60];
   std::snprintf(text, sizeof text, "%zu (%.3f %%)", added,
                 points ? 100.0 * static_cast<double>(added) / static_cast<double>(points) : 0.0);
   return text;
 }
 
-std::string table(const std::vector<Row>& rows) {
+std::string table(const std::vector<Row>& rows, unsigned limit) {
   std::ostringstream out;
   out << "CPU seconds on one core from the model in memory to the classified mesh / points added / tetrahedra per input "
          "triangle.\n\n"
@@ -186,7 +187,7 @@ int main(int argc, char** argv) {
     std::cerr << input.name << std::endl;
     rows.push_back(run(input, limit));
   }
-  const std::string text = table(rows);
+  const std::string text = table(rows, limit);
   std::cout << text;
   if (!markdown.empty()) replace_section(markdown, text);
 }
