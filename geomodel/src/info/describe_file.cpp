@@ -88,6 +88,11 @@ void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {
     info.polylines.push_back({line.name, line.points.size(), length.value()});
   }
   info.n_named_points = contents.points.size();
+  for (const PointSet& set : contents.point_sets) {
+    Box3 bounds;
+    for (const Vec3& p : set.points) bounds.add(p);
+    info.point_sets.push_back({set.name, set.points.size(), bounds});
+  }
   for (const RegionHint& region : contents.regions) info.regions.push_back(region.name);
 }
 

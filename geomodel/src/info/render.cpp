@@ -59,6 +59,8 @@ std::string to_text(const FileInfo& info) {
   for (const SurfaceInfo& s : info.surfaces) text += surface_text(s);
   for (const FileInfo::Line& l : info.polylines)
     text += "polyline " + l.name + ": " + count(l.n_points, "point", "points") + ", length " + number(l.length) + "\n";
+  for (const FileInfo::Points& p : info.point_sets)
+    text += "points " + p.name + ": " + std::to_string(p.n_points) + "\n  " + bounds_text(p.bounds) + "\n";
   if (info.n_named_points > 0) text += count(info.n_named_points, "point", "points") + "\n";
   if (info.n_facets > 0) text += count(info.n_facets, "facet", "facets") + "\n";
   for (const MeshInfo& m : info.meshes) text += mesh_text(m);
@@ -93,6 +95,8 @@ std::string to_json(const FileInfo& info) {
                                 {"volume", s.volume}});
   for (const FileInfo::Line& l : info.polylines)
     json["polylines"].push_back({{"name", l.name}, {"points", l.n_points}, {"length", l.length}});
+  for (const FileInfo::Points& p : info.point_sets)
+    json["point_sets"].push_back({{"name", p.name}, {"points", p.n_points}, {"bounds", bounds_json(p.bounds)}});
   for (const MeshInfo& m : info.meshes) {
     nlohmann::ordered_json mesh{{"points", m.n_points},
                                 {"tetrahedra", m.n_tetrahedra},

@@ -78,15 +78,15 @@ void describe_frame(const std::vector<GocadObject>& objects, FileContents& conte
 
 /// A file that says Depth and counts z negative means elevation more often than not.
 void warn_of_negative_depths(const std::vector<GocadObject>& objects, FileContents& contents) {
+  std::size_t n_points = 0, n_negative = 0;
   for (const GocadObject& o : objects) {
-    if (!o.frame.depth || o.points.empty()) continue;
-    const auto above = std::count_if(o.points.begin(), o.points.end(), [](const Vec3& p) { return p.z > 0; });
-    if (2 * static_cast<std::size_t>(above) <= o.points.size()) continue;
-    contents.warnings.push_back("'" + o.name + "' says ZPOSITIVE Depth, yet " + std::to_string(above) + " of its " +
-                                std::to_string(o.points.size()) +
-                                " z are negative: they come to lie above zero; if they are elevations, the file should say "
-                                "ZPOSITIVE Elevation");
+    if (!o.frame.depth) continue;
+    n_points += o.points.size();
+    n_negative += static_cast<std::size_t>(std::count_if(o.points.begin(), o.points.end(), [](const Vec3& p) { return p.z > 0; }));
   }
+  if (2 * n_negative <= n_points) return;
+  contents.warnings.push_back("the file says ZPOSITIVE Depth, yet " + std::to_string(n_negative) + " of its " + std::to_string(n_points) +
+                              " z are negative: they come to lie above zero; if they are elevations, it should say ZPOSITIVE Elevation");
 }
 
 void refuse_where_nothing_was_read(const std::vector<GocadObject>& objects, const InputFile& file, const FileContents& contents) {

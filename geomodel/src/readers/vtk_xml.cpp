@@ -3,14 +3,16 @@
 // points are widened. Volume cells are no surface: such a file is refused here (`geomesh info` and `check` read it).
 #include <vtkCell.h>
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
-#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -24,11 +26,33 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Gathers VTK's complaints, which would else go to the terminal.
-void remember_message(vtkObject*, unsigned long, void* client, void* data) {
-  auto* messages = static_cast<std::string*>(client);
-  if (messages->empty() && data) *messages = static_cast<const char*>(data);
-}
+/// Takes VTK's complaints, which would else go to the terminal, as long as it stands.
+class MessageWindow : public vtkOutputWindow {
+ public:
+  static MessageWindow* New();
+  vtkTypeMacro(MessageWindow, vtkOutputWindow);
+  void DisplayText(const char* text) override {
+    if (text && messages.empty()) messages = text;
+  }
+  std::string messages;
+};
+vtkStandardNewMacro(MessageWindow)
+
+class WindowScope {
+ public:
+  WindowScope() : before_(vtkOutputWindow::GetInstance()) {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    vtkOutputWindow::SetInstance(window_);
+  }
+  ~WindowScope() { vtkOutputWindow::SetInstance(before_); }
+  WindowScope(const WindowScope&) = delete;
+  WindowScope& operator=(const WindowScope&) = delete;
+  const std::string& messages() const { return window_->messages; }
+
+ private:
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkNew<MessageWindow> window_;
+};
 
 /// The first telling line of a VTK message, whose own first line names a source file.
 std::string first_reason(const std::string& message) {
@@ -47,20 +71,12 @@ std::string first_reason(const std::string& message) {
 /// The file is parsed from memory, so that a lying size in it meets the bytes that are there.
 template <class Reader>
 vtkSmartPointer<vtkPointSet> parse(const InputFile& file) {
+  const WindowScope window;
   vtkNew<Reader> reader;
-  std::string messages;
-  vtkNew<vtkCallbackCommand> listen;
-  listen->SetCallback(remember_message);
-  listen->SetClientData(&messages);
-  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) {
-    reader->AddObserver(event, listen);
-    reader->SetReaderErrorObserver(listen);
-    reader->SetParserErrorObserver(listen);
-  }
   reader->ReadFromInputStringOn();
   reader->SetInputString(file.bytes);
   reader->Update();
-  if (!messages.empty()) file.fail("VTK cannot read it: " + first_reason(messages));
+  if (!window.messages().empty()) file.fail("VTK cannot read it: " + first_reason(window.messages()));
   return reader->GetOutput();
 }
 

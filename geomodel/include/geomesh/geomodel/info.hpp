@@ -54,6 +54,12 @@ struct FileInfo {
     double length;
   };
   std::vector<Line> polylines;
+  struct Points {
+    std::string name;
+    std::size_t n_points;
+    Box3 bounds;
+  };
+  std::vector<Points> point_sets;
   std::size_t n_named_points = 0;
   std::vector<std::string> regions;  ///< names that came with the file (GOCAD Model3d, TetGen attributes)
   std::size_t n_facets = 0;          ///< of a PLC file
