@@ -30,7 +30,7 @@ namespace {
 class MessageWindow : public vtkOutputWindow {
  public:
   static MessageWindow* New();
-  vtkTypeMacro(MessageWindow, vtkOutputWindow);
+  vtkTypeMacro(MessageWindow, vtkOutputWindow)
   void DisplayText(const char* text) override {
     if (text && messages.empty()) messages = text;
   }
