@@ -16,8 +16,8 @@ constexpr Index unvisited = no_index, outside = no_index - 1, dropped = no_index
 
 class Classifier {
  public:
-  Classifier(ConstrainedMesh& mesh, const DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context, bool keep_hull)
-      : mesh_(mesh), model_(model), plc_(plc), context_(context), keep_hull_(keep_hull), label_(mesh.cells().n_slots(), unvisited) {}
+  Classifier(ConstrainedMesh& mesh, const DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
+      : mesh_(mesh), model_(model), plc_(plc), context_(context), label_(mesh.cells().n_slots(), unvisited) {}
 
   ConstrainedTetrahedralization run() {
     flood_outside();
@@ -164,7 +164,6 @@ class Classifier {
   const DeclaredModel& model_;
   const PiecewiseLinearComplex& plc_;
   const RunContext& context_;
-  bool keep_hull_;
   std::vector<Index> label_;
   std::vector<Index> subfacets_;
   std::vector<FaceRef> above_;
@@ -176,8 +175,8 @@ class Classifier {
 }  // namespace
 
 ConstrainedTetrahedralization classify(ConstrainedMesh& mesh, const DeclaredModel& model, const PiecewiseLinearComplex& plc,
-                                       const RunContext& context, bool keep_hull) {
-  return Classifier(mesh, model, plc, context, keep_hull).run();
+                                       const RunContext& context) {
+  return Classifier(mesh, model, plc, context).run();
 }
 
 }  // namespace geomesh::classify

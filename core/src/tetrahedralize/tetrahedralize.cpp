@@ -52,7 +52,7 @@ void recover_constraints(const PiecewiseLinearComplex& plc, DeclaredModel& model
 namespace {
 
 ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
-                                           bool keep_hull, std::vector<Index>& given_up) {
+                                           std::vector<Index>& given_up) {
   DeclaredModel model = recover::declare_constraints(plc, context);
   if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
   RecoveryStatistics statistics;
@@ -75,7 +75,7 @@ ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, co
     throw;
   }
   const StageScope stage(context, "classify");
-  ConstrainedTetrahedralization out = classify::classify(mesh, model, plc, context, keep_hull);
+  ConstrainedTetrahedralization out = classify::classify(mesh, model, plc, context);
   const std::size_t n_tetrahedra = out.tetrahedra.size();
   out.delaunay = options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(mesh);
   out.recovery = statistics;
@@ -92,14 +92,14 @@ ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, co
 }  // namespace
 
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
-                                             const RunContext& context, bool keep_hull) {
+                                             const RunContext& context) {
   if (options.recover.preserve_boundary && options.recover.mode == MeshMode::conforming)
     throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
   refuse_invalid(plc);
   std::vector<Index> given_up;
-  if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, keep_hull, given_up);
+  if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, given_up);
   try {
-    return mesh_in_mode(plc, options, context, keep_hull, given_up);
+    return mesh_in_mode(plc, options, context, given_up);
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::cannot_mesh) throw;
     context.note(LogLevel::warning, "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
@@ -110,7 +110,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   if (given_up.empty())
     for (Index f = 0; f < plc.n_facets(); ++f) given_up.push_back(f);
   std::vector<Index> unused;
-  ConstrainedTetrahedralization out = mesh_in_mode(plc, constrained, context, keep_hull, unused);
+  ConstrainedTetrahedralization out = mesh_in_mode(plc, constrained, context, unused);
   out.recovery.facets_not_recovered = given_up;
   return out;
 }

@@ -44,7 +44,7 @@ std::vector<std::string> summarise(const ModelMesh& mesh) {
 
 ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
   ConstrainedTetrahedralization core =
-      tetrahedralize(model.plc.plc, model.options, recorder.context(), model.naming.keep_hull);
+      tetrahedralize(model.plc.plc, model.options, recorder.context());
   if (core.tetrahedra.empty()) {
     throw Error(ErrorKind::cannot_mesh,
                 "the surfaces enclose nothing: there is no region to mesh. Close the surfaces, add a box (--box "

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "geomesh/geomodel/readers.hpp"
+#include "pipeline/hull.hpp"
 #include "pipeline/prepare.hpp"
 
 namespace geomesh::geomodel {
@@ -102,7 +103,7 @@ std::string describe_input(const MeshRequest& request, const PreparedModel& mode
 }  // namespace
 
 void make_names_unique(std::vector<TriangulatedSurface>& surfaces) {
-  std::set<std::string> taken{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+  std::set<std::string> taken{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax", hull_name};
   for (TriangulatedSurface& surface : surfaces) {
     std::string name = surface.name;
     for (int n = 2; !taken.insert(name).second; ++n) name = surface.name + "_" + std::to_string(n);
@@ -112,11 +113,10 @@ void make_names_unique(std::vector<TriangulatedSurface>& surfaces) {
 
 void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunContext& context) {
   model.options = request.options;
-  model.naming.keep_hull = request.keep_hull;
   model.naming.name_by_bodies = false;
   if (request.inputs.size() == 1 && is_plc_file(request.inputs.front())) {
-    if (request.box)
-      throw Error(ErrorKind::usage, "--box cannot be combined with a PLC file (" + request.inputs.front().filename().string() +
+    if (request.box || request.keep_hull)
+      throw Error(ErrorKind::usage, std::string(request.box ? "--box" : "--hull") + " cannot be combined with a PLC file (" + request.inputs.front().filename().string() +
                                         "), which is meshed as it is; give its surfaces as OFF, OBJ, STL, PLY or .ts instead");
     prepare_plc(request.inputs.front(), model, context);
     model.input_json = describe_input(request, model);
@@ -125,6 +125,10 @@ void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunCon
   std::vector<Polyline> wells;
   read_surfaces(request, model, wells, context);
   model.input_json = describe_input(request, model);
+  if (request.keep_hull) {
+    model.naming.hull_surface = static_cast<Index>(model.surfaces.size());
+    model.surfaces.push_back(convex_hull_surface(model.surfaces, context));
+  }
 
   ArrangementOptions options;
   options.box = request.box;
@@ -132,7 +136,7 @@ void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunCon
   intersect(model, wells, options, context);
   // Closed surfaces are bodies for `inside`; they do not cut each other.
   for (TriangulatedSurface& surface : model.surfaces)
-    if (surface.kind == SurfaceKind::surface && is_closed(surface)) surface.kind = SurfaceKind::body;
+    if (surface.kind == SurfaceKind::surface && surface.name != hull_name && is_closed(surface)) surface.kind = SurfaceKind::body;
 }
 
 }  // namespace geomesh::geomodel

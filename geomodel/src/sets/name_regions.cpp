@@ -242,7 +242,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
 NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                           const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules, const Column& column,
                           std::vector<std::string>& warnings) {
-  const std::vector<ComponentFacts> facts = component_facts(mesh, soup, plc, rules.keep_hull);
+  const std::vector<ComponentFacts> facts = component_facts(mesh, soup, plc, rules.hull_surface);
   const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
   NamedRegions named;
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column)) named.verdicts.push_back(judge_unit(contacts, column));

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "geomesh/core/predicates.hpp"
-#include "geomesh/core/simplex_mesh.hpp"
 #include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
@@ -18,25 +17,16 @@ struct Sums {
   double largest = -1;
 };
 
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
-/// Marks components with a face of one tetrahedron that is no constrained face.
-void find_open_hull(const ConstrainedTetrahedralization& mesh, std::vector<ComponentFacts>& facts) {
-  std::vector<std::pair<Triangle, Index>> faces;
-  faces.reserve(4 * mesh.tetrahedra.size() + mesh.faces.size());
-  for (Index t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = mesh.tetrahedra[t];
-    for (const auto& f : face_vertices) faces.emplace_back(sorted({v[f[0]], v[f[1]], v[f[2]]}), t);
-  }
-  for (const auto& face : mesh.faces) faces.emplace_back(sorted(face.vertices), no_index);
-  std::sort(faces.begin(), faces.end());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const bool alone = (i == 0 || faces[i - 1].first != faces[i].first) &&
-                       (i + 1 == faces.size() || faces[i + 1].first != faces[i].first);
-    if (alone && faces[i].second != no_index) facts[mesh.component[faces[i].second]].enclosed = false;
+/// A component is not enclosed where it meets the outside across a face that stands for the hull alone.
+void find_open_hull(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc, Index hull_surface,
+                    std::vector<ComponentFacts>& facts) {
+  for (const auto& face : mesh.faces) {
+    const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
+    if (below != no_index && above != no_index) continue;
+    const auto origins = origins_of(soup, plc, face.facet);
+    const bool hull_alone = std::all_of(origins.begin(), origins.end(),
+                                        [&](const PolygonSoup::Origin& o) { return o.surface == hull_surface; });
+    if (hull_alone) facts[below != no_index ? below : above].enclosed = false;
   }
 }
 
@@ -57,7 +47,7 @@ void find_first_triangles(const ConstrainedTetrahedralization& mesh, const Polyg
 }  // namespace
 
 std::vector<ComponentFacts> component_facts(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                                            bool look_for_open_hull) {
+                                            Index hull_surface) {
   std::vector<ComponentFacts> facts(mesh.n_components);
   std::vector<Sums> sums(mesh.n_components);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
@@ -87,7 +77,7 @@ std::vector<ComponentFacts> component_facts(const ConstrainedTetrahedralization&
       facts[c].centroid[i] = facts[c].volume > 0 ? sums[c].moment[i].value() / facts[c].volume : facts[c].inside_point[i];
   }
   find_first_triangles(mesh, soup, plc, facts);
-  if (look_for_open_hull) find_open_hull(mesh, facts);
+  if (hull_surface != no_index) find_open_hull(mesh, soup, plc, hull_surface, facts);
   return facts;
 }
 

@@ -21,7 +21,7 @@ struct ComponentFacts {
   Vec3 min_point, max_point;   ///< least and greatest of its points in x, then y, then z
   /// Least (surface, triangle, side) of its faces, side 0 where the component lies below the triangle as stored.
   std::array<Index, 3> first_triangle{no_index, no_index, no_index};
-  bool enclosed = true;        ///< false: it has a hull face that is no constrained face
+  bool enclosed = true;        ///< false: only the surface that stands for the convex hull closes it
 };
 
 /// The origins of facet f of the PLC (those of the first soup facet it stands for; all have the same surfaces).
@@ -35,9 +35,9 @@ inline Index component_of(const ConstrainedTetrahedralization& mesh, Index tetra
   return tetrahedron == no_index ? no_index : mesh.component[tetrahedron];
 }
 
-/// `look_for_open_hull`: fill `enclosed` (sorts all faces; only runs with keep_hull need it).
+/// `hull_surface`: the surface that stands for the convex hull, or no_index.
 std::vector<ComponentFacts> component_facts(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                                            bool look_for_open_hull);
+                                            Index hull_surface);
 
 /// "(x, y, z)" as short as six digits after the leading one of the largest coordinate allow.
 std::string to_text(const Vec3& place);

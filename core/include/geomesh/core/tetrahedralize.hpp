@@ -80,8 +80,7 @@ struct ConstrainedTetrahedralization {
 
 /// Throws Error{invalid_input} where the PLC is not valid (crossing facets, vertex on a facet's inside: names both), Error{cannot_mesh}
 /// where a facet or segment cannot be recovered or nothing is enclosed. Never returns a wrong mesh: the result has been validated.
-/// Set keep_hull to keep the components joined with infinity that lie in the convex hull.
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options = {},
-                                             const RunContext& context = {}, bool keep_hull = false);
+                                             const RunContext& context = {});
 
 }  // namespace geomesh

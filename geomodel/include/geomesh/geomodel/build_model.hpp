@@ -54,7 +54,7 @@ struct NamingRules {
   std::vector<RegionHint> hints{};        ///< names that came with the file (GOCAD Model3d)
   std::vector<std::string> seed_names{};  ///< by id of the PLC's region seeds
   bool name_by_bodies = true;             ///< false: bodies are told in Region::inside only (`geomesh mesh`)
-  bool keep_hull = false;                 ///< tetrahedralize ran with keep_hull: unenclosed components are named `hull`
+  Index hull_surface = no_index;          ///< surface that stands for the convex hull: what it alone encloses is named `hull`
   std::vector<NamedPoint> seeds{};        ///< own names by points
   /// Units of the column are named by fault block, `Unit__B2`: blocks are what faults divide (regions joined across horizons), ordered by
   /// place as regions of one name are. Nothing is added where there is one block.
