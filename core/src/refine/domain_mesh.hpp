@@ -42,7 +42,7 @@ class FaceTag {
   std::uint32_t code_ = none;
 };
 
-/// Stands for the facet of a hull face that is part of none (tetrahedralize with keep_hull). Never moved.
+/// Stands for the facet of a boundary face that is part of none. Never moved.
 inline constexpr Index hull_facet = 0x7FFFFFFEu;
 inline constexpr Index hull_patch = 0x7FFFFFFEu;
 
