@@ -71,8 +71,10 @@ def grain(rng, directions, centre, room):
     return points
 
 
-def project_text(n, size):
-    lines = ["# Irregular grains in a box, and the pore space between them: %d regions. The grains are bodies; what is in none of them is the" % (n + 1),
+def project_text(n, size, folder):
+    schema = os.path.relpath(os.path.join(HERE, "..", "..", "docs", "project.schema.json"), folder)
+    lines = ["# yaml-language-server: $schema=" + schema,
+             "# Irregular grains in a box, and the pore space between them: %d regions. The grains are bodies; what is in none of them is the" % (n + 1),
              "# only unit of the column. Lengths are in micrometres, called metres.", "",
              "name: sediment_grains", "box: {min: [0, 0, 0], max: [%g, %g, %g]}" % (size, size, size), "surfaces:"]
     lines += ["  - {name: grain_%d, kind: body, file: surfaces/grain_%d.ts}" % (i + 1, i + 1) for i in range(n)]
@@ -105,7 +107,7 @@ def main():
         expected[name] = [volume]
         expected["pore"][0] -= volume
     with open(os.path.join(options.output, "project.yaml"), "w", newline="\n") as file:
-        file.write(project_text(options.grains, size))
+        file.write(project_text(options.grains, size, options.output))
     write_expected(os.path.join(options.output, "expected.json"), expected)
 
 

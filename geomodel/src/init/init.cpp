@@ -5,6 +5,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "init/project_schema.hpp"
 #include "init/template_surfaces.hpp"
 
 namespace geomesh::geomodel {
@@ -15,8 +16,10 @@ struct ProjectTemplate {
   std::vector<TriangulatedSurface> surfaces;
 };
 
-const char* const head = R"(# A geomesh project. Run it with:  geomesh project.yaml
-# Every key is described in docs/project-file.md.
+const char* const head = R"(# yaml-language-server: $schema=project.schema.json
+# A geomesh project. Run it with:  geomesh project.yaml
+# Every key is described in docs/project-file.md, and in project.schema.json: editors with a YAML language server complete and check as
+# you type.
 
 # Coordinates: here local metres, z up. For UTM write `horizontal: utm 32N`; for depths positive downwards `z: depth`.
 crs: {horizontal: local, z: elevation, unit: m}
@@ -118,6 +121,7 @@ std::filesystem::path init_project(const std::filesystem::path& directory, const
     std::filesystem::create_directories(directory / "surfaces");
     for (const TriangulatedSurface& surface : content.surfaces)
       write_text_file(directory / "surfaces" / (surface.name + ".ts"), to_gocad(surface));
+    write_text_file(directory / "project.schema.json", project_schema);
     write_text_file(project, content.project);
     return project;
   }
