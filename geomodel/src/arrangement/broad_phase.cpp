@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bvh.hpp"
+#include "charts.hpp"
 #include "contacts.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -60,7 +61,9 @@ std::vector<Index> facets_to_test(const Complex& complex) {
 
 void find_facet_contacts(const Complex& complex, Contacts& all, const RunContext& context) {
   const std::vector<Index> tested = facets_to_test(complex);
-  const BoxTree tree(boxes_of(complex, tested));
+  std::vector<Index> charts;
+  if (tested.size() == complex.facets.size()) charts = find_charts(complex);
+  const BoxTree tree(boxes_of(complex, tested), charts);
   collect(tree.n_leaves(), 128, all, context, [&](std::size_t leaf, Contacts& out) {
     tree.pairs_of_leaf(leaf, [&](Index i, Index j) {
       const Index a = std::min(tested[i], tested[j]), b = std::max(tested[i], tested[j]);

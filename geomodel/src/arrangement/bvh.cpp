@@ -21,8 +21,8 @@ std::uint64_t spread_bits(std::uint64_t v) {
 
 struct KeyedBox {
   std::uint64_t key;
-  Index box;
-  bool operator<(const KeyedBox& o) const { return key != o.key ? key < o.key : box < o.box; }
+  Index group, box;
+  bool operator<(const KeyedBox& o) const { return group != o.group ? group < o.group : key != o.key ? key < o.key : box < o.box; }
 };
 
 }  // namespace
@@ -36,7 +36,7 @@ FloatBox BoxTree::relative(const Box3& box) const {
   return result;
 }
 
-BoxTree::BoxTree(const std::vector<Box3>& boxes) {
+BoxTree::BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups) {
   Box3 all;
   for (const Box3& b : boxes) {
     all.add(b.min);
@@ -54,7 +54,7 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes) {
       const double middle = (boxes[i].min[k] - origin_[k]) + (boxes[i].max[k] - origin_[k]);
       key |= spread_bits(static_cast<std::uint64_t>(std::clamp(middle * scale, 0.0, double{0x1FFFFF}))) << k;
     }
-    keyed[i] = {key, static_cast<Index>(i)};
+    keyed[i] = {key, groups.empty() ? no_index : groups[i], static_cast<Index>(i)};
   });
   tbb::parallel_sort(keyed.begin(), keyed.end());
 
@@ -78,6 +78,20 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes) {
     nodes_[node] = nodes_[2 * node];
     nodes_[node].add(nodes_[2 * node + 1]);
   }
+  if (!groups.empty()) group_nodes(groups);
+}
+
+void BoxTree::group_nodes(std::span<const Index> groups) {
+  groups_.resize(order_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i) groups_[i] = groups[order_[i]];
+  // Nodes without boxes are never entered, so their group does not matter.
+  node_groups_.assign(2 * n_slots_, no_index);
+  for (std::size_t leaf = 0; leaf < n_leaves_; ++leaf) {
+    const std::size_t begin = leaf * leaf_size, end = std::min(begin + leaf_size, groups_.size());
+    if (groups_[begin] == groups_[end - 1]) node_groups_[n_slots_ + leaf] = groups_[begin];  // boxes are sorted by group
+  }
+  for (std::size_t node = n_slots_; node-- > 1;)
+    if (node_groups_[2 * node] == node_groups_[2 * node + 1]) node_groups_[node] = node_groups_[2 * node];
 }
 
 }  // namespace geomesh::geomodel::arrangement

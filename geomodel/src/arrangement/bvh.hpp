@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
@@ -30,8 +31,9 @@ class BoxTree {
  public:
   static constexpr std::size_t leaf_size = 4;
 
-  /// Time n log n (sort), parallel; boxes may not be empty. The tree is the same whatever the number of threads.
-  explicit BoxTree(const std::vector<Box3>& boxes);
+  /// Time n log n (sort), parallel; boxes may not be empty. The tree is the same whatever the number of threads. `groups`, where given,
+  /// has a group or no_index for each box: boxes of one group are kept together, and pairs within it are not visited.
+  explicit BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups = {});
 
   std::size_t n_leaves() const { return n_leaves_; }
 
@@ -40,16 +42,18 @@ class BoxTree {
   template <typename Visit>
   void pairs_of_leaf(std::size_t leaf, Visit&& visit) const {
     const std::size_t begin = leaf * leaf_size, end = std::min(begin + leaf_size, order_.size());
-    for (std::size_t a = begin; a < end; ++a)
-      for (std::size_t b = a + 1; b < end; ++b)
-        if (boxes_[a].meets(boxes_[b])) visit(order_[a], order_[b]);
+    const auto visit_pair = [&](std::size_t a, std::size_t b) {
+      if (boxes_[a].meets(boxes_[b]) && (groups_.empty() || groups_[a] == no_index || groups_[a] != groups_[b])) visit(order_[a], order_[b]);
+    };
+    const Index group = node_groups_.empty() ? no_index : node_groups_[n_slots_ + leaf];
+    for (std::size_t a = begin; a < end && group == no_index; ++a)
+      for (std::size_t b = a + 1; b < end; ++b) visit_pair(a, b);
     const FloatBox query = nodes_[n_slots_ + leaf];
-    descend(query, leaf + 1, [&](std::size_t other) {
+    descend(query, leaf + 1, group, [&](std::size_t other) {
       const std::size_t stop = std::min((other + 1) * leaf_size, order_.size());
       for (std::size_t b = other * leaf_size; b < stop; ++b)
         if (boxes_[b].meets(query))
-          for (std::size_t a = begin; a < end; ++a)
-            if (boxes_[a].meets(boxes_[b])) visit(order_[a], order_[b]);
+          for (std::size_t a = begin; a < end; ++a) visit_pair(a, b);
     });
   }
 
@@ -58,7 +62,7 @@ class BoxTree {
   void boxes_meeting(const Box3& box, Visit&& visit) const {
     if (order_.empty()) return;
     const FloatBox query = relative(box);
-    descend(query, 0, [&](std::size_t leaf) {
+    descend(query, 0, no_index, [&](std::size_t leaf) {
       const std::size_t stop = std::min((leaf + 1) * leaf_size, order_.size());
       for (std::size_t b = leaf * leaf_size; b < stop; ++b)
         if (boxes_[b].meets(query)) visit(order_[b]);
@@ -67,10 +71,12 @@ class BoxTree {
 
  private:
   FloatBox relative(const Box3& box) const;
+  void group_nodes(std::span<const Index> groups);
 
-  /// Leaves from `first` on whose box meets the query. Node k has the children 2k and 2k+1; leaf l is node n_slots_ + l.
+  /// Leaves from `first` on whose box meets the query, other than those that are all of `group`. Node k has the children 2k and 2k+1;
+  /// leaf l is node n_slots_ + l.
   template <typename Visit>
-  void descend(const FloatBox& query, std::size_t first, Visit&& visit) const {
+  void descend(const FloatBox& query, std::size_t first, Index group, Visit&& visit) const {
     if (first >= n_leaves_) return;
     std::array<std::size_t, 64> stack;
     std::array<std::size_t, 64> width;
@@ -79,7 +85,7 @@ class BoxTree {
     width[n++] = n_slots_;
     while (n > 0) {
       const std::size_t node = stack[--n], leaves = width[n];
-      if (!nodes_[node].meets(query)) continue;
+      if (!nodes_[node].meets(query) || (group != no_index && node_groups_[node] == group)) continue;
       if (leaves == 1) {
         visit(node - n_slots_);
         continue;
@@ -101,6 +107,8 @@ class BoxTree {
   std::vector<Index> order_;      ///< boxes in Morton order
   std::vector<FloatBox> boxes_;   ///< in that order
   std::vector<FloatBox> nodes_;
+  std::vector<Index> groups_;       ///< per box in that order; empty where none were given
+  std::vector<Index> node_groups_;  ///< per node: the group of all its boxes, or no_index
 };
 
 }  // namespace geomesh::geomodel::arrangement
