@@ -37,6 +37,16 @@ class Runs(ProgramTest):
         self.assertEqual(self.run_program("mesh", "box.ts", "-o", "box.vtu", "--quiet"), "")
         self.assertEqual(self.check(self.path("box.vtu"), "--surfaces", self.path("box.ts"))["volume"], 6)
 
+    def test_the_report_as_a_page(self):
+        points, triangles = box_surface((0, 0, 0), (1, 2, 3))
+        self.write("box.ts", triangles_ts("box", points, triangles))
+        self.run_program("mesh", "box.ts", "-o", "box.html", "--quiet")
+        with open(self.path("box.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertTrue(page.startswith("<!doctype html>") and page.rstrip().endswith("</html>"))
+        self.assertIn("6 m3", page)
+        self.assertFalse(os.path.exists(self.path("box.vtu")))
+
     def test_progress_line_per_stage(self):
         printed = self.run_program(self.sample("faulted-layers"), "-o", self.folder)
         for stage in ("read", "intersect", "delaunay", "recover", "classify", "verify", "write"):

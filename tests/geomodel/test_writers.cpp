@@ -107,7 +107,7 @@ TEST_CASE("the VTK files hold the contract's arrays and read back to the same do
 TEST_CASE("every format is the same byte for byte when written again", "[writers]") {
   const fs::path folder = fresh_folder("again");
   const ModelMesh mesh = three_layer_mesh(3);
-  for (const std::string& format : known_formats()) {
+  for (const std::string& format : mesh_formats()) {
     const auto first = write_format(mesh, format, folder / "model");
     std::vector<std::string> before;
     for (const fs::path& file : first) before.push_back(bytes_of(file));
@@ -219,7 +219,7 @@ TEST_CASE("sides of C3D4 elements in the .inp are those of the surface", "[write
 
 TEST_CASE("what cannot be written leaves no file, and an unknown format is refused", "[writers]") {
   const ModelMesh mesh = three_layer_mesh(1);
-  for (const std::string& format : known_formats()) {
+  for (const std::string& format : mesh_formats()) {
     const fs::path missing = fs::path(GEOMESH_BINARY_DIR) / "test-output" / "no-such-folder";
     fs::remove_all(missing);
     CHECK_THROWS(write_format(mesh, format, missing / "model"));

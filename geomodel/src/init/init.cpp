@@ -31,8 +31,9 @@ const char* const tail = R"(
 # constrained: fewest added points. conforming: Delaunay, for finite volumes.
 mesh: {mode: constrained, refine: none}
 
-# Where the results go, relative to this file, and for which programs: vtu (ParaView), msh (Gmsh), inp (CalculiX, Abaqus).
-output: {directory: out, formats: [vtu]}
+# Where the results go, relative to this file, and for which programs: vtu (ParaView), msh (Gmsh), inp (CalculiX, Abaqus),
+# html (a page with pictures, for a browser).
+output: {directory: out, formats: [vtu, html]}
 )";
 
 TriangulatedSurface folded_horizon(const std::string& name, double depth, double amplitude) {

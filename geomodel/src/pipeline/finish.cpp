@@ -7,22 +7,12 @@
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "pipeline/soup_vtp.hpp"
+#include "report/words.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 std::string count_words(std::size_t n, const char* what) { return std::to_string(n) + " " + what; }
-
-/// "5.1e+09 m3" as a person reads it: four significant digits.
-std::string volume_words(double volume) {
-  char text[64];
-  if (volume >= 1e8) {
-    std::snprintf(text, sizeof text, "%.4g km3", volume / 1e9);
-  } else {
-    std::snprintf(text, sizeof text, "%.4g m3", volume);
-  }
-  return text;
-}
 
 constexpr std::size_t most_regions_listed = 30;
 
@@ -82,6 +72,12 @@ void write_reports(const OutputPlan& plan, Report& report, const PreparedModel& 
   report.notes = model.notes;
   report.warnings = model.warnings;
   result.warnings = model.warnings;
+  if (std::find(plan.formats.begin(), plan.formats.end(), "html") != plan.formats.end()) {
+    const std::filesystem::path file = plan.stem.string() + ".html";
+    report.files.push_back(file.filename().string());
+    write_html_report(report, file);
+    result.files.push_back(file);
+  }
   if (plan.report_beside) {
     const std::filesystem::path file = plan.stem.string() + ".report.json";
     write_report(report, file);
@@ -118,8 +114,10 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   {
     StageScope stage(recorder.context(), "write");
     make_output_folder(plan);
-    for (const std::string& format : plan.formats)
+    for (const std::string& format : plan.formats) {
+      if (format == "html") continue;  // the report as a page: written with the report
       for (auto& file : write_format(mesh, format, plan.stem)) result.files.push_back(std::move(file));
+    }
     recorder.context().note(LogLevel::info, count_words(result.files.size(), "files"));
   }
   write_reports(plan, report, model, recorder, result);

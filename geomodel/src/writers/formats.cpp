@@ -4,8 +4,17 @@
 
 namespace geomesh::geomodel {
 
-const std::vector<std::string>& known_formats() {
+const std::vector<std::string>& mesh_formats() {
   static const std::vector<std::string> formats{"vtu", "msh", "inp"};
+  return formats;
+}
+
+const std::vector<std::string>& known_formats() {
+  static const std::vector<std::string> formats = [] {
+    std::vector<std::string> all = mesh_formats();
+    all.emplace_back("html");
+    return all;
+  }();
   return formats;
 }
 
@@ -27,7 +36,7 @@ std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std
     return {with(".inp"), with(".inp.json")};
   }
   std::string known;
-  for (const std::string& f : known_formats()) known += (known.empty() ? "" : ", ") + f;
+  for (const std::string& f : mesh_formats()) known += (known.empty() ? "" : ", ") + f;
   throw Error(ErrorKind::usage, "output format '" + format + "' is not known; known are " + known);
 }
 

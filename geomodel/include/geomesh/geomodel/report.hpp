@@ -55,4 +55,9 @@ struct Report {
 std::string to_json(const Report& report);
 void write_report(const Report& report, const std::filesystem::path& file);
 
+/// The report as one web page that needs no other file: a turnable picture of the units, sections, tables, histograms, warnings. It holds
+/// the stages' times, so it differs from run to run as the JSON does. Size and time linear in the mesh.
+std::string to_html(const Report& report);
+void write_html_report(const Report& report, const std::filesystem::path& file);
+
 }  // namespace geomesh::geomodel

@@ -18,9 +18,11 @@ void write_curves_vtp(const ModelMesh& mesh, const std::filesystem::path& file);
 void write_gmsh41(const ModelMesh& mesh, const std::filesystem::path& file);
 void write_abaqus_inp(const ModelMesh& mesh, const std::filesystem::path& file);
 
-/// Names accepted in `output.formats` and, as extensions, after `-o`: vtu (VTU + faces + curves), msh, inp.
+/// Formats of a mesh: vtu (VTU + faces + curves), msh, inp.
+const std::vector<std::string>& mesh_formats();
+/// Names accepted in `output.formats` and, as extensions, after `-o`: those of a mesh, and html, the report as a page.
 const std::vector<std::string>& known_formats();
-/// Writes all files of one format with `stem` (a path without extension); returns what was written.
+/// Writes all files of one mesh format with `stem` (a path without extension); returns what was written.
 std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format, const std::filesystem::path& stem);
 
 /// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws.
