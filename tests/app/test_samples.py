@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The samples run as they are, and their meshes pass."""
 import json
+import math
 import os
 import re
 import subprocess
@@ -45,6 +46,16 @@ class Samples(ProgramTest):
 
     def test_fault_junctions(self):
         self.run_with_expected("fault-junctions")
+
+    def test_turned_box(self):
+        """Sides are named by the box's own axes; the well is cut where it leaves the box."""
+        report, _ = self.run_with_expected("turned-box")
+        areas = {surface["name"]: surface["area"] for surface in report["surfaces"]}
+        for side, area in (("xmin", 6e6), ("xmax", 6e6), ("ymin", 9e6), ("ymax", 9e6), ("zmin", 6e6), ("zmax", 6e6)):
+            self.assertAlmostEqual(areas[side] / area, 1, delta=1e-12, msg=side)
+        well = [curve["length"] for curve in report["curves"] if curve["name"] == "w1"]
+        self.assertAlmostEqual(well[0], 900 + 1500 / math.cos(math.radians(30)) * math.hypot(1, 400 / 2500), delta=1e-6)
+        self.assertTrue(any("w1" in warning and "outside the box" in warning for warning in report["warnings"]))
 
     def test_unconformity(self):
         self.run_with_expected("unconformity")

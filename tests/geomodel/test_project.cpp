@@ -69,8 +69,8 @@ TEST_CASE("a project means what its page says", "[project]") {
   CHECK(p.crs.depth);
   CHECK(p.crs.unit == "ft");
   REQUIRE(p.box);
-  CHECK(p.box->min == Vec3{0, -1000, -5000});
-  CHECK(p.box->max == Vec3{1.5, 2, 0});
+  CHECK(p.box->box.min == Vec3{0, -1000, -5000});
+  CHECK(p.box->box.max == Vec3{1.5, 2, 0});
   REQUIRE(p.surfaces.size() == 2);
   CHECK(p.surfaces[0].kind == SurfaceKind::horizon);
   CHECK_FALSE(p.surfaces[0].cuts_all);

@@ -208,6 +208,10 @@ TEST_CASE("sides of C3D4 elements in the .inp are those of the surface", "[write
   // The manuals' order turns round the element so that the normal points out of it: where it is in, the sign is the other one.
   CHECK(faces.at("zmin.faces").size() == 8);
   CHECK(std::abs(mean_normal_z(faces.at("zmin.faces"))) == 4);
+  std::size_t by_region = 0;  // xmin meets all three regions: by region it is given once more
+  for (const auto& [name, list] : faces)
+    if (name.rfind("xmin.faces", 0) != 0 && name.rfind("xmin", 0) == 0) by_region += list.size();
+  CHECK(by_region == faces.at("xmin.faces").size());
   CHECK(mean_normal_z(faces.at("upper.minus")) == -mean_normal_z(faces.at("upper.plus")));
   for (const auto& [name, list] : faces)
     for (const Triangle& t : list) {

@@ -25,12 +25,18 @@ class Arrangement {
  public:
   Arrangement(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points,
               const ArrangementOptions& options, const RunContext& context)
-      : polylines_(polylines), options_(options), context_(context), surfaces_{surfaces, result_.box_sides} {
+      : polylines_(polylines), points_(points), options_(options), context_(context), surfaces_{surfaces, result_.box_sides} {
     if (options.box) {
       check_box(*options.box);
       result_.box_sides = make_box_sides(*options.box);
+      bounds_ = options.box;
+    } else if (!options.volume.empty()) {
+      result_.box_sides = options.volume;
+      bounds_.emplace();
+      for (const TriangulatedSurface& side : options.volume)
+        for (const Vec3& p : side.points) bounds_->add(p);
     }
-    ingested_ = ingest(surfaces_, polylines, points, options.box);
+    ingested_ = ingest(surfaces_, polylines, points, bounds_);
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
     result_.area_clipped_by_box = ingested_.area_outside;
@@ -61,18 +67,19 @@ class Arrangement {
   Complex first_round(const Contacts& contacts) {
     Arranged arranged = arrange_round(ingested_.complex, contacts, context_);
     std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);
-    diagnose_crossings(ingested_.complex, contacts, arranged, surfaces_, options_.box, result_, crosses_itself);
+    diagnose_crossings(ingested_.complex, contacts, arranged, surfaces_, bounds_, result_, crosses_itself);
     if (options_.crossings == ArrangementOptions::Crossings::refuse) refuse_crossings(result_, surfaces_);
     const ClipContext clip{arranged, surfaces_, result_};
     if (options_.box) clip_to_box(clip, *options_.box, polylines_);
-    cut_by_bodies(clip, ingested_.complex, ingested_, options_.box, crosses_itself);
+    if (!options_.box && bounds_) clip_to_volume(clip, ingested_.complex, ingested_, polylines_, points_);
+    cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex, {0, options_.box}));
+    return take(round_to_doubles(arranged, ingested_.complex, {0, bounds_}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_);
-    RoundingOptions rounding{0, options_.box};
+    RoundingOptions rounding{0, bounds_};
     // What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
     rounding.snap = unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
     return take(round_to_doubles(arranged, complex, rounding));
@@ -152,11 +159,13 @@ class Arrangement {
   }
 
   const std::vector<Polyline>& polylines_;
+  const std::vector<NamedPoint>& points_;
   const ArrangementOptions& options_;
   const RunContext& context_;
   ArrangementResult result_;
   SurfaceList surfaces_;
   Ingested ingested_;
+  std::optional<Box3> bounds_;  ///< of the box or the volume
   std::size_t n_collapsed_ = 0;
 };
 

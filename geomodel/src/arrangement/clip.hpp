@@ -23,6 +23,11 @@ struct ClipContext {
 /// arrangement.
 void clip_to_box(ClipContext context, const Box3& box, const std::vector<Polyline>& polylines);
 
+/// Removes facets, wells and points outside the closed volume that the sides (SurfaceList::box_sides) enclose. Which side a piece lies on
+/// is the winding number of one exact point of it.
+void clip_to_volume(ClipContext context, const Complex& complex, const Ingested& ingested, const std::vector<Polyline>& polylines,
+                    const std::vector<NamedPoint>& points);
+
 /// For bodies: inner parts of those that cross themselves are removed (winding number not zero on both sides), then the parts of
 /// horizons and faults strictly inside bodies with cuts_all. `crosses_itself` is per given surface.
 void cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested, const std::optional<Box3>& box,
@@ -52,6 +57,12 @@ void remove_origins(Arranged& arranged, std::vector<std::uint8_t>& which, Remove
   arranged.changed = std::move(changed);
   arranged.origins = std::move(origins);
 }
+
+/// Facets marked `outside` lose all origins; their area is counted as clipped by the box.
+void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
+
+/// Pieces of wells marked `outside` go, with a warning that tells their length.
+void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outside, const std::vector<Polyline>& polylines);
 
 double facet_area(const Arranged& arranged, std::size_t f);
 

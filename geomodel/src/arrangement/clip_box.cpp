@@ -20,12 +20,23 @@ bool is_outside(const ExactVertices& vertices, Index v, const Box3& box) {
 }
 
 void clip_wells(ClipContext& context, const Box3& box, const std::vector<Polyline>& polylines) {
+  const Arranged& arranged = context.arranged;
+  std::vector<std::uint8_t> outside;
+  for (const auto& s : arranged.segments)
+    outside.push_back(is_outside(arranged.vertices, s.a, box) || is_outside(arranged.vertices, s.b, box));
+  remove_segments(context, outside, polylines);
+}
+
+}  // namespace
+
+void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outside, const std::vector<Polyline>& polylines) {
   Arranged& arranged = context.arranged;
   std::vector<double> length_outside(polylines.size(), 0);
   std::vector<Vec3> place(polylines.size());
   std::vector<PolygonSoup::Segment> kept;
-  for (const auto& s : arranged.segments) {
-    if (!is_outside(arranged.vertices, s.a, box) && !is_outside(arranged.vertices, s.b, box)) {
+  for (std::size_t i = 0; i < arranged.segments.size(); ++i) {
+    const auto& s = arranged.segments[i];
+    if (!outside[i]) {
       kept.push_back(s);
       continue;
     }
@@ -41,7 +52,19 @@ void clip_wells(ClipContext& context, const Box3& box, const std::vector<Polylin
     }
 }
 
-}  // namespace
+void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside) {
+  Arranged& arranged = context.arranged;
+  for (std::size_t f = 0; f < arranged.facets.size(); ++f) {
+    if (!outside[f]) continue;
+    std::vector<Index> counted;
+    for (const Origin& o : arranged.origins.of(f)) {
+      if (std::find(counted.begin(), counted.end(), o.surface) != counted.end()) continue;
+      counted.push_back(o.surface);
+      context.result.area_clipped_by_box[o.surface] += facet_area(arranged, f);
+    }
+  }
+  remove_origins(arranged, outside, [](const Origin&) { return true; });
+}
 
 double facet_area(const Arranged& arranged, std::size_t f) {
   const Triangle& t = arranged.facets[f];
@@ -52,18 +75,9 @@ void clip_to_box(ClipContext context, const Box3& box, const std::vector<Polylin
   Arranged& arranged = context.arranged;
   std::vector<std::uint8_t> outside_vertex(arranged.vertices.size(), 0), outside(arranged.facets.size(), 0);
   for (Index v = 0; v < arranged.vertices.size(); ++v) outside_vertex[v] = is_outside(arranged.vertices, v, box);
-  std::vector<Vec3> place(context.surfaces.given.size());
-  for (std::size_t f = 0; f < arranged.facets.size(); ++f) {
+  for (std::size_t f = 0; f < arranged.facets.size(); ++f)
     for (const VertexIndex v : arranged.facets[f]) outside[f] |= outside_vertex[v];
-    if (!outside[f]) continue;
-    std::vector<Index> counted;
-    for (const Origin& o : arranged.origins.of(f)) {
-      if (std::find(counted.begin(), counted.end(), o.surface) != counted.end()) continue;
-      counted.push_back(o.surface);
-      context.result.area_clipped_by_box[o.surface] += facet_area(arranged, f);
-    }
-  }
-  remove_origins(arranged, outside, [](const Origin&) { return true; });
+  remove_outside(context, outside);
   clip_wells(context, box, polylines);
 }
 

@@ -17,13 +17,15 @@ class Trimmer {
  public:
   Trimmer(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& n_given,
           const ModelRules& rules)
-      : working_(soup), surfaces_(surfaces), n_given_(n_given), rules_(rules) {}
+      : working_(soup), surfaces_(surfaces), n_given_(n_given), rules_(rules), removed_(surfaces.size(), 0) {}
 
   TrimmedSoup run() {
+    end_at(rules_.topography, 1, "nothing is kept above the topography");
+    end_at(rules_.floor, -1, "nothing is kept below the bottom of the model");
     stop_continuations();
     order_horizons();
     if (rules_.trim_overshoot > 0) trim_overshoots();
-    return {working_.result(), std::move(notes_)};
+    return {working_.result(), std::move(removed_), std::move(notes_)};
   }
 
  private:
@@ -38,6 +40,12 @@ class Trimmer {
     return at != sides_.end() ? at->second : sides_.emplace(s, orient_upward(surfaces_[s])).first->second;
   }
 
+  double remove(const Piece& piece, Index surface) {
+    const double area = working_.remove(piece.facets, surface);
+    removed_[surface] += area;
+    return area;
+  }
+
   /// stop_at: pieces beyond the target that the continuation alone made.
   void stop_continuations() {
     for (Index s = 0; s < surfaces_.size() && s < n_given_.size(); ++s) {
@@ -50,7 +58,7 @@ class Trimmer {
         const bool given = std::any_of(piece.facets.begin(), piece.facets.end(),
                                        [&](Index f) { return working_.origin_of(f, s)->triangle < n_given_[s]; });
         if (given) continue;
-        area += working_.remove(piece.facets, s);
+        area += remove(piece, s);
         ++n;
       }
       if (n > 0)
@@ -69,11 +77,19 @@ class Trimmer {
       if (side_of(working_, piece, y, sides) == side) gone.push_back(std::move(piece));
     for (const Piece& piece : gone) {
       if (largest == no_index || working_.area(piece.largest) > working_.area(largest)) largest = piece.largest;
-      area += working_.remove(piece.facets, x);
+      area += remove(piece, x);
     }
     if (!gone.empty())
       notes_.push_back(because + ": " + std::to_string(gone.size()) + " pieces of " + surfaces_[x].name + (side > 0 ? " above " : " below ") +
                        surfaces_[y].name + " removed (area " + to_text(area) + ", near " + to_text(working_.centre(largest)) + ")");
+  }
+
+  /// Parts of all other surfaces on one side of the one named go; box sides go with the tetrahedra.
+  void end_at(const std::string& name, int side, const std::string& because) {
+    if (name.empty()) return;
+    const Index end = row_of(name);
+    for (Index s = 0; s < surfaces_.size(); ++s)
+      if (s != end && surfaces_[s].kind != SurfaceKind::box) clip(s, end, side, because);
   }
 
   bool cross(Index younger, Index older) {
@@ -144,7 +160,7 @@ class Trimmer {
         if (piece.free_border == 0 || piece.contact == 0 || piece.area == largest) continue;
         if (reach(piece, contacts_of(piece, s)) > rules_.trim_overshoot) continue;
         place = working_.centre(piece.largest);
-        area += working_.remove(piece.facets, s);
+        area += remove(piece, s);
         ++n;
       }
       if (n > 0)
@@ -171,6 +187,7 @@ class Trimmer {
   const std::vector<TriangulatedSurface>& surfaces_;
   const std::vector<Index>& n_given_;
   const ModelRules& rules_;
+  std::vector<double> removed_;  ///< area, per surface
   std::map<Index, UpwardSides> sides_;
   std::vector<std::string> notes_;
   double crossing_area_ = 0;

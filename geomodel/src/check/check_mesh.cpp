@@ -9,6 +9,7 @@
 #include "check/judged_mesh.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"
 
@@ -34,12 +35,69 @@ TriangulatedSurface surface_of_entry(const SurfaceSpec& spec, const Vec3& origin
   return surface;
 }
 
-Claim claim_of_project(const std::filesystem::path& file) {
+/// NAME.ext -> NAME<suffix>, empty where there is no such file.
+std::filesystem::path beside(const std::filesystem::path& mesh, const std::string& suffix) {
+  std::filesystem::path file = mesh.parent_path() / (mesh.stem().string() + suffix);
+  return std::filesystem::exists(file) ? file : std::filesystem::path{};
+}
+
+/// The report beside the mesh; nothing where there is none or it is no JSON.
+std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
+  const std::filesystem::path file = beside(mesh, ".report.json");
+  if (file.empty()) return std::nullopt;
+  std::ifstream in(file);
+  auto report = nlohmann::json::parse(in, nullptr, false);
+  if (report.is_discarded()) return std::nullopt;
+  return report;
+}
+
+/// Area clipped of each surface, as the report tells it.
+std::map<std::string, double> reported_clipping(const std::filesystem::path& mesh) {
+  std::map<std::string, double> areas;
+  const auto report = report_beside(mesh);
+  const nlohmann::json::json_pointer at("/displacement/clipping/surfaces");
+  if (!report || !report->contains(at)) return areas;
+  for (const auto& entry : report->at(at))
+    areas[entry.value("surface", "")] =
+        entry.value("area_by_box", 0.0) + entry.value("area_by_bodies", 0.0) + entry.value("area_by_rules", 0.0);
+  return areas;
+}
+
+/// Whether rules of the model may take parts of the surface away.
+bool may_be_trimmed(const Project& project, std::size_t row) {
+  const SurfaceSpec& spec = project.surfaces[row];
+  if (!spec.rules.stop_at.empty()) return true;
+  for (const std::string* end : {&project.rules.topography, &project.rules.floor})
+    if (!end->empty() && *end != spec.name) return true;
+  if (spec.kind == SurfaceKind::body) return false;
+  if (project.rules.trim_overshoot > 0) return true;
+  const bool orders = project.rules.on_crossing != OnCrossing::leave ||
+                      std::any_of(project.surfaces.begin(), project.surfaces.end(),
+                                  [](const SurfaceSpec& s) { return s.rules.base != BaseRule::conformable; });
+  return orders && std::find(project.column.begin(), project.column.end(), spec.name) != project.column.end();
+}
+
+/// What rules may trim, and what a volume that is no box cuts, is judged by its area: what is not covered is what the report tells.
+void claim_clipped_areas(const Project& project, const std::filesystem::path& mesh, Claim& claim) {
+  const std::map<std::string, double> told = reported_clipping(mesh);
+  for (Index s = 0; s < claim.surfaces.size(); ++s) {
+    if (!may_be_trimmed(project, s) && !(claim.volume && !claim.volume->box)) continue;
+    const auto area = told.find(claim.surfaces[s].name);
+    claim.clipped_area[s] = area == told.end() ? 0 : area->second;
+  }
+}
+
+Claim claim_of_project(const std::filesystem::path& file, const std::filesystem::path& mesh) {
   const Project project = read_project(file);
   Claim claim;
   claim.named = true;
   for (const SurfaceSpec& spec : project.surfaces) claim.surfaces.push_back(surface_of_entry(spec, project.output.origin));
-  if (project.box) claim.box = Box3{project.box->min - project.output.origin, project.box->max - project.output.origin};
+  if (project.box) claim.volume = make_volume(*project.box, claim.surfaces, project.output.origin);
+  claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
+  ModelRules rules = project.rules;
+  if (claim.volume) rules.box = claim.volume->bounds;
+  claim.surfaces = build_surfaces(claim.surfaces, rules).surfaces;
+  claim_clipped_areas(project, mesh, claim);
   return claim;
 }
 
@@ -53,21 +111,12 @@ Claim claim_of_surfaces(const std::vector<std::filesystem::path>& files) {
   return claim;
 }
 
-/// NAME.ext -> NAME<suffix>, empty where there is no such file.
-std::filesystem::path beside(const std::filesystem::path& mesh, const std::string& suffix) {
-  std::filesystem::path file = mesh.parent_path() / (mesh.stem().string() + suffix);
-  return std::filesystem::exists(file) ? file : std::filesystem::path{};
-}
-
 /// Largest displacement by rounding that the report beside the mesh states; 0 where it states none.
 double reported_displacement(const std::filesystem::path& mesh) {
-  const std::filesystem::path file = beside(mesh, ".report.json");
-  if (file.empty()) return 0;
-  std::ifstream in(file);
-  const auto report = nlohmann::json::parse(in, nullptr, false);
-  const auto at = nlohmann::json::json_pointer("/displacement/rounding/largest");
-  if (report.is_discarded() || !report.contains(at) || !report.at(at).is_number()) return 0;
-  return report.at(at).get<double>();
+  const auto report = report_beside(mesh);
+  const nlohmann::json::json_pointer at("/displacement/rounding/largest");
+  if (!report || !report->contains(at) || !report->at(at).is_number()) return 0;
+  return report->at(at).get<double>();
 }
 
 double tolerance_of(const CheckRequest& request, const MeshFile& mesh) {
@@ -84,8 +133,8 @@ double tolerance_of(const CheckRequest& request, const MeshFile& mesh) {
 void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const FacesFile* faces,
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
   if (!request.project.empty()) {
-    const Claim claim = claim_of_project(request.project);
-    if (claim.box) check_box(mesh, *claim.box, result);
+    const Claim claim = claim_of_project(request.project, request.mesh);
+    if (claim.volume) check_volume(mesh, claim, result);
     check_coverage(mesh, claim, faces, set_faces, tolerance_of(request, mesh.file), result);
   }
   if (!request.surfaces.empty()) {

@@ -21,6 +21,9 @@ namespace {
 
 constexpr const char* box_side_names[] = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
 
+/// How well the area that no face covers agrees with the clipped area that the report tells, relative to the surface's area.
+constexpr double area_agreement = 1e-9;
+
 BoxTree tree_over(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
   std::vector<Box3> boxes;
   for (const Triangle& t : triangles) boxes.push_back(box_of(points[t[0]], points[t[1]], points[t[2]]));
@@ -130,9 +133,9 @@ void CoverageJudge::check_sources(CheckResult& result) {
     const auto row = surface_of_id_.find(faces_->surface[f]);
     if (row == surface_of_id_.end()) {
       const auto name = faces_->surface_names.find(faces_->surface[f]);
-      for (std::size_t side = 0; claim_.box && name != faces_->surface_names.end() && side < 6; ++side) {
+      for (std::size_t side = 0; claim_.box() && name != faces_->surface_names.end() && side < 6; ++side) {
         if (name->second != box_side_names[side]) continue;
-        const double wanted = (side % 2 == 0 ? claim_.box->min : claim_.box->max)[side / 2];
+        const double wanted = (side % 2 == 0 ? claim_.box()->min : claim_.box()->max)[side / 2];
         for (int i = 0; i < 3; ++i)
           if (corner(t, i)[side / 2] != wanted) {
             off_side.add(f, corner(t, i));
@@ -249,8 +252,8 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index su
     for (int j = 1; i + j < lattice; ++j) {
       const double u = double(i) / lattice, v = double(j) / lattice;
       const Vec3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
-      if (claim_.box) {
-        const Box3 inner = inflated(*claim_.box, -tolerance_);
+      if (claim_.box()) {
+        const Box3 inner = inflated(*claim_.box(), -tolerance_);
         Box3 point;
         point.add(p);
         if (!overlap(inner, point)) continue;
@@ -278,6 +281,8 @@ void CoverageJudge::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < claim_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = claim_.surfaces[s];
+    const auto told = claim_.clipped_area.find(s);
+    double uncovered = 0, room = 0, total = 0;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];
       const PlaneTriangle triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
@@ -287,10 +292,16 @@ void CoverageJudge::check_triangles(CheckResult& result) {
         continue;
       }
       const std::vector<Index> pieces = faces_on(triangle, s);
-      double covered = 0;
+      double covered = 0;  // of the triangle
       for (const Index f : pieces)
         covered += triangle.common_area(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
-      const double due = claim_.box ? triangle.area_inside(*claim_.box) : triangle.area();
+      if (told != claim_.clipped_area.end()) {
+        uncovered += triangle.area() - covered;
+        room += 4 * tolerance_ * triangle.perimeter();
+        total += triangle.area();
+        continue;
+      }
+      const double due = claim_.box() ? triangle.area_inside(*claim_.box()) : triangle.area();
       const double slack = 4 * tolerance_ * triangle.perimeter() + 1e-12 * triangle.area();
       if (due < triangle.area() - slack) ++n_clipped;
       if (covered >= due - slack) continue;
@@ -300,6 +311,10 @@ void CoverageJudge::check_triangles(CheckResult& result) {
         continue;
       }
       missing.add(first_of_surface + i, place);
+      short_of.insert(surface.name);
+    }
+    if (told != claim_.clipped_area.end() && std::abs(uncovered - told->second) > room + area_agreement * total) {
+      missing.add(first_of_surface, surface.points[surface.triangles[0][0]]);
       short_of.insert(surface.name);
     }
     first_of_surface += surface.triangles.size();

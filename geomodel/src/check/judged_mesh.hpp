@@ -3,11 +3,13 @@
 /// The mesh under judgement with its faces paired, and the checks, one function a property. Every check appends to `result`.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "check/mesh_files.hpp"
 #include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -67,12 +69,16 @@ std::vector<Triangle> check_face_set(const JudgedMesh& mesh, const FacesFile& fa
 
 /// What the mesh is said to be a mesh of.
 struct Claim {
-  std::vector<TriangulatedSurface> surfaces;  ///< in the mesh's frame
-  std::optional<Box3> box;
+  std::vector<TriangulatedSurface> surfaces;  ///< in the mesh's frame, as the rules of one surface left them
+  std::optional<ModelVolume> volume;
+  bool ends_inside = false;  ///< at a topography or a bottom: less than the volume is filled
+  /// Per surface: the area that is said to be clipped away (by box, bodies and rules), where the triangles alone do not tell.
+  std::map<Index, double> clipped_area;
+  const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
   bool named = false;  ///< surfaces bear the names under which the faces file knows them
 };
-/// The box's volume (1e-12 relative), and every point inside it.
-void check_box(const JudgedMesh& mesh, const Box3& box, CheckResult& result);
+/// The volume filled (box: 1e-12 relative; others: and two ulps of the largest coordinate over its sides), every point inside it.
+void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result);
 /// Every input triangle, less what lies outside the box or inside a body that cuts, is covered by mesh faces; faces lie on the
 /// triangle they name; none of a horizon or fault is inside a body that cuts. `set_faces`: from check_face_set, or empty without
 /// a faces file.

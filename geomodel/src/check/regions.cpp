@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -6,6 +7,7 @@
 #include "check/exact.hpp"
 #include "check/faults.hpp"
 #include "check/judged_mesh.hpp"
+#include "sets/sums.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -57,25 +59,58 @@ void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result) {
                                (must_be_named ? ", each with a name" : ", without names") + "; volumes summed exactly");
 }
 
-void check_box(const JudgedMesh& mesh, const Box3& box, CheckResult& result) {
-  const Vec3 size = box.max - box.min;
-  const double wanted = size.x * size.y * size.z, error = std::abs(result.volume - wanted) / wanted;
-  constexpr double relative_tolerance = 1e-12;
-  char text[160];
-  if (!(error <= relative_tolerance)) {
+namespace {
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
+  const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+/// In the map: inside the polygon of the volume's upright sides, or nearer to one of them than `room`.
+bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
+  const std::size_t n = volume.sides.size() - 2;  // zmin and zmax are the last
+  bool inside = false, near = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 &a = volume.sides[i].points[0], &b = volume.sides[i].points[1];
+    near = near || distance_to_segment({p.x, p.y}, {a.x, a.y}, {b.x, b.y}) <= room;
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside || near;
+}
+
+}  // namespace
+
+void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result) {
+  const ModelVolume& volume = *claim.volume;
+  const Box3& box = volume.bounds;
+  double ulp = 0, side_area = 0;  // of sides that are not along the axes: their points are rounded off them
+  for (const TriangulatedSurface& side : volume.sides)
+    for (const Triangle& t : side.triangles)
+      side_area += 0.5 * norm(cross(side.points[t[1]] - side.points[t[0]], side.points[t[2]] - side.points[t[0]]));
+  for (const Vec3& p : {box.min, box.max})
+    for (std::size_t i = 0; i < 3; ++i) ulp = std::max(ulp, std::nextafter(std::abs(p[i]), INFINITY) - std::abs(p[i]));
+  const double error = result.volume / volume.volume - 1, tolerance = 1e-12 + 2 * ulp * side_area / volume.volume;
+  char text[200];
+  if (!(error <= tolerance && (claim.ends_inside || error >= -tolerance))) {
     std::snprintf(text, sizeof text, "1 volume is wrong: the tetrahedra fill %.15g, the box %.15g (relative error %.2g)",
-                  result.volume, wanted, error);
+                  result.volume, volume.volume, std::abs(error));
     result.faults.push_back({"box_volume", text, 1, {}, 0.5 * (box.min + box.max)});
   }
   FaultCollector outside("points_outside_box");
   for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
     const Vec3& p = mesh.point(v);
-    if (p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x || p.y > box.max.y || p.z > box.max.z)
-      outside.add(v, p);
+    const bool in_bounds = !(p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x || p.y > box.max.y || p.z > box.max.z);
+    if (volume.box ? !in_bounds : !is_within(volume, p, 2 * ulp)) outside.add(v, p);
   }
   outside.report(result, "points lie outside the box");
-  std::snprintf(text, sizeof text, "the volume is the box's (relative error %.2g, at most 1e-12), every point is in the box",
-                error);
+  if (claim.ends_inside) {
+    std::snprintf(text, sizeof text, "the model fills %.6g of its box, the rest lies beyond the surface at which it ends; every point is in the box",
+                  1 + error);
+  } else {
+    std::snprintf(text, sizeof text, "the volume is the box's (relative error %.2g, at most %.2g), every point is in the box",
+                  std::abs(error), tolerance);
+  }
   result.checks_done.emplace_back(text);
 }
 

@@ -11,6 +11,7 @@
 
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
+#include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "pipeline/stage_recorder.hpp"
 
@@ -27,6 +28,7 @@ struct PreparedModel {
   TetrahedralizeOptions options;
   Vec3 origin{0, 0, 0};
   ModelRules rules;
+  ModelVolume volume;
   std::vector<Index> n_given_triangles;  ///< per input surface: later rows were made by rule
   std::string input_json;
   std::vector<std::string> notes;        ///< what rules changed

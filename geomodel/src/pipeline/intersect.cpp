@@ -45,6 +45,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   if (model.rules.trims()) {
     TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.n_given_triangles, model.rules);
     model.arrangement.soup = std::move(trimmed.soup);
+    model.arrangement.area_clipped_by_rules = std::move(trimmed.area_removed);
     for (std::string& text : trimmed.notes) note(model.notes, context, std::move(text));
   }
   model.plc = make_plc(model.arrangement.soup, model.surfaces, wells);

@@ -41,14 +41,22 @@ void refuse_conversions(const Project& project) {
                                           "unit are converted to metres when read");
 }
 
+/// The volume in the project's coordinates: its bounds, and its corners in the map where it is no box along the axes.
+nlohmann::ordered_json describe_volume(const ModelVolume& volume, const Vec3& origin) {
+  const Vec3 min = volume.bounds.min + origin, max = volume.bounds.max + origin;
+  nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // zmin and zmax are the last
+    const Vec3 corner = volume.sides[i].points[0] + origin;
+    box["corners"].push_back({corner.x, corner.y});
+  }
+  return box;
+}
+
 std::string describe_input(const Project& project, const PreparedModel& model) {
   nlohmann::ordered_json input;
   input["project"] = project.file.filename().string();
   input["crs"] = {{"horizontal", project.crs.horizontal}, {"z", project.crs.depth ? "depth" : "elevation"}, {"unit", project.crs.unit}};
-  if (project.box) {
-    const Box3& b = *project.box;
-    input["box"] = {{"min", {b.min.x, b.min.y, b.min.z}}, {"max", {b.max.x, b.max.y, b.max.z}}};
-  }
+  if (project.box) input["box"] = describe_volume(model.volume, project.output.origin);
   for (const TriangulatedSurface& s : model.surfaces)
     input["surfaces"].push_back({{"name", s.name},
                                  {"kind", to_string(s.kind)},
@@ -108,15 +116,15 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   model.rules = project.rules;
   model.origin = project.output.origin;
   model.options = project.mesh.options;
-  model.input_json = describe_input(project, model);
-
   ArrangementOptions options;
-  options.box = project.box;
-  if (options.box) {
-    options.box->min = options.box->min - project.output.origin;
-    options.box->max = options.box->max - project.output.origin;
+  if (project.box) {
+    model.volume = make_volume(*project.box, model.surfaces, project.output.origin);
+    if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
+    options.box = model.volume.box;
+    options.volume = model.volume.sides;
+    model.rules.box = model.volume.bounds;
   }
-  model.rules.box = options.box;
+  model.input_json = describe_input(project, model);
   build(model, context);
   intersect(model, wells, options, context);
 }

@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "project/read_rules.hpp"
+#include "project/read_volume.hpp"
 #include "project/yaml_values.hpp"
 #include "readers/input_file.hpp"
 
@@ -53,7 +54,7 @@ class ProjectReader {
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v);
-    if (const auto v = map.find("box")) read_box(*v);
+    if (const auto v = map.find("box")) project_.box = read_volume(*v);
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
     }
@@ -69,6 +70,7 @@ class ProjectReader {
     if (const auto v = map.find("regions")) read_region_seeds(*v, project_);
     if (const auto v = map.find("groups")) read_groups(*v, project_);
     if (const auto v = map.find("attributes")) read_attributes(*v, project_);
+    finish_volume(root, project_);
     finish_rules(root, project_);
     if (const auto v = map.find("mesh")) read_mesh(*v);
     if (const auto v = map.find("output")) read_output(*v);
@@ -107,25 +109,6 @@ class ProjectReader {
     if (const auto v = map.find("unit")) {
       if (const auto unit = v->choice({"m", "km", "ft", "ftUS"})) project_.crs.unit = *unit;
     }
-  }
-
-  static bool read_corner(const YamlValue& value, Vec3& corner) {
-    const auto p = value.point();
-    if (p) corner = *p;
-    return p.has_value();
-  }
-
-  void read_box(const YamlValue& value) {
-    const YamlMap map(value, {"min", "max"});
-    const auto min = map.require("min", "[x, y, z] of the box's lower corner");
-    const auto max = map.require("max", "[x, y, z] of the box's upper corner");
-    Box3 box;
-    if (!min || !read_corner(*min, box.min) || !max || !read_corner(*max, box.max)) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (box.min[i] < box.max[i]) continue;
-      max->problem(std::string("the box is empty in ") + "xyz"[i] + ": max must be greater than min");
-    }
-    project_.box = box;
   }
 
   /// The path against the project's folder; reports a missing file.

@@ -128,8 +128,9 @@ void read_attributes(const YamlValue& value, Project& project) {
 }
 
 void finish_rules(const YamlValue& root, Project& project) {
-  project.rules.box = project.box;
   project.rules.column = project.column;
+  project.rules.topography = project.naming.topography;
+  project.rules.floor = project.naming.floor;
   project.naming.column = project.column;
   for (const SurfaceSpec& spec : project.surfaces) {
     project.rules.surfaces.push_back(spec.rules);

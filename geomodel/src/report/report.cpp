@@ -63,19 +63,22 @@ json spots_json(const std::vector<Spot>& spots, const std::vector<std::string>& 
   return list;
 }
 
-/// What each surface lost to bodies and to the box; surfaces that lost nothing are left out.
+/// What each surface lost to bodies, to the box and to rules; surfaces that lost nothing are left out.
 json clipping_json(const ArrangementResult& a, const std::vector<std::string>& names) {
   json list = json::array();
-  CompensatedSum by_bodies, by_box;
+  CompensatedSum by_bodies, by_box, by_rules;
   for (std::size_t i = 0; i < a.area_clipped_by_bodies.size() && i < a.area_clipped_by_box.size(); ++i) {
     by_bodies.add(a.area_clipped_by_bodies[i]);
     by_box.add(a.area_clipped_by_box[i]);
-    if (a.area_clipped_by_bodies[i] == 0 && a.area_clipped_by_box[i] == 0) continue;
+    const double rules = i < a.area_clipped_by_rules.size() ? a.area_clipped_by_rules[i] : 0;
+    by_rules.add(rules);
+    if (a.area_clipped_by_bodies[i] == 0 && a.area_clipped_by_box[i] == 0 && rules == 0) continue;
     list.push_back({{"surface", name_at(names, i)},
                     {"area_by_bodies", a.area_clipped_by_bodies[i]},
-                    {"area_by_box", a.area_clipped_by_box[i]}});
+                    {"area_by_box", a.area_clipped_by_box[i]},
+                    {"area_by_rules", rules}});
   }
-  return {{"area_by_bodies", by_bodies.value()}, {"area_by_box", by_box.value()}, {"surfaces", std::move(list)}};
+  return {{"area_by_bodies", by_bodies.value()}, {"area_by_box", by_box.value()}, {"area_by_rules", by_rules.value()}, {"surfaces", std::move(list)}};
 }
 
 void add_arrangement(const ArrangementResult& a, const std::vector<std::string>& names, json& root) {

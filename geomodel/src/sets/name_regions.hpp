@@ -24,11 +24,16 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
                           const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules, const Column& column,
                           std::vector<std::string>& warnings);
 
-/// Without the components that lie above the surface named `topography` and everything that only they had.
+/// A horizon at which the model ends above (topography) or below (bottom).
+struct ModelEnd {
+  std::string horizon;
+  bool above;
+};
+/// Without the components that lie beyond the end and everything that only they had.
 /// Throws Error{usage} where no surface has that name, Error{cannot_mesh} where nothing is left.
-ConstrainedTetrahedralization without_air(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                                          const std::vector<TriangulatedSurface>& surfaces, const std::string& topography,
-                                          std::vector<std::string>& warnings);
+ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                                           const std::vector<TriangulatedSurface>& surfaces, const ModelEnd& end,
+                                           std::vector<std::string>& warnings);
 
 /// Region per component that holds a seed point; warns of points outside and of two in one component.
 std::vector<Index> seeded(const ConstrainedTetrahedralization& mesh, const std::vector<NamedPoint>& seeds,

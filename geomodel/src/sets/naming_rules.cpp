@@ -83,22 +83,25 @@ bool holds(const ConstrainedTetrahedralization& mesh, const Tetrahedron& t, cons
 
 }  // namespace
 
-ConstrainedTetrahedralization without_air(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                                          const std::vector<TriangulatedSurface>& surfaces, const std::string& topography,
-                                          std::vector<std::string>& warnings) {
-  const Column column = make_column({"air", topography, "ground"}, surfaces, warnings);
+ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                                           const std::vector<TriangulatedSurface>& surfaces, const ModelEnd& end,
+                                           std::vector<std::string>& warnings) {
+  const Column column = make_column({"above", end.horizon, "below"}, surfaces, warnings);
   const std::vector<HorizonContacts> contacts = horizon_contacts(mesh, soup, plc, column);
+  const Index left_out = end.above ? 0 : 1;
+  const std::string where = (end.above ? "above the topography " : "below the bottom ") + end.horizon;
   std::vector<bool> keep(mesh.n_components, true);
   for (std::size_t c = 0; c < keep.size(); ++c) {
     const UnitVerdict verdict = judge_unit(contacts[c], column);
-    keep[c] = !(verdict.kind == UnitVerdict::Kind::unit && verdict.first == 0);
+    keep[c] = !(verdict.kind == UnitVerdict::Kind::unit && verdict.first == left_out);
     if (verdict.kind == UnitVerdict::Kind::joined)
-      warnings.push_back("topography " + topography + " has a hole or stops short: what lies above it there joins the ground and is kept");
+      warnings.push_back(std::string(end.above ? "topography " : "bottom ") + end.horizon + " has a hole or stops short: what lies " +
+                         (end.above ? "above" : "below") + " it there joins the model and is kept");
   }
   if (std::find(keep.begin(), keep.end(), true) == keep.end())
-    throw Error(ErrorKind::cannot_mesh, "everything lies above the topography " + topography + ": nothing is left to mesh");
+    throw Error(ErrorKind::cannot_mesh, "everything lies " + where + ": nothing is left to mesh");
   if (std::find(keep.begin(), keep.end(), false) == keep.end()) {
-    warnings.push_back("no region lies above the topography " + topography + ": nothing is left out");
+    warnings.push_back("no region lies " + where + ": nothing is left out");
     return mesh;
   }
   return keep_components(mesh, keep);

@@ -132,6 +132,16 @@ void add_regions(const ModelMesh& mesh, InputDeck& deck) {
   }
 }
 
+/// One surface more for each region whose elements lie at it, where there are several: a box side by unit, a side of a fault by block.
+void add_surface_by_region(const ModelMesh& mesh, const std::string& full_name, const std::vector<ElementSide>& sides, std::int32_t member,
+                           InputDeck& deck) {
+  std::map<std::int32_t, std::vector<ElementSide>> of_region;
+  for (const ElementSide& side : sides) of_region[mesh.tet_region[side.element - 1]].push_back(side);
+  if (of_region.size() < 2) return;
+  for (const auto& [region, part] : of_region)
+    deck.add_surface(full_name + "/" + mesh.regions[static_cast<std::size_t>(region - 1)].name, part, member);
+}
+
 void add_surfaces(const ModelMesh& mesh, InputDeck& deck) {
   const auto sides = element_sides(mesh);
   std::map<std::int32_t, std::vector<std::size_t>> faces_of;
@@ -149,6 +159,8 @@ void add_surfaces(const ModelMesh& mesh, InputDeck& deck) {
     deck.add_node_set(surface.name, nodes, 2, surface.id);
     deck.add_surface(surface.name + (plus.empty() ? ".faces" : ".minus"), minus, surface.id);
     deck.add_surface(surface.name + ".plus", plus, surface.id);
+    add_surface_by_region(mesh, surface.name + (plus.empty() ? "" : ".minus"), minus, surface.id, deck);
+    add_surface_by_region(mesh, surface.name + ".plus", plus, surface.id, deck);
   }
 }
 

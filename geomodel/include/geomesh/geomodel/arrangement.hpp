@@ -65,6 +65,9 @@ struct Spot {
 
 struct ArrangementOptions {
   std::optional<Box3> box;  ///< clip to it; its sides are then surfaces n .. n+5 in the order xmin xmax ymin ymax zmin zmax
+  /// Clip to a closed volume of another shape: its sides, together closed, oriented outwards and free of crossings, are then surfaces n, n+1
+  /// ... in this order. Not together with a box.
+  std::vector<TriangulatedSurface> volume;
   enum class Crossings { resolve, refuse } crossings = Crossings::resolve;
   unsigned max_rounding_rounds = 8;
 };
@@ -77,10 +80,11 @@ struct Displacement {
 
 struct ArrangementResult {
   PolygonSoup soup;
-  std::vector<TriangulatedSurface> box_sides;  ///< six where a box was asked for; surface row n + i
+  std::vector<TriangulatedSurface> box_sides;  ///< of the box (six) or the volume that was asked for; surface row n + i
   Displacement rounding;
   /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length left.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
+  std::vector<double> area_clipped_by_rules;  ///< filled by trim_soup's caller; empty where no rule acts on the soup
   std::vector<Spot> spots;
   std::vector<std::string> warnings;
   std::size_t n_pairs = 0, n_crossing_pairs = 0, n_rounding_rounds = 0;

@@ -60,6 +60,7 @@ struct NamingRules {
   /// place as regions of one name are. Nothing is added where there is one block.
   bool fault_blocks = false;
   std::string topography{};               ///< a horizon: what lies above it is left out of the mesh
+  std::string floor{};                    ///< a horizon: what lies below it is left out of the mesh
   double min_volume = 0;                  ///< smaller regions are reported; merged with the neighbour across most area where asked
   bool merge_small = false;
   std::map<std::string, std::vector<std::string>> groups{};            ///< group: units, bodies or regions

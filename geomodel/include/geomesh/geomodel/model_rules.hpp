@@ -51,6 +51,8 @@ struct ModelRules {
   std::optional<Box3> box;             ///< needed by extend and close_at_box
   std::vector<SurfaceRules> surfaces;  ///< parallel to the surfaces; missing ones have the defaults
   std::vector<std::string> column;     ///< as in Project: tells older from younger
+  std::string topography;              ///< a horizon: parts of all other surfaces above it go
+  std::string floor;                   ///< a horizon: parts of all other surfaces below it go
   OnCrossing on_crossing = OnCrossing::leave;
   /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are removed. 0: none.
   double trim_overshoot = 0;
@@ -60,7 +62,7 @@ struct ModelRules {
   bool trims() const {
     for (const SurfaceRules& rule : surfaces)
       if (!rule.stop_at.empty() || rule.base != BaseRule::conformable) return true;
-    return on_crossing != OnCrossing::leave || trim_overshoot > 0;
+    return on_crossing != OnCrossing::leave || trim_overshoot > 0 || !topography.empty() || !floor.empty();
   }
 };
 
@@ -77,6 +79,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
 
 struct TrimmedSoup {
   PolygonSoup soup;
+  std::vector<double> area_removed;  ///< per surface
   std::vector<std::string> notes;
 };
 /// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. Sides are decided by exact orientation along

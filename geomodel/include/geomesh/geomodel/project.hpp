@@ -12,6 +12,7 @@
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
+#include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {
@@ -55,7 +56,7 @@ struct Project {
   std::filesystem::path file;
   std::string name;
   CrsSpec crs;
-  std::optional<Box3> box;
+  std::optional<VolumeSpec> box;
   std::vector<SurfaceSpec> surfaces;
   std::vector<WellSpec> wells;
   std::vector<NamedPoint> points;
