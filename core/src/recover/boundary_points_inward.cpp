@@ -4,197 +4,166 @@
 ///
 /// For a facet's inner point the two sectors are the halves of its star. A moved point sees the sector's part of the link if it moves little,
 /// and sees the facets' new triangles if it moves to the inner side of their planes; which step is small enough is decided by exact
-/// tests. A sector that goes all the way round (the border of a facet that hangs in a region, a well) has no such side: there only
-/// fillings without a point are tried.
+/// tests, and what it does not see of the link the sector grows over. A sector that goes all the way round (the border of a facet that hangs
+/// in a region, a well) has no such side: it is parted by sheets, triangles over the segment that become faces of the mesh.
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "recover/polyhedron_filling.hpp"
+#include "recover/cavity_retriangulation.hpp"
 #include "recover/recover.hpp"
+#include "recover/star_fans.hpp"
 
 namespace geomesh::recover {
 
 namespace {
 
-/// The subfacets of one facet about x between two hard segments, or all round x.
-struct Fan {
-  Index facet = no_index;
-  std::vector<VertexIndex> rim;  ///< in the facet's orientation; closed by the edge from back to front
-  std::vector<Index> subfacets;
-  std::vector<Triangle> triangles;  ///< what replaces them
-};
-
 struct Sector {
   std::vector<CellIndex> cells;
-  std::vector<Triangle> boundary;  ///< counter-clockwise seen from inside; without x
-  Vec3 inward;                     ///< sum of the inner unit normals of the fans
-  bool wraps_round = false;        ///< both sides of a fan
+  std::map<std::size_t, unsigned> fans;  ///< number of the fan -> bit 1: the sector is above it, bit 2: below
+  Vec3 inward;                           ///< sum of the inner unit normals of the fans
   std::vector<Tetrahedron> filling;
+
+  bool wraps_round() const {
+    return std::any_of(fans.begin(), fans.end(), [](const auto& f) { return f.second == 3u; });
+  }
 };
 
 class PointRemoval {
  public:
-  PointRemoval(Recovery& recovery, VertexIndex x) : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints), x_(x) {}
+  PointRemoval(Recovery& recovery, VertexIndex x)
+      : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints), x_(x), n_points_(recovery.mesh.points().size()) {}
 
   bool run() {
     mesh_.star(x_, star_);
+    std::sort(star_.begin(), star_.end());
     for (CellIndex c : star_)
       if (mesh_.cells().is_ghost(c)) return false;
-    if (!gather_segment() || !gather_fans() || !triangulate_fans()) return false;
-    gather_sectors();
-    const std::size_t n_points = mesh_.points().size();
-    for (Sector& s : sectors_)
-      if (!fill(s)) {
-        while (mesh_.points().size() > n_points) mesh_.drop_last_point();
-        constraints_.vertices.resize(n_points);
-        return false;
-      }
+    auto found = find_star_fans(recovery_, x_, star_);
+    if (!found) return false;
+    around_ = std::move(*found);
+    if (has_foreign_chord()) return false;
+    if (!fill_sectors(3)) return false;
     commit();
     return true;
   }
 
  private:
-  /// The two hard subsegments at x, if any, and what they join.
-  bool gather_segment() {
-    for (VertexIndex v : mesh_.neighbors(x_)) {
-      const Index s = constraints_.subsegment_of(x_, v);
-      if (s == no_index || constraints_.subsegments[s].segment == no_index) continue;
-      halves_.push_back(s);
-      ends_.push_back(v);
+  /// Fills all sectors, parting those that cannot be filled by up to `n_sheets` sheets. False: no point is left added.
+  bool fill_sectors(unsigned n_sheets) {
+    std::vector<Sector> sectors = gather_sectors();
+    grown_ = star_;
+    std::size_t stuck = sectors.size();
+    for (std::size_t i = 0; i < sectors.size() && stuck == sectors.size(); ++i)
+      if (!fill(sectors[i])) stuck = i;
+    if (stuck == sectors.size()) {
+      sectors_ = std::move(sectors);
+      return true;
     }
-    if (halves_.empty()) return true;
-    return halves_.size() == 2 && constraints_.subsegments[halves_[0]].segment == constraints_.subsegments[halves_[1]].segment &&
-           mesh_.find_edge(ends_[0], ends_[1]) == no_cell;
+    drop_moved_points();
+    if (n_sheets == 0 || around_.halves.empty()) return false;
+    for (VertexIndex w : sheet_apexes(sectors[stuck])) {
+      around_.fans.push_back(sheet(w));
+      if (fill_sectors(n_sheets - 1)) return true;
+      around_.fans.pop_back();
+    }
+    return false;
+  }
+  /// The edge that is to take the place of the segment's two parts is there already, and not as the border of a thin part of a facet.
+  bool has_foreign_chord() {
+    if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
+    return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
+  }
+  void drop_moved_points() {
+    while (mesh_.points().size() > n_points_) mesh_.drop_last_point();
+    constraints_.vertices.resize(n_points_);
   }
 
-  bool gather_fans() {
-    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // subfacet -> directed edge opposite x
-    for (CellIndex c : star_)
-      for (unsigned i = 0; i < 4; ++i) {
-        if (!mesh_.is_locked(FaceRef(c, i)) || mesh_.cells().vertex(c, i) == x_) continue;
-        std::array<VertexIndex, 3> v;
-        for (unsigned k = 0; k < 3; ++k) v[k] = mesh_.cells().vertex(c, face_vertices[i][k]);
-        const Index f = constraints_.subfacet_of(v[0], v[1], v[2]);
-        if (f == no_index) return false;
-        const Triangle& t = constraints_.subfacets[f].vertices;
-        const unsigned k = t[0] == x_ ? 0 : t[1] == x_ ? 1 : 2;
-        rim_edge[f] = {t[(k + 1) % 3], t[(k + 2) % 3]};
+  Fan sheet(VertexIndex w) const {
+    Fan out;
+    out.rim = {around_.ends[0], w, around_.ends[1]};
+    out.triangles = {{out.rim[0], out.rim[1], out.rim[2]}};
+    return out;
+  }
+  /// Vertices joined with both ends inside the sector, those that part it most evenly first.
+  std::vector<VertexIndex> sheet_apexes(const Sector& s) const {
+    const VertexIndex a = around_.ends[0], b = around_.ends[1];
+    std::vector<VertexIndex> with_a, with_b, out;
+    for (CellIndex c : s.cells)
+      for (VertexIndex v : mesh_.cells().vertices(c)) {
+        if (v == x_ || v == a || v == b || is_on_fan(v)) continue;
+        if (mesh_.cells().has_vertex(c, a)) with_a.push_back(v);
+        if (mesh_.cells().has_vertex(c, b)) with_b.push_back(v);
       }
-    while (!rim_edge.empty()) {
-      Fan fan;
-      const Index first = start_of_fan(rim_edge);
-      fan.facet = constraints_.subfacets[first].facet;
-      fan.rim.push_back(rim_edge[first].first);
-      Index f = first;
-      while (f != no_index) {
-        const VertexIndex last = rim_edge[f].second;
-        fan.subfacets.push_back(f);
-        rim_edge.erase(f);
-        if (last == fan.rim.front()) break;
-        fan.rim.push_back(last);
-        f = is_end(last) ? no_index : next_in_fan(rim_edge, fan.facet, last);
-      }
-      if (fan.rim.size() < 3) return false;
-      const bool is_closed = !is_end(fan.rim.front()) || !is_end(fan.rim.back());
-      if (is_closed != halves_.empty()) return false;
-      fans_.push_back(std::move(fan));
+    for (std::vector<VertexIndex>* v : {&with_a, &with_b}) {
+      std::sort(v->begin(), v->end());
+      v->erase(std::unique(v->begin(), v->end()), v->end());
     }
-    return true;
+    std::set_intersection(with_a.begin(), with_a.end(), with_b.begin(), with_b.end(), std::back_inserter(out));
+    const Vec3 inward = s.inward, along = mesh_.point(b) - mesh_.point(a), o = mesh_.point(x_);
+    const auto evenness = [&](VertexIndex v) {
+      const Vec3 d = mesh_.point(v) - o, across = d - dot(d, along) / dot(along, along) * along;
+      return s.wraps_round() ? -dot(away_from_fans(s), across) / std::sqrt(dot(across, across)) : -dot(inward, across) / std::sqrt(dot(across, across));
+    };
+    std::stable_sort(out.begin(), out.end(), [&](VertexIndex v, VertexIndex w) { return evenness(v) < evenness(w); });
+    if (out.size() > 6) out.resize(6);
+    return out;
   }
-  bool is_end(VertexIndex v) const { return std::find(ends_.begin(), ends_.end(), v) != ends_.end(); }
-  Index start_of_fan(const std::map<Index, std::pair<VertexIndex, VertexIndex>>& rim_edge) const {
-    for (const auto& [f, e] : rim_edge)
-      if (is_end(e.first)) return f;
-    return rim_edge.begin()->first;
+  bool is_on_fan(VertexIndex v) const {
+    return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) { return std::find(f.rim.begin(), f.rim.end(), v) != f.rim.end(); });
   }
-  Index next_in_fan(const std::map<Index, std::pair<VertexIndex, VertexIndex>>& rim_edge, Index facet, VertexIndex from) const {
-    for (const auto& [f, e] : rim_edge)
-      if (e.first == from && constraints_.subfacets[f].facet == facet) return f;
-    return no_index;
-  }
-
-  Vec3 fan_normal(const Fan& fan) const {
-    Vec3 n;
+  /// From the fans of the sector across the segment.
+  Vec3 away_from_fans(const Sector& s) const {
     const Vec3& o = mesh_.point(x_);
-    for (std::size_t i = 0; i < fan.rim.size(); ++i)
-      n = n + cross(mesh_.point(fan.rim[i]) - o, mesh_.point(fan.rim[(i + 1) % fan.rim.size()]) - o);
-    return n;
-  }
-  /// The rim polygon by ears that turn the right way in the facet's main projection, the roundest ear first.
-  bool triangulate_fans() {
-    for (Fan& fan : fans_) {
-      const Vec3 n = fan_normal(fan);
-      const unsigned axis = std::fabs(n.x) >= std::fabs(n.y) && std::fabs(n.x) >= std::fabs(n.z) ? 0 : std::fabs(n.y) >= std::fabs(n.z) ? 1 : 2;
-      const auto flat = [&](VertexIndex v) {
-        const Vec3& p = mesh_.point(v);
-        const Vec2 q{p[(axis + 1) % 3], p[(axis + 2) % 3]};
-        return n[axis] > 0 ? q : Vec2{q.y, q.x};
-      };
-      std::vector<VertexIndex> rim = fan.rim;
-      while (rim.size() > 3) {
-        std::size_t best = rim.size();
-        double best_shape = -1;
-        for (std::size_t i = 0; i < rim.size(); ++i) {
-          const VertexIndex a = rim[(i + rim.size() - 1) % rim.size()], b = rim[i], c = rim[(i + 1) % rim.size()];
-          if (orient2d(flat(a), flat(b), flat(c)) != Sign::positive || holds_other(rim, a, b, c, flat)) continue;
-          const double shape = ear_shape(a, b, c);
-          if (shape > best_shape) {
-            best_shape = shape;
-            best = i;
-          }
-        }
-        if (best == rim.size()) return false;
-        fan.triangles.push_back({rim[(best + rim.size() - 1) % rim.size()], rim[best], rim[(best + 1) % rim.size()]});
-        rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(best));
-      }
-      if (orient2d(flat(rim[0]), flat(rim[1]), flat(rim[2])) != Sign::positive) return false;
-      fan.triangles.push_back({rim[0], rim[1], rim[2]});
-    }
-    return true;
-  }
-  template <class Flat>
-  static bool holds_other(const std::vector<VertexIndex>& rim, VertexIndex a, VertexIndex b, VertexIndex c, const Flat& flat) {
-    return std::any_of(rim.begin(), rim.end(), [&](VertexIndex v) {
-      return v != a && v != b && v != c && orient2d(flat(a), flat(b), flat(v)) != Sign::negative &&
-             orient2d(flat(b), flat(c), flat(v)) != Sign::negative && orient2d(flat(c), flat(a), flat(v)) != Sign::negative;
-    });
-  }
-  double ear_shape(VertexIndex a, VertexIndex b, VertexIndex c) const {
-    const Vec3 u = mesh_.point(b) - mesh_.point(a), v = mesh_.point(c) - mesh_.point(b), w = mesh_.point(a) - mesh_.point(c);
-    const Vec3 n = cross(u, v);
-    return dot(n, n) / ((dot(u, u) + dot(v, v) + dot(w, w)) * (dot(u, u) + dot(v, v) + dot(w, w)));
+    Vec3 out;
+    for (const auto& [i, side] : s.fans)
+      for (VertexIndex v : around_.fans[i].rim)
+        if (!around_.is_end(v)) out = out - (mesh_.point(v) - o);
+    return out;
   }
 
-  void gather_sectors() {
-    std::map<Index, std::size_t> fan_of;
-    for (std::size_t i = 0; i < fans_.size(); ++i)
-      for (Index f : fans_[i].subfacets) fan_of[f] = i;
-    std::vector<CellIndex> left(star_);
-    std::sort(left.begin(), left.end());
+  /// Directed rim edges of all fans, to tell their faces and sides.
+  std::map<DirectedEdge, std::size_t> rim_edges() const {
+    std::map<DirectedEdge, std::size_t> out;
+    for (std::size_t f = 0; f < around_.fans.size(); ++f) {
+      const Fan& fan = around_.fans[f];
+      for (std::size_t i = 0; i + 1 < fan.rim.size(); ++i) out[{fan.rim[i], fan.rim[i + 1]}] = f;
+      if (fan.is_closed) out[{fan.rim.back(), fan.rim.front()}] = f;
+    }
+    return out;
+  }
+  std::vector<Sector> gather_sectors() const {
+    const auto rims = rim_edges();
+    std::vector<Sector> out;
+    std::vector<CellIndex> left = star_;
     while (!left.empty()) {
       Sector s;
       s.cells.push_back(left.front());
       left.erase(left.begin());
-      std::map<std::size_t, unsigned> sides;  // fan -> bit 1: the sector is above it, bit 2: below
-      for (std::size_t i = 0; i < s.cells.size(); ++i) extend(s, s.cells[i], left, sides, fan_of);
-      for (const auto& [fan, side] : sides) add_fan(s, fans_[fan], side);
-      sectors_.push_back(std::move(s));
+      for (std::size_t i = 0; i < s.cells.size(); ++i) extend(s, s.cells[i], left, rims);
+      for (const auto& [fan, side] : s.fans) {
+        const Vec3 n = fan_normal(mesh_, x_, around_.fans[fan]);
+        const double length = std::sqrt(dot(n, n));
+        if (around_.fans[fan].is_thin() || side == 3u) continue;
+        if (side == 1u) s.inward = s.inward + (1 / length) * n;
+        if (side == 2u) s.inward = s.inward - (1 / length) * n;
+      }
+      out.push_back(std::move(s));
     }
+    return out;
   }
-  void extend(Sector& s, CellIndex c, std::vector<CellIndex>& left, std::map<std::size_t, unsigned>& sides,
-              const std::map<Index, std::size_t>& fan_of) {
+  void extend(Sector& s, CellIndex c, std::vector<CellIndex>& left, const std::map<DirectedEdge, std::size_t>& rims) const {
     const TetMesh& cells = mesh_.cells();
     for (unsigned i = 0; i < 4; ++i) {
-      Triangle t;
+      if (cells.vertex(c, i) == x_) continue;
+      std::array<VertexIndex, 3> t;
       for (unsigned k = 0; k < 3; ++k) t[k] = cells.vertex(c, face_vertices[i][k]);
-      if (cells.vertex(c, i) == x_) {
-        s.boundary.push_back(t);
-      } else if (mesh_.is_locked(FaceRef(c, i))) {
-        const Index f = constraints_.subfacet_of(t[0], t[1], t[2]);
-        const Triangle& v = constraints_.subfacets[f].vertices;
-        const bool same = (v[0] == t[0] && v[1] == t[1]) || (v[0] == t[1] && v[1] == t[2]) || (v[0] == t[2] && v[1] == t[0]);
-        sides[fan_of.at(f)] |= same ? 1u : 2u;
+      std::rotate(t.begin(), std::find(t.begin(), t.end(), x_), t.end());
+      const auto above = rims.find({t[1], t[2]}), below = rims.find({t[2], t[1]});
+      if (above != rims.end()) {
+        s.fans[above->second] |= 1u;
+      } else if (below != rims.end()) {
+        s.fans[below->second] |= 2u;
       } else {
         const auto it = std::lower_bound(left.begin(), left.end(), cells.neighbor_cell(c, i));
         if (it == left.end() || *it != cells.neighbor_cell(c, i)) continue;
@@ -203,64 +172,71 @@ class PointRemoval {
       }
     }
   }
-  void add_fan(Sector& s, const Fan& fan, unsigned side) const {
-    const Vec3 n = fan_normal(fan);
-    const Vec3 unit = (1 / std::sqrt(dot(n, n))) * n;
-    if (side & 1u) {
-      s.inward = s.inward + unit;
-      s.boundary.insert(s.boundary.end(), fan.triangles.begin(), fan.triangles.end());
-    }
-    if (side & 2u) {
-      s.inward = s.inward - unit;
-      for (const Triangle& t : fan.triangles) s.boundary.push_back({t[0], t[2], t[1]});
-    }
-    s.wraps_round = s.wraps_round || side == 3u;
-  }
 
+  Cavity cavity_of(const Sector& s) const {
+    Cavity out(recovery_, s.cells, x_);
+    for (const auto& [fan, side] : s.fans)
+      for (const Triangle& t : around_.fans[fan].triangles) {
+        if (side & 1u) out.add_sheet(t);
+        if (side & 2u) out.add_sheet({t[0], t[2], t[1]});
+      }
+    out.forbid(grown_);
+    return out;
+  }
+  /// Without a point, else with one. The cells taken are the sector's afterwards.
   bool fill(Sector& s) {
-    std::vector<VertexIndex> corners;
-    for (const Triangle& t : s.boundary) corners.insert(corners.end(), t.begin(), t.end());
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    if (!s.wraps_round) {
-      for (VertexIndex v : corners) {
-        auto fan = fan_from(mesh_, constraints_, s.boundary, v);
-        if (!fan || !has_segment(*fan)) continue;
-        s.filling = std::move(*fan);
-        return true;
+    Cavity cavity = cavity_of(s);
+    const std::vector<Triangle> boundary = cavity.boundary();
+    if (!s.wraps_round()) {
+      for (VertexIndex v : vertices_of(boundary)) {
+        auto fan = fan_from(mesh_, constraints_, boundary, v);
+        if (fan && take(s, std::move(*fan), cavity)) return true;
       }
     }
-    if (!fans_.empty() || halves_.empty()) {
-      auto filling = fill_polyhedron(mesh_, constraints_, s.boundary);
-      if (filling && has_segment(*filling)) {
-        s.filling = std::move(*filling);
-        return true;
-      }
-    }
-    return !s.wraps_round && fill_about_moved_point(s, corners);
+    auto filling = cavity.fill({400, 4});
+    if (filling && take(s, std::move(*filling), cavity)) return true;
+    return !s.wraps_round() && fill_about_moved_point(s);
+  }
+  bool take(Sector& s, std::vector<Tetrahedron>&& filling, const Cavity& cavity) {
+    if (!has_segment(filling)) return false;
+    s.filling = std::move(filling);
+    s.cells = cavity.cells();
+    grown_.insert(grown_.end(), s.cells.begin(), s.cells.end());
+    std::sort(grown_.begin(), grown_.end());
+    grown_.erase(std::unique(grown_.begin(), grown_.end()), grown_.end());
+    return true;
+  }
+  static std::vector<VertexIndex> vertices_of(const std::vector<Triangle>& boundary) {
+    std::vector<VertexIndex> out;
+    for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
   }
   /// A well has no facet that would bring its segment along.
   bool has_segment(const std::vector<Tetrahedron>& filling) const {
-    if (halves_.empty() || !fans_.empty()) return true;
+    if (around_.halves.empty() || !around_.fans.empty()) return true;
     return std::any_of(filling.begin(), filling.end(), [&](const Tetrahedron& t) {
-      return std::count_if(t.begin(), t.end(), [&](VertexIndex v) { return is_end(v); }) == 2;
+      return std::count_if(t.begin(), t.end(), [&](VertexIndex v) { return around_.is_end(v); }) == 2;
     });
   }
-  bool fill_about_moved_point(Sector& s, const std::vector<VertexIndex>& corners) {
-    if (s.inward == Vec3{} || fans_.empty()) return false;
+  bool fill_about_moved_point(Sector& s) {
+    if (s.inward == Vec3{} || around_.fans.empty()) return false;
     const Vec3 direction = (1 / std::sqrt(dot(s.inward, s.inward))) * s.inward;
     const Vec3 origin = mesh_.point(x_);
+    const Cavity cavity = cavity_of(s);
     double reach = 0;
-    for (VertexIndex v : corners) reach = std::max(reach, std::fabs(dot(mesh_.point(v) - origin, direction)));
+    for (const Triangle& t : cavity.boundary())
+      for (VertexIndex v : t) reach = std::max(reach, std::fabs(dot(mesh_.point(v) - origin, direction)));
     const VertexIndex moved = mesh_.add_point(origin);
     constraints_.vertices.resize(mesh_.points().size(), {VertexOrigin::inside, no_index});
-    for (double step = reach / 2; step > reach * 1e-15; step /= 2) {
-      mesh_.move_point(moved, origin + step * direction);
-      auto fan = fan_from(mesh_, constraints_, s.boundary, moved);
-      if (!fan) continue;
-      s.filling = std::move(*fan);
-      return true;
-    }
+    for (const unsigned max_growths : {0u, 12u})
+      for (double step = reach / 2; step > reach * 1e-15; step /= max_growths == 0 ? 2 : 8) {
+        mesh_.move_point(moved, origin + step * direction);
+        Cavity trial = cavity;
+        auto fan = trial.star_from(moved, max_growths);
+        if (fan && take(s, std::move(*fan), trial)) return true;
+      }
     mesh_.drop_last_point();
     constraints_.vertices.pop_back();
     return false;
@@ -268,31 +244,41 @@ class PointRemoval {
 
   void commit() {
     std::vector<Tetrahedron> filling;
-    for (const Sector& s : sectors_) filling.insert(filling.end(), s.filling.begin(), s.filling.end());
-    mesh_.replace(star_, filling);
-    mesh_.forget(x_);
-    if (!halves_.empty()) {
-      const Index segment = constraints_.subsegments[halves_[0]].segment;
-      constraints_.add_subsegment(ends_[0], ends_[1], segment, no_index);
+    std::vector<CellIndex> cells;
+    for (const Sector& s : sectors_) {
+      filling.insert(filling.end(), s.filling.begin(), s.filling.end());
+      cells.insert(cells.end(), s.cells.begin(), s.cells.end());
     }
-    for (const Fan& fan : fans_)
+    mesh_.replace(cells, filling);
+    mesh_.forget(x_);
+    if (!around_.halves.empty()) {
+      const Index segment = constraints_.subsegments[around_.halves[0]].segment;
+      const Index chord = constraints_.subsegment_of(around_.ends[0], around_.ends[1]);
+      if (chord == no_index) {
+        constraints_.add_subsegment(around_.ends[0], around_.ends[1], segment, no_index);
+      } else {
+        constraints_.subsegments[chord].segment = segment;
+      }
+    }
+    for (const Fan& fan : around_.fans)
       for (const Triangle& t : fan.triangles) {
+        if (fan.facet == no_index) continue;
         constraints_.add_subfacet(t, fan.facet);
         mesh_.lock(mesh_.find_face(t[0], t[1], t[2]));
       }
-    for (const Fan& fan : fans_)
+    for (const Fan& fan : around_.fans)
       for (Index f : fan.subfacets) constraints_.remove_subfacet(f);
-    for (Index s : halves_) constraints_.remove_subsegment(s);
+    for (Index s : around_.halves) constraints_.remove_subsegment(s);
   }
 
   Recovery& recovery_;
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
   VertexIndex x_;
-  std::vector<CellIndex> star_;
-  std::vector<Index> halves_;
-  std::vector<VertexIndex> ends_;
-  std::vector<Fan> fans_;
+  std::size_t n_points_;
+  std::vector<CellIndex> star_;   ///< sorted
+  std::vector<CellIndex> grown_;  ///< the star and the cells that sectors have grown over, sorted
+  StarFans around_;
   std::vector<Sector> sectors_;
 };
 

@@ -196,10 +196,15 @@ void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<co
   }
   for (CellIndex c : old_cells) mesh_.flags(c) |= cavity_flag;
   links_.clear();
+  inner_locks_.clear();
   for (CellIndex c : old_cells)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = mesh_.neighbor(c, i);
-      if (!(mesh_.flags(outer.cell()) & cavity_flag)) links_.push_back({sorted_face(mesh_, FaceRef(c, i)), outer});
+      if (!(mesh_.flags(outer.cell()) & cavity_flag)) {
+        links_.push_back({sorted_face(mesh_, FaceRef(c, i)), outer});
+      } else if (is_locked(outer)) {
+        inner_locks_.push_back(sorted_face(mesh_, outer));
+      }
     }
   for (CellIndex c : old_cells) mesh_.free_cell(c);
   created_.clear();
@@ -222,7 +227,8 @@ void ConstrainedMesh::link_created() {
     GEOMESH_CHECK(links_[i].key == links_[i + 1].key);
     const FaceRef f = links_[i].face, g = links_[i + 1].face;
     mesh_.link(f, g);
-    if (is_locked(f) || is_locked(g)) lock(f);
+    const bool was_inside = std::find(inner_locks_.begin(), inner_locks_.end(), links_[i].key) != inner_locks_.end();
+    if (is_locked(f) || is_locked(g) || was_inside) lock(f);
   }
 }
 

@@ -81,8 +81,8 @@ class ConstrainedMesh {
   /// A finite cell that has p inside or on its boundary, walking from `start`; no_cell where p is outside the box. Exact.
   CellIndex locate(const Vec3& p, CellIndex start);
 
-  /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks on the boundary are kept, locks
-  /// inside the old set are lost. The caller answers for positivity. Indices of the new cells: last_created(). O(k log k).
+  /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks are kept
+  /// where the face is there afterwards, inside too. The caller answers for positivity. Indices of the new cells: last_created(). O(k log k).
   void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
   const std::vector<CellIndex>& last_created() const { return created_; }
 
@@ -118,6 +118,7 @@ class ConstrainedMesh {
   std::size_t journal_depth_ = 0;
   std::vector<CellIndex> created_;
   std::vector<LinkEntry> links_;
+  std::vector<Triangle> inner_locks_;  ///< locked faces between two of the old cells
   std::vector<std::uint32_t> visited_;
   std::uint32_t epoch_ = 0;
   std::uint32_t seed_ = 1;

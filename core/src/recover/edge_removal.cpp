@@ -83,9 +83,14 @@ bool EdgeRemover::replace_ring(const EdgeRing& ring, const EdgeRule* rule, Verte
 }
 
 bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth, const EdgeRule* rule) {
-  for (VertexIndex v : ring.ring) {
-    if (remove_at(ring.p, v, depth, rule, ring.q)) return true;
-    if (remove_at(ring.q, v, depth, rule, ring.p)) return true;
+  const std::size_t n = ring.ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    // v leaves the ring where edge u-w pierces the triangle p, q, v; of the edges at v only one that u-w passes by stands in the way.
+    const VertexIndex u = ring.ring[(i + n - 1) % n], v = ring.ring[i], w = ring.ring[(i + 1) % n];
+    const bool beside_p = mesh_.orient(u, w, v, ring.p) != Sign::positive;
+    const bool beside_q = mesh_.orient(u, w, ring.q, v) != Sign::positive;
+    if (beside_p && remove_at(ring.p, v, depth, rule, ring.q)) return true;
+    if (beside_q && remove_at(ring.q, v, depth, rule, ring.p)) return true;
   }
   return false;
 }

@@ -66,7 +66,7 @@ class FacetRecovery {
       if (mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring)) cells.insert(cells.end(), ring.cells.begin(), ring.cells.end());
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return recover_face_by_cavity(recovery_, plane_, std::move(cells), max_nodes) && by_flips(0);
+    return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 
   void by_points() {

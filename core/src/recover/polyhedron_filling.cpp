@@ -2,135 +2,209 @@
 #include "recover/polyhedron_filling.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
+
+#include "recover/side_masks.hpp"
 
 namespace geomesh::recover {
 
 namespace {
 
-Triangle canonical(Triangle t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
+constexpr std::uint32_t no_row = 0xFFFFFFFFu;
+
+LocalTriangle reversed(const LocalTriangle& t) { return {t[0], t[2], t[1]}; }
+/// Equal for the three rotations of a triangle.
+std::uint32_t key_of(const LocalTriangle& t) {
+  const unsigned i = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
+  return std::uint32_t{t[i]} << 16 | std::uint32_t{t[(i + 1) % 3]} << 8 | t[(i + 2) % 3];
 }
-Triangle reversed(const Triangle& t) { return canonical({t[0], t[2], t[1]}); }
-bool has(const Triangle& t, VertexIndex v) { return t[0] == v || t[1] == v || t[2] == v; }
+/// The three faces of the cell (t, v) beside t, as seen from inside it.
+std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
+  return {LocalTriangle{t[0], v, t[1]}, LocalTriangle{t[1], v, t[2]}, LocalTriangle{t[2], v, t[0]}};
+}
+
+/// A face not yet covered, seen from the side to be filled.
+struct OpenFace {
+  LocalTriangle v{};
+  std::uint32_t key = 0;
+  VertexMask candidates = 0;      ///< vertices it may be joined with
+  bool is_filtered = false;       ///< candidates have been tried against all open faces at this node
+  std::uint32_t origin = no_row;  ///< row in the boundary
+};
 
 class Filler {
  public:
   Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary, const FillingLimits& limits)
-      : mesh_(mesh), constraints_(constraints), limits_(limits) {
-    for (const Triangle& t : boundary) {
-      open(canonical(t));
-      vertices_.insert(vertices_.end(), t.begin(), t.end());
+      : mesh_(mesh), constraints_(constraints), limits_(limits), vertices_(vertices_of(boundary)), sides_(mesh, vertices_), obstructions_(boundary.size(), 0) {
+    levels_.reserve(limits.max_faces + 4);
+    levels_.emplace_back();
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+      const Triangle& t = boundary[i];
+      open(levels_[0], {local(t[0]), local(t[1]), local(t[2])}, static_cast<std::uint32_t>(i));
     }
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    for (auto& [face, candidates] : open_) candidates = visible(face);
   }
 
-  bool solve() {
-    if (open_.empty()) return true;
-    const auto best = std::min_element(open_.begin(), open_.end(),
-                                       [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
-    const Triangle face = best->first;
-    std::vector<VertexIndex> candidates = best->second;
-    sort_by_sphere(face, candidates);
-    for (VertexIndex v : candidates) {
+  static std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary) {
+    std::vector<VertexIndex> out;
+    for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
+  bool run() { return solve(0); }
+  const std::vector<unsigned>& obstructions() const { return obstructions_; }
+  std::vector<Tetrahedron> cells() const {
+    std::vector<Tetrahedron> out;
+    for (const auto& c : cells_) out.push_back({vertices_[c[0]], vertices_[c[1]], vertices_[c[2]], vertices_[c[3]]});
+    return out;
+  }
+
+ private:
+  using Front = std::vector<OpenFace>;
+
+  LocalVertex local(VertexIndex v) const {
+    return static_cast<LocalVertex>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
+  }
+  void open(Front& front, const LocalTriangle& t, std::uint32_t origin) { front.push_back({t, key_of(t), sides_.above(t), false, origin}); }
+
+  bool solve(std::size_t depth) {
+    if (levels_[depth].empty()) return true;
+    const std::size_t row = hardest_face(levels_[depth]);
+    const OpenFace face = levels_[depth][row];
+    if (face.candidates == 0) {
+      if (face.origin != no_row) obstructions_[face.origin] += 4;
+      return false;
+    }
+    std::array<LocalVertex, SideMasks::max_vertices> order;
+    const std::size_t n = sort_by_sphere(face, order);
+    if (levels_.size() < depth + 2) levels_.resize(depth + 2);
+    for (std::size_t i = 0; i < n; ++i) {
       if (++n_nodes_ > limits_.max_nodes) return false;
-      if (!fits(face, v)) continue;
-      const auto before = open_;
-      place(face, v);
-      if (solve()) return true;
-      open_ = before;
+      levels_[depth + 1] = levels_[depth];
+      place(levels_[depth + 1], face.v, order[i]);
+      if (solve(depth + 1)) return true;
       cells_.pop_back();
     }
     return false;
   }
-  const std::vector<Tetrahedron>& cells() const { return cells_; }
 
- private:
-  void open(const Triangle& t) { open_[t]; }
-
-  std::vector<VertexIndex> visible(const Triangle& t) const {
-    std::vector<VertexIndex> out;
-    for (VertexIndex v : vertices_)
-      if (!has(t, v) && mesh_.orient(t[0], t[1], t[2], v) == Sign::positive) out.push_back(v);
-    return out;
+  /// The face with the fewest vertices that fit; a few faces are looked at.
+  std::size_t hardest_face(Front& front) {
+    constexpr unsigned max_looks = 4;
+    for (OpenFace& f : front) f.is_filtered = false;
+    std::size_t best = 0;
+    for (unsigned look = 0; look < max_looks; ++look) {
+      best = 0;
+      for (std::size_t i = 1; i < front.size(); ++i)
+        if (std::popcount(front[i].candidates) < std::popcount(front[best].candidates)) best = i;
+      if (front[best].is_filtered) return best;
+      filter(front, front[best]);
+      if (front[best].candidates == 0) return best;
+    }
+    std::size_t filtered = front.size();
+    for (std::size_t i = 0; i < front.size(); ++i)
+      if (front[i].is_filtered && (filtered == front.size() || std::popcount(front[i].candidates) < std::popcount(front[filtered].candidates)))
+        filtered = i;
+    return filtered;
+  }
+  /// What does not fit now fits nowhere deeper in the search.
+  void filter(const Front& front, OpenFace& face) {
+    for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
+      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
+      if (!fits(front, face.v, v)) face.candidates &= ~bit(v);
+    }
+    face.is_filtered = true;
   }
 
   /// The nearer the centre of the sphere through face and vertex lies, the emptier that sphere.
-  void sort_by_sphere(const Triangle& t, std::vector<VertexIndex>& candidates) const {
-    const Vec3 &a = mesh_.point(t[0]), &b = mesh_.point(t[1]), &c = mesh_.point(t[2]);
-    const Vec3 u = b - a, w = c - a, n = cross(u, w);
-    const double nn = dot(n, n);
-    const Vec3 centre = 0.5 / nn * (dot(u, u) * cross(w, n) + dot(w, w) * cross(n, u));
-    const auto height = [&](VertexIndex v) {
-      const Vec3 d = mesh_.point(v) - a;
-      return (dot(d, d) - 2 * dot(d, centre)) / dot(d, n);
-    };
-    std::sort(candidates.begin(), candidates.end(), [&](VertexIndex x, VertexIndex y) {
-      const double hx = height(x), hy = height(y);
-      return hx != hy ? hx < hy : x < y;
-    });
+  std::size_t sort_by_sphere(const OpenFace& face, std::array<LocalVertex, SideMasks::max_vertices>& order) const {
+    const Vec3 &a = point(face.v[0]), u = point(face.v[1]) - a, w = point(face.v[2]) - a, n = cross(u, w);
+    const Vec3 centre = 0.5 / dot(n, n) * (dot(u, u) * cross(w, n) + dot(w, w) * cross(n, u));
+    std::array<double, SideMasks::max_vertices> height;
+    std::size_t count = 0;
+    for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
+      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
+      const Vec3 d = point(v) - a;
+      height[v] = (dot(d, d) - 2 * dot(d, centre)) / dot(d, n);
+      order[count++] = v;
+    }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+              [&](LocalVertex x, LocalVertex y) { return height[x] != height[y] ? height[x] < height[y] : x < y; });
+    return count;
+  }
+  const Vec3& point(LocalVertex v) const { return mesh_.point(vertices_[v]); }
+
+  static std::size_t find(const Front& front, std::uint32_t key) {
+    for (std::size_t i = 0; i < front.size(); ++i)
+      if (front[i].key == key) return i;
+    return front.size();
   }
 
-  static std::array<Triangle, 3> side_faces(const Triangle& t, VertexIndex v) {
-    // As seen from inside the new cell.
-    return {canonical({t[0], v, t[1]}), canonical({t[1], v, t[2]}), canonical({t[2], v, t[0]})};
-  }
-
-  bool fits(const Triangle& t, VertexIndex v) const {
+  bool fits(const Front& front, const LocalTriangle& t, LocalVertex v) {
+    const auto side = side_faces(t, v);
     unsigned n_closed = 0;
-    for (const Triangle& s : side_faces(t, v)) {
-      if (open_.count(s)) {
+    for (const LocalTriangle& s : side) {
+      if (find(front, key_of(s)) < front.size()) {
         ++n_closed;
-      } else if (open_.count(reversed(s))) {
+      } else if (find(front, key_of(reversed(s))) < front.size()) {
         return false;
       }
     }
     if (n_closed == 3) return true;
-    for (VertexIndex f : t)
-      if (constraints_.skips_added_points(f, v)) return false;
-    return !holds_vertex(t, v) && !crosses_open_face(t, v);
+    if (holds_vertex(t, side) || crosses_open_face(front, t, v, side)) return false;
+    for (LocalVertex f : t)
+      if (constraints_.skips_added_points(vertices_[f], vertices_[v])) return false;
+    return true;
   }
-  bool holds_vertex(const Triangle& t, VertexIndex v) const {
-    for (VertexIndex w : vertices_) {
-      if (w == v || has(t, w) || mesh_.orient(t[0], t[1], t[2], w) == Sign::negative) continue;
-      bool inside = true;
-      for (const Triangle& s : side_faces(t, v)) inside = inside && mesh_.orient(s[0], s[1], s[2], w) != Sign::negative;
-      if (inside) return true;
+  bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
+    return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) | mask_of(side[0])) & all();
+  }
+  VertexMask all() const { return vertices_.size() == 64 ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1; }
+
+  /// Edge a-b against triangle t, none of whose vertices it has: they meet in the inside of both, or on the border of one.
+  bool edge_crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
+    if (mask_of(t) & (bit(a) | bit(b))) return false;
+    if (sides_.sign(t[0], t[1], t[2], a) * sides_.sign(t[0], t[1], t[2], b) >= 0) return false;
+    const int s0 = sides_.sign(a, b, t[0], t[1]), s1 = sides_.sign(a, b, t[1], t[2]), s2 = sides_.sign(a, b, t[2], t[0]);
+    return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+  }
+  bool crosses_open_face(const Front& front, const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side) {
+    const VertexMask cell = mask_of(t) | bit(v);
+    const VertexMask inner[4] = {sides_.above(t), sides_.above(side[0]), sides_.above(side[1]), sides_.above(side[2])};
+    for (const OpenFace& h : front) {
+      const VertexMask m = mask_of(h.v);
+      if (!(inner[0] & m) || !(inner[1] & m) || !(inner[2] & m) || !(inner[3] & m)) continue;
+      if (!(sides_.above(h.v) & cell) || !(sides_.below(h.v) & cell)) continue;
+      if (!crosses(t, v, side, h)) continue;
+      if (h.origin != no_row) ++obstructions_[h.origin];
+      return true;
     }
     return false;
   }
-  /// Edge a-b against triangle t, none of whose vertices it has: they meet in the inside of both, or on the border of one.
-  bool edge_crosses(VertexIndex a, VertexIndex b, const Triangle& t) const {
-    if (has(t, a) || has(t, b)) return false;
-    const Sign sa = mesh_.orient(t[0], t[1], t[2], a), sb = mesh_.orient(t[0], t[1], t[2], b);
-    if (sa * sb != Sign::negative) return false;
-    const Sign s0 = mesh_.orient(a, b, t[0], t[1]), s1 = mesh_.orient(a, b, t[1], t[2]), s2 = mesh_.orient(a, b, t[2], t[0]);
-    const bool no_negative = s0 != Sign::negative && s1 != Sign::negative && s2 != Sign::negative;
-    const bool no_positive = s0 != Sign::positive && s1 != Sign::positive && s2 != Sign::positive;
-    return no_negative || no_positive;
-  }
-  bool crosses_open_face(const Triangle& t, VertexIndex v) const {
-    const auto sides = side_faces(t, v);
-    for (const auto& [h, candidates] : open_) {
-      for (VertexIndex f : t)
-        if (edge_crosses(f, v, h)) return true;
-      for (const Triangle& s : sides)
-        for (unsigned i = 0; i < 3; ++i)
-          if (edge_crosses(h[i], h[(i + 1) % 3], s)) return true;
-    }
+  bool crosses(const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side, const OpenFace& h) {
+    for (LocalVertex f : t)
+      if (edge_crosses(f, v, h.v)) return true;
+    for (const LocalTriangle& s : side)
+      for (unsigned i = 0; i < 3; ++i)
+        if (edge_crosses(h.v[i], h.v[(i + 1) % 3], s)) return true;
     return false;
   }
 
-  void place(const Triangle& t, VertexIndex v) {
-    open_.erase(t);
-    for (const Triangle& s : side_faces(t, v)) {
-      if (open_.erase(s)) continue;
-      const Triangle outward = reversed(s);
-      open_[outward] = visible(outward);
+  static void close(Front& front, std::size_t row) {
+    front[row] = front.back();
+    front.pop_back();
+  }
+  void place(Front& front, const LocalTriangle& t, LocalVertex v) {
+    close(front, find(front, key_of(t)));
+    for (const LocalTriangle& s : side_faces(t, v)) {
+      const std::size_t row = find(front, key_of(s));
+      if (row < front.size()) {
+        close(front, row);
+      } else {
+        open(front, reversed(s), no_row);
+      }
     }
     cells_.push_back({t[0], t[1], t[2], v});
   }
@@ -139,8 +213,10 @@ class Filler {
   const Constraints& constraints_;
   FillingLimits limits_;
   std::vector<VertexIndex> vertices_;
-  std::map<Triangle, std::vector<VertexIndex>> open_;  ///< faces not yet covered, with the vertices they see
-  std::vector<Tetrahedron> cells_;
+  SideMasks sides_;
+  std::vector<Front> levels_;  ///< the open faces at each depth of the search
+  std::vector<std::array<LocalVertex, 4>> cells_;
+  std::vector<unsigned> obstructions_;
   std::size_t n_nodes_ = 0;
 };
 
@@ -149,7 +225,7 @@ class Filler {
 std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary, VertexIndex v) {
   std::vector<Tetrahedron> out;
   for (const Triangle& t : boundary) {
-    if (has(t, v)) continue;
+    if (t[0] == v || t[1] == v || t[2] == v) continue;
     const Tetrahedron cell{t[0], t[1], t[2], v};
     if (!mesh.positive(cell)) return std::nullopt;
     for (VertexIndex w : t)
@@ -160,11 +236,14 @@ std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, co
 }
 
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
-                                                        std::span<const Triangle> boundary,
-                                                        const FillingLimits& limits) {
-  if (boundary.size() > limits.max_faces) return std::nullopt;
+                                                        std::span<const Triangle> boundary, const FillingLimits& limits,
+                                                        std::vector<unsigned>* obstructions) {
+  if (obstructions) obstructions->assign(boundary.size(), 0);
+  if (boundary.size() > limits.max_faces || Filler::vertices_of(boundary).size() > SideMasks::max_vertices) return std::nullopt;
   Filler filler(mesh, constraints, boundary, limits);
-  if (!filler.solve()) return std::nullopt;
+  const bool is_filled = filler.run();
+  if (obstructions) *obstructions = filler.obstructions();
+  if (!is_filled) return std::nullopt;
   return filler.cells();
 }
 

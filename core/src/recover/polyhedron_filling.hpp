@@ -18,15 +18,16 @@
 namespace geomesh::recover {
 
 struct FillingLimits {
-  std::size_t max_faces = 90;
+  std::size_t max_faces = 120;
   std::size_t max_nodes = 400;  ///< tetrahedra tried
 };
 
 /// `boundary`: triangles counter-clockwise seen from inside. A triangle may stand in it in both orientations (a sheet that hangs inside);
-/// it is a face of the filling then.
+/// it is a face of the filling then. Polyhedra of more than 64 vertices are refused. Where there is no filling and `obstructions` is given, it
+/// tells for each triangle of the boundary how often the search ended there for want of a vertex to join it with.
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
-                                                        std::span<const Triangle> boundary,
-                                                        const FillingLimits& limits = {});
+                                                        std::span<const Triangle> boundary, const FillingLimits& limits = {},
+                                                        std::vector<unsigned>* obstructions = nullptr);
 
 /// All of `boundary` joined with v, where every triangle without v is seen from it exactly.
 std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary, VertexIndex v);

@@ -112,7 +112,7 @@ void recover_by_points(Recovery& recovery, Missing first) {
     const unsigned depth = item.halvings < 6 ? 2 : 0;
     if (mesh.find_edge(s.a, s.b) != no_cell) continue;
     if (item.halvings < 12 && recover_segment_by_flips(recovery, s.a, s.b, depth)) continue;
-    if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, 200)) continue;
+    if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, {200})) continue;
     const VertexIndex x = insert_on_segment(recovery, item.subsegment);
     if (x == no_vertex) fail_segment_not_recovered(recovery, item.subsegment);
     recovery.count_added_point();
@@ -141,11 +141,11 @@ void recover_segments(Recovery& recovery) {
     if (constraints.subsegments[s].live && recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell)
       missing.push_back(s);
   std::size_t n_missing_before = missing.size();
-  for (unsigned depth : {0u, 1u, 2u}) {
+  for (unsigned depth : {0u, 1u, 2u, 3u}) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
-      return recover_segment_by_flips(recovery, a, b, depth) || (depth > 0 && recover_segment_by_cavity(recovery, a, b, 200 * depth));
+      return recover_segment_by_flips(recovery, a, b, depth) || (depth > 0 && recover_segment_by_cavity(recovery, a, b, {200 * depth}));
     });
   }
   for (Index s : missing) {
