@@ -8,7 +8,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "delaunay/face_conflicts.hpp"
 #include "delaunay/incremental.hpp"
 
 namespace geomesh {
@@ -28,37 +27,43 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex are left out.
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
 
-  std::size_t conflict_tests() const { return conflict_tests_; }
   std::size_t cells_removed() const { return cells_removed_; }
   std::size_t cells_made() const { return cells_made_; }
 
  private:
-  struct BoundaryFace {
-    std::array<VertexIndex, dimension> vertices;  ///< in the order that makes (vertices, new point) positive
-    FaceRef outer;                                ///< the face as seen from outside the cavity
-  };
+  using Face = CavityFace<dimension>;
 
-  bool conflicts(CellIndex n, const Vec3& p, const FaceConflicts* estimate, unsigned i);
+  bool conflicts(CellIndex n, const Vec3& p) {
+    const CellVertices& w = cells_[n].vertices;
+    return flags_[n] & ghost_flag ? space_.ghost_conflict(w, p) : space_.finite_conflict(w, p);
+  }
   bool find_cavity(CellIndex first, const Vec3& p);
+  bool grow_cavity(const Vec3& p);
+  bool grow_cavity_by_lanes(const Vec3& p);
+  void enlarge_lists();
   void close_cavity();
   bool star_shaped(const Vec3& p);
   bool near_boundary(const Vec3& p, double distance) const;
-  void number_boundary();
   void stellate(VertexIndex v);
+  unsigned number_boundary();
   void link_by_table(VertexIndex v);
   void link_by_map(VertexIndex v);
   void write_cell(std::size_t k, VertexIndex v);
   std::uint16_t& local(VertexIndex v) { return v == infinite_ ? infinite_local_ : space_.record(v).local; }
 
-  static constexpr unsigned table_side = 64;
+  static constexpr unsigned table_bits = 6, table_side = 1u << table_bits;
 
-  std::vector<CellIndex> cavity_;  ///< then the slots of the new cells, by boundary face
-  std::vector<BoundaryFace> boundary_;
-  std::vector<VertexIndex> numbered_;  ///< vertices of the boundary by local number
+  // Lists of the same size, of which the first n_cavity_ and n_boundary_ items count.
+  std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);  ///< then the slots of the new cells, by boundary face
+  std::vector<Face> boundary_ = std::vector<Face>(256);
+  std::size_t n_cavity_ = 0, n_boundary_ = 0;
+  std::array<VertexIndex, table_side + 1> numbered_;  ///< vertices of the boundary by number
+  std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
   std::uint16_t infinite_local_ = PointRecord::no_local;
-  /// 3D: the new cell's face on the directed boundary edge (a, b) at a * table_side + b. 2D: that on boundary vertex a.
+  /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: that on boundary vertex b, in row 0 where
+  /// the new cell's edge begins with it.
   std::array<FaceRef, table_side * table_side> table_;
-  std::size_t conflict_tests_ = 0, cells_removed_ = 0, cells_made_ = 0;
+  std::size_t cells_removed_ = 0, cells_made_ = 0;
 };
 
 template <class Space, bool Shared>
@@ -81,7 +86,7 @@ InsertionOutcome CavityInsertion<Space, Shared>::insert(VertexIndex v, double cl
     return InsertionOutcome::too_near;
   }
   GEOMESH_EXPENSIVE_CHECK(star_shaped(p));
-  if (boundary_.size() > cavity_.size() && !this->make_room(boundary_.size() - cavity_.size())) {
+  if (n_boundary_ > n_cavity_ && !this->make_room(n_boundary_ - n_cavity_)) {
     close_cavity();
     return InsertionOutcome::not_owned;
   }
@@ -89,54 +94,36 @@ InsertionOutcome CavityInsertion<Space, Shared>::insert(VertexIndex v, double cl
   return InsertionOutcome::inserted;
 }
 
-/// Whether cell n is in conflict with p; `estimate`, where given, knows about the neighbour across face i.
 template <class Space, bool Shared>
-inline bool CavityInsertion<Space, Shared>::conflicts(CellIndex n, const Vec3& p, [[maybe_unused]] const FaceConflicts* estimate,
-                                                      [[maybe_unused]] unsigned i) {
-  const CellVertices& w = cells_[n].vertices;
-  if (flags_[n] & ghost_flag) return space_.ghost_conflict(w, p);
+bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p) {
+  flags_[first] |= cavity_flag;
+  cavity_[0] = first;
+  n_cavity_ = 1;
+  n_boundary_ = 0;
   if constexpr (dimension == 3)
-    if (estimate) return space_.finite_conflict(w, p, estimate->value[i], estimate->error[i]);
-  return space_.finite_conflict(w, p);
+    return grow_cavity_by_lanes(p);
+  else
+    return grow_cavity(p);
 }
 
 template <class Space, bool Shared>
-bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p) {
-  cavity_.clear();
-  boundary_.clear();
-  flags_[first] |= cavity_flag;
-  cavity_.push_back(first);
-  for (std::size_t k = 0; k < cavity_.size(); ++k) {
+bool CavityInsertion<Space, Shared>::grow_cavity(const Vec3& p) {
+  for (std::size_t k = 0; k < n_cavity_; ++k) {
+    if (std::max(n_cavity_, n_boundary_) + n_faces > cavity_.size()) enlarge_lists();
     const Cell& cell = cells_[cavity_[k]];
-    unsigned open = 0;
-    CellVertices apex;
-    for (unsigned i = 0; i < n_faces; ++i) {
-      const FaceRef outer = cell.neighbors[i];
-      apex[i] = cells_[outer.cell()].vertices[outer.face()];
-      open |= (flags_[outer.cell()] & cavity_flag ? 0u : 1u) << i;
-    }
-    if (open == 0) continue;
-    const bool finite = !(flags_[cavity_[k]] & ghost_flag);
-    FaceConflicts estimate;
-    if constexpr (dimension == 3)
-      if (finite) space_.estimate_neighbors(cell.vertices, apex, p, estimate);
     for (unsigned i = 0; i < n_faces; ++i) {
       const FaceRef outer = cell.neighbors[i];
       const CellIndex n = outer.cell();
-      if (!(open >> i & 1u) || (flags_[n] & cavity_flag)) continue;
-      ++conflict_tests_;
-      if (conflicts(n, p, finite ? &estimate : nullptr, i)) {
-        if constexpr (Shared)
-          if (!this->owns_cell(cells_[n].vertices)) return false;
+      if (flags_[n] & cavity_flag) continue;
+      if (conflicts(n, p)) {
+        if (!this->owns_cell(cells_[n].vertices)) return false;
         flags_[n] |= cavity_flag;
-        cavity_.push_back(n);
-        for (const FaceRef next : cells_[n].neighbors) __builtin_prefetch(&cells_[next.cell()]);
+        cavity_[n_cavity_++] = n;
       } else {
         const auto f = face_of<dimension>(i);
-        BoundaryFace b;
+        Face& b = boundary_[n_boundary_++];
         for (unsigned j = 0; j < dimension; ++j) b.vertices[j] = cell.vertices[f[j]];
         b.outer = outer;
-        boundary_.push_back(b);
       }
     }
   }
@@ -144,13 +131,57 @@ bool CavityInsertion<Space, Shared>::find_cavity(CellIndex first, const Vec3& p)
 }
 
 template <class Space, bool Shared>
+void CavityInsertion<Space, Shared>::enlarge_lists() {
+  cavity_.resize(2 * cavity_.size());
+  boundary_.resize(cavity_.size());
+}
+
+template <class Space, bool Shared>
+bool CavityInsertion<Space, Shared>::grow_cavity_by_lanes(const Vec3& p) {
+  struct Host final : CavityHost {
+    CavityInsertion& insertion;
+    const Vec3& p;
+    Host(CavityInsertion& i, const Vec3& q) : insertion(i), p(q) {}
+    unsigned decide(const Cell& cell, unsigned undecided, const double* value) override {
+      unsigned conflict = 0;
+      for (unsigned i = 0; i < n_faces; ++i) {
+        if (!(undecided >> i & 1u)) continue;
+        const CellIndex n = cell.neighbors[i].cell();
+        const bool ghost = insertion.flags_[n] & ghost_flag;
+        const CellVertices& v = insertion.cells_[n].vertices;
+        conflict |= (ghost ? insertion.space_.ghost_conflict(v, p) : insertion.space_.finite_conflict(v, p, value[i]) ? 1u : 0u) << i;
+      }
+      return conflict;
+    }
+    void lend(CavityLists& lists) {
+      lists.cells = insertion.cavity_.data();
+      lists.faces = insertion.boundary_.data();
+      lists.capacity = insertion.cavity_.size();
+    }
+    void enlarge(CavityLists& lists) override {
+      insertion.enlarge_lists();
+      lend(lists);
+    }
+  } host(*this, p);
+  CavityLists lists;
+  lists.n_cells = 1;
+  host.lend(lists);
+  const LaneQuery query{cells_, &space_.record(0), p, space_.exact_reach(), this->owned_};
+  const bool owned = lane_kernels().grow(query, flags_, cavity_flag, lists, host);
+  n_cavity_ = lists.n_cells;
+  n_boundary_ = lists.n_faces;
+  return owned;
+}
+
+template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::close_cavity() {
-  for (const CellIndex c : cavity_) flags_[c] &= static_cast<std::uint8_t>(~cavity_flag);
+  for (std::size_t k = 0; k < n_cavity_; ++k) flags_[cavity_[k]] &= static_cast<std::uint8_t>(~cavity_flag);
 }
 
 template <class Space, bool Shared>
 bool CavityInsertion<Space, Shared>::star_shaped(const Vec3& p) {
-  for (const BoundaryFace& b : boundary_) {
+  for (std::size_t k = 0; k < n_boundary_; ++k) {
+    const Face& b = boundary_[k];
     CellVertices v{};
     bool finite = true;
     for (unsigned j = 0; j < dimension; ++j) {
@@ -165,8 +196,8 @@ bool CavityInsertion<Space, Shared>::star_shaped(const Vec3& p) {
 template <class Space, bool Shared>
 bool CavityInsertion<Space, Shared>::near_boundary(const Vec3& p, double distance) const {
   // The nearest vertex is joined to p in the new triangulation, so it is on the boundary.
-  for (const BoundaryFace& b : boundary_)
-    for (const VertexIndex u : b.vertices)
+  for (std::size_t k = 0; k < n_boundary_; ++k)
+    for (const VertexIndex u : boundary_[k].vertices)
       if (u != infinite_ && std::fabs(space_.record(u).x - p.x) < distance && space_.squared_distance(u, p) < distance * distance)
         return true;
   return false;
@@ -174,29 +205,29 @@ bool CavityInsertion<Space, Shared>::near_boundary(const Vec3& p, double distanc
 
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::stellate(VertexIndex v) {
-  cells_removed_ += cavity_.size();
-  cells_made_ += boundary_.size();
-  const std::size_t n_old = cavity_.size();
-  while (cavity_.size() < boundary_.size()) cavity_.push_back(this->slots_.take());
-  for (std::size_t k = boundary_.size(); k < n_old; ++k) {
+  cells_removed_ += n_cavity_;
+  cells_made_ += n_boundary_;
+  for (std::size_t k = n_cavity_; k < n_boundary_; ++k) cavity_[k] = this->slots_.take();
+  for (std::size_t k = n_boundary_; k < n_cavity_; ++k) {
     cells_[cavity_[k]].vertices[0] = no_vertex;
     flags_[cavity_[k]] = 0;
     this->slots_.give_back(cavity_[k]);
   }
   // Euler: a sphere of F triangles has F / 2 + 2 vertices; a circle of F edges has F.
-  const std::size_t n_vertices = dimension == 3 ? boundary_.size() / 2 + 2 : boundary_.size();
+  const std::size_t n_vertices = dimension == 3 ? n_boundary_ / 2 + 2 : n_boundary_;
   if (n_vertices <= table_side)
     link_by_table(v);
   else
     link_by_map(v);
-  this->hint_ = cavity_[boundary_.size() - 1];
+  this->hint_ = cavity_[n_boundary_ - 1];
 }
 
-/// Vertices and outer neighbour of new cell k: (face, v), v being last.
+/// New cell k: (face k, v), without its neighbours about v.
 template <class Space, bool Shared>
-void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexIndex v) {
-  const BoundaryFace& b = boundary_[k];
-  Cell& cell = cells_[cavity_[k]];
+inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexIndex v) {
+  const Face& b = boundary_[k];
+  const CellIndex c = cavity_[k];
+  Cell& cell = cells_[c];
   bool ghost = false;
   for (unsigned j = 0; j < dimension; ++j) {
     cell.vertices[j] = b.vertices[j];
@@ -204,60 +235,90 @@ void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexIndex v) {
   }
   cell.vertices[dimension] = v;
   cell.neighbors[dimension] = b.outer;
-  cells_[b.outer.cell()].neighbors[b.outer.face()] = FaceRef(cavity_[k], dimension);
-  flags_[cavity_[k]] = ghost ? ghost_flag : 0;
+  cells_[b.outer.cell()].neighbors[b.outer.face()] = FaceRef(c, dimension);
+  flags_[c] = ghost ? ghost_flag : 0;
 }
 
-/// The common path: boundary vertices numbered from 0, new faces in a square table by directed edge; each entry is written before
-/// it is read, so the table is never cleared.
+/// Numbers the vertices of the boundary from 0 as they come and returns how many there are. Whether a vertex is new is not branched
+/// on: it is as good as random.
+template <class Space, bool Shared>
+unsigned CavityInsertion<Space, Shared>::number_boundary() {
+  const Face* faces = boundary_.data();
+  const VertexIndex infinite = infinite_;
+  const std::size_t n = n_boundary_;
+  unsigned count = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    for (unsigned j = 0; j < dimension; ++j) {
+      const VertexIndex u = faces[k].vertices[j];
+      std::uint16_t* at = u == infinite ? &infinite_local_ : &space_.record(u).local;
+      const unsigned old = *at;
+      const bool fresh = old == PointRecord::no_local;
+      const unsigned number = fresh ? count : old;
+      *at = static_cast<std::uint16_t>(number);
+      numbered_[count] = u;
+      count += fresh;
+      number_[k][j] = static_cast<std::uint16_t>(number);
+    }
+  for (unsigned i = 0; i < count; ++i) {
+    const VertexIndex u = numbered_[i];
+    (u == infinite ? infinite_local_ : space_.record(u).local) = PointRecord::no_local;
+  }
+  return count;
+}
+
+/// The common path: new faces in a square table by directed edge; each entry is written before it is read, so the table is never
+/// cleared.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
-  numbered_.clear();
-  std::array<std::array<std::uint16_t, 3>, 2 * table_side> number;
-  for (std::size_t k = 0; k < boundary_.size(); ++k) {
-    for (unsigned j = 0; j < dimension; ++j) {
-      const VertexIndex u = boundary_[k].vertices[j];
-      std::uint16_t& n = local(u);
-      if (n == PointRecord::no_local) {
-        n = static_cast<std::uint16_t>(numbered_.size());
-        numbered_.push_back(u);
-      }
-      number[k][j] = n;
-    }
-    const CellIndex c = cavity_[k];
-    const auto& n = number[k];
+  const unsigned shift = number_boundary() <= 32 ? 5 : table_bits;
+  const CellIndex* slots = cavity_.data();
+  FaceRef* table = table_.data();
+  const std::size_t n_new = n_boundary_;
+  const auto at = [table, shift](unsigned a, unsigned b) -> FaceRef& { return table[a << shift | b]; };
+  for (std::size_t k = 0; k < n_new; ++k) {
+    const CellIndex c = slots[k];
+    const auto n = number_[k];
     if constexpr (dimension == 3) {
-      table_[n[0] * table_side + n[1]] = FaceRef(c, 2);
-      table_[n[1] * table_side + n[2]] = FaceRef(c, 0);
-      table_[n[2] * table_side + n[0]] = FaceRef(c, 1);
+      at(n[0], n[1]) = FaceRef(c, 2);
+      at(n[1], n[2]) = FaceRef(c, 0);
+      at(n[2], n[0]) = FaceRef(c, 1);
     } else {
-      table_[n[0]] = FaceRef(c, 1);
-      table_[table_side + n[1]] = FaceRef(c, 0);
+      at(0, n[0]) = FaceRef(c, 1);
+      at(1, n[1]) = FaceRef(c, 0);
     }
   }
-  for (std::size_t k = 0; k < boundary_.size(); ++k) {
-    write_cell(k, v);
-    Cell& cell = cells_[cavity_[k]];
-    const auto& n = number[k];
+  const Face* faces = boundary_.data();
+  Cell* cells = cells_;
+  std::uint8_t* flags = flags_;
+  const VertexIndex infinite = infinite_;
+  for (std::size_t k = 0; k < n_new; ++k) {
+    const CellIndex c = slots[k];
+    const auto n = number_[k];
+    const Face& face = faces[k];
+    Cell& cell = cells[c];
     if constexpr (dimension == 3) {
-      cell.neighbors[2] = table_[n[1] * table_side + n[0]];
-      cell.neighbors[0] = table_[n[2] * table_side + n[1]];
-      cell.neighbors[1] = table_[n[0] * table_side + n[2]];
+      const FaceRef a = at(n[2], n[1]), b = at(n[0], n[2]), d = at(n[1], n[0]);
+      cell.vertices = {face.vertices[0], face.vertices[1], face.vertices[2], v};
+      cell.neighbors = {a, b, d, face.outer};
     } else {
-      cell.neighbors[1] = table_[table_side + n[0]];
-      cell.neighbors[0] = table_[n[1]];
+      const FaceRef a = at(0, n[1]), b = at(1, n[0]);
+      cell.vertices = {face.vertices[0], face.vertices[1], v};
+      cell.neighbors = {a, b, face.outer};
     }
+    cells[face.outer.cell()].neighbors[face.outer.face()] = FaceRef(c, dimension);
+    bool ghost = false;
+    for (const VertexIndex u : face.vertices) ghost |= u == infinite;
+    flags[c] = ghost ? ghost_flag : 0;
   }
-  for (const VertexIndex u : numbered_) local(u) = PointRecord::no_local;
 }
 
 /// Large cavities: faces in a map by the rest of the edge or vertex.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
   std::unordered_map<std::uint64_t, FaceRef> open;
-  open.reserve(boundary_.size() * dimension);
+  open.reserve(n_boundary_ * dimension);
   const auto key = [](VertexIndex a, VertexIndex b) { return std::uint64_t{a} << 32 | b; };
-  for (std::size_t k = 0; k < boundary_.size(); ++k) {
+  for (std::size_t k = 0; k < n_boundary_; ++k) {
     write_cell(k, v);
     const auto& u = boundary_[k].vertices;
     for (unsigned j = 0; j < dimension; ++j) {

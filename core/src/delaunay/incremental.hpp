@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "delaunay/point_record.hpp"
+#include "delaunay/lane_kernels.hpp"
 #include "delaunay/slots.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 
@@ -21,11 +21,6 @@ enum class InsertionOutcome {
   duplicate,  ///< equals a vertex: IncrementalTriangulation::twin()
   too_near,   ///< nearer to a vertex than the cluster distance; nothing changed
   not_owned,  ///< the work would touch cells of another part; nothing changed
-};
-
-/// Part [first, end) of the Hilbert curve that one insertion may change cells of; cells with a vertex elsewhere are only read.
-struct Ownership {
-  std::uint16_t first = 0, end = 0xFFFF;
 };
 
 /// Inside the stage, vertices are positions in insertion order, and the infinite vertex is the one after the last.
@@ -150,6 +145,8 @@ template <class Space, bool Shared>
 CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
   CellIndex c = hint_;
   unsigned entered = n_faces;
+  if constexpr (dimension == 3)
+    if (lane_kernels().walk({cells_, &space_.record(0), p, space_.exact_reach(), owned_}, c, walk_steps_)) return c;
   if (flags_[c] & ghost_flag) {
     unsigned g = 0;
     while (cells_[c].vertices[g] != infinite_) ++g;
@@ -157,6 +154,8 @@ CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
     if constexpr (Shared)
       if (!owns_cell(cells_[inner.cell()].vertices)) return no_cell;
     c = inner.cell();
+  } else if constexpr (Shared) {
+    if (!owns_cell(cells_[c].vertices)) return no_cell;
   }
   for (;;) {
     ++walk_steps_;

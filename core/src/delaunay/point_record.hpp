@@ -18,4 +18,9 @@ struct PointRecord : Vec3 {
 };
 static_assert(sizeof(PointRecord) == 32);
 
+/// Part [first, end) of the Hilbert curve that one insertion may change cells of; cells with a vertex elsewhere are only read.
+struct Ownership {
+  std::uint16_t first = 0, end = 0xFFFF;
+};
+
 }  // namespace geomesh

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
-#include "delaunay/face_conflicts.hpp"
 #include "delaunay/point_record.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
@@ -29,13 +29,17 @@ class Space3 {
   using Record = PointRecord;
   using CellVertices = TetMesh::CellVertices;
 
-  /// `points[infinite]` must exist; its coordinates are never used. `unit`: the coordinates are multiples of it, or 0.
+  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter is certain of anything about it. `unit`: the coordinates are multiples of it, or 0.
   Space3(PointRecord* points, VertexIndex infinite, double unit)
-      : points_(points), infinite_(infinite), exact_reach_(512 * unit) {}
+      : points_(points), infinite_(infinite), exact_reach_(512 * unit) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    static_cast<Vec3&>(points[infinite]) = {nan, nan, nan};
+  }
 
   PointRecord& record(VertexIndex v) const { return points_[v]; }
   VertexIndex infinite() const { return infinite_; }
   std::size_t exact_calls() const { return exact_calls_; }
+  double exact_reach() const { return exact_reach_; }
 
   /// Sign of the orientation of face `face` of a finite cell with p: negative where p is beyond it.
   Sign side(const CellVertices& v, unsigned face, const Vec3& p) {
@@ -51,13 +55,8 @@ class Space3 {
     return finite_conflict_after_filter(a, b, c, d, p, estimate.value);
   }
 
-  /// Estimates of finite_conflict for the neighbours of a finite cell, by face.
-  void estimate_neighbors(const CellVertices& v, const CellVertices& apex, const Vec3& p, FaceConflicts& result) const {
-    face_conflicts(points_, v.data(), apex.data(), p, result);
-  }
-  bool finite_conflict(const CellVertices& v, const Vec3& p, double value, double error) {
-    if (value > error) return true;
-    if (value < -error) return false;
+  /// The same where the filter is known to be undecided about `value`.
+  bool finite_conflict(const CellVertices& v, const Vec3& p, double value) {
     return finite_conflict_after_filter(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p, value);
   }
 
