@@ -9,6 +9,7 @@
 #include <map>
 
 #include "geomesh/geomodel/writers.hpp"
+#include "refinement_flags.hpp"
 
 namespace geomesh::app {
 namespace {
@@ -138,7 +139,8 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
   CLI::App app("Mesh surfaces or a PLC: OFF, OBJ, STL, PLY, VTP, GOCAD .ts/.ml, TetGen .poly/.smesh.", "geomesh mesh");
   Common common;
   std::vector<std::string> inputs;
-  std::string output, mode = "constrained", intersect = "auto", box, size, stop_after, help;
+  std::string output, mode = "constrained", intersect = "auto", box, stop_after, help;
+  RefinementFlags refinement;
   bool no_refine = false, preserve = false;
   geomodel::MeshRequest request;
   app.add_option("INPUT", inputs, "Surface files, or one PLC file")->required();
@@ -148,11 +150,11 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
       ->check(CLI::IsMember({"constrained", "conforming"}))->capture_default_str();
   app.add_option("--intersect", intersect, "auto: resolve crossings and warn; always: resolve; never: refuse crossings")
       ->check(CLI::IsMember({"auto", "always", "never"}))->capture_default_str();
-  app.add_flag("--no-refine", no_refine, "Add only the points that recovery needs (the default for now)");
+  app.add_flag("--no-refine", no_refine, "Add only the points that recovery needs (the default without the options below)");
   app.add_flag("--preserve-boundary", preserve, "No added point on any surface or segment, only inside");
   app.add_flag("--hull", request.keep_hull, "Keep the convex hull, as region \"hull\" where nothing else encloses it");
   app.add_option("--box", box, "Cut by a box and mesh its inside")->type_name("x0,y0,z0,x1,y1,z1");
-  app.add_option("--size", size, "Wanted edge length (not offered yet)")->type_name("H");
+  refinement.add_to(app);
   app.add_option("--stop-after", stop_after, "Stop after this stage")->type_name("STAGE");
   common.add_to(app);
   CommandLine line;
@@ -160,7 +162,6 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
     line.command = Help{help};
     return line;
   }
-  if (!size.empty()) usage_error("--size is not offered yet: leave it out; the mesh then has only the points that recovery needs");
   check_stage(stop_after);
   check_output_extension(output);
   for (const std::string& input : inputs) {
@@ -173,6 +174,10 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
   using Intersect = geomodel::MeshRequest::Intersect;
   request.intersect = intersect == "never" ? Intersect::never : intersect == "always" ? Intersect::always : Intersect::automatic;
   if (!box.empty()) request.box = parse_box(box);
+  request.refinement = refinement.settings();
+  if (no_refine && request.refinement.refine) usage_error("--no-refine contradicts the options that ask for sizes or quality");
+  const std::string contradiction = geomodel::contradiction(request.refinement, request.options.recover);
+  if (!contradiction.empty()) usage_error(contradiction);
   request.report = common.report_file();
   request.stop_after = stop_after;
   common.apply(line);

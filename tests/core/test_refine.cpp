@@ -56,7 +56,7 @@ TEST_CASE("Improvement alone adds no size and never lowers the worst shape", "[r
 TEST_CASE("A listed segment inside a region stays, whole and in place", "[refine]") {
   const Model model = box_with_well(4);
   RefineOptions options;
-  options.size.segment_size = {0.05};
+  options.size.segment_size = {{0.05, 0}};
   const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
   require_same_domain(model, r);
   double length = 0;

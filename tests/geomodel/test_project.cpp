@@ -98,6 +98,38 @@ TEST_CASE("a project without a name takes its file's, or its folder's", "[projec
   CHECK_FALSE(p.box);
 }
 
+TEST_CASE("sizes are read by name, with and without radius", "[project]") {
+  const ProjectFolder f;
+  const Project p = read_project(f.write(std::string(two_surfaces) +
+                           "points:\n  - {name: gauge, at: [1, 2, 3]}\n"
+                           "mesh:\n"
+                           "  size: {global: 9, units: {u: 4}, surfaces: {salt: {size: 2, radius: 7}}, curves: {wells: 1.5},\n"
+                           "         near: [{at: gauge, size: 0.5, radius: 3}, {at: [4, 5, 6], size: 0.25}], gradation: 0.2, max: 8, gap_layers: none}\n"
+                           "  honour: tolerance\n  tolerance: 0.125\n  quality: best\n  max_elements: 1000\n  time_budget: 2.5\n"
+                           "  cell_arrays: [size, aspect]\n"));
+  const RefinementSettings& r = p.mesh.refinement;
+  CHECK(r.refine);
+  CHECK(r.size.base.global == 9);
+  CHECK(r.size.base.gradation == 0.2);
+  CHECK(r.size.base.max_size == 8);
+  CHECK(r.size.base.gap_layers == 0);
+  CHECK(r.size.units.at("u").size == 4);
+  CHECK(r.size.surfaces.at("salt").size == 2);
+  CHECK(r.size.surfaces.at("salt").radius == 7);
+  CHECK(r.size.curves.at("wells").size == 1.5);
+  REQUIRE(r.size.near.size() == 2);
+  CHECK(r.size.near[0].place == Vec3{1, 2, 3});
+  CHECK(r.size.near[0].asked.radius == 3);
+  CHECK(r.size.near[1].asked.size == 0.25);
+  CHECK(r.honour == Honour::tolerance);
+  CHECK(r.tolerance == 0.125);
+  CHECK(r.quality == QualityLevel::best);
+  CHECK(r.max_elements == 1000);
+  CHECK(r.time_budget == 2.5);
+  CHECK(r.cell_arrays == std::vector<std::string>{"size", "aspect"});
+  CHECK_FALSE(read_project(f.write(two_surfaces)).mesh.refinement.refine);
+}
+
 TEST_CASE("all mistakes of a project are named in one run, in the order of the file", "[project]") {
   const std::string text = complaint(
       "nmae: x\n"
@@ -106,15 +138,15 @@ TEST_CASE("all mistakes of a project are named in one run, in the order of the f
       "  - {name: top, kind: horizont, file: s/a.ts}\n"
       "  - {name: salt, kind: body, file: s/missing.ts}\n"
       "column: [a, tpo, b]\n"
-      "mesh: {refine: default, size: 5}\n");
+      "mesh: {refine: perhaps, size: {surfaces: {slat: 5}}}\n");
   INFO(text);
   CHECK(text.find("1:1: unknown key 'nmae'; was 'name' meant?") == 0);
   CHECK(text.find("2:35: box.max[3]: the number '010' has a leading zero") != std::string::npos);
   CHECK(text.find("4:23: surfaces[1].kind: horizon, fault or body was expected, found 'horizont'; was 'horizon' meant?") != std::string::npos);
   CHECK(text.find("5:36: surfaces[2].file: there is no file") != std::string::npos);
   CHECK(text.find("6:13: column[2]: a horizon was expected here, but no surface is named 'tpo'; was 'top' meant?") != std::string::npos);
-  CHECK(text.find("7:16: mesh.refine: 'default' is not offered yet") != std::string::npos);
-  CHECK(text.find("7:25: mesh.size: not offered yet") != std::string::npos);
+  CHECK(text.find("7:16: mesh.refine: none or default was expected, found 'perhaps'") != std::string::npos);
+  CHECK(text.find("mesh.size.surfaces.slat: there is no surface of this name; was 'salt' meant?") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);
 }
 
@@ -145,7 +177,17 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "points: [{name: top, at: [0, 0, 0]}]\n", "4:17: points[1].name: the name 'top' is used already on line 2"},
       {"surfaces:\n  - {name: t, kind: fault, file: s}\n", "surfaces[1].file: 's' is a folder; a file was expected"},
       {"surfaces:\n  - {name: t, kind: fault, file: s/a.ts, cuts: all}\n", "cuts: only a body cuts; this surface is a fault"},
-      {s + "mesh: {quality: best}\n", "mesh.quality: not offered yet"},
+      {s + "mesh: {quality: good}\n", "mesh.quality: fast, default or best was expected"},
+      {s + "mesh: {size: -5}\n", "mesh.size: a number above zero was expected"},
+      {s + "mesh: {refine: none, size: 5}\n", "mesh.refine: none contradicts"},
+      {s + "mesh: {honour: tolerance}\n", "mesh.honour: how far surfaces may be from the input is missing"},
+      {s + "mesh: {tolerance: 2}\n", "mesh.tolerance: has no meaning while surfaces are kept exactly"},
+      {s + "mesh: {size: {min: 5, max: 2}}\n", "mesh.size: min is greater than max"},
+      {s + "mesh: {size: {units: {a: {size: 2, radius: 3}}}}\n", "mesh.size.units: a size inside of a has no radius"},
+      {s + "mesh: {size: {near: [{at: nowhere, size: 5}]}}\n", "[x, y, z] or the name of an entry of 'points' was expected"},
+      {s + "mesh: {mode: conforming, size: 5}\n", "mode conforming and refinement are not offered together yet"},
+      {s + "mesh: {preserve_boundary: true, quality: fast}\n", "preserve_boundary and refinement exclude each other"},
+      {s + "mesh: {cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
       {s + "mesh: {preserve_boundary: yes}\n", "true or false was expected, found 'yes'"},
       {s + "mesh: {cluster_distance: -2}\n", "auto or a length of zero or more was expected"},
       {s + "output: {formats: [vtk]}\n", "output.formats[1]: "},

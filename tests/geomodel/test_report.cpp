@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "geomesh/geomodel/report.hpp"
 #include "hand_made.hpp"
@@ -17,53 +15,69 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ModelMesh one_tetrahedron(const std::array<Vec3, 4>& p) {
-  ModelMesh mesh;
-  mesh.points.assign(p.begin(), p.end());
-  mesh.point_kind.assign(4, 0);
-  mesh.tetrahedra = {{0, 1, 2, 3}};
-  mesh.tet_region = {1};
-  mesh.regions = {{1, "r", {}, 1, 1}};
-  return mesh;
+/// Statistics of the mesh by region, and its two worst elements with made-up causes.
+QualityReport quality_of(const ModelMesh& mesh) {
+  QualityReport q;
+  q.measured.whole = measure_shapes(mesh.points, mesh.tetrahedra);
+  for (const Region& r : mesh.regions) {
+    std::vector<Tetrahedron> inside;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+      if (mesh.tet_region[t] == r.id) inside.push_back(mesh.tetrahedra[t]);
+    q.measured.per_component.push_back(measure_shapes(mesh.points, inside));
+  }
+  WorstElement forced;
+  forced.tetrahedron = 1;
+  forced.cause = ShapeCause::thin_gap;
+  q.measured.worst = {WorstElement{}, forced};
+  q.measured.worst[0].tetrahedron = 0;
+  q.causes = {"nothing in the input forces it", "gap of 0.5 between horizon upper and horizon lower"};
+  q.has_sizes = true;
+  return q;
 }
+
+/// A soup of three triangles of different surfaces, each a facet of the PLC; one segment on the curve `tip`.
+struct NamedParts {
+  PolygonSoup soup;
+  ModelPlc plc;
+  std::vector<TriangulatedSurface> surfaces;
+  NamedParts() {
+    for (Index f = 0; f < 3; ++f) {
+      soup.facets.push_back({0, 1, 2});
+      soup.origins.push_back({f, 0, false});
+      soup.origin_offsets.push_back(f + 1);
+      plc.facet_soup.push_back(f);
+      plc.facet_soup_offsets.push_back(f + 1);
+    }
+    plc.curves = {{"F2.tip", "fault_tip"}};
+    plc.segment_curves = {{0}};
+    surfaces.resize(3);
+    surfaces[0].name = "F2", surfaces[0].kind = SurfaceKind::fault;
+    surfaces[1].name = "H1", surfaces[1].kind = SurfaceKind::horizon;
+    surfaces[2].name = "xmin", surfaces[2].kind = SurfaceKind::box;
+  }
+  std::string words(const WorstElement& w, bool refined = true) const { return cause_in_words(w, refined, soup, plc, surfaces); }
+};
 
 }  // namespace
 
-TEST_CASE("quality of tetrahedra whose angles are known", "[report]") {
-  SECTION("regular") {
-    const QualityStatistics q = measure_quality(one_tetrahedron({{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}}}));
-    CHECK(q.min_dihedral == Approx(std::acos(1.0 / 3) * 180 / M_PI).epsilon(1e-14));
-    CHECK(q.max_dihedral == Approx(q.min_dihedral).epsilon(1e-14));
-    CHECK(q.min_radius_ratio == Approx(1).epsilon(1e-14));
-    CHECK(q.dihedral_histogram[7] == 6);
-    CHECK(q.worst.size() == 1);
-  }
-  SECTION("corner of a cube") {
-    const QualityStatistics q = measure_quality(one_tetrahedron({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    CHECK(q.min_dihedral == Approx(std::atan(std::sqrt(2.0)) * 180 / M_PI).epsilon(1e-14));
-    CHECK(q.max_dihedral == Approx(90).epsilon(1e-14));
-    const double r = 1 / (3 + std::sqrt(3.0)), big = std::sqrt(3.0) / 2;
-    CHECK(q.min_radius_ratio == Approx(3 * r / big).epsilon(1e-13));
-  }
-  SECTION("flat as a sheet: angles near 0 and 180 keep their digits") {
-    const double h = 1e-9;
-    const QualityStatistics q = measure_quality(one_tetrahedron({{{0, 0, 0}, {2, 0, 0}, {1, 1, h}, {1, -1, h}}}));
-    CHECK(q.max_dihedral == Approx(180 - 2 * h * 180 / M_PI).epsilon(1e-14));
-    CHECK(q.min_radius_ratio > 0);
-    CHECK(q.min_radius_ratio < 1e-8);
-  }
-}
-
-TEST_CASE("histograms count every tetrahedron and the worst come first", "[report]") {
-  const ModelMesh mesh = three_layer_mesh(3);
-  const QualityStatistics q = measure_quality(mesh);
-  const auto sum = [](const std::vector<std::size_t>& h) { return std::accumulate(h.begin(), h.end(), std::size_t{0}); };
-  CHECK(sum(q.min_dihedral_histogram) == mesh.tetrahedra.size());
-  CHECK(sum(q.dihedral_histogram) == 6 * mesh.tetrahedra.size());
-  CHECK(sum(q.radius_ratio_histogram) == mesh.tetrahedra.size());
-  CHECK(q.worst.size() == 10);
-  CHECK(q.worst.front().min_dihedral == q.min_dihedral);
-  CHECK(std::is_sorted(q.worst.begin(), q.worst.end(), [](const auto& a, const auto& b) { return a.min_dihedral < b.min_dihedral; }));
+TEST_CASE("causes name what meets and at which angle", "[report]") {
+  const NamedParts parts;
+  WorstElement w;
+  CHECK(parts.words(w) == "nothing in the input forces it");
+  CHECK(parts.words(w, false).find("not refined") != std::string::npos);
+  w.cause = ShapeCause::input_angle;
+  w.forcing_angle = 3;
+  w.facet_a = 0, w.facet_b = 1;
+  CHECK(parts.words(w) == "input angle of 3 degrees between fault F2 and horizon H1");
+  w.facet_b = 0;
+  CHECK(parts.words(w) == "input angle of 3 degrees between two parts of fault F2");
+  w.facet_a = no_index, w.segment_a = 0, w.facet_b = 2;
+  CHECK(parts.words(w) == "input angle of 3 degrees between curve F2.tip and box side xmin");
+  WorstElement gap;
+  gap.cause = ShapeCause::thin_gap;
+  gap.gap = 0.25;
+  gap.facet_a = 1, gap.facet_b = 2;
+  CHECK(parts.words(gap) == "gap of 0.25 between horizon H1 and box side xmin, thinner than a quarter of the asked size");
 }
 
 TEST_CASE("a full report has the names of the output contract and fits its schema", "[report]") {
@@ -84,7 +98,8 @@ TEST_CASE("a full report has the names of the output contract and fits its schem
   report.core = &core;
   report.arrangement = &arrangement;
   report.mesh = &mesh;
-  report.quality = measure_quality(mesh);
+  report.refinement = RefineStatistics{};
+  report.quality = quality_of(mesh);
   report.warnings = {"something \xff not UTF-8"};
   report.files = {"model.vtu"};
   const json read = json::parse(to_json(report));
@@ -99,6 +114,13 @@ TEST_CASE("a full report has the names of the output contract and fits its schem
   CHECK(read["displacement"]["clipping"]["surfaces"][0]["surface"] == "upper");
   CHECK(read["intersection"]["spots"][0]["surface_b"] == "lower");
   CHECK(read["input"]["surfaces"] == 2);
+  CHECK(read["quality"]["whole"]["tetrahedra"] == mesh.tetrahedra.size());
+  CHECK(read["quality"]["min_dihedral"] == read["quality"]["whole"]["min_dihedral"]["min"]);
+  CHECK(read["quality"]["regions"].size() == mesh.regions.size());
+  CHECK(read["quality"]["regions"][1]["name"] == "middle layer, which is long to name");
+  CHECK(read["quality"]["worst"][1]["forced"] == true);
+  CHECK(read["quality"]["worst"][1]["region"] == mesh.tet_region[1]);
+  CHECK(read["refinement"]["points_inside"] == 0);
 
   const fs::path folder = fs::path(GEOMESH_BINARY_DIR) / "test-output";
   fs::create_directories(folder);

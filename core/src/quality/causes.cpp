@@ -44,28 +44,33 @@ double distance_between_segments(const Vec3& a, const Vec3& b, const Vec3& c, co
 }  // namespace
 
 CauseFinder::CauseFinder(const PiecewiseLinearComplex&, const ConstrainedTetrahedralization& mesh, const QualityOptions& options)
-    : mesh_(mesh), options_(options), faces_at_(mesh.points.size()), edges_at_(mesh.points.size()) {
+    : mesh_(mesh), options_(options), faces_at_(mesh.points.size()), edges_at_(mesh.points.size()), forced_(mesh.points.size()) {
   for (Index f = 0; f < mesh.faces.size(); ++f)
     for (const VertexIndex v : mesh.faces[f].vertices) faces_at_[v].push_back(f);
   collect_edges();
 }
 
+Index CauseFinder::patch_of(Index face) const {
+  const Index facet = mesh_.faces[face].facet;
+  return facet < options_.facet_patch.size() ? options_.facet_patch[facet] : facet;
+}
+
 void CauseFinder::collect_edges() {
   struct Use {
     VertexIndex a, b;
-    Index facet;
+    Index facet, patch;
   };
   std::vector<Use> uses;
-  for (const auto& f : mesh_.faces)
+  for (Index f = 0; f < mesh_.faces.size(); ++f)
     for (unsigned k = 0; k < 3; ++k) {
-      const VertexIndex a = f.vertices[k], b = f.vertices[(k + 1) % 3];
-      uses.push_back({std::min(a, b), std::max(a, b), f.facet});
+      const VertexIndex a = mesh_.faces[f].vertices[k], b = mesh_.faces[f].vertices[(k + 1) % 3];
+      uses.push_back({std::min(a, b), std::max(a, b), mesh_.faces[f].facet, patch_of(f)});
     }
   std::sort(uses.begin(), uses.end(),
             [](const Use& x, const Use& y) { return std::tuple(x.a, x.b, x.facet) < std::tuple(y.a, y.b, y.facet); });
   for (std::size_t i = 0, j; i < uses.size(); i = j) {
     for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b;) ++j;
-    if (j - i == 2 && uses[i].facet == uses[i + 1].facet) continue;  // in the inside of a facet
+    if (j - i == 2 && uses[i].patch == uses[i + 1].patch) continue;  // in the inside of a facet, or of a remeshed patch
     edges_at_[uses[i].a].push_back({uses[i].b, no_index, uses[i].facet});
     edges_at_[uses[i].b].push_back({uses[i].a, no_index, uses[i].facet});
   }
@@ -102,32 +107,34 @@ double CauseFinder::angle_of_edge(VertexIndex v, VertexIndex other, Index face) 
   return angle_to_sector(mesh_.points[other] - p, mesh_.points[t[(k + 1) % 3]] - p, mesh_.points[t[(k + 2) % 3]] - p);
 }
 
-bool CauseFinder::explain_by_angle_at(VertexIndex v, WorstElement& w) const {
-  double least = options_.forcing_angle;
-  const auto found = [&](double a, Index facet_a, Index facet_b, Index segment_a, Index segment_b) {
-    if (!(a < least)) return;
-    least = a;
-    w.cause = ShapeCause::input_angle;
-    w.forcing_angle = a;
-    w.facet_a = facet_a, w.facet_b = facet_b, w.segment_a = segment_a, w.segment_b = segment_b;
+CauseFinder::ForcedAngle CauseFinder::least_angle_at(VertexIndex v) const {
+  ForcedAngle least;
+  least.angle = options_.forcing_angle;
+  const auto found = [&](const ForcedAngle& f) {
+    if (f.angle < least.angle) least = f;
   };
   const auto& faces = faces_at_[v];
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j)
-      if (mesh_.faces[faces[i]].facet != mesh_.faces[faces[j]].facet)
-        found(angle_between(v, faces[i], faces[j]), mesh_.faces[faces[i]].facet, mesh_.faces[faces[j]].facet, no_index, no_index);
+      if (patch_of(faces[i]) != patch_of(faces[j]))
+        found({angle_between(v, faces[i], faces[j]), mesh_.faces[faces[i]].facet, mesh_.faces[faces[j]].facet, no_index, no_index});
   const auto& edges = edges_at_[v];
   const Vec3& p = mesh_.points[v];
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size(); ++j)
       if (edges[i].other != edges[j].other)
-        found(angle(mesh_.points[edges[i].other] - p, mesh_.points[edges[j].other] - p), edges[i].facet, edges[j].facet,
-              edges[i].segment, edges[j].segment);
+        found({angle(mesh_.points[edges[i].other] - p, mesh_.points[edges[j].other] - p), edges[i].facet, edges[j].facet,
+               edges[i].segment, edges[j].segment});
     if (edges[i].segment == no_index) continue;
     for (const Index f : faces)
-      found(angle_of_edge(v, edges[i].other, f), no_index, mesh_.faces[f].facet, edges[i].segment, no_index);
+      found({angle_of_edge(v, edges[i].other, f), no_index, mesh_.faces[f].facet, edges[i].segment, no_index});
   }
-  return w.cause == ShapeCause::input_angle;
+  return least;
+}
+
+const CauseFinder::ForcedAngle& CauseFinder::forced_angle_at(VertexIndex v) {
+  if (forced_[v].angle < 0) forced_[v] = least_angle_at(v);
+  return forced_[v];
 }
 
 std::vector<Index> CauseFinder::facets_at(VertexIndex v) const {
@@ -171,9 +178,16 @@ bool CauseFinder::explain_by_gap(WorstElement& w) const {
   return w.cause == ShapeCause::thin_gap;
 }
 
-void CauseFinder::explain(WorstElement& w) const {
-  for (const VertexIndex v : mesh_.tetrahedra[w.tetrahedron])
-    if (explain_by_angle_at(v, w)) return;
+void CauseFinder::explain(WorstElement& w) {
+  for (const VertexIndex v : mesh_.tetrahedra[w.tetrahedron]) {
+    const ForcedAngle& forced = forced_angle_at(v);
+    if (!(forced.angle < options_.forcing_angle)) continue;
+    w.cause = ShapeCause::input_angle;
+    w.forcing_angle = forced.angle;
+    w.facet_a = forced.facet_a, w.facet_b = forced.facet_b;
+    w.segment_a = forced.segment_a, w.segment_b = forced.segment_b;
+    return;
+  }
   explain_by_gap(w);
 }
 

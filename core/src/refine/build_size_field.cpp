@@ -77,33 +77,34 @@ class SizeFieldBuilder {
   void visit_faces() {
     for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
       const Index patch = facet < patch_.size() ? patch_[facet] : no_index;
-      if (patch >= options_.patch_size.size() || !(options_.patch_size[patch] > 0)) return;
+      if (patch >= options_.patch_size.size() || !(options_.patch_size[patch].size > 0)) return;
       add_triangle(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), options_.patch_size[patch]);
     });
     if (options_.curvature_angle > 0 || tolerance_ > 0) add_curvature();
   }
 
   /// A large triangle of the input is covered with sources no farther apart than its size asks for (at most a few thousand).
-  void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c, double size) {
+  void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const AskedSize& asked) {
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    const int n = std::clamp(static_cast<int>(std::ceil(longest / (2 * size))), 1, 100);
+    const int n = std::clamp(static_cast<int>(std::ceil(longest / (2 * asked.size))), 1, 100);
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j) {
         const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
-        sources_.push_back({(1 - u - v) * a + u * b + v * c, size, 0.75 * longest / n});
+        sources_.push_back({(1 - u - v) * a + u * b + v * c, asked.size, asked.radius + 0.75 * longest / n});
       }
   }
 
-  void add_piece(const Vec3& a, const Vec3& b, double size) {
+  void add_piece(const Vec3& a, const Vec3& b, const AskedSize& asked) {
     const double l = distance(a, b);
-    const int n = std::clamp(static_cast<int>(std::ceil(l / (2 * size))), 1, 10000);
-    for (int i = 0; i <= n; ++i) sources_.push_back({a + (static_cast<double>(i) / n) * (b - a), size, 0.5 * l / n});
+    const int n = std::clamp(static_cast<int>(std::ceil(l / (2 * asked.size))), 1, 10000);
+    for (int i = 0; i <= n; ++i)
+      sources_.push_back({a + (static_cast<double>(i) / n) * (b - a), asked.size, asked.radius + 0.5 * l / n});
   }
 
   void add_curve_sizes() {
     for (const auto& [a, b] : mesh_.curve_edges())
       for (const Index s : mesh_.curve_class(mesh_.curve_of(a, b)).segments)
-        if (s < options_.segment_size.size() && options_.segment_size[s] > 0)
+        if (s < options_.segment_size.size() && options_.segment_size[s].size > 0)
           add_piece(mesh_.point(a), mesh_.point(b), options_.segment_size[s]);
   }
 

@@ -30,6 +30,14 @@ Vec3 loop_normal(const PiecewiseLinearComplex& plc, std::span<const VertexIndex>
   return l > 0 ? (1 / l) * n : n;
 }
 
+/// The coordinate in which all points of the loop are equal, or 3.
+std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+  for (std::uint8_t axis = 0; axis < 3; ++axis)
+    if (std::all_of(loop.begin(), loop.end(), [&](VertexIndex v) { return plc.points[v][axis] == plc.points[loop[0]][axis]; }))
+      return axis;
+  return 3;
+}
+
 template <class Visit>
 void for_each_constrained_face(const DomainMesh& mesh, Visit visit) {
   for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
@@ -62,6 +70,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex&
   for (Index f = 0; f < plc.n_facets(); ++f) {
     facet_normal_.push_back(loop_normal(plc, plc.outer_loop(f)));
     facet_point_.push_back(plc.points[plc.outer_loop(f)[0]]);
+    facet_axis_.push_back(common_axis(plc, plc.outer_loop(f)));
   }
   if (exact()) return;
   std::vector<ClosestPointTrees::Item> faces, samples, pieces;
@@ -87,7 +96,9 @@ Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
   if (!exact()) return patches_.closest(p, patch).point;
   const Vec3& n = facet_normal_[patch];
-  return p - dot(p - facet_point_[patch], n) * n;
+  Vec3 q = p - dot(p - facet_point_[patch], n) * n;
+  if (const std::uint8_t axis = facet_axis_[patch]; axis < 3) q[axis] = facet_point_[patch][axis];
+  return q;
 }
 
 Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return curves_.closest(p, curve).point; }

@@ -9,6 +9,7 @@
 /// both ways at all times, and does not add up over operations.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,7 @@ class SurfaceGuard {
 
   /// Direction in which a vertex on a patch may not move: normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
-  /// p brought back to the patch (exact: to the facet's plane).
+  /// p brought back to the patch (exact: to the facet's plane; without rounding where that is normal to an axis).
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
   /// p brought back to the curve. Not for exact, where curve vertices do not move.
   Vec3 project_to_curve(Index curve, const Vec3& p) const;
@@ -62,6 +63,7 @@ class SurfaceGuard {
   Honour honour_ = Honour::exact;
   double tolerance_ = 0;                          // what samples are held to
   std::vector<Vec3> facet_normal_, facet_point_;  // by facet
+  std::vector<std::uint8_t> facet_axis_;          // by facet: the coordinate that is the same for all its points, 3: none
   ClosestPointTrees patches_, curves_;
   ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
 };

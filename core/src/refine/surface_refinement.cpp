@@ -17,6 +17,7 @@ constexpr double spacing_ratio = 0.68;
 struct SurfaceItem {
   FaceRef face;
   Triangle corners;
+  std::array<unsigned, 2> refused{};  ///< by kind of pass: the number of the last one that placed no point here; 0: none
 };
 
 /// The front of `refine_inside` one dimension down: points at the ideal height over edges that are done, in the plane of a face.
@@ -53,7 +54,7 @@ class SurfaceRefiner {
     for (unsigned i = 0; i < 4; ++i) {
       const FaceTag t = mesh_.tag(c, i);
       if (!t.constrained() || t.facet() == hull_facet || (!t.above() && mesh_.has_neighbor(c, i))) continue;
-      const SurfaceItem s{FaceRef(c, i), corners(FaceRef(c, i))};
+      const SurfaceItem s{FaceRef(c, i), corners(FaceRef(c, i)), {}};
       if (is_large(s.corners)) large.push_back(s);
     }
   }
@@ -75,16 +76,23 @@ class SurfaceRefiner {
   std::size_t pass(std::vector<SurfaceItem>& large, bool front, const RunContext& context) {
     std::vector<SurfaceItem> next;
     std::size_t n = 0;
+    ++pass_;
     for (std::size_t k = 0; k < large.size(); ++k) {
       if (k % 256 == 0) context.check_cancelled();
-      const SurfaceItem s = large[k];
+      SurfaceItem s = large[k];
       if (!is_current(s)) continue;
+      if (s.refused[front] > last_change(s.corners)) {  // nothing is new that could change the answer
+        next.push_back(s);
+        continue;
+      }
       const auto v = front ? insert_on_front(s) : insert_at_centre(s);
       if (!v) {
+        s.refused[front] = pass_;
         next.push_back(s);
         continue;
       }
       ++n;
+      note_change();
       if (mesh_.n_cells() > max_cells_)
         throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells_) +
                                                 " elements before the asked sizes; ask for larger sizes or raise the limit");
@@ -93,6 +101,18 @@ class SurfaceRefiner {
     std::erase_if(next, [&](const SurfaceItem& s) { return !is_current(s); });
     large = std::move(next);
     return n;
+  }
+
+  /// The pass in which the last cell at one of the corners was made.
+  unsigned last_change(const Triangle& t) const {
+    unsigned last = 0;
+    for (const VertexIndex v : t) last = std::max(last, v < changed_.size() ? changed_[v] : 0u);
+    return last;
+  }
+  void note_change() {
+    if (changed_.size() < mesh_.n_vertices()) changed_.resize(mesh_.n_vertices() + mesh_.n_vertices() / 4, 0);
+    for (const CellIndex c : tools_.work.created)
+      for (const VertexIndex v : mesh_.vertices(c)) changed_[v] = pass_;
   }
 
   std::optional<VertexIndex> insert(const Vec3& p, const SurfaceItem& s) {
@@ -127,6 +147,8 @@ class SurfaceRefiner {
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
+  unsigned pass_ = 0;
+  std::vector<unsigned> changed_;  // by vertex: the pass of the last change about it
 };
 
 }  // namespace

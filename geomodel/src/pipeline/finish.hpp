@@ -13,6 +13,7 @@
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
+#include "geomesh/geomodel/refinement.hpp"
 #include "pipeline/stage_recorder.hpp"
 
 namespace geomesh::geomodel {
@@ -26,6 +27,7 @@ struct PreparedModel {
   ModelPlc plc;
   NamingRules naming;
   TetrahedralizeOptions options;
+  RefinementSettings refinement;
   Vec3 origin{0, 0, 0};
   ModelRules rules;
   ModelVolume volume;

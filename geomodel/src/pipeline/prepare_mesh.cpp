@@ -97,6 +97,7 @@ std::string describe_input(const MeshRequest& request, const PreparedModel& mode
   for (const TriangulatedSurface& s : model.surfaces)
     input["surfaces"].push_back({{"name", s.name}, {"file", s.file}, {"points", s.points.size()}, {"triangles", s.triangles.size()}});
   input["mode"] = request.options.recover.mode == MeshMode::conforming ? "conforming" : "constrained";
+  input["refine"] = request.refinement.refine;
   return input.dump();
 }
 
@@ -113,6 +114,7 @@ void make_names_unique(std::vector<TriangulatedSurface>& surfaces) {
 
 void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunContext& context) {
   model.options = request.options;
+  model.refinement = request.refinement;
   model.naming.name_by_bodies = false;
   if (request.inputs.size() == 1 && is_plc_file(request.inputs.front())) {
     if (request.box || request.keep_hull)

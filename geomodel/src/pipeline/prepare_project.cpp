@@ -66,7 +66,7 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
                                  {"triangles", s.triangles.size()}});
   if (!project.column.empty()) input["column"] = project.column;
   input["mesh"] = {{"mode", project.mesh.options.recover.mode == MeshMode::conforming ? "conforming" : "constrained"},
-                   {"refine", project.mesh.refine},
+                   {"refine", project.mesh.refinement.refine ? "default" : "none"},
                    {"preserve_boundary", project.mesh.options.recover.preserve_boundary}};
   input["output"] = {{"formats", project.output.formats},
                      {"origin", {project.output.origin.x, project.output.origin.y, project.output.origin.z}}};
@@ -116,6 +116,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   model.rules = project.rules;
   model.origin = project.output.origin;
   model.options = project.mesh.options;
+  model.refinement = project.mesh.refinement;
   ArrangementOptions options;
   if (project.box) {
     model.volume = make_volume(*project.box, model.surfaces, project.output.origin);

@@ -6,6 +6,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "project/read_mesh_settings.hpp"
 #include "project/read_rules.hpp"
 #include "project/read_volume.hpp"
 #include "project/yaml_values.hpp"
@@ -214,13 +215,13 @@ class ProjectReader {
   }
 
   void read_mesh(const YamlValue& value) {
-    const YamlMap map(value, {"mode", "refine", "cluster_distance", "preserve_boundary"}, {"size", "quality"});
+    std::vector<std::string_view> keys{"mode", "cluster_distance", "preserve_boundary"};
+    keys.insert(keys.end(), refinement_keys().begin(), refinement_keys().end());
+    const YamlMap map(value, keys);
+    if (!map.is_map()) return;
     TetrahedralizeOptions& options = project_.mesh.options;
     if (const auto v = map.find("mode")) {
       if (v->choice({"constrained", "conforming"}) == "conforming") options.recover.mode = MeshMode::conforming;
-    }
-    if (const auto v = map.find("refine")) {
-      if (v->scalar() != "none") v->problem(in_quotes(v->scalar()) + " is not offered yet; 'none' is the only value so far");
     }
     if (const auto v = map.find("cluster_distance")) {
       if (v->scalar() == "auto") {
@@ -231,6 +232,7 @@ class ProjectReader {
       }
     }
     if (const auto v = map.find("preserve_boundary")) options.recover.preserve_boundary = v->boolean().value_or(false);
+    read_refinement(map, project_);
   }
 
   void read_output(const YamlValue& value) {

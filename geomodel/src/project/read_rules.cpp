@@ -7,28 +7,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Entries of a map whose keys are the user's own names.
-std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected) {
-  std::vector<std::pair<std::string, YamlValue>> entries;
-  if (!value.is_map()) {
-    value.problem(std::string(expected) + " was expected");
-    return entries;
-  }
-  for (const auto& item : value.node()) {
-    const std::string key = item.first.IsScalar() ? item.first.Scalar() : std::string();
-    if (key.empty()) {
-      value.problem("a name was expected as key");
-      continue;
-    }
-    if (std::any_of(entries.begin(), entries.end(), [&](const auto& e) { return e.first == key; })) {
-      value.problem("'" + key + "' stands here twice");
-      continue;
-    }
-    entries.emplace_back(key, YamlValue(value.problems(), item.second, value.name() + "." + key, value.place()));
-  }
-  return entries;
-}
-
 /// A length, area or volume of zero or more.
 void read_measure(const YamlValue& value, double& measure) {
   const auto number = value.number();

@@ -148,4 +148,25 @@ std::optional<YamlValue> YamlMap::require(std::string_view key, const char* what
   return value;
 }
 
+std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected) {
+  std::vector<std::pair<std::string, YamlValue>> entries;
+  if (!value.is_map()) {
+    value.problem(std::string(expected) + " was expected");
+    return entries;
+  }
+  for (const auto& item : value.node()) {
+    const std::string key = item.first.IsScalar() ? item.first.Scalar() : std::string();
+    if (key.empty()) {
+      value.problem("a name was expected as key");
+      continue;
+    }
+    if (std::any_of(entries.begin(), entries.end(), [&](const auto& e) { return e.first == key; })) {
+      value.problem("'" + key + "' stands here twice");
+      continue;
+    }
+    entries.emplace_back(key, YamlValue(value.problems(), item.second, value.name() + "." + key, value.place()));
+  }
+  return entries;
+}
+
 }  // namespace geomesh::geomodel

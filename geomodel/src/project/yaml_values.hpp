@@ -69,4 +69,7 @@ class YamlMap {
   std::vector<std::pair<std::string, YamlValue>> entries_;
 };
 
+/// Entries of a map whose keys are the user's own names; `expected` is told where it is no map.
+std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
+
 }  // namespace geomesh::geomodel

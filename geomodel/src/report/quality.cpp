@@ -1,103 +1,142 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
+#include "report/quality.hpp"
 
-#include "geomesh/core/simplex_mesh.hpp"
-#include "geomesh/geomodel/report.hpp"
-#include "sets/sums.hpp"
+#include <cstdio>
+
+#include "sets/region_facts.hpp"
 
 namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::size_t n_worst = 10;
+using json = nlohmann::ordered_json;
 
-struct Shape {
-  std::array<double, 6> dihedral;  ///< degrees
-  double min_dihedral, max_dihedral, radius_ratio;
+json distribution_json(const Distribution& d) {
+  return {{"min", d.min}, {"max", d.max}, {"mean", d.mean}, {"first_percentile", d.first_percentile}};
+}
+
+json statistics_json(const ShapeStatistics& s, bool has_sizes) {
+  json j{{"tetrahedra", s.n_tetrahedra},
+         {"volume", s.volume},
+         {"min_dihedral", distribution_json(s.min_dihedral)},
+         {"max_dihedral", distribution_json(s.max_dihedral)},
+         {"solid_angle", distribution_json(s.solid_angle)},
+         {"radius_ratio", distribution_json(s.radius_ratio)},
+         {"aspect", distribution_json(s.aspect)},
+         {"mean_ratio", distribution_json(s.mean_ratio)},
+         {"edge_length", distribution_json(s.edge_length)},
+         {"share_below_10", s.share_below_10},
+         {"share_above_24_85", s.share_above_24_85},
+         {"min_dihedral_histogram", s.min_dihedral_histogram},
+         {"dihedral_histogram", s.dihedral_histogram},
+         {"radius_ratio_histogram", s.radius_ratio_histogram}};
+  if (has_sizes) j["edge_size_histogram"] = s.edge_size_histogram;
+  return j;
+}
+
+std::string degrees(double angle) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g degrees", angle);
+  return text;
+}
+
+/// The words for one of the two things that meet or face each other.
+class CauseNames {
+ public:
+  CauseNames(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
+      : soup_(soup), plc_(plc), surfaces_(surfaces) {}
+
+  std::string facet(Index f) const {
+    const TriangulatedSurface& s = surfaces_[origins_of(soup_, plc_, f).front().surface];
+    return std::string(s.kind == SurfaceKind::box ? "box side" : to_string(s.kind)) + " " + s.name;
+  }
+  std::string segment(Index s) const {
+    const auto& curves = plc_.segment_curves[s];
+    return curves.empty() ? "segment " + std::to_string(s) : "curve " + plc_.curves[curves.front()].name;
+  }
+  /// "between A and B", or "between two facets of A" where both are one.
+  std::string between(const WorstElement& w) const {
+    const std::string a = w.segment_a != no_index ? segment(w.segment_a) : w.facet_a != no_index ? facet(w.facet_a) : "";
+    const std::string b = w.segment_b != no_index ? segment(w.segment_b) : w.facet_b != no_index ? facet(w.facet_b) : "";
+    if (a.empty() || b.empty()) return "at " + a + b;
+    return a == b ? "between two parts of " + a : "between " + a + " and " + b;
+  }
+
+ private:
+  const PolygonSoup& soup_;
+  const ModelPlc& plc_;
+  const std::vector<TriangulatedSurface>& surfaces_;
 };
-
-/// Dihedral angles from the planes' normals by atan2, which keeps its digits near 0 and 180 degrees.
-Shape shape_of(const std::array<Vec3, 4>& p) {
-  Shape shape{};
-  std::array<Vec3, 4> normal;  // inward, length twice the face's area
-  double area = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& f = face_vertices[i];
-    normal[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
-    area += norm(normal[i]) / 2;
-  }
-  for (std::size_t e = 0; e < 6; ++e) {
-    // The edge between vertices i and j lies in the two faces opposite to the other two.
-    const auto [i, j] = edge_vertices[e];
-    std::array<std::size_t, 2> others{};
-    std::size_t n = 0;
-    for (std::size_t v = 0; v < 4; ++v)
-      if (v != i && v != j) others[n++] = v;
-    const Vec3 &m = normal[others[0]], &o = normal[others[1]];
-    shape.dihedral[e] = std::atan2(norm(cross(m, o)), -dot(m, o)) * 180 / std::numbers::pi;
-  }
-  const auto [least, greatest] = std::minmax_element(shape.dihedral.begin(), shape.dihedral.end());
-  shape.min_dihedral = *least;
-  shape.max_dihedral = *greatest;
-  // Circumcentre from vertex 0: (|b|^2 c x d + |c|^2 d x b + |d|^2 b x c) / (2 det).
-  const Vec3 b = p[1] - p[0], c = p[2] - p[0], d = p[3] - p[0];
-  const double det = dot(cross(b, c), d);
-  const Vec3 top = dot(b, b) * cross(c, d) + dot(c, c) * cross(d, b) + dot(d, d) * cross(b, c);
-  const double in_radius = det / (2 * area), circum_radius = norm(top) / (2 * std::abs(det));
-  shape.radius_ratio = circum_radius > 0 && std::isfinite(circum_radius) ? 3 * in_radius / circum_radius : 0;
-  return shape;
-}
-
-std::size_t bin(double value, double width, std::size_t n) {
-  const double b = std::floor(value / width);
-  return b <= 0 ? 0 : std::min(n - 1, static_cast<std::size_t>(b));
-}
-
-/// What the geometry about a bad element suggests, from what its vertices are.
-std::string cause_of(const ModelMesh& mesh, std::size_t t) {
-  std::size_t n_fixed = 0, n_steiner = 0;
-  for (VertexIndex v : mesh.tetrahedra[t]) {
-    n_fixed += mesh.point_kind[v] <= 1;
-    n_steiner += mesh.point_kind[v] >= 2;
-  }
-  if (n_fixed == 4) return "all vertices are given by the input or lie where surfaces intersect";
-  return std::to_string(n_steiner) + " of its vertices were added by the mesher";
-}
 
 }  // namespace
 
-QualityStatistics measure_quality(const ModelMesh& mesh) {
-  QualityStatistics q;
-  q.min_dihedral_histogram.assign(18, 0);
-  q.dihedral_histogram.assign(18, 0);
-  q.radius_ratio_histogram.assign(20, 0);
-  if (mesh.tetrahedra.empty()) return q;
-  q.min_dihedral = 180;
-  q.min_radius_ratio = 1;
-  const auto worse = [](const QualityStatistics::Worst& a, const QualityStatistics::Worst& b) {
-    return a.min_dihedral != b.min_dihedral ? a.min_dihedral < b.min_dihedral : a.tetrahedron < b.tetrahedron;
-  };
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = mesh.tetrahedra[t];
-    const std::array<Vec3, 4> p{mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]};
-    const Shape shape = shape_of(p);
-    ++q.min_dihedral_histogram[bin(shape.min_dihedral, 10, 18)];
-    for (double angle : shape.dihedral) ++q.dihedral_histogram[bin(angle, 10, 18)];
-    ++q.radius_ratio_histogram[bin(shape.radius_ratio, 0.05, 20)];
-    q.min_dihedral = std::min(q.min_dihedral, shape.min_dihedral);
-    q.max_dihedral = std::max(q.max_dihedral, shape.max_dihedral);
-    q.min_radius_ratio = std::min(q.min_radius_ratio, shape.radius_ratio);
-    if (q.worst.size() == n_worst && shape.min_dihedral >= q.worst.back().min_dihedral) continue;
-    const Vec3 middle = 0.25 * ((p[0] + p[1]) + (p[2] + p[3]));
-    const QualityStatistics::Worst entry{t, shape.min_dihedral, shape.max_dihedral, shape.radius_ratio, middle, mesh.tet_region[t],
-                                         cause_of(mesh, t)};
-    q.worst.insert(std::upper_bound(q.worst.begin(), q.worst.end(), entry, worse), entry);
-    if (q.worst.size() > n_worst) q.worst.pop_back();
+std::string cause_in_words(const WorstElement& w, bool refined, const PolygonSoup& soup, const ModelPlc& plc,
+                           const std::vector<TriangulatedSurface>& surfaces) {
+  const CauseNames names(soup, plc, surfaces);
+  switch (w.cause) {
+    case ShapeCause::input_angle:
+      return "input angle of " + degrees(w.forcing_angle) + " " + names.between(w);
+    case ShapeCause::thin_gap:
+      return "gap of " + to_text(w.gap) + " " + names.between(w) + ", thinner than a quarter of the asked size";
+    case ShapeCause::free:
+      break;
   }
-  return q;
+  return refined ? "nothing in the input forces it" : "no points were added for shape: the mesh was not refined";
+}
+
+json quality_json(const QualityReport& quality, const ModelMesh* mesh) {
+  const MeshQuality& q = quality.measured;
+  const auto region_name = [&](std::size_t row) {
+    return mesh && row < mesh->regions.size() ? mesh->regions[row].name : std::string();
+  };
+  json worst = json::array(), regions = json::array();
+  for (std::size_t i = 0; i < q.worst.size(); ++i) {
+    const WorstElement& w = q.worst[i];
+    json element{{"tetrahedron", w.tetrahedron},
+                 {"min_dihedral", w.min_dihedral},
+                 {"max_dihedral", w.max_dihedral},
+                 {"place", {w.place.x, w.place.y, w.place.z}}};
+    if (mesh) {
+      const std::int32_t region = mesh->tet_region[w.tetrahedron];
+      element["region"] = region;
+      element["region_name"] = region_name(static_cast<std::size_t>(region - 1));
+    }
+    element["forced"] = w.cause != ShapeCause::free;
+    element["cause"] = quality.causes[i];
+    worst.push_back(std::move(element));
+  }
+  for (std::size_t r = 0; r < q.per_component.size(); ++r) {
+    json region{{"region", r + 1}, {"name", region_name(r)}};
+    region.update(statistics_json(q.per_component[r], quality.has_sizes));
+    regions.push_back(std::move(region));
+  }
+  return {{"min_dihedral", q.whole.min_dihedral.min},
+          {"max_dihedral", q.whole.max_dihedral.max},
+          {"min_radius_ratio", q.whole.radius_ratio.min},
+          {"min_dihedral_histogram", q.whole.min_dihedral_histogram},
+          {"dihedral_histogram", q.whole.dihedral_histogram},
+          {"radius_ratio_histogram", q.whole.radius_ratio_histogram},
+          {"below_8_degrees", {{"tetrahedra", q.n_bad}, {"forced", q.n_bad_forced}}},
+          {"whole", statistics_json(q.whole, quality.has_sizes)},
+          {"regions", std::move(regions)},
+          {"worst", std::move(worst)}};
+}
+
+json refinement_json(const RefineStatistics& s) {
+  return {{"estimated_tetrahedra", s.estimated_elements},
+          {"points_on_curves", s.points_on_curves},
+          {"points_on_surfaces", s.points_on_surfaces},
+          {"points_inside", s.points_inside},
+          {"collapses", s.collapses},
+          {"edge_removals", s.edge_removals},
+          {"face_removals", s.face_removals},
+          {"smoothing_moves", s.smoothing_moves},
+          {"improving_insertions", s.improving_insertions},
+          {"passes", s.passes},
+          {"edges_within_size", s.edges_within_size},
+          {"deviation_result_to_input", s.deviation_result_to_input},
+          {"deviation_input_to_result", s.deviation_input_to_result},
+          {"out_of_time", s.out_of_time}};
 }
 
 }  // namespace geomesh::geomodel

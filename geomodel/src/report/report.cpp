@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/writers.hpp"
+#include "report/quality.hpp"
 #include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
@@ -114,29 +115,6 @@ void add_mesh(const ModelMesh& mesh, json& root) {
   root["curves"] = std::move(curves);
 }
 
-json quality_json(const QualityStatistics& q, const ModelMesh* mesh) {
-  json worst = json::array();
-  for (const auto& w : q.worst) {
-    json element{{"tetrahedron", w.tetrahedron},
-                 {"min_dihedral", w.min_dihedral},
-                 {"max_dihedral", w.max_dihedral},
-                 {"radius_ratio", w.radius_ratio},
-                 {"place", to_json(w.place)},
-                 {"region", w.region}};
-    if (mesh && w.region >= 1 && static_cast<std::size_t>(w.region) <= mesh->regions.size())
-      element["region_name"] = mesh->regions[static_cast<std::size_t>(w.region - 1)].name;
-    element["cause"] = w.cause;
-    worst.push_back(std::move(element));
-  }
-  return {{"min_dihedral", q.min_dihedral},
-          {"max_dihedral", q.max_dihedral},
-          {"min_radius_ratio", q.min_radius_ratio},
-          {"min_dihedral_histogram", q.min_dihedral_histogram},
-          {"dihedral_histogram", q.dihedral_histogram},
-          {"radius_ratio_histogram", q.radius_ratio_histogram},
-          {"worst", std::move(worst)}};
-}
-
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -152,6 +130,7 @@ std::string to_json(const Report& report) {
   }
   if (report.mesh) add_mesh(*report.mesh, root);
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
+  if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
   root["notes"] = report.notes;
   root["warnings"] = report.warnings;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
@@ -30,6 +31,16 @@ vtkSmartPointer<vtkIntArray> int_array(const char* name, std::size_t n, F&& valu
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(n));
   for (std::size_t i = 0; i < n; ++i) array->SetValue(static_cast<vtkIdType>(i), static_cast<int>(value(i)));
+  return array;
+}
+
+/// Float64 array of `n` values.
+template <class F>
+vtkSmartPointer<vtkDoubleArray> double_array(const std::string& name, std::size_t n, F&& value) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+  for (std::size_t i = 0; i < n; ++i) array->SetValue(static_cast<vtkIdType>(i), value(i));
   return array;
 }
 

@@ -3,7 +3,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkDoubleArray.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -26,11 +25,11 @@ void write_vtu(const ModelMesh& mesh, const std::filesystem::path& file) {
   grid->GetCellData()->AddArray(int_array("region", mesh.tet_region.size(), [&](std::size_t i) { return mesh.tet_region[i]; }));
   grid->GetCellData()->SetActiveScalars("region");
   for (const RegionAttribute& attribute : mesh.attributes) {
-    vtkSmartPointer<vtkDoubleArray> values = vtkSmartPointer<vtkDoubleArray>::New();
-    values->SetName(attribute.name.c_str());
-    for (std::int32_t region : mesh.tet_region) values->InsertNextValue(attribute.by_region[static_cast<std::size_t>(region - 1)]);
-    grid->GetCellData()->AddArray(values);
+    const auto value = [&](std::size_t i) { return attribute.by_region[static_cast<std::size_t>(mesh.tet_region[i] - 1)]; };
+    grid->GetCellData()->AddArray(double_array(attribute.name, mesh.tet_region.size(), value));
   }
+  for (const CellArray& array : mesh.cell_arrays)
+    grid->GetCellData()->AddArray(double_array(array.name, array.values.size(), [&](std::size_t i) { return array.values[i]; }));
   grid->GetPointData()->AddArray(int_array("kind", mesh.point_kind.size(), [&](std::size_t i) { return mesh.point_kind[i]; }));
   grid->GetPointData()->AddArray(
       int_array("input_vertex", mesh.input_vertex.size(), [&](std::size_t i) { return mesh.input_vertex[i]; }));

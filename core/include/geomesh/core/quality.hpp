@@ -69,21 +69,29 @@ struct WorstElement {
 };
 
 struct QualityOptions {
-  double bad_angle = 8;         ///< elements below this least dihedral angle are listed
-  std::size_t max_worst = 100;  ///< at most this many, the worst first
+  double bad_angle = 8;         ///< elements below this least dihedral angle are listed, and some of the worst whatever they are:
+  std::size_t min_worst = 0;    ///< at least this many (where there are as many elements) ...
+  std::size_t max_worst = 100;  ///< ... and at most this many
   double forcing_angle = 16;    ///< degrees
   const SizeField* size = nullptr;
+  /// Per facet of the PLC, where surfaces were remeshed: what lies between facets of one patch is no longer the input's.
+  /// Empty: every facet is kept.
+  std::vector<Index> facet_patch;
+  /// Per tetrahedron, what statistics are parted by, with `n_groups`; empty: components.
+  std::vector<Index> group;
+  std::size_t n_groups = 0;
 };
 
 struct MeshQuality {
   ShapeStatistics whole;
-  std::vector<ShapeStatistics> per_component;
-  std::vector<WorstElement> worst;
+  std::vector<ShapeStatistics> per_component;  ///< or per group
+  std::vector<WorstElement> worst;             ///< those that nothing forces first, each kind the worst first
   std::size_t n_bad = 0;         ///< elements below bad_angle
   std::size_t n_bad_forced = 0;  ///< of them, forced by the input
 };
 
-/// Near-linear. Same result for any number of threads.
+/// Near-linear in the elements, plus for each vertex of a bad element the square of the number of faces there. Same result for any
+/// number of threads. Precondition: groups, where given, are below n_groups, one for each tetrahedron.
 MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options = {});
 /// Without causes, for a mesh of any origin.

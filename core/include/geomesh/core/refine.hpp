@@ -23,12 +23,18 @@ enum class Honour {
 
 enum class QualityLevel { fast, standard, best };
 
+/// A size asked along a surface or curve.
+struct AskedSize {
+  double size = 0;    ///< 0: none
+  double radius = 0;  ///< holds unchanged within this distance; grows with the gradation beyond
+};
+
 /// What sizes to ask for. Everything is optional; with nothing given the sizes follow the input's own edges and grow inwards.
 struct SizeOptions {
   double global = 0;                              ///< 0: none
   std::vector<double> component_size;             ///< per component; 0: none
-  std::vector<double> patch_size;                 ///< per patch (see RefineOptions::facet_patch); 0: none
-  std::vector<double> segment_size;               ///< per row of plc.segments; 0: none
+  std::vector<AskedSize> patch_size;              ///< per patch (see RefineOptions::facet_patch); may be shorter
+  std::vector<AskedSize> segment_size;            ///< per row of plc.segments; may be shorter
   std::vector<SizeSource> sources;                ///< asked near places (wells, points of interest), with radius
   std::function<double(const Vec3&)> background;  ///< called from one thread
   bool from_input_edges = true;                   ///< surfaces ask for the mean length of the input edges about each point

@@ -28,6 +28,12 @@ struct RegionAttribute {
   std::vector<double> by_region;  ///< by region id - 1; NaN where the unit has none
 };
 
+/// A number for each tetrahedron (asked size, shapes): a cell array of the VTU.
+struct CellArray {
+  std::string name;
+  std::vector<double> values;  ///< by row of ModelMesh::tetrahedra
+};
+
 /// Regions under one more name (an aquifer of three units).
 struct RegionGroup {
   std::string name;
@@ -85,6 +91,7 @@ struct ModelMesh {
 
   std::vector<Region> regions;
   std::vector<RegionAttribute> attributes;
+  std::vector<CellArray> cell_arrays;
   std::vector<RegionGroup> groups;
   std::vector<NamedSurface> surfaces;
   std::vector<NamedCurve> curves;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// The whole jobs behind the command line: each is one function from a request to written files. They read as the flow of
-/// docs/architecture.md: read, build, intersect, [core: delaunay, recover, classify], verify, write.
+/// docs/architecture.md: read, build, intersect, [core: delaunay, recover, classify, refine, improve], verify, write.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +14,7 @@
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
 #include "geomesh/geomodel/project.hpp"
+#include "geomesh/geomodel/refinement.hpp"
 
 namespace geomesh::geomodel {
 
@@ -40,6 +41,7 @@ struct MeshRequest {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;  ///< .vtu: the four files with its stem; another known extension: that file alone
   TetrahedralizeOptions options;
+  RefinementSettings refinement;
   enum class Intersect { automatic, always, never } intersect = Intersect::automatic;
   bool keep_hull = false;
   std::optional<Box3> box;

@@ -13,6 +13,7 @@
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
+#include "geomesh/geomodel/refinement.hpp"
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {
@@ -42,7 +43,7 @@ struct CrsSpec {
 
 struct MeshSpec {
   TetrahedralizeOptions options;
-  std::string refine = "none";
+  RefinementSettings refinement;
 };
 
 struct OutputSpec {

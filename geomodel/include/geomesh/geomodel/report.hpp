@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "geomesh/core/quality.hpp"
+#include "geomesh/core/refine.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
+#include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"
 
 namespace geomesh::geomodel {
@@ -20,22 +23,15 @@ struct StageRecord {
   std::size_t peak_bytes = 0;       ///< peak resident size of the process at the stage's end
 };
 
-/// Element quality: histograms and extremes. Angles in degrees; radius ratio 3 r_in / r_circ, 1 for the regular tetrahedron.
-struct QualityStatistics {
-  std::vector<std::size_t> min_dihedral_histogram;  ///< 18 bins of 10 degrees: smallest dihedral angle per tetrahedron
-  std::vector<std::size_t> dihedral_histogram;      ///< 18 bins of 10 degrees: all six angles
-  std::vector<std::size_t> radius_ratio_histogram;  ///< 20 bins of 0.05
-  double min_dihedral = 0, max_dihedral = 0, min_radius_ratio = 0;
-  struct Worst {
-    std::size_t tetrahedron;
-    double min_dihedral, max_dihedral, radius_ratio;
-    Vec3 place;
-    std::int32_t region;
-    std::string cause;
-  };
-  std::vector<Worst> worst;  ///< at most ten, worst first
+/// Element quality with the worst elements' causes in words.
+struct QualityReport {
+  MeshQuality measured;             ///< parted by region: row is region id - 1
+  std::vector<std::string> causes;  ///< per row of measured.worst
+  bool has_sizes = false;           ///< edge lengths were held against the asked sizes
 };
-QualityStatistics measure_quality(const ModelMesh& mesh);
+/// "input angle of 3 degrees between fault F2 and horizon H1".
+std::string cause_in_words(const WorstElement& worst, bool refined, const PolygonSoup& soup, const ModelPlc& plc,
+                           const std::vector<TriangulatedSurface>& surfaces);
 
 /// Everything a report may hold; what a command did not do stays empty and is left out.
 struct Report {
@@ -47,7 +43,8 @@ struct Report {
   const ArrangementResult* arrangement = nullptr;
   const ModelMesh* mesh = nullptr;
   std::vector<std::string> surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
-  std::optional<QualityStatistics> quality;
+  std::optional<RefineStatistics> refinement;
+  std::optional<QualityReport> quality;
   std::vector<std::string> notes;  ///< what rules of the model changed, with areas
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< written, relative to the report

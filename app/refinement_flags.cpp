@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refinement_flags.hpp"
+
+namespace geomesh::app {
+
+void RefinementFlags::add_to(CLI::App& app) {
+  const auto positive = CLI::PositiveNumber;
+  app.add_option("--size", size_, "Refine: wanted edge length; less where the input's edges are shorter")->type_name("H")->check(positive);
+  app.add_option("--quality", quality_, "Refine: how much is done for the elements' shapes")
+      ->check(CLI::IsMember({"fast", "default", "best"}));
+  app.add_option("--gradation", gradation_, "Refine: growth of sizes per unit of distance (0.3)")->type_name("G")->check(positive);
+  app.add_option("--curvature", curvature_, "Refine: degrees that one edge may turn on curved surfaces")->type_name("A")->check(positive);
+  app.add_option("--tolerance", tolerance_, "Refine: surfaces may be remeshed within this distance of the input (default: kept exactly)")
+      ->type_name("T")->check(positive);
+  app.add_option("--max-elements", max_elements_, "End with a message where the sizes ask for more tetrahedra")
+      ->type_name("N")->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+  app.add_option("--time-budget", time_budget_, "Seconds for improving shapes; the result then depends on the machine")
+      ->type_name("S")->check(positive);
+  app.add_option("--cell-arrays", cell_arrays_, "Also write these for each tetrahedron: size, min_dihedral, max_dihedral, radius_ratio, mean_ratio, aspect")
+      ->type_name("NAME,...")->delimiter(',')->check(CLI::IsMember(geomodel::known_cell_arrays()));
+}
+
+geomodel::RefinementSettings RefinementFlags::settings() const {
+  geomodel::RefinementSettings s;
+  s.refine = size_ || gradation_ || curvature_ || tolerance_ || !quality_.empty();
+  s.size.base.global = size_.value_or(0);
+  s.size.base.gradation = gradation_.value_or(s.size.base.gradation);
+  s.size.base.curvature_angle = curvature_.value_or(0);
+  if (tolerance_) s.honour = Honour::tolerance;
+  s.tolerance = tolerance_.value_or(0);
+  if (quality_ == "fast") s.quality = QualityLevel::fast;
+  if (quality_ == "best") s.quality = QualityLevel::best;
+  s.max_elements = max_elements_.value_or(s.max_elements);
+  s.time_budget = time_budget_.value_or(0);
+  s.cell_arrays = cell_arrays_;
+  return s;
+}
+
+}  // namespace geomesh::app

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/refine_model.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "geomesh/core/quality.hpp"
+#include "sets/name_regions.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// The smaller size wins; of equal ones the wider.
+void ask(AskedSize& at, const AskedSize& asked) {
+  if (!(asked.size > 0)) return;
+  if (at.size <= 0 || asked.size < at.size || (asked.size == at.size && asked.radius > at.radius)) at = asked;
+}
+
+[[noreturn]] void refuse_name(const char* what, const std::string& name, const std::set<std::string>& known) {
+  constexpr std::size_t most = 30;
+  std::string list;
+  std::size_t n = 0;
+  for (const std::string& k : known)
+    if (++n <= most) list += (list.empty() ? "" : ", ") + k;
+  throw Error(ErrorKind::usage, std::string("mesh.size: no ") + what + " of the model is named '" + name + "'; known are " + list +
+                                    (n > most ? ", ..." : ""));
+}
+
+/// Per component the size asked inside of it: that of its region's own name, else of its unit.
+std::vector<double> component_sizes(const PreparedModel& model, const ConstrainedTetrahedralization& mesh) {
+  const auto& units = model.refinement.size.units;
+  std::vector<double> sizes;
+  if (units.empty()) return sizes;
+  std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
+  const Column column = make_column(model.naming.column, model.surfaces, told_later);
+  const NamedRegions named =
+      name_regions(mesh, model.arrangement.soup, model.plc, model.surfaces, model.naming, column, told_later);
+  std::set<std::string> known;
+  for (const Region& r : named.regions) known.insert({r.name, r.unit});
+  known.erase("");
+  for (const auto& [name, asked] : units)
+    if (!known.contains(name)) refuse_name("unit or region", name, known);
+  for (const std::int32_t id : named.id_of_component) {
+    const Region& r = named.regions[static_cast<std::size_t>(id - 1)];
+    const auto own = units.find(r.name), unit = units.find(r.unit);
+    sizes.push_back(own != units.end() ? own->second.size : unit != units.end() ? unit->second.size : 0);
+  }
+  return sizes;
+}
+
+/// Per patch the size asked on it: the least over the surfaces that it is part of.
+std::vector<AskedSize> patch_sizes(const PreparedModel& model, const std::vector<Index>& facet_patch) {
+  const auto& asked = model.refinement.size.surfaces;
+  std::vector<AskedSize> sizes;
+  if (asked.empty()) return sizes;
+  std::set<std::string> known;
+  for (const TriangulatedSurface& s : model.surfaces) known.insert(s.name);
+  for (const auto& [name, size] : asked)
+    if (!known.contains(name)) refuse_name("surface", name, known);
+  for (Index f = 0; f < facet_patch.size(); ++f) {
+    if (facet_patch[f] >= sizes.size()) sizes.resize(facet_patch[f] + 1);
+    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
+      if (const auto at = asked.find(model.surfaces[o.surface].name); at != asked.end()) ask(sizes[facet_patch[f]], at->second);
+  }
+  return sizes;
+}
+
+/// The word by which settings name all curves of a kind (NamedCurve::kind).
+std::string plural(const std::string& kind) { return kind + "s"; }
+
+std::vector<AskedSize> segment_sizes(const PreparedModel& model) {
+  const auto& asked = model.refinement.size.curves;
+  std::vector<AskedSize> sizes;
+  if (asked.empty()) return sizes;
+  std::set<std::string> known{"wells", "intersections", "borders", "fault_tips"};
+  for (const SoupCurve& c : model.plc.curves) known.insert(c.name);
+  for (const auto& [name, size] : asked)
+    if (!known.contains(name)) refuse_name("curve", name, known);
+  sizes.resize(model.plc.plc.segments.size());
+  for (Index s = 0; s < sizes.size(); ++s)
+    for (const Index c : model.plc.segment_curves[s])
+      for (const std::string& name : {model.plc.curves[c].name, plural(model.plc.curves[c].kind)})
+        if (const auto at = asked.find(name); at != asked.end()) ask(sizes[s], at->second);
+  return sizes;
+}
+
+double cell_value(const std::string& name, const TetrahedronShape& s) {
+  if (name == "min_dihedral") return s.min_dihedral;
+  if (name == "max_dihedral") return s.max_dihedral;
+  if (name == "radius_ratio") return s.radius_ratio;
+  if (name == "mean_ratio") return s.mean_ratio;
+  if (name == "aspect") return s.aspect;
+  throw InternalError("no cell array is called " + name);
+}
+
+}  // namespace
+
+const std::vector<std::string>& known_cell_arrays() {
+  static const std::vector<std::string> names{"size", "min_dihedral", "max_dihedral", "radius_ratio", "mean_ratio", "aspect"};
+  return names;
+}
+
+std::string contradiction(const RefinementSettings& settings, const RecoverOptions& recover) {
+  const bool wants_size = std::find(settings.cell_arrays.begin(), settings.cell_arrays.end(), "size") != settings.cell_arrays.end();
+  if (!settings.refine)
+    return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined" : "";
+  if (recover.mode == MeshMode::conforming)
+    return "mode conforming and refinement are not offered together yet: a refined mesh would not stay Delaunay";
+  if (recover.preserve_boundary) return "preserve_boundary and refinement exclude each other: refinement adds points on surfaces";
+  return "";
+}
+
+RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrahedralization& mesh) {
+  const RefinementSettings& settings = model.refinement;
+  RefineOptions options;
+  options.honour = settings.honour;
+  options.tolerance = settings.tolerance;
+  options.quality = settings.quality;
+  options.time_budget = settings.time_budget;
+  options.max_elements = settings.max_elements;
+  for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);
+  options.size = settings.size.base;
+  for (const PlaceSize& near : settings.size.near)
+    options.size.sources.push_back({near.place - model.origin, near.asked.size, near.asked.radius});
+  options.size.component_size = component_sizes(model, mesh);
+  options.size.patch_size = patch_sizes(model, options.facet_patch);
+  options.size.segment_size = segment_sizes(model);
+  return options;
+}
+
+RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
+                          const RunContext& context) {
+  RefineResult result = refine_and_improve(model.plc.plc, std::move(mesh), options, context);
+  if (result.statistics.out_of_time)
+    warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
+  return result;
+}
+
+std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names, const ConstrainedTetrahedralization& mesh,
+                                        const SizeField* size) {
+  std::vector<CellArray> arrays;
+  for (const std::string& name : names) arrays.push_back({name, {}});
+  for (std::size_t t = 0; t < mesh.tetrahedra.size() && !arrays.empty(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]], &d = mesh.points[v[3]];
+    const TetrahedronShape shape = tetrahedron_shape(a, b, c, d);
+    for (CellArray& array : arrays)
+      array.values.push_back(array.name == "size" ? size->at(0.25 * ((a + b) + (c + d)), mesh.component[t])
+                                                  : cell_value(array.name, shape));
+  }
+  return arrays;
+}
+
+}  // namespace geomesh::geomodel

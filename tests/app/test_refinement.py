@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sizes and qualities asked in project files and on the command line: what comes out passes `geomesh check`, keeps its names, and has the
+sizes asked."""
+import os
+import re
+import shutil
+
+from geomesh_program import CANNOT_MESH, SOURCE, USAGE, ProgramTest, level, main
+
+LAYERS = """name: layers
+box: {min: [0, 0, 0], max: [10, 10, 10]}
+surfaces:
+  - {name: top, kind: horizon, file: top.ts}
+column: [upper, top, lower]
+points:
+  - {name: gauge, at: [5, 5, 8]}
+"""
+
+
+class Refinement(ProgramTest):
+    def layers(self, mesh):
+        self.write("top.ts", level("top", 5))
+        return self.write("model.yaml", LAYERS + "mesh: " + mesh + "\n")
+
+    def mesh_layers(self, mesh):
+        project = self.layers(mesh)
+        self.run_program(project, "-o", self.folder)
+        check = self.check(self.path("layers.vtu"), "--project", project)
+        return self.report(self.path("layers.report.json")), check
+
+    def refined_sample(self, name, mesh):
+        """A copy of a sample with other keys under `mesh`, meshed and checked; the report and the check's."""
+        folder = self.path("sample")
+        shutil.copytree(os.path.join(SOURCE, "samples", name), folder, ignore=shutil.ignore_patterns("out"))
+        project = os.path.join(folder, "project.yaml")
+        with open(project) as file:
+            text = file.read()
+        text, n = re.subn(r"(?m)^mesh:.*$", "mesh: " + mesh, text)
+        self.assertEqual(n, 1)
+        with open(project, "w") as file:
+            file.write(text)
+        self.run_program(project, "-o", self.folder)
+        mesh = next(self.path(f) for f in os.listdir(self.folder) if f.endswith(".vtu"))
+        return self.report(mesh[:-4] + ".report.json"), self.check(mesh, "--project", project)
+
+    def test_a_global_size(self):
+        report, check = self.mesh_layers("{size: 1}")
+        self.assertEqual([s["name"] for s in report["stages"]][-4:], ["refine", "improve", "verify", "write"])
+        self.assertEqual(self.region_names(check), ["lower", "upper"])
+        self.assertAlmostEqual(check["volume"] / 1000, 1, delta=1e-12)
+        whole = report["quality"]["whole"]
+        self.assertGreater(report["tetrahedra"], 6000)
+        self.assertLess(report["tetrahedra"], 14000)
+        self.assertGreater(report["refinement"]["edges_within_size"], 0.99)
+        self.assertGreater(whole["min_dihedral"]["min"], 15)
+        self.assertEqual(sum(r["tetrahedra"] for r in report["quality"]["regions"]), report["tetrahedra"])
+        self.assertGreaterEqual(len(report["quality"]["worst"]), 10)
+        names = {surface["name"] for surface in report["surfaces"]}
+        self.assertTrue({"top", "xmin", "zmax"} <= names)
+        self.assertTrue(any(p["name"] == "gauge" for p in report["curves"]), report["curves"])
+
+    def test_sizes_by_unit_surface_curve_and_place(self):
+        coarse, _ = self.mesh_layers("{size: {global: 3, gradation: 0.5}}")
+        regions = {r["name"]: r["tetrahedra"] for r in coarse["quality"]["regions"]}
+        for mesh, region in (("units: {lower: 1}", "lower"), ("surfaces: {zmax: 0.7}", "upper"), ("curves: {xmin*zmin: 0.4}", "lower"),
+                             ("near: [{at: gauge, size: 0.2, radius: 0.5}]", "upper")):
+            finer, _ = self.mesh_layers("{size: {global: 3, gradation: 0.5, %s}}" % mesh)
+            counts = {r["name"]: r["tetrahedra"] for r in finer["quality"]["regions"]}
+            self.assertGreater(counts[region], 1.5 * regions[region], mesh)
+
+    def test_names_that_are_not_there(self):
+        for mesh, words in (("{size: {units: {uper: 1}}}", "lower, upper"), ("{size: {curves: {no_curve: 1}}}", "wells"),
+                            ("{size: {surfaces: {no_surface: 1}}}", "zmax")):
+            printed = self.run_program(self.layers(mesh), "-o", self.folder, status=USAGE)
+            self.assertIn(words, printed)
+            self.assert_nothing_written()
+
+    def test_too_many_elements_are_refused_before_the_work(self):
+        printed = self.run_program(self.layers("{size: 0.05, max_elements: 100000}"), "-o", self.folder, status=CANNOT_MESH)
+        self.assertRegex(printed, "ask for about [0-9]+ elements, more than the limit of 100000")
+        self.assert_nothing_written()
+
+    def test_cell_arrays(self):
+        self.mesh_layers("{size: 2, cell_arrays: [size, min_dihedral, aspect]}")
+        with open(self.path("layers.vtu"), "rb") as file:
+            head = file.read().split(b"<AppendedData")[0]
+        for name in (b"size", b"min_dihedral", b"aspect"):
+            self.assertIn(b'Name="' + name + b'"', head)
+
+    def test_threads_do_not_matter(self):
+        project = self.layers("{size: 1}")
+        for n in ("1", "2"):
+            self.run_program(project, "-o", self.path(n), "--threads", n)
+        for name in ("layers.vtu", "layers.faces.vtp", "layers.curves.vtp"):
+            with open(self.path("1", name), "rb") as one, open(self.path("2", name), "rb") as two:
+                self.assertEqual(one.read(), two.read(), name)
+
+    def test_command_line(self):
+        self.write("top.ts", level("top", 5))
+        arguments = ["mesh", "top.ts", "-o", "out.vtu", "--box", "0,0,0,10,10,10"]
+        self.run_program(*arguments, "--no-refine", "--size", "1", status=USAGE)
+        self.run_program(*arguments, "--mode", "conforming", "--size", "1", status=USAGE)
+        self.run_program(*arguments, "--size", "0", status=USAGE)
+        self.assert_nothing_written()
+        printed = self.run_program(*arguments, "--size", "1", "--quality", "fast", "--cell-arrays", "size,aspect")
+        self.assertIn("dihedral angles", printed)
+        self.check(self.path("out.vtu"))
+        self.assertGreater(self.report(self.path("out.report.json"))["tetrahedra"], 6000)
+
+    def test_sediment_grains(self):
+        report, check = self.refined_sample("sediment-grains", "{refine: default}")
+        self.assertEqual(len(check["regions"]), 9)
+        quality = report["quality"]
+        self.assertGreater(quality["min_dihedral"], 15)
+        self.assertLess(quality["max_dihedral"], 150)
+        self.assertGreater(quality["whole"]["share_above_24_85"], 0.985)
+        self.assertGreater(report["refinement"]["edges_within_size"], 0.9)
+
+
+if __name__ == "__main__":
+    main()
