@@ -7,6 +7,7 @@
 
 #include "geomesh/geomodel/report.hpp"
 #include "hand_made.hpp"
+#include "made_up_quality.hpp"
 #include "page/drawing.hpp"
 #include "page/section.hpp"
 #include "page/viewer.hpp"
@@ -105,7 +106,7 @@ TEST_CASE("the page names units, surfaces and warnings, and escapes them", "[pag
   Report report;
   report.name = "a < b";
   report.mesh = &mesh;
-  report.quality = measure_quality(mesh);
+  report.quality = quality_of(mesh);
   report.warnings = {"fault <F1> ends inside"};
   report.notes = {"clipped 3 m2"};
   report.stages = {{"read", 0.25, 0.25, 1000}};

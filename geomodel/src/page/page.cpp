@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 
 #include "geomesh/geomodel/report.hpp"
@@ -84,17 +85,25 @@ std::string sections(const ModelMesh& mesh, const Box3& bounds) {
   return out;
 }
 
-std::string quality(const QualityStatistics& q, const ModelMesh& mesh) {
-  std::string out = "<h2>Shape of the elements</h2>\n<p>Smallest dihedral angle " + number(q.min_dihedral) + " degrees, largest " +
-                    number(q.max_dihedral) + "; smallest radius ratio " + number(q.min_radius_ratio) + " (1 is the regular tetrahedron).</p>\n" +
-                    "<div class=\"row\">" + page::draw_histogram(q.min_dihedral_histogram, 10, "smallest dihedral angle of an element, degrees") +
-                    page::draw_histogram(q.radius_ratio_histogram, 0.05, "radius ratio") + "</div>\n";
+constexpr std::size_t most_elements_shown = 10;
+
+std::string quality(const QualityReport& report, const ModelMesh& mesh) {
+  const MeshQuality& q = report.measured;
+  const auto& angles = q.whole.min_dihedral_histogram;
+  const auto& ratios = q.whole.radius_ratio_histogram;
+  std::string out = "<h2>Shape of the elements</h2>\n<p>Smallest dihedral angle " + number(q.whole.min_dihedral.min) + " degrees, largest " +
+                    number(q.whole.max_dihedral.max) + "; smallest radius ratio " + number(q.whole.radius_ratio.min) +
+                    " (1 is the regular tetrahedron). " + std::to_string(q.n_bad) + " elements are below 8 degrees, " +
+                    std::to_string(q.n_bad_forced) + " of them forced by the input.</p>\n<div class=\"row\">" +
+                    page::draw_histogram({angles.begin(), angles.end()}, 5, "smallest dihedral angle of an element, degrees") +
+                    page::draw_histogram({ratios.begin(), ratios.end()}, 0.05, "radius ratio") + "</div>\n";
   out += "<h3>Worst elements</h3>\n<table><tr><th class=\"n\">smallest angle</th><th class=\"n\">largest</th><th>at</th><th>unit</th><th>cause</th></tr>\n";
-  for (const auto& w : q.worst) {
-    const bool named = w.region >= 1 && static_cast<std::size_t>(w.region) <= mesh.regions.size();
+  for (std::size_t i = 0; i < std::min(q.worst.size(), most_elements_shown); ++i) {
+    const WorstElement& w = q.worst[i];
+    const auto region = static_cast<std::size_t>(mesh.tet_region[w.tetrahedron] - 1);
     out += "<tr>" + cell(number(w.min_dihedral), true) + cell(number(w.max_dihedral), true) +
-           cell(number(w.place.x) + ", " + number(w.place.y) + ", " + number(w.place.z)) +
-           cell(named ? escape(mesh.regions[static_cast<std::size_t>(w.region - 1)].name) : "") + cell(escape(w.cause)) + "</tr>\n";
+           cell(number(w.place.x) + ", " + number(w.place.y) + ", " + number(w.place.z)) + cell(escape(mesh.regions[region].name)) +
+           cell(escape(report.causes[i])) + "</tr>\n";
   }
   return out + "</table>\n";
 }

@@ -44,7 +44,7 @@ std::string summarise(const QualityReport& quality) {
   return text;
 }
 
-/// Without what lies above the topography, where the model has one.
+/// Without what lies above the topography or below the floor, where the model has them.
 ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
   ConstrainedTetrahedralization core =
       tetrahedralize(model.plc.plc, model.options, recorder.context());
@@ -57,11 +57,12 @@ ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& rec
     warn(model.warnings, recorder.context(),
          count_words(core.recovery.facets_not_recovered.size(),
                      "facets are in the mesh but not Delaunay: small angles between surfaces would need more points than the budget"));
-  if (model.naming.topography.empty()) return core;
-  ConstrainedTetrahedralization ground =
-      without_air(core, model.arrangement.soup, model.plc, model.surfaces, model.naming.topography, model.warnings);
-  model.naming.topography.clear();  // what lies above it is gone
-  return ground;
+  std::vector<std::string> warnings;
+  core = within_ends(std::move(core), model.arrangement.soup, model.plc, model.surfaces, model.naming, warnings);
+  for (std::string& text : warnings) warn(model.warnings, recorder.context(), std::move(text));
+  model.naming.topography.clear();  // what lies beyond is gone
+  model.naming.floor.clear();
+  return core;
 }
 
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays, PreparedModel& model,

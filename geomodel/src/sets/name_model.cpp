@@ -203,13 +203,8 @@ ModelMesh name_components(const ConstrainedTetrahedralization& mesh, const Polyg
 ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                      const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points, const NamingRules& rules,
                      std::vector<std::string>& warnings) {
-  std::vector<ModelEnd> ends;
-  if (!rules.topography.empty()) ends.push_back({rules.topography, true});
-  if (!rules.floor.empty()) ends.push_back({rules.floor, false});
-  if (ends.empty()) return name_components(mesh, soup, plc, surfaces, points, rules, warnings);
-  ConstrainedTetrahedralization left = without_side(mesh, soup, plc, surfaces, ends.front(), warnings);
-  if (ends.size() > 1) left = without_side(left, soup, plc, surfaces, ends.back(), warnings);
-  return name_components(left, soup, plc, surfaces, points, rules, warnings);
+  if (rules.topography.empty() && rules.floor.empty()) return name_components(mesh, soup, plc, surfaces, points, rules, warnings);
+  return name_components(within_ends(mesh, soup, plc, surfaces, rules, warnings), soup, plc, surfaces, points, rules, warnings);
 }
 
 }  // namespace geomesh::geomodel

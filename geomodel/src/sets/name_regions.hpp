@@ -35,6 +35,11 @@ ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& 
                                            const std::vector<TriangulatedSurface>& surfaces, const ModelEnd& end,
                                            std::vector<std::string>& warnings);
 
+/// Without what lies above the rules' topography and below their floor; the mesh itself where they name neither. Throws as without_side.
+ConstrainedTetrahedralization within_ends(ConstrainedTetrahedralization mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
+                                          std::vector<std::string>& warnings);
+
 /// Region per component that holds a seed point; warns of points outside and of two in one component.
 std::vector<Index> seeded(const ConstrainedTetrahedralization& mesh, const std::vector<NamedPoint>& seeds,
                           std::vector<std::string>& warnings);

@@ -107,6 +107,14 @@ ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& 
   return keep_components(mesh, keep);
 }
 
+ConstrainedTetrahedralization within_ends(ConstrainedTetrahedralization mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
+                                          std::vector<std::string>& warnings) {
+  if (!rules.topography.empty()) mesh = without_side(mesh, soup, plc, surfaces, {rules.topography, true}, warnings);
+  if (!rules.floor.empty()) mesh = without_side(mesh, soup, plc, surfaces, {rules.floor, false}, warnings);
+  return mesh;
+}
+
 std::vector<Index> seeded(const ConstrainedTetrahedralization& mesh, const std::vector<NamedPoint>& seeds,
                           std::vector<std::string>& warnings) {
   std::vector<Index> result(mesh.n_components, no_index);
