@@ -8,6 +8,7 @@
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/init.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "signals.hpp"
 
 namespace geomesh::app {
 namespace {
@@ -18,6 +19,13 @@ void print_result(const geomodel::JobResult& result, Verbosity verbosity) {
   if (verbosity == Verbosity::quiet) return;
   for (const std::string& text : result.summary) std::cout << text << '\n';
   for (const auto& file : result.files) std::cout << "wrote " << file.string() << '\n';
+}
+
+/// What the commands that only read leave behind.
+void write_report(const std::optional<std::filesystem::path>& file, const std::string& text) {
+  if (!file) return;
+  const SignalsHeldBack held;
+  geomodel::write_text_file(*file, text);
 }
 
 int run_command(const Help& help, const RunContext&, Verbosity) {
@@ -46,16 +54,20 @@ int run_command(const geomodel::DelaunayRequest& request, const RunContext& cont
 }
 
 int run_command(const CheckCommand& command, const RunContext&, Verbosity verbosity) {
+  leave_at_once_when_signalled();
+  if (command.report) geomodel::require_writable(*command.report);
   const geomodel::CheckResult result =
       geomodel::check_mesh({command.mesh, command.project, command.surfaces, command.delaunay});
-  if (command.report) geomodel::write_text_file(*command.report, geomodel::to_json(result));
+  write_report(command.report, geomodel::to_json(result));
   if (verbosity != Verbosity::quiet || !result.faults.empty()) std::cout << geomodel::to_text(result);
   return result.faults.empty() ? 0 : status_faults_found;
 }
 
 int run_command(const InfoCommand& command, const RunContext&, Verbosity) {
+  leave_at_once_when_signalled();
+  if (command.report) geomodel::require_writable(*command.report);
   const geomodel::FileInfo info = geomodel::describe_file(command.file);
-  if (command.report) geomodel::write_text_file(*command.report, geomodel::to_json(info));
+  write_report(command.report, geomodel::to_json(info));
   std::cout << geomodel::to_text(info);
   return 0;
 }

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parses the command line, catches every error once and maps it to an exit status; a signal sets the cancel token.
+// Parses the command line, catches every error once and maps it to an exit status; signals set the cancel token.
+#include <fcntl.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
+#include <iostream>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "commands.hpp"
+#include "signals.hpp"
 
 namespace {
-
-std::atomic<bool> cancelled{false};
-std::atomic<int> signal_received{0};
-
-extern "C" void on_signal(int number) {
-  if (cancelled.exchange(true)) _exit(128 + number);  // asked twice: leave at once
-  signal_received = number;
-}
-
-void install_signal_handlers() {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 constexpr int status_bug = 1;
 
@@ -33,31 +21,45 @@ int report_error(const char* kind, const char* text, int status) {
   return status;
 }
 
+/// Where the caller closed a standard stream, the next file opened would take its number, and messages would go into that file.
+void occupy_standard_streams() {
+  for (int descriptor = open("/dev/null", O_RDWR); descriptor >= 0; descriptor = dup(descriptor)) {
+    if (descriptor <= STDERR_FILENO) continue;
+    close(descriptor);
+    return;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace geomesh;
-  install_signal_handlers();
+  occupy_standard_streams();
+  app::install_signal_handlers();
   const bool terminal = isatty(STDERR_FILENO) != 0;
   try {
     const app::CommandLine line = app::parse_command_line(argc, argv);
     RunContext context;
-    context.cancel = &cancelled;
+    context.cancel = &app::cancel_token();
     context.threads = line.threads;
     app::Progress progress(line.verbosity, terminal);
     progress.attach(context);
-    return app::run(line, context);
+    const int status = app::run(line, context);
+    if (!std::cout.flush()) throw Error(ErrorKind::usage, "what was to be printed could not be written to the standard output (a full disk?)");
+    return status;
   } catch (const Error& error) {
     if (terminal) std::fputs("\r\033[K", stderr);
     if (error.kind() == ErrorKind::interrupted) {
-      const int number = signal_received != 0 ? signal_received.load() : SIGINT;
-      return report_error("interrupted", "nothing more was written", 128 + number);
+      return report_error("interrupted", "nothing more was written", app::status_of_signal());
     }
     return report_error("error", error.what(), static_cast<int>(error.kind()));
   } catch (const std::bad_alloc&) {
     return report_error("error", "out of memory: the model needs more than this machine has", static_cast<int>(ErrorKind::cannot_mesh));
   } catch (const std::filesystem::filesystem_error& error) {
     return report_error("error", error.what(), static_cast<int>(ErrorKind::usage));
+  } catch (const std::system_error& error) {  // no further thread, no further open file
+    return report_error("error", (std::string("the system refuses what the run needs: ") + error.what() + "; try --threads 1").c_str(),
+                        static_cast<int>(ErrorKind::cannot_mesh));
   } catch (const std::exception& error) {
     return report_error("internal error", error.what(), status_bug);
   }

@@ -89,8 +89,13 @@ void check_output_extension(const std::filesystem::path& output) {
 }
 
 void check_file_exists(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) usage_error("no such file: " + file.string());
-  if (std::filesystem::is_directory(file)) usage_error(file.string() + " is a folder, not a file");
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) usage_error("no such file: " + file.string());
+  if (status.type() == std::filesystem::file_type::none) usage_error(file.string() + ": " + error.message());
+  if (std::filesystem::is_directory(status)) usage_error(file.string() + " is a folder, not a file");
+  if (!std::filesystem::is_regular_file(status))
+    usage_error(file.string() + " is a pipe or a device, which may never end; save its content to a file first");
 }
 
 void check_stage(const std::string& stage) {

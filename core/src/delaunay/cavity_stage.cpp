@@ -21,10 +21,11 @@ struct PartRun {
 };
 
 void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::vector<VertexIndex>& positions, std::size_t first,
-                 double distance) {
+                 double distance, const RunContext& context) {
   run.left.assign(positions.begin() + static_cast<std::ptrdiff_t>(run.begin),
                   positions.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t i = first; i < run.end; ++i) {
+    if (i % 16384 == 0) context.check_cancelled();
     const VertexIndex v = positions[i];
     switch (part.insert(v, distance)) {
       case InsertionOutcome::inserted:
@@ -141,7 +142,8 @@ std::vector<VertexIndex> CavityStage::insert_in_parts(const std::vector<VertexIn
     parts.emplace_back(mesh_, space_, slots, run.owned);
     first[k] = start_part(parts.back(), positions, run.begin, run.end, run.owned);
   }
-  for_each_task(runs.size(), threads_, [&](std::size_t k) { insert_part(parts[k], runs[k], positions, first[k], distance); });
+  for_each_task(runs.size(), threads_,
+                [&](std::size_t k) { insert_part(parts[k], runs[k], positions, first[k], distance, context_); });
 
   CellIndex used_end = base;
   for (const Part& part : parts) used_end = std::max(used_end, part.slots().used_end());

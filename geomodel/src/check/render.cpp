@@ -56,7 +56,7 @@ std::string to_json(const CheckResult& result) {
                               {"count", f.count},
                               {"examples", f.examples},
                               {"place", {f.place.x, f.place.y, f.place.z}}});
-  return json.dump(2) + '\n';
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace geomesh::geomodel

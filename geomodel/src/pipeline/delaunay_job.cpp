@@ -53,6 +53,8 @@ ModelMesh to_model_mesh(const std::vector<Vec3>& points, const DelaunayTetrahedr
 }  // namespace
 
 JobResult run_delaunay(const DelaunayRequest& request, const RunContext& context) {
+  require_writable(request.output);
+  if (request.report) require_writable(*request.report);
   StageRecorder recorder(context, "");
   JobResult result;
   std::vector<Vec3> points;

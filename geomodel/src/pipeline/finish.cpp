@@ -134,6 +134,19 @@ Report begin_report(const PreparedModel& model) {
   return report;
 }
 
+/// Before anything is computed: folders that cannot be written to are found out now.
+void require_writable_outputs(const OutputPlan& plan) {
+  for (const std::string& format : plan.formats) {
+    const std::filesystem::path file = plan.stem.string() + "." + format;
+    require_writable(file);
+    if (plan.report_copy && std::filesystem::absolute(*plan.report_copy).lexically_normal() ==
+                                std::filesystem::absolute(file).lexically_normal())
+      throw Error(ErrorKind::usage, "--report " + file.string() + " is the mesh file's own name; give the report another");
+  }
+  if (plan.report_beside) require_writable(plan.stem.string() + ".report.json");
+  if (plan.report_copy) require_writable(*plan.report_copy);
+}
+
 void make_output_folder(const OutputPlan& plan) {
   if (!plan.stem.parent_path().empty()) std::filesystem::create_directories(plan.stem.parent_path());
 }
@@ -194,6 +207,7 @@ void warn(std::vector<std::string>& warnings, const RunContext& context, std::st
 }
 
 JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder, const std::function<void()>& prepare) {
+  require_writable_outputs(plan);
   try {
     prepare();
     return mesh_and_write(model, plan, recorder);

@@ -98,7 +98,7 @@ std::string describe_input(const MeshRequest& request, const PreparedModel& mode
     input["surfaces"].push_back({{"name", s.name}, {"file", s.file}, {"points", s.points.size()}, {"triangles", s.triangles.size()}});
   input["mode"] = request.options.recover.mode == MeshMode::conforming ? "conforming" : "constrained";
   input["refine"] = request.refinement.refine;
-  return input.dump();
+  return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
                    {"preserve_boundary", project.mesh.options.recover.preserve_boundary}};
   input["output"] = {{"formats", project.output.formats},
                      {"origin", {project.output.origin.x, project.output.origin.y, project.output.origin.z}}};
-  return input.dump();
+  return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace

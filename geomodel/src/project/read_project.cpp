@@ -77,7 +77,7 @@ class ProjectReader {
     if (const auto v = map.find("output")) read_output(*v);
   }
 
-  /// Names go into files of many formats: no control characters, quotes, commas or blanks at the ends.
+  /// Names go into files of many formats, and into their names: not too long, no control characters, quotes, commas or blanks at the ends.
   static bool read_name(const YamlValue& value, std::string& name) {
     const auto text = value.text();
     if (!text) return false;
@@ -86,6 +86,12 @@ class ProjectReader {
     });
     if (odd || text->front() == ' ' || text->back() == ' ') {
       value.problem("the name " + in_quotes(*text) + " holds a quote, a comma, a slash, a control character or a blank at its end");
+      return false;
+    }
+    constexpr std::size_t longest_name = 200;  // file systems hold 255 bytes; endings are added
+    if (text->size() > longest_name) {
+      value.problem("the name " + in_quotes(*text) + " has " + std::to_string(text->size()) + " bytes; at most " +
+                    std::to_string(longest_name) + " are taken, as files are named by it");
       return false;
     }
     name = *text;

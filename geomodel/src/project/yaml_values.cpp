@@ -21,6 +21,24 @@ bool has_leading_zero(std::string_view s) {
   return s.size() > 1 && s[0] == '0' && std::isdigit(static_cast<unsigned char>(s[1]));
 }
 
+/// Whether the bytes are UTF-8 (RFC 3629: shortest forms only, no surrogates).
+bool is_utf8(std::string_view s) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+  for (std::size_t i = 0; i < s.size();) {
+    const unsigned lead = byte(i);
+    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3 : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+    if (length == 0 || i + length > s.size()) return false;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((byte(i + k) & 0xc0) != 0x80) return false;
+    if (lead == 0xe0 && byte(i + 1) < 0xa0) return false;
+    if (lead == 0xed && byte(i + 1) >= 0xa0) return false;
+    if (lead == 0xf0 && byte(i + 1) < 0x90) return false;
+    if (lead == 0xf4 && byte(i + 1) >= 0x90) return false;
+    i += length;
+  }
+  return true;
+}
+
 bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
 }  // namespace
@@ -36,6 +54,10 @@ std::string YamlValue::described() const {
 }
 
 std::optional<std::string> YamlValue::text() const {
+  if (node_.IsScalar() && !is_utf8(node_.Scalar())) {
+    problem("a letter is not in UTF-8; save the project file with the encoding UTF-8");
+    return std::nullopt;
+  }
   if (node_.IsScalar() && !node_.Scalar().empty()) return node_.Scalar();
   problem("a text was expected, found " + described());
   return std::nullopt;

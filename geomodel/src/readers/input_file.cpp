@@ -26,6 +26,8 @@ InputFile load_input_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, ec);
   if (!std::filesystem::exists(status)) throw Error(ErrorKind::usage, path.string() + ": no such file");
   if (std::filesystem::is_directory(status)) throw Error(ErrorKind::usage, path.string() + ": is a folder, a file was expected");
+  if (!std::filesystem::is_regular_file(status))
+    throw Error(ErrorKind::usage, path.string() + ": is a pipe or a device, which may never end; save its content to a file first");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error(ErrorKind::usage, path.string() + ": cannot be opened: " + std::strerror(errno));
   InputFile file{path, {}};

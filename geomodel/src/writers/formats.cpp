@@ -18,13 +18,29 @@ const std::vector<std::string>& known_formats() {
   return formats;
 }
 
+namespace {
+
+/// NAME.vtu and the files beside it; where one cannot be written, those before it are removed: they would be taken for a whole.
+void write_vtu_set(const ModelMesh& mesh, const std::vector<std::filesystem::path>& files) {
+  std::size_t n_written = 0;
+  try {
+    write_vtu(mesh, files[n_written++]);
+    write_faces_vtp(mesh, files[n_written++]);
+    write_curves_vtp(mesh, files[n_written++]);
+  } catch (...) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i + 1 < n_written; ++i) std::filesystem::remove(files[i], ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
 std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format, const std::filesystem::path& stem) {
   const auto with = [&](const char* ending) { return std::filesystem::path(stem.string() + ending); };
   if (format == "vtu") {
     const std::vector<std::filesystem::path> files{with(".vtu"), with(".faces.vtp"), with(".curves.vtp")};
-    write_vtu(mesh, files[0]);
-    write_faces_vtp(mesh, files[1]);
-    write_curves_vtp(mesh, files[2]);
+    write_vtu_set(mesh, files);
     return files;
   }
   if (format == "msh") {
