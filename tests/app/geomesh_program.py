@@ -39,9 +39,10 @@ class ProgramTest(unittest.TestCase):
         return self.path(name)
 
     def run_program(self, *arguments, status=DONE):
-        """Runs geomesh, expects the exit status, returns everything it printed."""
+        """Runs geomesh, expects the exit status (None: any, see self.last_status), returns everything it printed."""
         done = subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                               timeout=self.timeout, cwd=self.folder)
+        self.last_status = done.returncode
         if status is not None:
             self.assertEqual(done.returncode, status, "geomesh %s printed:\n%s" % (" ".join(map(str, arguments)), done.stdout))
         return done.stdout
