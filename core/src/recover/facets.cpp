@@ -84,13 +84,45 @@ class FacetRecovery {
   }
 
   FacetTrace checked_trace() {
-    const FacetTrace trace = trace_facet(mesh_, sides_, border_);
-    if (trace.status == FacetTrace::Status::touched) fail_vertex_on_facet(recovery_, trace.culprit, subfacet_);
+    FacetTrace trace = trace_facet(mesh_, sides_, border_);
+    if (trace.status == FacetTrace::Status::touched) {
+      if (holds(trace.culprit)) fail_vertex_on_facet(recovery_, trace.culprit, subfacet_);
+      trace.status = FacetTrace::Status::unclear;
+    }
     for (const PiercingEdge& e : trace.piercing) {
       const Index s = recovery_.constraints.subsegment_of(e.below, e.above);
-      if (s != no_index) fail_segment_pierces_facet(recovery_, s, subfacet_);
+      if (s == no_index) continue;
+      if (is_passed_by(e)) fail_segment_pierces_facet(recovery_, s, subfacet_);
+      trace.status = FacetTrace::Status::unclear;
     }
     return trace;
+  }
+
+  // Where rounding bends a border with added points, the trace may leave the subfacet through cells flat in its plane, and then meets
+  // what lies beside it: nobody is accused without an exact test against the corners.
+
+  /// Whether the edge passes through the triangle of the corners or touches it: it has the corners' edges on one side.
+  bool is_passed_by(PiercingEdge e) const {
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Sign side = mesh_.orient(e.below, e.above, plane_[i], plane_[(i + 1) % 3]);
+      left = left || side == Sign::positive;
+      right = right || side == Sign::negative;
+    }
+    return !(left && right);
+  }
+  /// Whether the vertex lies in the triangle of the corners, its border included.
+  bool holds(VertexIndex v) const {
+    if (mesh_.orient(plane_[0], plane_[1], plane_[2], v) != Sign::zero) return false;
+    const Vec3 normal = sides_.normal();
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
+    const auto flat = [&](VertexIndex u) { return Vec2{mesh_.point(u)[(axis + 1) % 3], mesh_.point(u)[(axis + 2) % 3]}; };
+    const Sign whole = orient2d(flat(plane_[0]), flat(plane_[1]), flat(plane_[2]));
+    for (std::size_t i = 0; i < 3; ++i)
+      if (static_cast<int>(orient2d(flat(plane_[i]), flat(plane_[(i + 1) % 3]), flat(v))) * static_cast<int>(whole) < 0) return false;
+    return true;
   }
 
   /// In the plane of the input's corners. Extended precision: the plane of a thin triangle is known to fewer digits than its corners.
