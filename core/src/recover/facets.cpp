@@ -165,6 +165,9 @@ class FacetRecovery {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
     if (!is_plain_) {
+      // A face of another facet: rounding has folded two that meet at a very small angle onto each other.
+      for (const Triangle& t : trace.faces)
+        if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index) fail_facet_not_recovered(recovery_, subfacet_);
       for (const Triangle& t : trace.faces) constraints.add_subfacet(t, facet);
       constraints.remove_subfacet(subfacet_);
     }

@@ -139,6 +139,8 @@ void Recovery::count_added_point() {
   if (++n_points_added == 100 + input_vertex.size() / 50) refuse_crossings();
 }
 
+bool Recovery::has_crossings() const { return find_crossing(plc).has_value(); }
+
 void Recovery::refuse_crossings() const {
   const auto crossing = find_crossing(plc);
   if (!crossing) return;

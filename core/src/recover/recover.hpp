@@ -23,12 +23,14 @@ struct Recovery {
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
   std::size_t n_points_added = 0;
+  unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
 
   /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a valid model hardly
   /// ever takes the model is searched for crossings. Throws Error{invalid_input} with both items.
   void count_added_point();
   /// Searches the model for crossings; throws as above where there is one.
   void refuse_crossings() const;
+  bool has_crossings() const;
 };
 
 /// Every live subsegment is an edge of the mesh afterwards: flips first (segments_by_flips.cpp), then points on segments
@@ -42,8 +44,9 @@ bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, 
 /// where mesh edges pierce the facet. Throws Error{invalid_input} where a segment or a vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
-/// Takes added points away again, or off segments and facets into the regions, where the mesh allows it.
-void remove_added_points(Recovery& recovery);
+/// Takes added points away again, or off segments and facets into the regions, where the mesh allows it. With
+/// `must_clear`, segments and facets are cleared at the price of more points inside.
+void remove_added_points(Recovery& recovery, bool must_clear);
 
 /// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(const Recovery& recovery);

@@ -70,6 +70,46 @@ double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, 
   return out;
 }
 
+/// Parts of a subsegment next to its ends are left alone, so that points do not crowd.
+constexpr double least_part = 1e-6;
+
+/// Later attempts leave the crossing by a small part of the way to the nearer end: there is no other vertex in its plane.
+double placed_parameter(double t, unsigned attempt) {
+  if (attempt == 0) return t;
+  const double part = (attempt % 2 == 0 ? 0.25 : -0.25) / (1 + attempt);
+  return t + part * std::min(t, 1 - t);
+}
+
+/// Square of the distance of p from the line through a and b.
+double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 u = b - a, n = cross(u, p - a);
+  return dot(n, n) / dot(u, u);
+}
+
+/// The cells of crossing i and of what the point x there would have beside it at the distance of a rounding error: other crossings, and
+/// edges of the face crossed. Were they left, the next crossing would be an ulp from x.
+std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const LineCrossings& line, const std::vector<double>& parameters, std::size_t i,
+                                           const Vec3& x, double length) {
+  constexpr double near = 1e-7;  // of the subsegment
+  std::vector<CellIndex> out;
+  EdgeRing ring;
+  for (std::size_t k = 0; k < line.crossings.size(); ++k) {
+    if (std::fabs(parameters[k] - parameters[i]) > near) continue;
+    const Crossing& c = line.crossings[k];
+    const std::vector<CellIndex> cells = crossed_cells(mesh, c);
+    out.insert(out.end(), cells.begin(), cells.end());
+    if (c.kind != CrossingKind::face) continue;
+    for (unsigned e = 0; e < 3; ++e) {
+      const VertexIndex v = c.v[e], w = c.v[(e + 1) % 3];
+      if (distance_to_line(x, mesh.point(v), mesh.point(w)) < near * near * length * length && mesh.ring(c.cell, v, w, ring))
+        out.insert(out.end(), ring.cells.begin(), ring.cells.end());
+    }
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 /// A point on the missing subsegment where the line crosses the mesh, as far from other vertices as can be.
 VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
@@ -80,15 +120,19 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   refuse_contradictions(recovery, s, line);
   std::vector<std::pair<double, std::size_t>> order;
   std::vector<Vec3> places;
+  std::vector<double> parameters;
+  for (const Crossing& c : line.crossings) parameters.push_back(crossing_parameter(mesh, c, pa, pb));
   for (std::size_t i = 0; i < line.crossings.size(); ++i) {
-    const double t = crossing_parameter(mesh, line.crossings[i], pa, pb);
+    const double t = placed_parameter(parameters[i], recovery.attempt);
     places.push_back(on_segment(pa, pb, t));
-    if (t > 0 && t < 1) order.emplace_back(-clearance(mesh, line.crossings[i], places[i], pa, pb), i);
+    if (t > least_part && t < 1 - least_part) order.emplace_back(-clearance(mesh, line.crossings[i], places[i], pa, pb), i);
   }
   std::sort(order.begin(), order.end());
   VertexIndex x = no_vertex;
   for (const auto& [negative_clearance, i] : order)
-    if (try_point(recovery, places[i], crossed_cells(mesh, line.crossings[i]), x)) return x;
+    if (try_point(recovery, places[i], cells_near_crossing(mesh, line, parameters, i, places[i], std::sqrt(dot(pb - pa, pb - pa))), x) ||
+        try_point(recovery, places[i], crossed_cells(mesh, line.crossings[i]), x))
+      return x;
   for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
     if (try_point(recovery, on_segment(pa, pb, t), {mesh.cell_of(a)}, x)) return x;
   return no_vertex;
@@ -141,6 +185,7 @@ void recover_segments(Recovery& recovery) {
     if (constraints.subsegments[s].live && recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell)
       missing.push_back(s);
   std::size_t n_missing_before = missing.size();
+  for (std::size_t i = missing.size(); recovery.attempt > 0 && i > 1; --i) std::swap(missing[i - 1], missing[recovery.mesh.random(static_cast<unsigned>(i))]);
   for (unsigned depth : {0u, 1u, 2u, 3u}) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {

@@ -63,8 +63,7 @@ class StartSearch {
   }
 
   /// Improves `best` while a step of one axis saves a twentieth of what is missing.
-  void climb(DelaunayTetrahedralization& best, std::size_t missing) const {
-    std::array<int, 3> exponents{0, 0, 0};
+  void climb(DelaunayTetrahedralization& best, std::size_t missing, std::array<int, 3> exponents) const {
     for (const std::size_t axis : axes_by_extent()) {
       for (int step = 0; step < 12; ++step) {
         std::array<int, 3> trial = exponents;
@@ -99,7 +98,7 @@ class StartSearch {
 }  // namespace
 
 StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, DeclaredModel& model, const DelaunayOptions& options,
-                                     const RunContext& context, bool may_scale) {
+                                     const RunContext& context, bool may_scale, unsigned attempt) {
   StartTriangulation out;
   out.points = vertices_with_box(plc, model);
   model.constraints.vertices.resize(out.points.size());
@@ -114,8 +113,14 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, Declared
     Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc};
     out.missing_facets = count_missing_subfacets(recovery);
   }
-  if (may_scale && out.missing_edges > 20 && 10 * out.missing_edges > model.constraints.subsegments.size())
-    search.climb(delaunay, out.missing_edges);
+  std::array<int, 3> exponents{0, 0, 0};
+  std::size_t missing = out.missing_edges;
+  if (may_scale && attempt > 0) {
+    exponents[attempt % 3] = static_cast<int>(1 + attempt / 3);
+    delaunay.mesh = search.triangulate(exponents).mesh;
+    missing = count_missing(delaunay.mesh, model.constraints);
+  }
+  if (may_scale && missing > 20 && 10 * missing > model.constraints.subsegments.size()) search.climb(delaunay, missing, exponents);
   out.mesh = std::move(delaunay.mesh);
   return out;
 }

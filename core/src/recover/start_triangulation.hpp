@@ -21,8 +21,9 @@ struct StartTriangulation {
   std::size_t tetrahedra = 0;      ///< its finite cells without the box's
 };
 
-/// Searches the scales by hill climbing, one axis after the other, where `may_scale` and more than one segment in ten is missing.
+/// Searches the scales by hill climbing, one axis after the other, where `may_scale` and more than one segment in ten is missing. Later
+/// attempts start from another scale, so that cells as flat as rounding allows are others.
 StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, DeclaredModel& model, const DelaunayOptions& options,
-                                     const RunContext& context, bool may_scale);
+                                     const RunContext& context, bool may_scale, unsigned attempt = 0);
 
 }  // namespace geomesh::recover

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "geomesh/core/tetrahedralize.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "classify/classify.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "recover/conforming.hpp"
 #include "recover/declare.hpp"
 #include "recover/recover.hpp"
@@ -14,6 +18,7 @@ namespace {
 using recover::ConstrainedMesh;
 using recover::DeclaredModel;
 using recover::Recovery;
+using recover::StartTriangulation;
 
 void refuse_invalid(const PiecewiseLinearComplex& plc) {
   const std::vector<PlcFault> faults = validate_plc(plc);
@@ -24,69 +29,118 @@ void refuse_invalid(const PiecewiseLinearComplex& plc) {
 }
 
 /// Segments (3.1), facets (3.2), what is still missing (3.3).
-void recover_constraints(const PiecewiseLinearComplex& plc, DeclaredModel& model, ConstrainedMesh& mesh, RecoveryStatistics& statistics,
-                         const RecoverOptions& options, const RunContext& context) {
-  const StageScope stage(context, "recover");
-  Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc};
-  try {
-    if (options.mode == MeshMode::conforming) {
-      recover::ConformingRecovery conforming(recovery, options);
-      const bool within_budget = conforming.run();
-      statistics.facets_not_recovered = conforming.facets_given_up();
-      if (!within_budget) throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
-    }
-    recover::recover_segments(recovery);
-    recover::recover_facets(recovery);
-    if (options.preserve_boundary || options.mode == MeshMode::constrained) recover::remove_added_points(recovery);
-    if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
-  } catch (const Error& e) {
-    // What cannot be meshed may be invalid in a place that recovery did not see first.
-    if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
-    throw;
+void recover_constraints(Recovery& recovery, const RecoverOptions& options) {
+  if (options.mode == MeshMode::conforming) {
+    recover::ConformingRecovery conforming(recovery, options);
+    const bool within_budget = conforming.run();
+    recovery.statistics.facets_not_recovered = conforming.facets_given_up();
+    if (!within_budget) throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
   }
+  recover::recover_segments(recovery);
+  recover::recover_facets(recovery);
+  if (options.preserve_boundary || options.mode == MeshMode::constrained) recover::remove_added_points(recovery, options.preserve_boundary);
+  if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
   recover::validate_recovered(recovery);
+}
+
+/// One model on its way to a mesh.
+struct MeshingRun {
+  const PiecewiseLinearComplex& plc;
+  const TetrahedralizeOptions& options;
+  const RunContext& context;
+  DeclaredModel model;
+  RecoveryStatistics statistics;
+  DelaunayStatistics delaunay;
+
+  StartTriangulation start(unsigned attempt = 0) {
+    model = recover::declare_constraints(plc, context);
+    if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
+    StartTriangulation out = recover::triangulate_start(plc, model, options.delaunay, context,
+                                                         options.recover.mode == MeshMode::constrained, attempt);
+    statistics = {};
+    statistics.facets_total = plc.n_facets();
+    statistics.segments_total = model.constraints.segments.size();
+    statistics.tetrahedra_unconstrained = out.tetrahedra;
+    statistics.missing_edges_initial = out.missing_edges;
+    statistics.missing_facets_before_segments = out.missing_facets;
+    delaunay = out.statistics;
+    return out;
+  }
+
+  /// Where rounding of added points has led recovery into a dead end, another attempt puts them elsewhere. What recovery found wrong with the
+  /// model is believed at once where the exact search finds a crossing, else after the last attempt.
+  ConstrainedMesh recover(StartTriangulation first) {
+    constexpr unsigned max_attempts = 16;
+    for (unsigned attempt = 0;; ++attempt) {
+      StartTriangulation from = attempt == 0 ? std::move(first) : start(attempt);
+      ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model.input_vertex.size());
+      Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc};
+      recovery.attempt = attempt;
+      for (unsigned i = 0; i < attempt; ++i) mesh.random(2);
+      try {
+        recover_constraints(recovery, options.recover);
+        return mesh;
+      } catch (const Error& e) {
+        if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
+        const bool is_last = attempt + 1 == max_attempts || options.recover.mode == MeshMode::conforming;
+        if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
+        if (is_last || (e.kind() == ErrorKind::invalid_input && recovery.has_crossings())) throw;
+      }
+    }
+  }
+};
+
+ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
+                                           std::vector<Index>& given_up) {
+  MeshingRun run{plc, options, context, {}, {}, {}};
+  StartTriangulation start;
+  {
+    const StageScope stage(context, "delaunay");
+    start = run.start();
+  }
+  std::optional<ConstrainedMesh> mesh;
+  {
+    const StageScope stage(context, "recover");
+    try {
+      mesh = run.recover(std::move(start));
+    } catch (const Error&) {
+      given_up = run.statistics.facets_not_recovered;
+      throw;
+    }
+  }
+  const StageScope stage(context, "classify");
+  ConstrainedTetrahedralization out = classify::classify(*mesh, run.model, plc, context);
+  out.delaunay = options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(*mesh);
+  out.recovery = run.statistics;
+  out.recovery.tetrahedra_final = out.tetrahedra.size();
+  for (VertexOrigin origin : out.origin) {
+    out.recovery.steiner_on_segments += origin == VertexOrigin::on_segment;
+    out.recovery.steiner_on_facets += origin == VertexOrigin::on_facet;
+    out.recovery.steiner_inside += origin == VertexOrigin::inside;
+  }
+  out.delaunay_statistics = run.delaunay;
+  return out;
 }
 
 }  // namespace
 
 namespace {
 
-ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
-                                           std::vector<Index>& given_up) {
-  DeclaredModel model = recover::declare_constraints(plc, context);
-  if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
-  RecoveryStatistics statistics;
-  statistics.facets_total = plc.n_facets();
-  statistics.segments_total = model.constraints.segments.size();
-
-  recover::StartTriangulation start;
-  {
-    const StageScope stage(context, "delaunay");
-    start = recover::triangulate_start(plc, model, options.delaunay, context, options.recover.mode == MeshMode::constrained);
+/// Adds to facets_not_recovered each facet with a face between two cells one of which has the other's vertex in its circumsphere. Exact.
+void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh) {
+  std::vector<Index>& list = mesh.recovery.facets_not_recovered;
+  for (const ConstrainedTetrahedralization::Face& face : mesh.faces) {
+    if (face.tetrahedron_above == no_index || face.tetrahedron_below == no_index) continue;
+    const Tetrahedron &above = mesh.tetrahedra[face.tetrahedron_above], &below = mesh.tetrahedra[face.tetrahedron_below];
+    const auto opposite = std::find_if(below.begin(), below.end(), [&](VertexIndex v) {
+      return std::find(face.vertices.begin(), face.vertices.end(), v) == face.vertices.end();
+    });
+    const auto point = [&](VertexIndex v) -> const Vec3& { return mesh.points[v]; };
+    if (in_sphere(point(above[0]), point(above[1]), point(above[2]), point(above[3]), point(*opposite)) == Sign::positive)
+      list.push_back(face.facet);
   }
-  statistics.tetrahedra_unconstrained = start.tetrahedra;
-  statistics.missing_edges_initial = start.missing_edges;
-  statistics.missing_facets_before_segments = start.missing_facets;
-  ConstrainedMesh mesh(std::move(start.mesh), std::move(start.points), model.input_vertex.size());
-  try {
-    recover_constraints(plc, model, mesh, statistics, options.recover, context);
-  } catch (const Error&) {
-    given_up = statistics.facets_not_recovered;
-    throw;
-  }
-  const StageScope stage(context, "classify");
-  ConstrainedTetrahedralization out = classify::classify(mesh, model, plc, context);
-  const std::size_t n_tetrahedra = out.tetrahedra.size();
-  out.delaunay = options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(mesh);
-  out.recovery = statistics;
-  out.recovery.tetrahedra_final = n_tetrahedra;
-  for (VertexOrigin origin : out.origin) {
-    out.recovery.steiner_on_segments += origin == VertexOrigin::on_segment;
-    out.recovery.steiner_on_facets += origin == VertexOrigin::on_facet;
-    out.recovery.steiner_inside += origin == VertexOrigin::inside;
-  }
-  out.delaunay_statistics = start.statistics;
-  return out;
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace
@@ -99,7 +153,9 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   std::vector<Index> given_up;
   if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, given_up);
   try {
-    return mesh_in_mode(plc, options, context, given_up);
+    ConstrainedTetrahedralization out = mesh_in_mode(plc, options, context, given_up);
+    list_facets_off_delaunay(out);
+    return out;
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::cannot_mesh) throw;
     context.note(LogLevel::warning, "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
@@ -107,11 +163,12 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   // Points crowded by small angles can leave no room for what is still missing; without them there is.
   TetrahedralizeOptions constrained = options;
   constrained.recover.mode = MeshMode::constrained;
-  if (given_up.empty())
-    for (Index f = 0; f < plc.n_facets(); ++f) given_up.push_back(f);
   std::vector<Index> unused;
   ConstrainedTetrahedralization out = mesh_in_mode(plc, constrained, context, unused);
   out.recovery.facets_not_recovered = given_up;
+  list_facets_off_delaunay(out);
+  if (out.recovery.facets_not_recovered.empty())  // the cells between them may have left Delaunay
+    for (Index f = 0; f < plc.n_facets(); ++f) out.recovery.facets_not_recovered.push_back(f);
   return out;
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "corpus_run.hpp"
+#include "soup_models.hpp"
+
+using namespace geomesh;
+using namespace geomesh::geomodel::testing;
+
+namespace {
+
+void mesh_soups(unsigned first, unsigned count) {
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    INFO("seed " << seed);
+    const PiecewiseLinearComplex model = random_model(seed);
+    for (const TetrahedralizeOptions& options : {test::constrained_mode(), test::preserving_mode()}) {
+      INFO((options.recover.preserve_boundary ? "boundary kept" : "constrained"));
+      CHECK(test::run_and_judge(model, options, 60).trouble == "");
+    }
+  }
+}
+
+void mesh_faults(const std::string& group) {
+  const std::string folder = std::string(GEOMESH_SHARED_DATA) + "/faults/" + group;
+  if (!std::filesystem::exists(folder)) {
+    WARN("skipped: no outside data in " << folder);
+    return;
+  }
+  const PiecewiseLinearComplex model = faults_in_box(folder);
+  for (const TetrahedralizeOptions& options : {test::constrained_mode(), test::preserving_mode()}) {
+    const test::CorpusRun run = test::run_and_judge(model, options, 120);
+    CHECK(run.trouble == "");
+    if (!run.ok()) continue;
+    const RecoveryStatistics& s = run.mesh->recovery;
+    CHECK(100 * (s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside) <= model.points.size());
+    CHECK(run.mesh->tetrahedra.size() <= 4 * model.n_facets());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("random soups that the arrangement made valid are meshed, with and without points on their boundary", "[recover][judged]") {
+  mesh_soups(0, 200);
+}
+TEST_CASE("ten thousand random soups are meshed", "[recover][judged][nightly]") { mesh_soups(1000, 10000); }
+TEST_CASE("the intersected faults of a salt diapir are meshed", "[recover][judged][shared]") { mesh_faults("SALT"); }
+TEST_CASE("the intersected faults of MJVA are meshed", "[recover][judged][shared]") { mesh_faults("MJVA"); }
+TEST_CASE("the intersected faults of SNFA are meshed", "[recover][judged][shared]") { mesh_faults("SNFA"); }
