@@ -152,6 +152,51 @@ class Numbers(ProgramTest):
         self.assert_nothing_written()
 
 
+class DamagedMeshes(ProgramTest):
+    """geomesh's own meshes, damaged where VTK's readers crash or ask for all memory."""
+    timeout = 60
+
+    def setUp(self):
+        super().setUp()
+        self.run_program("mesh", self.write("cube.off", CUBE), "-o", "out.vtu")
+
+    def damage(self, name, change):
+        with open(self.path(name), "rb") as file:
+            content = file.read()
+        self.assertNotEqual(change(content), content)
+        self.write(name, change(content))
+        self.assertIn(name, self.run_program("check", "out.vtu", status=BAD_INPUT))
+        self.write(name, content)
+
+    def test_array_without_a_type(self):
+        for name in ("out.vtu", "out.faces.vtp"):
+            self.damage(name, lambda content: content.replace(b'<Array type="String"', b'<Array tpe="String"', 1))
+
+    def test_counts_that_lie(self):
+        self.damage("out.vtu", lambda content: content.replace(b'NumberOfPoints="8"', b'NumberOfPoints="99999999999"', 1))
+
+    def test_sizes_of_compressed_blocks_that_lie(self):
+        def enlarge(content):
+            at = content.index(b"_", content.index(b"<AppendedData")) + 1
+            return content[:at] + b"\xff" * 7 + content[at + 7:]
+        for name in ("out.vtu", "out.faces.vtp"):
+            self.damage(name, enlarge)
+
+    def test_truncated_anywhere(self):
+        for part in (0.02, 0.3, 0.7):
+            self.damage("out.vtu", lambda content: content[:int(part * len(content))])
+
+    def test_element_that_names_no_node(self):
+        self.run_program("mesh", "cube.off", "-o", "out.inp")
+        with open(self.path("out.inp")) as file:
+            lines = file.read().split("\n")
+        first = next(i for i, line in enumerate(lines) if "C3D4" in line) + 1
+        for word in ("-1", "nan", "1e300", "1.5", "999"):
+            fields = lines[first].split(",")
+            fields[2] = " " + word
+            self.run_program("check", self.write("bad.inp", "\n".join(lines[:first] + [",".join(fields)] + lines[first + 1:])), status=BAD_INPUT)
+
+
 class Signals(ProgramTest):
     timeout = 60
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gmsh .msh (2.2 and 4.1 ASCII) and Abaqus/CalculiX .inp: nodes, linear tetrahedra, groups.
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -220,6 +221,13 @@ std::vector<double> numbers_of(const TextReader& in) {
   return values;
 }
 
+/// A node's number; the numbers of a data line are all read as doubles.
+std::size_t node_number(double value, const TextReader& in) {
+  constexpr double largest = 9007199254740992;  // the next one is not a double
+  if (!(value >= 0 && value <= largest) || value != std::floor(value)) in.refuse("a node's number was expected: \"" + in.text() + "\"");
+  return static_cast<std::size_t>(value);
+}
+
 /// KEY=value of a keyword line, "" where it is not there.
 std::string parameter(const std::string& line, const std::string& key) {
   std::istringstream fields(line);
@@ -272,7 +280,7 @@ MeshFile read_abaqus(const std::filesystem::path& path) {
     const std::vector<double> v = numbers_of(in);
     if (block == Block::nodes) {
       if (v.size() < 4) in.refuse("a node needs a number and three coordinates");
-      nodes.add(static_cast<std::size_t>(v[0]), in);
+      nodes.add(node_number(v[0], in), in);
       mesh.points.push_back({v[1], v[2], v[3]});
       continue;
     }
@@ -282,7 +290,7 @@ MeshFile read_abaqus(const std::filesystem::path& path) {
     if (block != Block::tetrahedra) continue;
     if (v.size() != 5) in.refuse("a C3D4 element needs a number and four nodes");
     Tetrahedron t{};
-    for (int i = 0; i < 4; ++i) t[i] = nodes.row(static_cast<std::size_t>(v[i + 1]), in);
+    for (int i = 0; i < 4; ++i) t[i] = nodes.row(node_number(v[i + 1], in), in);
     mesh.tetrahedra.push_back(t);
     mesh.cell.push_back(number);
     mesh.region.push_back(region);

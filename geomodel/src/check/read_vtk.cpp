@@ -20,6 +20,7 @@
 
 #include "check/mesh_files.hpp"
 #include "geomesh/core/error.hpp"
+#include "readers/vtk_xml_guard.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -30,6 +31,19 @@ namespace {
 
 void require_readable(const std::filesystem::path& path) {
   if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
+}
+
+/// Up to the appended data, which are not text.
+std::string text_of(const std::filesystem::path& path) {
+  constexpr std::string_view last = "<AppendedData";
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  for (char block[1 << 16]; in.read(block, sizeof block) || in.gcount() > 0;) {
+    const std::size_t seen = text.size() < last.size() ? 0 : text.size() - last.size();
+    text.append(block, static_cast<std::size_t>(in.gcount()));
+    if (const std::size_t at = text.find(last, seen); at != std::string::npos) return text.substr(0, at);
+  }
+  return text;
 }
 
 /// Keeps VTK from composing its error messages while alive: it prints them, and the one for broken cell data of a file without
@@ -51,7 +65,7 @@ template <class Reader>
 void update(Reader& reader, const std::filesystem::path& path) {
   const QuietVtk quiet;
   reader.SetFileName(path.string().c_str());
-  reader.Update();
+  if (!survives_sizes([&] { reader.Update(); })) refuse(path, "sizes in it are not those of what follows: it is damaged");
   if (reader.GetErrorCode() != 0 || !reader.GetOutput() || reader.GetOutput()->GetNumberOfPoints() == 0)
     refuse(path, "VTK finds no points in it: it is empty, truncated or damaged");
 }
@@ -60,6 +74,8 @@ template <class Reader>
 void read_xml(Reader& reader, const std::filesystem::path& path) {
   require_readable(path);
   if (!reader.CanReadFile(path.string().c_str())) refuse(path, "is not a VTK XML file of the kind that its extension says");
+  const std::string fault = fault_of_vtk_elements(text_of(path), std::filesystem::file_size(path));
+  if (!fault.empty()) refuse(path, fault);
   update(reader, path);
 }
 
@@ -74,10 +90,16 @@ std::vector<Vec3> points_of(vtkPointSet& data, bool& single_precision) {
   return points;
 }
 
+/// What is no 32-bit number (an array of floats may hold anything) becomes the least one, which no id is.
+std::int32_t nearest_id(double value) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  return value > Limits::min() && value <= Limits::max() ? static_cast<std::int32_t>(value) : Limits::min();
+}
+
 std::vector<std::int32_t> integers_of(vtkDataArray& array) {
   std::vector<std::int32_t> values(static_cast<std::size_t>(array.GetNumberOfTuples()));
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<std::int32_t>(array.GetComponent(static_cast<vtkIdType>(i), 0));
+    values[i] = nearest_id(array.GetComponent(static_cast<vtkIdType>(i), 0));
   return values;
 }
 

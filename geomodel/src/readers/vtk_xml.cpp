@@ -22,6 +22,7 @@
 #include "readers/formats.hpp"
 #include "readers/single_surface.hpp"
 #include "readers/text.hpp"
+#include "readers/vtk_xml_guard.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -71,11 +72,12 @@ std::string first_reason(const std::string& message) {
 /// The file is parsed from memory, so that a lying size in it meets the bytes that are there.
 template <class Reader>
 vtkSmartPointer<vtkPointSet> parse(const InputFile& file) {
+  if (const std::string fault = fault_of_vtk_elements(file.text(), file.bytes.size()); !fault.empty()) file.fail(fault);
   const WindowScope window;
   vtkNew<Reader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(file.bytes);
-  reader->Update();
+  if (!survives_sizes([&] { reader->Update(); })) file.fail("sizes in it are not those of what follows: it is damaged");
   if (!window.messages().empty()) file.fail("VTK cannot read it: " + first_reason(window.messages()));
   return reader->GetOutput();
 }
