@@ -116,6 +116,26 @@ class Refinement(ProgramTest):
         self.assertGreater(quality["whole"]["share_above_24_85"], 0.985)
         self.assertGreater(report["refinement"]["edges_within_size"], 0.9)
 
+    def test_salt_dome(self):
+        report, check = self.refined_sample("salt-dome", "{size: {input_edges: false, global: 700, gap_layers: none}}")
+        self.assertEqual(self.region_names(check), ["bunter", "chalk", "lower_cretaceous", "salt", "tertiary"])
+        self.assertAlmostEqual(check["volume"] / 4e11, 1, delta=1e-12)
+        self.assertGreater(report["quality"]["whole"]["share_above_24_85"], 0.5)
+        curves = {curve["name"] for curve in report["curves"]}
+        self.assertIn("salt*top_chalk", curves)
+
+    def test_wells_and_thin_layers(self):
+        """Curves, thin layers and faults of the small samples survive refinement, and the mesh passes."""
+        for name in ("wells", "depth-in-feet", "fault-junctions"):
+            shutil.rmtree(self.path("sample"), ignore_errors=True)
+            for file in os.listdir(self.folder):
+                if os.path.isfile(self.path(file)):
+                    os.remove(self.path(file))
+            report, _ = self.refined_sample(name, "{refine: default}")
+            quality = report["quality"]["below_8_degrees"]
+            self.assertLessEqual(quality["tetrahedra"] - quality["forced"], 5, name)
+            self.assertTrue(report["curves"], name)
+
 
 if __name__ == "__main__":
     main()

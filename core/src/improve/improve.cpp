@@ -17,20 +17,23 @@ struct Schedule {
   double target_angle;     ///< cells below (in the weighted measure) are repaired
   double insertion_angle;  ///< below this also by new points
   unsigned smoothing_steps;
+  double progress;  ///< share of the poor cells of the best pass so far to which the next must bring their number
 };
 
 Schedule schedule_of(QualityLevel level) {
   switch (level) {
     case QualityLevel::fast:
-      return {1, 2, 20, 0, 6};
+      return {1, 2, 20, 0, 6, 0.9};
     case QualityLevel::best:
-      return {4, 60, 36, 30, 20};
+      return {4, 60, 36, 30, 20, 1.02};
     default:
-      return {3, 8, 32, 26, 12};
+      return {3, 8, 32, 26, 12, 0.9};
   }
 }
 
 constexpr unsigned first_pass_with_points = 2;
+constexpr double enough_visits = 1.5;  ///< of poor cells, by the number of all, before a lack of progress ends the repair
+constexpr double worst_angle = 16;  ///< progress is measured on cells below this too
 
 struct BadCell {
   double shape;
@@ -50,9 +53,20 @@ class Improver {
 
   void run() {
     for (unsigned k = 0; k < schedule_.regularizing_passes && !out_of_time(); ++k) regularize();
-    std::size_t idle = 0;
+    std::size_t idle = 0, fewest = mesh_.n_cells(), fewest_worst = mesh_.n_cells();
     for (unsigned k = 0; k < schedule_.repair_passes && idle < 2 && !out_of_time(); ++k) {
-      const std::size_t n = repair(k);
+      const std::vector<BadCell> bad = cells_below(shape_of_angle(schedule_.target_angle));
+      // Where surfaces force poor shapes everywhere, repair only moves them about: passes that do not lower their number end it.
+      const std::size_t worst = count_below(bad, shape_of_angle(worst_angle));
+      const auto falls = [&](std::size_t now, std::size_t least) {
+        return static_cast<double>(now) <= schedule_.progress * static_cast<double>(least);
+      };
+      const bool costly = static_cast<double>(visited_) > enough_visits * static_cast<double>(mesh_.n_cells());
+      if (costly && k > first_pass_with_points && !falls(bad.size(), fewest) && !falls(worst, fewest_worst)) break;
+      fewest = std::min(fewest, bad.size());
+      fewest_worst = std::min(fewest_worst, worst);
+      context_.report(k, schedule_.repair_passes);
+      const std::size_t n = repair(bad, k);
       ++tools_.statistics.passes;
       idle = n == 0 ? idle + 1 : 0;
     }
@@ -74,6 +88,10 @@ class Improver {
     std::sort(bad.begin(), bad.end(),
               [](const BadCell& a, const BadCell& b) { return a.shape != b.shape ? a.shape < b.shape : a.cell < b.cell; });
     return bad;
+  }
+  static std::size_t count_below(const std::vector<BadCell>& sorted, double limit) {
+    return static_cast<std::size_t>(
+        std::partition_point(sorted.begin(), sorted.end(), [&](const BadCell& b) { return b.shape < limit; }) - sorted.begin());
   }
   bool unchanged(const BadCell& b) const { return mesh_.is_live(b.cell) && mesh_.vertices(b.cell) == b.vertices; }
 
@@ -98,10 +116,10 @@ class Improver {
     return false;
   }
 
-  std::size_t repair(unsigned pass) {
-    std::size_t n = 0, visited = 0;
-    for (const BadCell& b : cells_below(shape_of_angle(schedule_.target_angle))) {
-      if (++visited % 64 == 0 && out_of_time()) break;
+  std::size_t repair(const std::vector<BadCell>& bad, unsigned pass) {
+    std::size_t n = 0;
+    for (const BadCell& b : bad) {
+      if (++visited_ % 64 == 0 && out_of_time()) break;
       if (!unchanged(b) || known_hopeless(b.cell)) continue;
       if (repair_cell(b, pass))
         ++n;
@@ -155,6 +173,7 @@ class Improver {
   const RunContext& context_;
   Schedule schedule_;
   double budget_;
+  std::size_t visited_ = 0;  // poor cells, over all passes
   std::vector<std::uint64_t> failed_at_;  // by cell: the mesh's clock then
   std::chrono::steady_clock::time_point start_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "quality/shape.hpp"
+#include "refine/change_stamps.hpp"
 #include "refine/refinement.hpp"
 
 namespace geomesh::remesh {
@@ -55,19 +56,27 @@ class InsideRefiner {
 
   /// One visit to each large cell; `large` becomes what is still large, new cells included.
   std::size_t pass(std::vector<CellIndex>& large, bool front, const RunContext& context) {
+    const unsigned number = changes_.begin_pass();
     order_by_size(large);
     std::vector<CellIndex> next;
     std::size_t n = 0;
     for (std::size_t k = 0; k < large.size(); ++k) {
-      if (k % 256 == 0) context.check_cancelled();
+      if (k % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
       const CellIndex c = large[k];
       if (!mesh_.is_live(c) || !is_large(c)) continue;
+      unsigned& refused = refusal(front, c);
+      if (refused > 0 && !changes_.changed(mesh_.vertices(c), refused)) {
+        next.push_back(c);
+        continue;
+      }
       const auto v = front ? insert_on_front(c) : insert_at_centre(c);
       if (!v) {
+        refused = number;
         next.push_back(c);
         continue;
       }
       ++n;
+      changes_.note(mesh_, tools_.work.created);
       if (mesh_.n_cells() > max_cells_)
         throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells_) +
                                                 " elements before the asked sizes; ask for larger sizes or raise the limit");
@@ -78,6 +87,13 @@ class InsideRefiner {
     std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
     large = std::move(next);
     return n;
+  }
+
+  /// By kind of pass and cell: the last one that placed no point there; 0: none. A cell's slot that was used anew is told by the change.
+  unsigned& refusal(bool front, CellIndex c) {
+    std::vector<unsigned>& refused = refused_[front];
+    if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
+    return refused[c];
   }
 
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
@@ -129,6 +145,8 @@ class InsideRefiner {
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
+  ChangeStamps changes_;
+  std::array<std::vector<unsigned>, 2> refused_;
 };
 
 }  // namespace

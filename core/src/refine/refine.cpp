@@ -2,12 +2,14 @@
 #include "geomesh/core/refine.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
 #include "refine/domain_io.hpp"
 #include "refine/refinement.hpp"
+#include "refine/sample_surfaces.hpp"
 
 namespace geomesh {
 
@@ -60,7 +62,6 @@ double share_of_edges_within_size(Toolbox& tools) {
 }
 
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
-  const StageScope stage(context, "refine");
   if (options.honour == Honour::tolerance) remesh::regularize_surfaces(tools, context);
   remesh::collapse_short_edges(tools, false, context);
   remesh::split_long_edges(tools, true, options.max_elements, context);
@@ -79,6 +80,29 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
     remesh::refine_inside(tools, options.max_elements, context);
   }
   remesh::collapse_short_edges(tools, true, context);
+}
+
+void announce_estimate(const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
+  result.statistics.estimated_elements = remesh::estimate_elements(mesh, result.size_field);
+  context.note(LogLevel::info,
+               "about " + std::to_string(static_cast<long long>(result.statistics.estimated_elements)) + " elements to come");
+  check_estimate(result.statistics.estimated_elements, options.max_elements);
+}
+
+/// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them one by one would
+/// start from the slivers between them. False where that cannot be; the mesh is then as it was.
+bool add_surface_points(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization& mesh, const RunContext& context,
+                        RefineResult& result) {
+  remesh::SampledComplex sampled = remesh::sample_surfaces(plc, mesh, result.size_field, context);
+  const std::size_t n_on_facets = sampled.plc.facet_points.size() - plc.facet_points.size();
+  const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
+  if (n_on_facets + n_on_edges == 0) return false;
+  auto fresh = remesh::mesh_sampled(plc, mesh, std::move(sampled), context);
+  if (!fresh) return false;
+  mesh = std::move(*fresh);
+  result.statistics.points_on_curves += n_on_edges;
+  result.statistics.points_on_surfaces += n_on_facets;
+  return true;
 }
 
 /// Faces remade within a patch take the facet nearest to them, oriented as it is.
@@ -120,17 +144,17 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   check_options(plc, options);
   RefineResult result;
   DomainMesh mesh = remesh::import_domain(plc, input, options);
-  const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
   result.size_field =
       remesh::build_size_field(plc, mesh, options.size, remesh::named_patches(plc, options), size_tolerance(options));
+  if (options.refine) announce_estimate(mesh, options, context, result);
+  std::optional<StageScope> refining;
+  if (options.refine) refining.emplace(context, "refine");
+  if (options.refine && options.honour == Honour::exact && add_surface_points(plc, input, context, result))
+    mesh = remesh::import_domain(plc, input, options);
+  const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
-  if (options.refine) {
-    result.statistics.estimated_elements = remesh::estimate_elements(mesh, result.size_field);
-    context.note(LogLevel::info,
-                 "about " + std::to_string(static_cast<long long>(result.statistics.estimated_elements)) + " elements to come");
-    check_estimate(result.statistics.estimated_elements, options.max_elements);
-    refine_to_size(tools, options, context);
-  }
+  if (options.refine) refine_to_size(tools, options, context);
+  refining.reset();
   result.statistics.worst_shape_before = worst_shape(mesh);
   {
     const StageScope stage(context, "improve");

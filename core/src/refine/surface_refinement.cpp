@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "quality/shape.hpp"
+#include "refine/change_stamps.hpp"
 #include "refine/refinement.hpp"
 
 namespace geomesh::remesh {
@@ -76,23 +77,23 @@ class SurfaceRefiner {
   std::size_t pass(std::vector<SurfaceItem>& large, bool front, const RunContext& context) {
     std::vector<SurfaceItem> next;
     std::size_t n = 0;
-    ++pass_;
+    const unsigned number = changes_.begin_pass();
     for (std::size_t k = 0; k < large.size(); ++k) {
       if (k % 256 == 0) context.check_cancelled();
       SurfaceItem s = large[k];
       if (!is_current(s)) continue;
-      if (s.refused[front] > last_change(s.corners)) {  // nothing is new that could change the answer
+      if (s.refused[front] > 0 && !changes_.changed(s.corners, s.refused[front])) {
         next.push_back(s);
         continue;
       }
       const auto v = front ? insert_on_front(s) : insert_at_centre(s);
       if (!v) {
-        s.refused[front] = pass_;
+        s.refused[front] = number;
         next.push_back(s);
         continue;
       }
       ++n;
-      note_change();
+      changes_.note(mesh_, tools_.work.created);
       if (mesh_.n_cells() > max_cells_)
         throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells_) +
                                                 " elements before the asked sizes; ask for larger sizes or raise the limit");
@@ -101,18 +102,6 @@ class SurfaceRefiner {
     std::erase_if(next, [&](const SurfaceItem& s) { return !is_current(s); });
     large = std::move(next);
     return n;
-  }
-
-  /// The pass in which the last cell at one of the corners was made.
-  unsigned last_change(const Triangle& t) const {
-    unsigned last = 0;
-    for (const VertexIndex v : t) last = std::max(last, v < changed_.size() ? changed_[v] : 0u);
-    return last;
-  }
-  void note_change() {
-    if (changed_.size() < mesh_.n_vertices()) changed_.resize(mesh_.n_vertices() + mesh_.n_vertices() / 4, 0);
-    for (const CellIndex c : tools_.work.created)
-      for (const VertexIndex v : mesh_.vertices(c)) changed_[v] = pass_;
   }
 
   std::optional<VertexIndex> insert(const Vec3& p, const SurfaceItem& s) {
@@ -147,8 +136,7 @@ class SurfaceRefiner {
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
-  unsigned pass_ = 0;
-  std::vector<unsigned> changed_;  // by vertex: the pass of the last change about it
+  ChangeStamps changes_;
 };
 
 }  // namespace

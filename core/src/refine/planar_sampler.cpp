@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "refine/planar_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr double spacing_ratio = 0.75;  // no two points nearer than this share of the asked size
+
+Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
+double squared_distance(const Vec2& a, const Vec2& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }
+
+/// Collisions cost time only: points are compared by distance.
+std::uint64_t key(int level, double x, double y) {
+  const auto cell = [&](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(std::ldexp(c, -level)))); };
+  return (cell(x) * 0x9E3779B97F4A7C15u) ^ (cell(y) * 0xC2B2AE3D27D4EB4Fu) ^ static_cast<std::uint64_t>(level + 2000);
+}
+
+}  // namespace
+
+PlanarSampler::PlanarSampler(const std::vector<std::vector<Vec2>>& loops, Size size) : size_(std::move(size)) {
+  double high = -std::numeric_limits<double>::infinity();
+  low_ = -high;
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      edges_.push_back({loop[i], loop[(i + 1) % loop.size()]});
+      low_ = std::min(low_, loop[i].y);
+      high = std::max(high, loop[i].y);
+    }
+  rows_.resize(std::clamp<std::size_t>(edges_.size() / 2, 1, 4096));
+  strip_ = std::max(high - low_, std::numeric_limits<double>::min()) / static_cast<double>(rows_.size());
+  const auto row = [&](double y) {
+    return std::min(rows_.size() - 1, static_cast<std::size_t>(std::max(0.0, (y - low_) / strip_)));
+  };
+  for (Index e = 0; e < edges_.size(); ++e) {
+    const auto [first, last] = std::minmax({row(edges_[e].a.y), row(edges_[e].b.y)});
+    for (std::size_t r = first; r <= last; ++r) rows_[r].push_back(e);
+    add(edges_[e].a, size_(edges_[e].a));
+  }
+}
+
+void PlanarSampler::add(const Vec2& p, double size) {
+  const int level = level_of(size);
+  least_level_ = std::min(least_level_, level);
+  greatest_level_ = std::max(greatest_level_, level);
+  cells_[key(level, p.x, p.y)].push_back(p);
+}
+
+bool PlanarSampler::is_inside(const Vec2& p) const {
+  if (!(p.y >= low_)) return false;
+  const auto r = static_cast<std::size_t>((p.y - low_) / strip_);
+  if (r >= rows_.size()) return false;
+  bool inside = false;
+  for (const Index e : rows_[r]) {
+    const auto& [a, b] = edges_[e];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// Sizes vary slowly, so points of much smaller size are not near; those of any larger size may be.
+bool PlanarSampler::is_free(const Vec2& p, double size) const {
+  const double radius = spacing_ratio * size, limit = radius * radius;
+  for (int level = std::max(least_level_, level_of(size) - 2); level <= greatest_level_; ++level) {
+    const double cell = std::ldexp(1.0, level);
+    for (double x = std::floor((p.x - radius) / cell); x * cell <= p.x + radius; ++x)
+      for (double y = std::floor((p.y - radius) / cell); y * cell <= p.y + radius; ++y) {
+        const auto at = cells_.find(key(level, (x + 0.5) * cell, (y + 0.5) * cell));
+        if (at == cells_.end()) continue;
+        for (const Vec2& q : at->second)
+          if (squared_distance(p, q) < limit) return false;
+      }
+  }
+  return true;
+}
+
+bool PlanarSampler::take(const Vec2& p, const Vec2& from) {
+  if (!is_inside(p)) return false;
+  const double size = size_(p);
+  if (!is_free(p, size)) return false;
+  add(p, size);
+  taken_.push_back(p);
+  const double l = std::sqrt(squared_distance(p, from));
+  seeds_.push_back({p, {(p.x - from.x) / l, (p.y - from.y) / l}});
+  return true;
+}
+
+void PlanarSampler::advance(unsigned n_directions, double distance) {
+  const double turn = 2 * std::acos(-1.0) / n_directions;
+  for (std::size_t k = 0; k < seeds_.size(); ++k) {
+    const Seed s = seeds_[k];
+    const double size = size_(s.at);
+    for (unsigned i = 0; i < n_directions; ++i) {
+      const double c = std::cos(i * turn), d = std::sin(i * turn);
+      take(plus(s.at, distance * size, {c * s.direction.x - d * s.direction.y, d * s.direction.x + c * s.direction.y}), s.at);
+    }
+  }
+}
+
+std::vector<Vec2> PlanarSampler::run() {
+  // First over the border's edges, then round about each point taken, then what is still open.
+  for (const auto& [a, b] : edges_) {
+    const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    const double l = std::sqrt(squared_distance(a, b)), size = size_(middle);
+    if (!(l > 0)) continue;
+    const double height = std::sqrt(std::max(size * size - 0.25 * l * l, 0.5 * size * size));
+    take(plus(middle, height / l, {a.y - b.y, b.x - a.x}), a);
+  }
+  advance(6, 1.0);
+  for (const auto& [a, b] : edges_)
+    if (const double l = std::sqrt(squared_distance(a, b)); l > 0) seeds_.push_back({a, {(b.x - a.x) / l, (b.y - a.y) / l}});
+  advance(12, 0.95);
+  return taken_;
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "refine/sample_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "geomesh/core/simplex_mesh.hpp"
+#include "quality/shape.hpp"
+#include "refine/planar_sampler.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+using Edge = std::array<VertexIndex, 2>;
+Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// A frame in a facet's plane. Axes are those of space where the plane is normal to one, so that nothing is rounded off it.
+struct PlaneFrame {
+  Vec3 origin, u, v;
+  Vec2 flat(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
+  Vec3 lifted(const Vec2& p) const { return origin + p.x * u + p.y * v; }
+};
+
+std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+  const Vec3& o = plc.points[loop[0]];
+  Vec3 n;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
+  const double l = length(n);
+  if (!(l > 0)) return std::nullopt;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::abs(n[axis]) == l) {
+      PlaneFrame f{o, {}, {}};
+      f.u[(axis + 1) % 3] = 1;
+      f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
+      return f;
+    }
+  const Vec3 along = plc.points[loop[1]] - o, u = (1 / length(along)) * along;
+  return PlaneFrame{o, u, cross((1 / l) * n, u)};
+}
+
+class SurfaceSampler {
+ public:
+  SurfaceSampler(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const SizeField& size)
+      : plc_(plc), size_(size), beside_(plc.n_facets(), {no_index, no_index}) {
+    for (const auto& f : mesh.faces) {
+      if (f.tetrahedron_below != no_index) beside_[f.facet][0] = mesh.component[f.tetrahedron_below];
+      if (f.tetrahedron_above != no_index) beside_[f.facet][1] = mesh.component[f.tetrahedron_above];
+    }
+  }
+
+  SampledComplex run(const RunContext& context) {
+    collect_edges();
+    PiecewiseLinearComplex& out = out_.plc;
+    out.points = plc_.points;
+    for (auto& [edge, parts] : edges_) cut(edge, parts);
+    out.provenance_sets = plc_.provenance_sets;
+    for (const auto& s : plc_.facet_segments)
+      for_each_piece(s.a, s.b, [&](VertexIndex a, VertexIndex b) { out.facet_segments.push_back({s.facet, a, b}); });
+    for (Index s = 0; s < plc_.segments.size(); ++s)
+      for_each_piece(plc_.segments[s].a, plc_.segments[s].b, [&](VertexIndex a, VertexIndex b) {
+        out.segments.push_back({a, b, plc_.segments[s].curve});
+        out_.segment.push_back(s);
+      });
+    out.facet_points = plc_.facet_points;
+    out.isolated_points = plc_.isolated_points;
+    out.region_seeds = plc_.region_seeds;
+    out.hole_seeds = plc_.hole_seeds;
+    index_inner_parts();
+    for (Index f = 0; f < plc_.n_facets(); ++f) {
+      if (f % 64 == 0) context.check_cancelled();
+      sample_facet(f);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// An edge of facets or a segment: the facets at it, and the points put on it, from the lower vertex to the higher.
+  struct EdgeParts {
+    std::vector<Index> facets;
+    std::vector<VertexIndex> points;
+  };
+
+  void collect_edges() {
+    for (Index f = 0; f < plc_.n_facets(); ++f)
+      for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
+        const auto loop = plc_.loop(l);
+        for (std::size_t i = 0; i < loop.size(); ++i) edges_[edge_of(loop[i], loop[(i + 1) % loop.size()])].facets.push_back(f);
+      }
+    for (const auto& s : plc_.facet_segments) edges_[edge_of(s.a, s.b)].facets.push_back(s.facet);
+    for (const auto& s : plc_.segments) edges_[edge_of(s.a, s.b)];
+  }
+
+  double size_at(const Vec3& p, std::span<const Index> facets) const {
+    double h = size_.at(p);
+    if (!size_.limits().component_size.empty())
+      for (const Index f : facets)
+        for (const Index c : beside_[f])
+          if (c != no_index) h = std::min(h, size_.at(p, c));
+    return h;
+  }
+
+  /// Equal shares of the integral of 1 / size along the edge.
+  void cut(const Edge& edge, EdgeParts& parts) {
+    const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
+    const double l = length(d);
+    std::vector<std::array<double, 2>> passed{{0, 0}};  // parameter, integral
+    while (passed.back()[0] < 1) {
+      const auto [t, sum] = passed.back();
+      const double h = size_at(a + t * d, parts.facets), next = std::min(1.0, t + 0.25 * h / l);
+      passed.push_back({next, sum + (next - t) * l / h});
+    }
+    const auto n = static_cast<std::size_t>(std::max(1.0, std::round(passed.back()[1])));
+    std::size_t at = 1;
+    for (std::size_t k = 1; k < n; ++k) {
+      const double wanted = passed.back()[1] * static_cast<double>(k) / static_cast<double>(n);
+      while (passed[at][1] < wanted) ++at;
+      const auto &p = passed[at - 1], &q = passed[at];
+      const double t = p[0] + (q[0] - p[0]) * (wanted - p[1]) / (q[1] - p[1]);
+      parts.points.push_back(static_cast<VertexIndex>(out_.plc.points.size()));
+      out_.plc.points.push_back(a + t * d);
+    }
+  }
+
+  template <class Visit>
+  void for_each_piece(VertexIndex a, VertexIndex b, Visit visit) const {
+    std::vector<VertexIndex> chain = edges_.at(edge_of(a, b)).points;
+    if (a > b) std::reverse(chain.begin(), chain.end());
+    chain.push_back(b);
+    VertexIndex last = a;
+    for (const VertexIndex v : chain) {
+      visit(last, v);
+      last = v;
+    }
+  }
+
+  /// Points on inner segments and inner points, by facet.
+  void index_inner_parts() {
+    inner_.resize(plc_.n_facets());
+    for (const auto& s : out_.plc.facet_segments) inner_[s.facet].insert(inner_[s.facet].end(), {s.a, s.b});
+    for (const auto& p : plc_.facet_points) inner_[p.facet].push_back(p.v);
+  }
+
+  void sample_facet(Index f) {
+    std::vector<std::vector<VertexIndex>> loops;
+    for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
+      const auto loop = plc_.loop(l);
+      std::vector<VertexIndex>& fine = loops.emplace_back();
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        for_each_piece(loop[i], loop[(i + 1) % loop.size()], [&](VertexIndex a, VertexIndex) { fine.push_back(a); });
+    }
+    out_.plc.add_polygon(loops, plc_.facet_provenance[f]);
+    const auto frame = frame_of(plc_, plc_.outer_loop(f));
+    if (!frame) return;
+    std::vector<std::vector<Vec2>> flat;
+    for (const auto& loop : loops) {
+      std::vector<Vec2>& ring = flat.emplace_back();
+      for (const VertexIndex v : loop) ring.push_back(frame->flat(out_.plc.points[v]));
+      const bool is_hole = flat.size() > 1;
+      if (is_hole == turns_left(ring)) std::reverse(ring.begin(), ring.end());
+    }
+    const std::array<Index, 1> facet{f};
+    PlanarSampler sampler(flat, [&](const Vec2& p) { return size_at(frame->lifted(p), facet); });
+    for (const VertexIndex v : inner_[f]) sampler.block(frame->flat(out_.plc.points[v]));
+    for (const Vec2& p : sampler.run()) {
+      out_.plc.facet_points.push_back({f, static_cast<VertexIndex>(out_.plc.points.size())});
+      out_.plc.points.push_back(frame->lifted(p));
+    }
+  }
+
+  static bool turns_left(const std::vector<Vec2>& ring) {
+    double area = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      area += a.x * b.y - a.y * b.x;
+    }
+    return area > 0;
+  }
+
+  const PiecewiseLinearComplex& plc_;
+  const SizeField& size_;
+  std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
+  std::map<Edge, EdgeParts> edges_;
+  std::vector<std::vector<VertexIndex>> inner_;
+  SampledComplex out_;
+};
+
+/// Which component of `mesh` each component of `fresh` is, told by a facet and its side; no_index: none. Nothing where facets disagree.
+std::optional<std::vector<Index>> match_components(const ConstrainedTetrahedralization& mesh, const ConstrainedTetrahedralization& fresh) {
+  std::map<std::pair<Index, bool>, Index> side;
+  std::vector<Index> match(fresh.n_components, no_index);
+  const auto for_each_side = [](const ConstrainedTetrahedralization& m, const auto& visit) {
+    for (const auto& f : m.faces)
+      for (const bool above : {false, true})
+        if (const Index t = above ? f.tetrahedron_above : f.tetrahedron_below; t != no_index)
+          if (!visit(std::pair(f.facet, above), m.component[t])) return false;
+    return true;
+  };
+  if (!for_each_side(mesh, [&](const auto& key, Index c) { return side.try_emplace(key, c).first->second == c; })) return std::nullopt;
+  const bool agrees = for_each_side(fresh, [&](const auto& key, Index c) {
+    const auto at = side.find(key);
+    if (at == side.end()) return true;
+    if (match[c] == no_index) match[c] = at->second;
+    return match[c] == at->second;
+  });
+  return agrees ? std::optional(match) : std::nullopt;
+}
+
+/// A point well inside each component that has no match.
+void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<Index>& match, PiecewiseLinearComplex& plc) {
+  std::vector<double> largest(fresh.n_components, 0);
+  std::vector<Vec3> place(fresh.n_components);
+  for (std::size_t t = 0; t < fresh.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = fresh.tetrahedra[t];
+    const Vec3 &a = fresh.points[v[0]], &b = fresh.points[v[1]], &c = fresh.points[v[2]], &d = fresh.points[v[3]];
+    const double volume = dot(cross(b - a, c - a), d - a);
+    if (volume <= largest[fresh.component[t]]) continue;
+    largest[fresh.component[t]] = volume;
+    place[fresh.component[t]] = 0.25 * ((a + b) + (c + d));
+  }
+  for (Index c = 0; c < fresh.n_components; ++c)
+    if (match[c] == no_index) plc.hole_seeds.push_back({place[c], no_index});
+}
+
+/// Rows of `plc` for points, segments and components.
+ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const ConstrainedTetrahedralization& mesh,
+                                         const std::vector<Index>& match, std::size_t n_points, const SampledComplex& sampled) {
+  std::vector<bool> on_facet(sampled.plc.points.size(), false);
+  for (const auto& p : sampled.plc.facet_points) on_facet[p.v] = true;
+  for (std::size_t v = 0; v < fresh.points.size(); ++v) {
+    VertexIndex& row = fresh.input_vertex[v];
+    if (row == no_vertex || row < n_points) continue;
+    fresh.origin[v] = on_facet[row] ? VertexOrigin::on_facet : VertexOrigin::on_segment;
+    row = no_vertex;
+  }
+  for (auto& e : fresh.edges) e.segment = sampled.segment[e.segment];
+  for (Index& c : fresh.component) c = match[c];
+  fresh.n_components = mesh.n_components;
+  fresh.component_seed = mesh.component_seed;
+  fresh.recovery = mesh.recovery;
+  fresh.delaunay_statistics = mesh.delaunay_statistics;
+  return fresh;
+}
+
+}  // namespace
+
+SampledComplex sample_surfaces(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const SizeField& size,
+                               const RunContext& context) {
+  return SurfaceSampler(plc, mesh, size).run(context);
+}
+
+std::optional<ConstrainedTetrahedralization> mesh_sampled(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                                                          SampledComplex sampled, const RunContext& context) {
+  RunContext quiet;
+  quiet.cancel = context.cancel;
+  quiet.threads = context.threads;
+  try {
+    ConstrainedTetrahedralization fresh = tetrahedralize(sampled.plc, {}, quiet);
+    auto match = match_components(mesh, fresh);
+    if (!match) return std::nullopt;
+    if (std::find(match->begin(), match->end(), no_index) != match->end()) {
+      seed_holes(fresh, *match, sampled.plc);
+      fresh = tetrahedralize(sampled.plc, {}, quiet);
+      match = match_components(mesh, fresh);
+    }
+    if (!match) return std::nullopt;
+    std::vector<Index> found = *match;
+    std::sort(found.begin(), found.end());
+    for (Index c = 0; c < std::max(found.size(), mesh.n_components); ++c)
+      if (c >= found.size() || found[c] != c) return std::nullopt;
+    return renumbered(std::move(fresh), mesh, *match, plc.points.size(), sampled);
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::interrupted) throw;
+    context.note(LogLevel::debug, std::string("points on surfaces are added one by one: ") + e.what());
+    return std::nullopt;
+  }
+}
+
+}  // namespace geomesh::remesh
