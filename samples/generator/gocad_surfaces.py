@@ -129,6 +129,27 @@ def section_area(polygon):
     return abs(sum(x0 * z1 - x1 * z0 for (x0, z0), (x1, z1) in zip(polygon, polygon[1:] + polygon[:1]))) / 2
 
 
+def height_of(line, x):
+    """Height at x of a polyline of (x, z) with rising x."""
+    for (x0, z0), (x1, z1) in zip(line, line[1:]):
+        if x0 <= x <= x1:
+            return z0 + (z1 - z0) * (x - x0) / (x1 - x0)
+    raise ValueError("x lies beside the line")
+
+
+def area_under_both(one, other, x_range):
+    """Integral of the lower of two polylines over x_range: exact, as it is broken at all corners and where they cross."""
+    breaks = sorted({x for line in (one, other) for x, _ in line if x_range[0] < x < x_range[1]} | set(x_range))
+    crossings = []
+    for a, b in zip(breaks, breaks[1:]):
+        da, db = height_of(one, a) - height_of(other, a), height_of(one, b) - height_of(other, b)
+        if da * db < 0:
+            crossings.append(a + (b - a) * da / (da - db))
+    breaks = sorted(breaks + crossings)
+    lower = [min(height_of(one, x), height_of(other, x)) for x in breaks]
+    return sum((b - a) * (u + v) / 2 for a, b, u, v in zip(breaks, breaks[1:], lower, lower[1:]))
+
+
 def volume_between(points, triangles, low, high):
     """Volume that a closed outward surface encloses between the heights low and high (divergence theorem on the clipped triangles)."""
     def above(level):

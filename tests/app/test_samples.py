@@ -57,6 +57,22 @@ class Samples(ProgramTest):
         self.assertAlmostEqual(well[0], 900 + 1500 / math.cos(math.radians(30)) * math.hypot(1, 400 / 2500), delta=1e-6)
         self.assertTrue(any("w1" in warning and "outside the box" in warning for warning in report["warnings"]))
 
+    def test_outcrops(self):
+        """Horizons end on the topography, and nothing of the box above it is left."""
+        report, _ = self.run_with_expected("outcrops")
+        top = [surface for surface in report["surfaces"] if surface["name"] == "zmax"]
+        self.assertEqual([surface["area"] for surface in top], [0])
+        self.assertTrue(any("top_marl has no face" in warning for warning in report["warnings"]), report["warnings"])
+
+    def test_salt_at_surface(self):
+        report, _ = self.run_with_expected("salt-at-surface")
+        self.assertTrue(any("pieces of salt above relief removed" in note for note in report["notes"]), report["notes"])
+
+    def test_ragged_throw(self):
+        """Names by fault block; the same volumes as where the blocks end on the fault."""
+        report, _ = self.run_with_expected("ragged-throw")
+        self.assertTrue(any("overshoot on the wrong side" in note for note in report["notes"]), report["notes"])
+
     def test_unconformity(self):
         self.run_with_expected("unconformity")
 

@@ -50,10 +50,10 @@ double area_of(const PolygonSoup& soup, Index surface) {
   return area;
 }
 
-std::vector<Index> counts(const std::vector<TriangulatedSurface>& surfaces) {
-  std::vector<Index> n;
-  for (const auto& s : surfaces) n.push_back(static_cast<Index>(s.triangles.size()));
-  return n;
+BuiltRows counts(const std::vector<TriangulatedSurface>& surfaces) {
+  BuiltRows rows;
+  for (const auto& s : surfaces) rows.n_given_triangles.push_back(static_cast<Index>(s.triangles.size()));
+  return rows;
 }
 
 const Box3 box{{0, 0, 0}, {100, 100, 50}};
@@ -72,7 +72,7 @@ TEST_CASE("a tilted sheet goes on in its own plane, flat or at its nearest heigh
     const BuiltSurfaces built = build_surfaces({given}, rules);
     const TriangulatedSurface& s = built.surfaces[0];
     REQUIRE(s.triangles.size() > given.triangles.size());
-    CHECK(built.n_given_triangles[0] == given.triangles.size());
+    CHECK(built.rows.n_given_triangles[0] == given.triangles.size());
     CHECK(std::equal(given.triangles.begin(), given.triangles.end(), s.triangles.begin()));
     Box3 bounds;
     for (const Vec3& p : s.points) bounds.add(p);
@@ -214,7 +214,7 @@ TEST_CASE("a continued fault ends at its target, and short overshoots past a fau
     ModelRules rules;
     rules.surfaces = {{}, {}};
     rules.surfaces[0].stop_at = "h";
-    std::vector<Index> n_given = counts(grid.surfaces);
+    BuiltRows n_given = counts(grid.surfaces);
     CHECK(trim_soup(grid.soup, grid.surfaces, n_given, rules).notes.empty());
     // Say that only the triangles below h were given: those of the fixture come in the order of their least vertex.
     GridModel part = grid;
@@ -231,7 +231,7 @@ TEST_CASE("a continued fault ends at its target, and short overshoots past a fau
     for (Index k = 0; k < order.size(); ++k) new_row[order[k]] = k;
     for (auto& o : part.soup.origins)
       if (o.surface == 0) o.triangle = new_row[o.triangle];
-    n_given[0] = 4;
+    n_given.n_given_triangles[0] = 4;
     const TrimmedSoup t = trim_soup(part.soup, part.surfaces, n_given, rules);
     CHECK(area_of(t.soup, 0) == Approx(2));
     CHECK(t.notes.size() == 1);

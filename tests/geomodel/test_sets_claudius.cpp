@@ -41,7 +41,7 @@ Run mesh_by_rules(const std::vector<TriangulatedSurface>& surfaces, const ModelR
   options.box = rules.box;
   const ArrangementResult arranged = arrange(built.surfaces, {}, {}, options);
   for (const TriangulatedSurface& side : arranged.box_sides) built.surfaces.push_back(side);
-  const TrimmedSoup trimmed = trim_soup(arranged.soup, built.surfaces, built.n_given_triangles, rules);
+  const TrimmedSoup trimmed = trim_soup(arranged.soup, built.surfaces, built.rows, rules);
   CHECK(validate_soup(trimmed.soup).empty());
   const ModelPlc plc = make_plc(trimmed.soup, built.surfaces, {});
   const ConstrainedTetrahedralization mesh = tetrahedralize(plc.plc);

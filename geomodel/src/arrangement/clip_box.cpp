@@ -56,12 +56,7 @@ void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside) {
   Arranged& arranged = context.arranged;
   for (std::size_t f = 0; f < arranged.facets.size(); ++f) {
     if (!outside[f]) continue;
-    std::vector<Index> counted;
-    for (const Origin& o : arranged.origins.of(f)) {
-      if (std::find(counted.begin(), counted.end(), o.surface) != counted.end()) continue;
-      counted.push_back(o.surface);
-      context.result.area_clipped_by_box[o.surface] += facet_area(arranged, f);
-    }
+    for (const Origin& o : arranged.origins.of(f)) context.result.area_clipped_by_box[o.surface] += facet_area(arranged, f);
   }
   remove_origins(arranged, outside, [](const Origin&) { return true; });
 }

@@ -50,8 +50,7 @@ class BodyCutter {
     std::vector<std::uint8_t> chosen(arranged_.facets.size(), 0), barrier(arranged_.facets.size(), 0);
     for (std::size_t f = 0; f < chosen.size(); ++f)
       for (const Origin& o : arranged_.origins.of(f)) {
-        const SurfaceKind kind = context_.surfaces[o.surface].kind;
-        chosen[f] |= kind == SurfaceKind::horizon || kind == SurfaceKind::fault;
+        chosen[f] |= is_cut(o.surface);
         barrier[f] |= is_cutter(o.surface);
       }
     for (std::size_t f = 0; f < chosen.size(); ++f)
@@ -68,13 +67,14 @@ class BodyCutter {
       if (inside[f]) note_cut(f, body_of[component[f]]);
     }
     report_cuts();
-    remove_origins(arranged_, inside, [this](const Origin& o) {
-      const SurfaceKind kind = context_.surfaces[o.surface].kind;
-      return kind == SurfaceKind::horizon || kind == SurfaceKind::fault;
-    });
+    remove_origins(arranged_, inside, [this](const Origin& o) { return is_cut(o.surface); });
   }
 
  private:
+  bool is_cut(Index surface) const {
+    const TriangulatedSurface& s = context_.surfaces[surface];
+    return (s.kind == SurfaceKind::horizon || s.kind == SurfaceKind::fault) && !s.ends_model;
+  }
   bool is_cutter(Index surface) const {
     return context_.surfaces[surface].cuts_all &&
            std::any_of(bodies_.begin(), bodies_.end(), [&](const BodyShape& b) { return b.surface == surface; });
@@ -116,8 +116,7 @@ class BodyCutter {
 
   void note_cut(std::size_t f, Index body) {
     for (const Origin& o : arranged_.origins.of(f)) {
-      const SurfaceKind kind = context_.surfaces[o.surface].kind;
-      if (kind != SurfaceKind::horizon && kind != SurfaceKind::fault) continue;
+      if (!is_cut(o.surface)) continue;
       Spot& spot = cuts_[{o.surface, body}];
       if (spot.count == 0) spot = {"cut by body", o.surface, body, 0, 0, arranged_.vertices.rounded(arranged_.facets[f][0])};
       ++spot.count;

@@ -78,11 +78,12 @@ Vec3 WorkingSoup::centre(Index facet) const {
 }
 
 double WorkingSoup::remove(const std::vector<Index>& facets, Index surface) {
+  return remove(facets, [&](const PolygonSoup::Origin& o) { return o.surface == surface; });
+}
+
+double WorkingSoup::remove(const std::vector<Index>& facets, const std::function<bool(const PolygonSoup::Origin&)>& goes) {
   CompensatedSum sum;
-  for (Index f : facets) {
-    sum.add(area(f));
-    std::erase_if(origins[f], [&](const PolygonSoup::Origin& o) { return o.surface == surface; });
-  }
+  for (Index f : facets) sum.add(static_cast<double>(std::erase_if(origins[f], goes)) * area(f));
   return sum.value();
 }
 
@@ -121,11 +122,16 @@ PolygonSoup WorkingSoup::result() const {
 }
 
 std::vector<Piece> pieces_of(const WorkingSoup& w, Index x, const std::vector<Index>& cutters, const UpwardSides* sides) {
+  return pieces_of(w, [&](Index f) { return w.has(f, x); }, cutters, sides);
+}
+
+std::vector<Piece> pieces_of(const WorkingSoup& w, const std::function<bool(Index)>& is_mine, const std::vector<Index>& cutters,
+                             const UpwardSides* sides) {
   const auto is_cutter = [&](Index f) {
     return std::any_of(cutters.begin(), cutters.end(), [&](Index c) { return w.has(f, c); });
   };
   std::vector<std::uint8_t> mine(w.soup.facets.size(), 0);
-  for (Index f = 0; f < mine.size(); ++f) mine[f] = w.has(f, x) && !is_cutter(f);
+  for (Index f = 0; f < mine.size(); ++f) mine[f] = is_mine(f) && !is_cutter(f);
   UnionFind joined(mine.size());
   for_each_edge(w.uses, [&](std::span<const EdgeUse> edge) {
     if (std::any_of(edge.begin(), edge.end(), [&](const EdgeUse& u) { return is_cutter(u.facet); })) return;

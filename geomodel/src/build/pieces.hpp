@@ -3,6 +3,7 @@
 /// Pieces into which one surface of a soup is cut by others, and their sides.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sets/sheets.hpp"
@@ -24,6 +25,8 @@ struct WorkingSoup {
   Vec3 centre(Index facet) const;
   /// Takes `surface` off the facets; gives their area.
   double remove(const std::vector<Index>& facets, Index surface);
+  /// Takes the origins that `goes` accepts off the facets; gives the area of the triangles' parts that went.
+  double remove(const std::vector<Index>& facets, const std::function<bool(const PolygonSoup::Origin&)>& goes);
   /// The soup that is left, points that nothing uses dropped.
   PolygonSoup result() const;
 };
@@ -40,6 +43,9 @@ struct Piece {
 /// Facets of surface `x` joined across edges that no facet of a surface in `cutters` touches. Facets that x shares with a cutter are left out.
 /// Where `sides` is given (of the only cutter), contacts are told apart by exact orientation about the edge.
 std::vector<Piece> pieces_of(const WorkingSoup& working, Index x, const std::vector<Index>& cutters, const UpwardSides* sides);
+/// The same for the facets that `is_mine` accepts.
+std::vector<Piece> pieces_of(const WorkingSoup& working, const std::function<bool(Index)>& is_mine, const std::vector<Index>& cutters,
+                             const UpwardSides* sides);
 
 /// Side of a piece against surface y: 1 above, -1 below, 0 unknown: by its contacts, else on the vertical through its largest facet.
 int side_of(const WorkingSoup& working, const Piece& piece, Index y, const UpwardSides& sides);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "build/pieces.hpp"
@@ -15,17 +16,19 @@ namespace {
 /// Everything that trimming one soup needs.
 class Trimmer {
  public:
-  Trimmer(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& n_given,
-          const ModelRules& rules)
-      : working_(soup), surfaces_(surfaces), n_given_(n_given), rules_(rules), removed_(surfaces.size(), 0) {}
+  Trimmer(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules)
+      : working_(soup), surfaces_(surfaces), built_(built), rules_(rules), removed_(surfaces.size(), 0) {}
 
   TrimmedSoup run() {
     end_at(rules_.topography, 1, "nothing is kept above the topography");
     end_at(rules_.floor, -1, "nothing is kept below the bottom of the model");
     stop_continuations();
+    for (Index s = 0; s < built_.block_of_triangle.size(); ++s)
+      if (!built_.block_of_triangle[s].empty()) part_blocks(s);
     order_horizons();
+    for (Index s = 0; s < n_given(); ++s) cut_units_alone(s);
     if (rules_.trim_overshoot > 0) trim_overshoots();
-    return {working_.result(), std::move(removed_), std::move(notes_)};
+    return {working_.result(), std::move(removed_), std::move(notes_), std::move(warnings_)};
   }
 
  private:
@@ -46,24 +49,108 @@ class Trimmer {
     return area;
   }
 
-  /// stop_at: pieces beyond the target that the continuation alone made.
+  Index n_given() const { return static_cast<Index>(built_.n_given_triangles.size()); }
+  bool is_given(const PolygonSoup::Origin& o) const { return o.triangle < built_.n_given_triangles[o.surface]; }
+
+  /// stop_at, targets first: what ends on a surface that ends itself does not go on beyond what is left of that one.
   void stop_continuations() {
-    for (Index s = 0; s < surfaces_.size() && s < n_given_.size(); ++s) {
+    std::vector<bool> done(n_given(), false);
+    const std::function<void(Index)> stop = [&](Index s) {
+      if (s >= n_given() || done[s]) return;
+      done[s] = true;
       const std::string target = rules_.of(s).stop_at;
-      if (target.empty()) continue;
-      const Index cutter = row_of(target);
-      double area = 0;
-      std::size_t n = 0;
-      for (const Piece& piece : pieces_of(working_, s, {cutter}, nullptr)) {
-        const bool given = std::any_of(piece.facets.begin(), piece.facets.end(),
-                                       [&](Index f) { return working_.origin_of(f, s)->triangle < n_given_[s]; });
-        if (given) continue;
-        area += remove(piece, s);
-        ++n;
+      if (target.empty()) return;
+      stop(row_of(target));
+      stop_at(s, row_of(target));
+    };
+    for (Index s = 0; s < n_given(); ++s) stop(s);
+  }
+
+  /// Pieces beyond the target that the continuation alone made go.
+  void stop_at(Index s, Index target) {
+    double area = 0;
+    std::size_t n = 0;
+    for (const Piece& piece : pieces_of(working_, s, {target}, nullptr)) {
+      const bool given =
+          std::any_of(piece.facets.begin(), piece.facets.end(), [&](Index f) { return is_given(*working_.origin_of(f, s)); });
+      if (given) continue;
+      area += remove(piece, s);
+      ++n;
+    }
+    if (n > 0)
+      notes_.push_back("surface " + surfaces_[s].name + " ends at " + surfaces_[target].name + ": " + std::to_string(n) +
+                       " continued pieces beyond it removed (area " + to_text(area) + ")");
+  }
+
+  /// throw_at: of each block's sheets and their continuation, what faults part from most of what was given goes.
+  void part_blocks(Index s) {
+    const std::vector<Index>& block_of = built_.block_of_triangle[s];
+    std::vector<Index> faults;
+    for (const std::string& name : rules_.of(s).throw_at) faults.push_back(row_of(name));
+    const Index n_blocks = *std::max_element(block_of.begin(), block_of.end()) + 1;
+    for (Index block = 0; block < n_blocks; ++block) {
+      const auto is_of_block = [&](const PolygonSoup::Origin& o) { return o.surface == s && block_of[o.triangle] == block; };
+      const auto is_mine = [&](Index f) { return std::any_of(working_.origins[f].begin(), working_.origins[f].end(), is_of_block); };
+      const std::vector<Piece> pieces = pieces_of(working_, is_mine, faults, nullptr);
+      std::vector<double> given(pieces.size(), 0);
+      for (std::size_t k = 0; k < pieces.size(); ++k)
+        for (Index f : pieces[k].facets)
+          for (const PolygonSoup::Origin& o : working_.origins[f])
+            if (is_of_block(o) && is_given(o)) given[k] += working_.area(f);
+      if (pieces.empty()) continue;
+      const std::size_t main = static_cast<std::size_t>(std::max_element(given.begin(), given.end()) - given.begin());
+      if (pieces.size() == 1 && n_blocks > 1) {
+        drop_continuation(s, pieces[0], is_of_block);
+        continue;
       }
-      if (n > 0)
-        notes_.push_back("surface " + surfaces_[s].name + " ends at " + target + ": " + std::to_string(n) +
-                         " continued pieces beyond it removed (area " + to_text(area) + ")");
+      double area = 0, overshoot = 0;
+      Vec3 place;
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        if (k == main) continue;
+        if (given[k] > 0 && given[k] >= overshoot) place = working_.centre(pieces[k].largest);
+        area += working_.remove(pieces[k].facets, is_of_block);
+        overshoot += given[k];
+      }
+      removed_[s] += area;
+      notes_.push_back("horizon " + surfaces_[s].name + ", block " + std::to_string(block + 1) + ": ended at its faults, area beyond them removed " +
+                       to_text(area) + (overshoot > 0 ? ", of which given (overshoot on the wrong side) " + to_text(overshoot) + " near " +
+                                                            to_text(place)
+                                                      : std::string()));
+    }
+  }
+
+  /// Where no fault parts a block's continuation from it, it would run through the other blocks.
+  void drop_continuation(Index s, const Piece& piece, const std::function<bool(const PolygonSoup::Origin&)>& is_of_block) {
+    std::vector<Index> made;
+    for (Index f : piece.facets)
+      if (std::any_of(working_.origins[f].begin(), working_.origins[f].end(),
+                      [&](const PolygonSoup::Origin& o) { return is_of_block(o) && !is_given(o); }))
+        made.push_back(f);
+    removed_[s] += working_.remove(made, [&](const PolygonSoup::Origin& o) { return is_of_block(o) && !is_given(o); });
+    std::string faults;
+    for (const std::string& name : rules_.of(s).throw_at) faults += (faults.empty() ? "" : ", ") + name;
+    warnings_.push_back("horizon " + surfaces_[s].name + " is not divided by the faults across which it is to have throw (" + faults +
+                        "): a block near " + to_text(working_.centre(piece.largest)) +
+                        " is kept as given; let the faults reach through the model (extent: to_box)");
+  }
+
+  /// cut_units: pieces of a fault above the units that it cuts, or below them, go.
+  void cut_units_alone(Index s) {
+    const std::vector<std::string> units = rules_.of(s).cut_units;
+    if (units.empty()) return;
+    const auto unit_row = [&](const std::string& name) {
+      return static_cast<std::size_t>(std::find(rules_.column.begin(), rules_.column.end(), name) - rules_.column.begin()) / 2;
+    };
+    std::size_t first = rules_.column.size(), last = 0;
+    for (const std::string& unit : units) {
+      first = std::min(first, unit_row(unit));
+      last = std::max(last, unit_row(unit));
+    }
+    const std::string because = "fault " + surfaces_[s].name + " cuts " + units.front() + (units.size() > 1 ? " to " + units.back() : "") + " alone";
+    for (std::size_t h = 0; 2 * h + 1 < rules_.column.size(); ++h) {
+      const Index horizon = row_of(rules_.column[2 * h + 1]);
+      if (h < first) clip(s, horizon, 1, because);
+      if (h >= last) clip(s, horizon, -1, because);
     }
   }
 
@@ -185,11 +272,11 @@ class Trimmer {
 
   WorkingSoup working_;
   const std::vector<TriangulatedSurface>& surfaces_;
-  const std::vector<Index>& n_given_;
+  const BuiltRows& built_;
   const ModelRules& rules_;
   std::vector<double> removed_;  ///< area, per surface
   std::map<Index, UpwardSides> sides_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, warnings_;
   double crossing_area_ = 0;
   Vec3 crossing_place_;
 };
@@ -197,8 +284,8 @@ class Trimmer {
 }  // namespace
 
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
-                      const std::vector<Index>& n_given_triangles, const ModelRules& rules) {
-  return Trimmer(soup, surfaces, n_given_triangles, rules).run();
+                      const BuiltRows& built, const ModelRules& rules) {
+  return Trimmer(soup, surfaces, built, rules).run();
 }
 
 }  // namespace geomesh::geomodel

@@ -66,7 +66,7 @@ std::map<std::string, double> reported_clipping(const std::filesystem::path& mes
 /// Whether rules of the model may take parts of the surface away.
 bool may_be_trimmed(const Project& project, std::size_t row) {
   const SurfaceSpec& spec = project.surfaces[row];
-  if (!spec.rules.stop_at.empty()) return true;
+  if (!spec.rules.stop_at.empty() || !spec.rules.cut_units.empty() || !spec.rules.throw_at.empty()) return true;
   for (const std::string* end : {&project.rules.topography, &project.rules.floor})
     if (!end->empty() && *end != spec.name) return true;
   if (spec.kind == SurfaceKind::body) return false;
@@ -93,6 +93,7 @@ Claim claim_of_project(const std::filesystem::path& file, const std::filesystem:
   claim.named = true;
   for (const SurfaceSpec& spec : project.surfaces) claim.surfaces.push_back(surface_of_entry(spec, project.output.origin));
   if (project.box) claim.volume = make_volume(*project.box, claim.surfaces, project.output.origin);
+  for (TriangulatedSurface& s : claim.surfaces) s.ends_model = s.name == project.rules.topography || s.name == project.rules.floor;
   claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
   ModelRules rules = project.rules;
   if (claim.volume) rules.box = claim.volume->bounds;

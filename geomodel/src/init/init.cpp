@@ -13,7 +13,8 @@ namespace {
 
 struct ProjectTemplate {
   std::string project;
-  std::vector<TriangulatedSurface> surfaces;
+  std::vector<TriangulatedSurface> surfaces;                 ///< a file each: surfaces/NAME.ts
+  std::vector<std::pair<std::string, std::string>> files{};  ///< further ones: path and text
 };
 
 const char* const head = R"(# yaml-language-server: $schema=project.schema.json
@@ -98,11 +99,100 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
   return result;
 }
 
+/// As exported from GOCAD or SKUA: several objects in one file, horizons that stop short of the box, one with a hole, one block by block.
+ProjectTemplate from_gocad() {
+  ProjectTemplate result;
+  const double throw_of_fault = 180;
+  TriangulatedSurface top = height_surface("top_reservoir", 611.3, 9402.7, 518.9, 7388.3, 20, [&](double x, double y) {
+    return -1500 + 60 * std::sin(x / 1900.3) - 0.02 * y - (x > 5000 ? throw_of_fault : 0);
+  });
+  // The blocks: what lies between x = 4,800 and 5,350 m was not interpreted.
+  std::erase_if(top.triangles, [&](const Triangle& t) {
+    const double x = (top.points[t[0]].x + top.points[t[1]].x + top.points[t[2]].x) / 3;
+    return x > 4800 && x < 5350;
+  });
+  TriangulatedSurface base = height_surface("base_cover", 402.1, 9588.9, 390.3, 7607.7, 18, [](double x, double y) {
+    return -700 + 0.015 * x + 40 * std::cos(y / 1500.7);
+  });
+  std::erase_if(base.triangles, [&](const Triangle& t) {
+    const Vec3& p = base.points[t[0]];
+    return p.x > 2500 && p.x < 3200 && p.y > 3000 && p.y < 3900;
+  });
+  const TriangulatedSurface fault = sheet_surface("fault_a", {5160.3, 260.7, -1010.3}, {211.9, 7503.1, 3.7}, {-203.3, 9.1, -1702.9}, 8);
+  result.files = {{"surfaces/horizons.ts", to_gocad(base) + to_gocad(top)},
+                  {"surfaces/fault_a.ts", to_gocad(fault)},
+                  {"wells/well_1.pl", to_gocad(Polyline{"well_1", "", {{3007.3, 4004.9, 0}, {3007.3, 4004.9, -1203.1}, {3406.7, 4211.3, -2107.9}}})}};
+  result.project = std::string(head) + R"(# Here: about the data, with 300 m more on each side in the map, from -3000 m up to the surface of the ground.
+box: {margin: [300, 300, 0], bottom: -3000, top: 0}
+
+surfaces:
+  # Several objects in one file: the name tells which one is meant. It stops short of the box and has a hole.
+  - {name: base_cover, kind: horizon, file: surfaces/horizons.ts, extend: tangent, fill_holes: all}
+  # Interpreted block by block; neither block reaches the fault. Each is continued on its own and ends on it.
+  - {name: top_reservoir, kind: horizon, file: surfaces/horizons.ts, extend: tangent, throw_at: [fault_a]}
+  # Stops short above, below and on both sides: continued through the box, but it cuts nothing above base_cover.
+  - {name: fault_a, kind: fault, file: surfaces/fault_a.ts, extent: to_box, cuts: [overburden, reservoir]}
+
+# A well path becomes a curve of the mesh.
+wells:
+  - {name: well_1, file: wells/well_1.pl}
+
+# The fault divides two units: overburden__1, overburden__2, reservoir__1, reservoir__2, numbered by place.
+column: [cover, base_cover, overburden, top_reservoir, reservoir]
+
+# Numbers that go with the units into the mesh.
+attributes:
+  reservoir: {porosity: 0.22, permeability: 1.2e-13}
+  overburden: {porosity: 0.08, permeability: 1.0e-17}
+)" + tail;
+  return result;
+}
+
+ProjectTemplate topography_and_wells() {
+  ProjectTemplate result;
+  result.surfaces = {height_surface("relief", -120.3, 6130.7, -110.9, 5107.3, 30, [](double x, double y) {
+                       return 420 + 160 * std::sin(x / 800.7 + 0.3) * std::cos(y / 900.1) + 0.02 * y;
+                     }),
+                     height_surface("base_gravel", -130.7, 6140.3, -120.1, 5130.9, 16, [](double x, double y) {
+                       return 300 + 0.03 * x - 0.01 * y;  // crops out where the valleys cut deep
+                     }),
+                     height_surface("top_bedrock", -140.9, 6150.1, -130.3, 5140.7, 16, [](double x, double y) {
+                       return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y;
+                     })};
+  result.files = {{"wells/water_well.pl", to_gocad(Polyline{"water_well", "", {{2011.3, 2503.9, 900}, {2011.3, 2503.9, 120.7}}})},
+                  {"wells/probe.pl", to_gocad(Polyline{"probe", "", {{4203.7, 1207.1, 900}, {4203.7, 1207.1, 40.3}, {4603.1, 1510.9, -310.7}}})}};
+  result.project = std::string(head) + R"(# Its top is the topography: the mesh ends on it, and layers crop out where it cuts them.
+box: {center: [3000, 2500], size: [6000, 5000], bottom: -600, top: relief}
+
+surfaces:
+  - {name: relief, kind: horizon, file: surfaces/relief.ts}
+  - {name: base_gravel, kind: horizon, file: surfaces/base_gravel.ts}
+  - {name: top_bedrock, kind: horizon, file: surfaces/top_bedrock.ts}
+
+# Well paths become curves of the mesh; what stands above the ground is left out, with a warning.
+wells:
+  - {name: water_well, file: wells/water_well.pl}
+  - {name: probe, file: wells/probe.pl}
+
+# A vertex of the mesh under a name of its own.
+points:
+  - {name: gauge, at: [1500, 1000, 150]}
+
+column: [gravel, base_gravel, sandstone, top_bedrock, bedrock]
+
+# A name for several units together.
+groups:
+  aquifer: [gravel, sandstone]
+)" + tail;
+  return result;
+}
+
 struct NamedTemplate {
   const char* name;
   ProjectTemplate (*make)();
 };
-constexpr NamedTemplate templates[] = {{"layers", layers}, {"faulted", faulted}, {"salt-dome", salt_dome}};
+constexpr NamedTemplate templates[] = {{"layers", layers}, {"faulted", faulted}, {"salt-dome", salt_dome},
+                                       {"from-gocad", from_gocad}, {"topography-and-wells", topography_and_wells}};
 
 }  // namespace
 
@@ -122,6 +212,10 @@ std::filesystem::path init_project(const std::filesystem::path& directory, const
     std::filesystem::create_directories(directory / "surfaces");
     for (const TriangulatedSurface& surface : content.surfaces)
       write_text_file(directory / "surfaces" / (surface.name + ".ts"), to_gocad(surface));
+    for (const auto& [path, text] : content.files) {
+      std::filesystem::create_directories((directory / path).parent_path());
+      write_text_file(directory / path, text);
+    }
     write_text_file(directory / "project.schema.json", project_schema);
     write_text_file(project, content.project);
     return project;

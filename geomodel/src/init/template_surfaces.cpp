@@ -30,6 +30,17 @@ void append_number(std::string& text, double value) {
   text.append(buffer, result.ptr);
 }
 
+void append_vertices(std::string& text, const std::vector<Vec3>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    text += "VRTX " + std::to_string(i + 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      text += ' ';
+      append_number(text, points[i][k]);
+    }
+    text += '\n';
+  }
+}
+
 }  // namespace
 
 TriangulatedSurface height_surface(const std::string& name, double x0, double x1, double y0, double y1, int n,
@@ -77,16 +88,16 @@ TriangulatedSurface revolved_surface(const std::string& name, double x, double y
   return surface;
 }
 
+std::string to_gocad(const Polyline& line) {
+  std::string text = "GOCAD PLine 1\nHEADER {\nname: " + line.name + "\n}\nILINE\n";
+  append_vertices(text, line.points);
+  for (std::size_t i = 1; i < line.points.size(); ++i) text += "SEG " + std::to_string(i) + ' ' + std::to_string(i + 1) + '\n';
+  return text + "END\n";
+}
+
 std::string to_gocad(const TriangulatedSurface& surface) {
   std::string text = "GOCAD TSurf 1\nHEADER {\nname: " + surface.name + "\n}\nTFACE\n";
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
-    text += "VRTX " + std::to_string(i + 1);
-    for (std::size_t k = 0; k < 3; ++k) {
-      text += ' ';
-      append_number(text, surface.points[i][k]);
-    }
-    text += '\n';
-  }
+  append_vertices(text, surface.points);
   for (const Triangle& t : surface.triangles)
     text += "TRGL " + std::to_string(t[0] + 1) + ' ' + std::to_string(t[1] + 1) + ' ' + std::to_string(t[2] + 1) + '\n';
   return text + "END\n";

@@ -21,6 +21,9 @@ TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, c
 TriangulatedSurface revolved_surface(const std::string& name, double x, double y, double bottom, double top, int rings, int sectors,
                                      const std::function<double(double)>& radius);
 
+/// GOCAD PLine text of a line through points.
+std::string to_gocad(const Polyline& line);
+
 /// GOCAD TSurf text of a surface, doubles written so that they read back the same.
 std::string to_gocad(const TriangulatedSurface& surface);
 

@@ -31,7 +31,7 @@ struct PreparedModel {
   Vec3 origin{0, 0, 0};
   ModelRules rules;
   ModelVolume volume;
-  std::vector<Index> n_given_triangles;  ///< per input surface: later rows were made by rule
+  BuiltRows built_rows;                  ///< which triangles of the input surfaces rules made
   std::string input_json;
   std::vector<std::string> notes;        ///< what rules changed
   std::vector<std::string> warnings;

@@ -30,7 +30,7 @@ void build(PreparedModel& model, const RunContext& context) {
   StageScope stage(context, "build");
   BuiltSurfaces built = build_surfaces(model.surfaces, model.rules);
   model.surfaces = std::move(built.surfaces);
-  model.n_given_triangles = std::move(built.n_given_triangles);
+  model.built_rows = std::move(built.rows);
   for (std::string& text : built.notes) note(model.notes, context, std::move(text));
   for (std::string& text : built.warnings) warn(model.warnings, context, std::move(text));
 }
@@ -43,10 +43,11 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
   if (model.rules.trims()) {
-    TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.n_given_triangles, model.rules);
+    TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.built_rows, model.rules);
     model.arrangement.soup = std::move(trimmed.soup);
     model.arrangement.area_clipped_by_rules = std::move(trimmed.area_removed);
     for (std::string& text : trimmed.notes) note(model.notes, context, std::move(text));
+    for (std::string& text : trimmed.warnings) warn(model.warnings, context, std::move(text));
   }
   model.plc = make_plc(model.arrangement.soup, model.surfaces, wells);
   context.note(LogLevel::info, std::to_string(model.arrangement.n_crossing_pairs) + " pairs of triangles cross; " +

@@ -88,6 +88,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
       surface.name = spec.name;
       surface.kind = spec.kind;
       surface.cuts_all = spec.cuts_all;
+      surface.ends_model = spec.name == project.rules.topography || spec.name == project.rules.floor;
       surface.file = spec.file_as_written;
       subtract(surface.points, project.output.origin);
       n_triangles += surface.triangles.size();

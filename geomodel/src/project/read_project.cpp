@@ -134,7 +134,7 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base"});
+    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at"});
     if (!map.is_map()) return;
     SurfaceSpec spec;
     spec.line = map.place().line;
@@ -147,11 +147,7 @@ class ProjectReader {
     }
     if (const auto v = map.require("file", "the file of the surface")) read_file(*v, spec.file, spec.file_as_written);
     spec.cuts_all = spec.kind == SurfaceKind::body;
-    if (const auto v = map.find("cuts")) {
-      const auto cuts = v->choice({"all", "none"});
-      if (cuts == "all" && spec.kind != SurfaceKind::body) v->problem("only a body cuts; this surface is a " + std::string(to_string(spec.kind)));
-      spec.cuts_all = cuts == "all";
-    }
+    if (const auto v = map.find("cuts")) read_cuts(*v, spec);
     read_surface_rules(map, spec);
     project_.surfaces.push_back(std::move(spec));
   }

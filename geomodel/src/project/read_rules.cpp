@@ -15,6 +15,13 @@ void read_measure(const YamlValue& value, double& measure) {
   measure = *number;
 }
 
+std::vector<std::string> read_names(const YamlValue& value) {
+  std::vector<std::string> names;
+  for (const YamlValue& item : value.items())
+    if (const auto name = item.text()) names.push_back(*name);
+  return names;
+}
+
 /// `as_given`, `to_box`, `to_fault NAME`, `to_horizon NAME`.
 void read_extent(const YamlValue& value, SurfaceSpec& spec) {
   const auto text = value.text();
@@ -51,6 +58,10 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
     }
   }
   if (const auto v = map.find("extent")) read_extent(*v, spec);
+  if (const auto v = map.find("throw_at")) {
+    spec.rules.throw_at = read_names(*v);
+    if (spec.kind != SurfaceKind::horizon) v->problem("only a horizon has throw; name the faults at the horizons that they displace");
+  }
   if (const auto v = map.find("base")) {
     const auto word = v->choice({"conformable", "erode", "onlap"});
     spec.rules.base = word == "erode" ? BaseRule::erode : word == "onlap" ? BaseRule::onlap : BaseRule::conformable;
@@ -58,8 +69,21 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   }
 }
 
+void read_cuts(const YamlValue& value, SurfaceSpec& spec) {
+  if (spec.kind == SurfaceKind::fault && value.is_list()) {
+    spec.rules.cut_units = read_names(value);
+    if (spec.rules.cut_units.empty()) value.problem("the list of units is empty");
+    return;
+  }
+  const auto cuts = value.choice({"all", "none"});
+  if (cuts == "all" && spec.kind == SurfaceKind::horizon) value.problem("only bodies and faults cut; this surface is a horizon");
+  if (cuts == "none" && spec.kind == SurfaceKind::fault) value.problem("all or a list of units of the column was expected");
+  if (spec.kind == SurfaceKind::body && cuts) spec.cuts_all = cuts == "all";
+}
+
 void read_model_rules(const YamlValue& value, Project& project) {
-  const YamlMap map(value, {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions"});
+  const YamlMap map(value, {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions",
+                              "min_thickness", "thin_layers"});
   if (const auto v = map.find("on_crossing")) {
     const auto word = v->choice({"leave", "clip_younger", "clip_older", "error"});
     project.rules.on_crossing = word == "clip_younger" ? OnCrossing::clip_younger
@@ -77,6 +101,11 @@ void read_model_rules(const YamlValue& value, Project& project) {
   }
   if (const auto v = map.find("fault_blocks")) project.naming.fault_blocks = v->boolean().value_or(false);
   if (const auto v = map.find("min_volume")) read_measure(*v, project.naming.min_volume);
+  if (const auto v = map.find("min_thickness")) read_measure(*v, project.rules.min_thickness);
+  if (const auto v = map.find("thin_layers")) {
+    const auto word = v->choice({"keep", "collapse", "error"});
+    project.rules.thin_layers = word == "collapse" ? ThinLayers::collapse : word == "error" ? ThinLayers::error : ThinLayers::keep;
+  }
   if (const auto v = map.find("small_regions")) project.naming.merge_small = v->choice({"report", "merge"}) == "merge";
 }
 
@@ -105,6 +134,45 @@ void read_attributes(const YamlValue& value, Project& project) {
     }
 }
 
+namespace {
+
+/// The units that a fault cuts follow each other in the column.
+void check_units(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
+  std::vector<std::size_t> rows;
+  for (const std::string& unit : spec.rules.cut_units) {
+    const auto at = std::find(project.column.begin(), project.column.end(), unit);
+    const auto row = static_cast<std::size_t>(at - project.column.begin());
+    if (at == project.column.end() || row % 2 == 1) {
+      std::vector<std::string_view> units;
+      for (std::size_t i = 0; i < project.column.size(); i += 2) units.push_back(project.column[i]);
+      return root.problem("fault '" + spec.name + "' is to cut '" + unit + "', which is no unit of the column; units are " +
+                          (units.empty() ? "none" : listed(units)));
+    }
+    rows.push_back(row / 2);
+  }
+  std::sort(rows.begin(), rows.end());
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (rows[k] != rows[k - 1] + 1)
+      return root.problem("the units that fault '" + spec.name + "' cuts do not follow each other in the column; it cannot end and begin again");
+}
+
+void check_throw(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
+  if (!spec.rules.throw_at.empty() && !project.box)
+    root.problem("horizon '" + spec.name + "' is to be continued to its faults (throw_at), which needs a box");
+  for (const std::string& name : spec.rules.throw_at) {
+    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(),
+                                   [&](const SurfaceSpec& s) { return s.name == name && s.kind == SurfaceKind::fault; });
+    if (known) continue;
+    std::vector<std::string_view> faults;
+    for (const SurfaceSpec& s : project.surfaces)
+      if (s.kind == SurfaceKind::fault) faults.push_back(s.name);
+    root.problem("horizon '" + spec.name + "' is to have throw at '" + name + "', which is no fault; faults are " +
+                 (faults.empty() ? "none" : listed(faults)));
+  }
+}
+
+}  // namespace
+
 void finish_rules(const YamlValue& root, Project& project) {
   project.rules.column = project.column;
   project.rules.topography = project.naming.topography;
@@ -112,6 +180,8 @@ void finish_rules(const YamlValue& root, Project& project) {
   project.naming.column = project.column;
   for (const SurfaceSpec& spec : project.surfaces) {
     project.rules.surfaces.push_back(spec.rules);
+    check_units(root, project, spec);
+    check_throw(root, project, spec);
     if (spec.rules.extend != Extend::none && !project.box)
       root.problem("surface '" + spec.name + "' is to be extended to the box, and there is no box");
     if (spec.rules.stop_at.empty()) continue;

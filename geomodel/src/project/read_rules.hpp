@@ -8,7 +8,10 @@
 
 namespace geomesh::geomodel {
 
-/// Keys extend, fill_holes, extent and base of an entry of `surfaces`, whose name and kind are known.
+/// Key cuts: of bodies `all` or `none`; of faults `all` or a list of units.
+void read_cuts(const YamlValue& value, SurfaceSpec& spec);
+
+/// Keys extend, fill_holes, extent, base and throw_at of an entry of `surfaces`, whose name and kind are known.
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec);
 
 /// Key `rules`.

@@ -45,6 +45,17 @@ struct SurfaceRules {
   std::string stop_at;           ///< faults: a fault or horizon where the continuation ends (`extent: to_fault NAME`)
   bool close_at_box = true;      ///< bodies: close open ends (rooted salt) beyond the side of the box that each end is nearest to
   BaseRule base = BaseRule::conformable;  ///< horizons of the column
+  std::vector<std::string> cut_units;     ///< faults: units of the column that it cuts, one after the other; none: all
+  /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own (`extend`, flat where
+  /// none) to beyond the faults; what then lies on the other side of one of them goes.
+  std::vector<std::string> throw_at;
+};
+
+/// What becomes of layers of the column that are thinner than ModelRules::min_thickness.
+enum class ThinLayers {
+  keep,      ///< a warning tells where
+  collapse,  ///< the younger horizon comes down onto the older one there
+  error,     ///< Error{invalid_input} with both names, the area and the place
 };
 
 struct ModelRules {
@@ -56,19 +67,28 @@ struct ModelRules {
   OnCrossing on_crossing = OnCrossing::leave;
   /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are removed. 0: none.
   double trim_overshoot = 0;
+  double min_thickness = 0;  ///< m, along the vertical; 0: no rule
+  ThinLayers thin_layers = ThinLayers::keep;
 
   SurfaceRules of(std::size_t row) const { return row < surfaces.size() ? surfaces[row] : SurfaceRules{}; }
   /// Whether any rule acts on the soup.
   bool trims() const {
     for (const SurfaceRules& rule : surfaces)
-      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable) return true;
+      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() || !rule.throw_at.empty()) return true;
     return on_crossing != OnCrossing::leave || trim_overshoot > 0 || !topography.empty() || !floor.empty();
   }
 };
 
+/// Which triangles are whose, per input surface.
+struct BuiltRows {
+  std::vector<Index> n_given_triangles;               ///< from this row on triangles were made by rule
+  std::vector<std::vector<Index>> block_of_triangle;  ///< with throw_at: from 0; empty for others
+};
+
 struct BuiltSurfaces {
-  std::vector<TriangulatedSurface> surfaces;  ///< rows of points and triangles as given stay; what rules add follows
-  std::vector<Index> n_given_triangles;       ///< per surface: from this row on triangles were made by rule
+  /// Rows of points and triangles as given stay, and what rules add follows; but layers that collapse give their horizons new triangles.
+  std::vector<TriangulatedSurface> surfaces;
+  BuiltRows rows;
   std::vector<std::string> notes;             ///< what each rule did, with areas
   std::vector<std::string> warnings;          ///< rules that could not be applied, and why
 };
@@ -81,11 +101,12 @@ struct TrimmedSoup {
   PolygonSoup soup;
   std::vector<double> area_removed;  ///< per surface
   std::vector<std::string> notes;
+  std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
 /// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. Sides are decided by exact orientation along
 /// the curves where surfaces meet; pieces that do not meet the cutting surface are compared with it on the vertical through their
-/// largest facet. `surfaces` are the built ones followed by the box sides.
-TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
-                      const std::vector<Index>& n_given_triangles, const ModelRules& rules);
+/// largest facet. `surfaces` are the built ones followed by the box sides; `built` tells which of their triangles rules made.
+TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                      const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

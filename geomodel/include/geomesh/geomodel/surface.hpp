@@ -27,6 +27,7 @@ struct TriangulatedSurface {
   std::string name;
   SurfaceKind kind = SurfaceKind::surface;
   bool cuts_all = false;  ///< bodies: remove the parts of horizons and faults inside
+  bool ends_model = false;  ///< a topography or bottom: no body removes parts of it
   std::string file;       ///< where it came from, as the user wrote it; empty where made by rule
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;

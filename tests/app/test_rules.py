@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rules of model building in whole projects of plane surfaces, where every volume is known; what a rule did is told, and the mesh passes
+`geomesh check` against the project."""
+from geomesh_program import BAD_INPUT, ProgramTest, box_surface, level, main, plane_ts, triangles_ts
+
+BOX = "box: {min: [0, 0, 0], max: [10, 10, 10]}\n"
+
+
+def strip(line, low=-1.0, high=11.0):
+    """Points and triangles of a surface that strikes along y: the polyline of (x, z) swept from low to high."""
+    points = [(x, y, z) for y in (low, high) for x, z in line]
+    n = len(line)
+    return points, [t for i in range(n - 1) for t in ((i, i + 1, n + i + 1), (i, n + i + 1, n + i))]
+
+
+def sheets(*parts):
+    """Several strips as one surface."""
+    points, triangles = [], []
+    for line in parts:
+        more, others = strip(line)
+        triangles += [tuple(v + len(points) for v in t) for t in others]
+        points += more
+    return points, triangles
+
+
+class RulesTest(ProgramTest):
+    def surface(self, name, *parts):
+        self.write(name + ".ts", triangles_ts(name, *sheets(*parts)))
+
+    def mesh(self, text, status=0):
+        """Runs a project; gives its report and the volumes by region, checked."""
+        self.project = self.write("model.yaml", "name: model\n" + BOX + text + "output: {directory: out}\n")
+        printed = self.run_program(self.project, status=status)
+        if status:
+            self.assert_nothing_written()
+            return printed
+        report = self.report(self.path("out", "model.report.json"))
+        check = self.check(self.path("out", "model.vtu"), "--project", self.project)
+        return report, {region["name"]: region["volume"] for region in check["regions"]}
+
+    def assert_volumes(self, found, wanted):
+        self.assertEqual(sorted(found), sorted(wanted))
+        for name, volume in wanted.items():
+            self.assertAlmostEqual(found[name], volume, delta=1e-8, msg=name)
+
+    def told(self, report, key, *words):
+        self.assertTrue(any(all(word in text for word in words) for text in report[key]), (words, report[key]))
+
+
+class Throw(RulesTest):
+    SURFACES = """surfaces:
+  - {name: h, kind: horizon, file: h.ts, throw_at: [f]}
+  - {name: f, kind: fault, file: f.ts}
+column: [upper, h, lower]
+"""
+    def fault(self, low=-1.0, high=11.0):
+        """Dips east: x = 5 - 0.1 z. West of it h lies at 6, east of it at 4."""
+        self.surface("f", [(5 - 0.1 * low, low), (5 - 0.1 * high, high)])
+
+    def expected(self):
+        def block(low, high, east):
+            mean = 5 - 0.05 * (low + high)
+            return 10 * (high - low) * (10 - mean if east else mean)
+        return {"upper__1": block(6, 10, False), "lower__1": block(0, 6, False), "upper__2": block(4, 10, True), "lower__2": block(0, 4, True)}
+
+    def test_blocks_that_stop_short_of_the_fault(self):
+        self.fault()
+        self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, self.expected())
+        self.told(report, "notes", "horizon h, block 1", "ended at its faults")
+        self.assertFalse(any("stops short" in text for text in report["warnings"]), report["warnings"])
+
+    def test_blocks_that_overshoot_the_fault(self):
+        self.fault()
+        self.surface("h", [(-1, 6), (5.1, 6)], [(4.1, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, self.expected())
+        self.told(report, "notes", "overshoot on the wrong side")
+
+    def test_one_short_one_beyond_through_two_faults(self):
+        """Three blocks, the middle one lower."""
+        self.surface("f", [(3, -1), (3, 11)])
+        self.surface("g", [(7, -1), (7, 11)])
+        self.surface("h", [(-1, 6), (3.5, 6)], [(3.3, 4), (7.2, 4)], [(7.5, 6), (9, 6)])
+        report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 240, "upper__3": 120, "lower__1": 180, "lower__2": 160, "lower__3": 180})
+
+    def test_a_fault_that_does_not_divide_is_told(self):
+        self.fault(low=4.5, high=5.5)
+        self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES)
+        self.told(report, "warnings", "horizon h is not divided", "extent: to_box")
+        self.assertEqual(len(volumes), 1)
+
+    def test_a_fault_that_is_none(self):
+        self.fault()
+        self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
+        printed = self.mesh(self.SURFACES.replace("[f]", "[ff]"), status=2)
+        self.assertIn("which is no fault; faults are f", printed)
+
+
+class Faults(RulesTest):
+    CUTS = """surfaces:
+  - {name: a, kind: horizon, file: a.ts}
+  - {name: b, kind: horizon, file: b.ts}
+  - {name: f, kind: fault, file: f.ts, cuts: %s}
+column: [young, a, middle, b, old]
+"""
+
+    def three_layers_and_a_fault(self):
+        self.surface("a", [(-1, 7), (11, 7)])
+        self.surface("b", [(-1, 3), (11, 3)])
+        self.surface("f", [(5, -1), (5, 11)])
+
+    def test_units_that_a_fault_cannot_cut(self):
+        self.three_layers_and_a_fault()
+        self.assertIn("do not follow each other", self.mesh(self.CUTS % "[young, old]", status=2))
+        self.assertIn("units are young, middle or old", self.mesh(self.CUTS % "[base]", status=2))
+
+    def test_a_fault_cuts_only_the_units_that_it_is_said_to(self):
+        self.three_layers_and_a_fault()
+        text = self.CUTS
+        report, volumes = self.mesh(text % "[middle]")
+        self.assert_volumes(volumes, {"young": 300, "middle__1": 200, "middle__2": 200, "old": 300})
+        self.told(report, "notes", "fault f cuts middle alone", "above a")
+        report, volumes = self.mesh(text % "[middle, old]")
+        self.assert_volumes(volumes, {"young": 300, "middle__1": 200, "middle__2": 200, "old__1": 150, "old__2": 150})
+
+    def test_faults_end_on_each_other_in_order(self):
+        """third ends at second, which itself ends at first: what is left of second does not stop third."""
+        self.surface("first", [(5, -1), (5, 11)])
+        self.write("second.ts", plane_ts("second", [(6, 5, 2), (9, 5, 2), (9, 5, 8), (6, 5, 8)]))
+        self.write("third.ts", plane_ts("third", [(7, 6, 2), (7, 9, 2), (7, 9, 8), (7, 6, 8)]))
+        report, volumes = self.mesh("""surfaces:
+  - {name: third, kind: fault, file: third.ts, extent: to_fault second}
+  - {name: second, kind: fault, file: second.ts, extent: to_fault first}
+  - {name: first, kind: fault, file: first.ts}
+column: [rock]
+""")
+        self.assert_volumes(volumes, {"rock__1": 500, "rock__2": 250, "rock__3": 100, "rock__4": 150})
+        self.told(report, "notes", "third ends at second")
+        self.told(report, "notes", "second ends at first")
+
+
+class ThinLayers(RulesTest):
+    TEXT = """surfaces:
+  - {name: a, kind: horizon, file: a.ts}
+  - {name: b, kind: horizon, file: b.ts}
+column: [young, a, middle, b, old]
+rules: {min_thickness: 0.5, thin_layers: %s}
+"""
+
+    def layers(self):
+        """The middle layer wedges from 2 at x = 0 to 0.25 from x = 7 on."""
+        self.surface("a", [(-1, 6.25), (7, 4.25), (11, 4.25)])
+        self.surface("b", [(-1, 4), (3.3, 4), (11, 4)])
+
+    def test_keep_warns(self):
+        self.layers()
+        report, volumes = self.mesh(self.TEXT % "keep")
+        self.assert_volumes(volumes, {"young": 513.75, "middle": 86.25, "old": 400})
+        self.told(report, "warnings", "unit middle is thinner than 0.5 m", "kept")
+
+    def test_error_refuses(self):
+        self.layers()
+        printed = self.mesh(self.TEXT % "error", status=BAD_INPUT)
+        self.assertIn("unit middle is thinner than 0.5 m", printed)
+        self.assertIn("thin_layers: collapse", printed)
+
+    def test_collapse_lets_the_layer_pinch_out(self):
+        self.layers()
+        report, volumes = self.mesh(self.TEXT % "collapse")
+        # Points of the common triangulation at x = 3.3, where it is 1.175 thick, and x = 7, from which on nothing is left.
+        middle = 10 * (3.3 * (2 + 1.175) / 2 + 3.7 * 1.175 / 2)
+        self.assert_volumes(volumes, {"young": 600 - middle, "middle": middle, "old": 400})
+        self.told(report, "notes", "unit middle collapsed", "laid onto b", "moved by at most 0.25")
+
+    def test_collapse_takes_crossings_by_noise_along(self):
+        """Horizons that should coincide and cross by a few centimetres leave no pockets."""
+        self.surface("a", [(-1, 5), (2, 4.98), (4, 5.03), (6, 4.97), (11, 5.01)])
+        self.surface("b", [(-1, 5.01), (3, 5.02), (5, 4.99), (11, 5)])
+        report, volumes = self.mesh(self.TEXT % "collapse")
+        self.assertEqual(sorted(volumes), ["old", "young"])
+        self.assertAlmostEqual(sum(volumes.values()), 1000, delta=1e-9)
+
+
+class Ends(RulesTest):
+    def test_topography_with_outcropping_layers_and_salt_through_it(self):
+        """What other surfaces have above the topography goes; a body that reaches beyond it ends on it."""
+        self.write("relief.ts", level("relief", 8))
+        self.surface("h", [(-1, 4), (11, 10)])                   # crops out at x = 7
+        self.surface("high", [(-1, 9), (11, 9.5)])               # was eroded everywhere
+        self.write("salt.ts", triangles_ts("salt", *box_surface((1, 1, -1), (2, 2, 12))))
+        report, volumes = self.mesh("""surfaces:
+  - {name: relief, kind: horizon, file: relief.ts}
+  - {name: high, kind: horizon, file: high.ts}
+  - {name: h, kind: horizon, file: h.ts}
+  - {name: salt, kind: body, file: salt.ts}
+column: [eroded, high, upper, h, lower]
+rules: {topography: relief}
+""")
+        self.assertEqual(sorted(volumes), ["lower", "salt", "upper"])
+        self.assertAlmostEqual(volumes["salt"], 8, delta=1e-9)
+        self.assertAlmostEqual(sum(volumes.values()), 800, delta=1e-9)
+        upper = 10 * 7 * 3.5 / 2 - (8 - 4.5 - 0.5 * 1.5)
+        self.assertAlmostEqual(volumes["upper"], upper, delta=1e-9)
+        self.told(report, "notes", "nothing is kept above the topography", "pieces of h above relief")
+        self.told(report, "notes", "pieces of salt above relief")
+
+    def test_polygon_between_two_horizons(self):
+        self.write("roof.ts", plane_ts("roof", [(-1, -1, 8), (11, -1, 8), (11, 11, 8), (-1, 11, 8)]))
+        self.write("floor.ts", plane_ts("floor", [(-1, -1, 1), (11, -1, 3), (11, 11, 3), (-1, 11, 1)]))
+        project = self.write("model.yaml", """name: model
+box: {polygon: [[0, 0], [6, 0], [6, 3], [3, 3], [3, 6], [0, 6]], bottom: floor, top: roof}
+surfaces:
+  - {name: roof, kind: horizon, file: roof.ts}
+  - {name: floor, kind: horizon, file: floor.ts}
+column: [air, roof, rock, floor, below]
+output: {directory: out, formats: [vtu, inp]}
+""")
+        self.run_program(project)
+        check = self.check(self.path("out", "model.vtu"), "--project", project)
+        self.assertEqual([region["name"] for region in check["regions"]], ["rock"])
+        # Distance of the planes at the centroids of [0,6]x[0,3] and [0,3]x[3,6].
+        self.assertAlmostEqual(check["volume"], 18 * (8 - 1 - 4 / 6) + 9 * (8 - 1 - 2.5 / 6), delta=1e-9)
+        with open(self.path("out", "model.inp")) as file:
+            text = file.read()
+        for name in ("side_1.faces", "side_6.faces", "roof.faces", "floor.faces"):
+            self.assertIn("*SURFACE, NAME=%s," % name, text)
+
+
+if __name__ == "__main__":
+    main()
