@@ -2,9 +2,53 @@
 #include <cstdio>
 
 #include "pipeline/prepare.hpp"
+#include "sets/region_facts.hpp"
+#include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
 namespace {
+
+bool looks_geographic(const Box3& extent) {
+  return extent.min.x >= -180 && extent.max.x <= 360 && extent.min.y >= -90 && extent.max.y <= 90;
+}
+
+/// What a geologist would look at first where a surface lies elsewhere than the model.
+const char* advice(const Box3& extent, const std::optional<Box3>& model) {
+  if (!model) return "";
+  if (looks_geographic(extent) && !looks_geographic(*model))
+    return ". Its coordinates look like longitude and latitude, the model's do not: project the file to the system of the project";
+  const bool inside_map = extent.max.x >= model->min.x && extent.min.x <= model->max.x && extent.max.y >= model->min.y && extent.min.y <= model->max.y;
+  if (inside_map && -extent.min.z >= model->min.z && -extent.max.z <= model->max.z)
+    return ". With z turned round it would lie in the box: are these depths, counted downwards?";
+  if (inside_map) return ". In the map it lies over the box, but not in height: are both in the same unit?";
+  return ". Are its coordinates in the same system and unit as those of the box?";
+}
+
+/// Faults that end inside, with the length of their tips: as given, or for want of an extent.
+void note_tips(PreparedModel& model, const RunContext& context) {
+  struct Tip {
+    double length = 0, longest = -1;
+    Vec3 place;
+  };
+  std::vector<Tip> tips(model.plc.curves.size());
+  const auto& points = model.plc.plc.points;
+  for (std::size_t s = 0; s < model.plc.segment_curves.size(); ++s)
+    for (const Index curve : model.plc.segment_curves[s]) {
+      if (model.plc.curves[curve].kind != "fault_tip") continue;
+      const Vec3 &a = points[model.plc.plc.segments[s].a], &b = points[model.plc.plc.segments[s].b];
+      const double length = norm(b - a);
+      tips[curve].length += length;
+      if (length <= tips[curve].longest) continue;
+      tips[curve].longest = length;
+      tips[curve].place = 0.5 * (a + b);
+    }
+  for (std::size_t c = 0; c < tips.size(); ++c) {
+    const std::string& name = model.plc.curves[c].name;
+    if (tips[c].length > 0)
+      note(model.notes, context, "fault " + name.substr(0, name.rfind(".tip")) + " ends inside the model along a tip of length " +
+                                     to_text(tips[c].length) + ", near " + to_text(tips[c].place) + " (extent: to_box would continue it)");
+  }
+}
 
 /// A surface of which nothing is left is most often one in other coordinates than the box.
 void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
@@ -20,7 +64,8 @@ void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
                   extent.min.z, extent.max.x, extent.max.y, extent.max.z);
     warn(model.warnings, context,
          std::string(to_string(model.surfaces[s].kind)) + " " + model.surfaces[s].name +
-             " never meets the model: all of it lies outside the box or inside bodies that cut it; " + text);
+             " never meets the model: all of it lies outside the box or inside bodies that cut it; " + text +
+             advice(extent, model.rules.box));
   }
 }
 
@@ -50,6 +95,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
     for (std::string& text : trimmed.warnings) warn(model.warnings, context, std::move(text));
   }
   model.plc = make_plc(model.arrangement.soup, model.surfaces, wells);
+  note_tips(model, context);
   context.note(LogLevel::info, std::to_string(model.arrangement.n_crossing_pairs) + " pairs of triangles cross; " +
                                    std::to_string(model.arrangement.soup.facets.size()) + " facets");
 }

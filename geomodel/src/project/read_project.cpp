@@ -15,6 +15,31 @@
 namespace geomesh::geomodel {
 namespace {
 
+/// What most often stands behind YAML that cannot be read near that line (counted from 0).
+std::string yaml_advice(const std::string& text, int line) {
+  std::size_t begin = 0;
+  std::string near;
+  for (int i = 0; i <= line && begin <= text.size(); ++i) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (i >= line - 1) near += text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  if (near.find('\t') != std::string::npos) return "; there is a tab near it: YAML is indented with blanks alone";
+  static const std::string colon_letter = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[{";
+  for (std::size_t at = near.find(':'); at != std::string::npos; at = near.find(':', at + 1))
+    if (at + 1 < near.size() && colon_letter.find(near[at + 1]) != std::string::npos) return "; is there a blank after the colon?";
+  return "; keys of one entry begin in the same column, and brackets and quotes are closed";
+}
+
+/// The file's name in the same folder that may have been meant.
+std::string nearest_file(const std::filesystem::path& file) {
+  std::error_code ec;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path(), ec)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return std::string(nearest_word(file.filename().string(), {names.begin(), names.end()}));
+}
+
 const std::vector<std::string_view> box_sides{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
 
 class ProjectReader {
@@ -42,9 +67,11 @@ class ProjectReader {
         problems_.add({1, 1}, "the project is empty; surfaces or a box were expected");
         return std::nullopt;
       }
+      if (documents.front().IsScalar() && text.find(": ") == std::string::npos)
+        problems_.add({1, 1}, "keys and values were expected (KEY: VALUE); is there a blank after the colon?");
       return YamlValue(problems_, documents.front(), "project", {1, 1});
     } catch (const YAML::Exception& e) {
-      problems_.add({e.mark.line + 1, e.mark.column + 1}, "not valid YAML: " + e.msg);
+      problems_.add({e.mark.line + 1, e.mark.column + 1}, "not valid YAML: " + e.msg + yaml_advice(text, e.mark.line));
       return std::nullopt;
     }
   }
@@ -127,7 +154,9 @@ class ProjectReader {
     std::error_code ec;
     const auto status = std::filesystem::status(file, ec);
     if (!std::filesystem::exists(status)) {
-      value.problem("there is no file '" + *text + "' (looked for as " + file.string() + ")");
+      const std::string near = nearest_file(file);
+      value.problem("there is no file '" + *text + "' (looked for as " + file.string() + ")" +
+                    (near.empty() ? std::string() : "; was '" + near + "' meant?"));
     } else if (std::filesystem::is_directory(status)) {
       value.problem(in_quotes(*text) + " is a folder; a file was expected");
     }

@@ -102,8 +102,11 @@ const ShapeKeys* shape_of(const YamlMap& map, const YamlValue& value) {
 
 std::optional<VolumeSpec> read_volume(const YamlValue& value) {
   const std::vector<std::string_view> known{"min", "max", "margin", "center", "size", "polygon", "azimuth", "bottom", "top"};
+  if (!value.is_map()) {
+    value.problem("min and max were expected: box: {min: [x, y, z], max: [x, y, z]}; other shapes are told by margin, center or polygon");
+    return std::nullopt;
+  }
   const YamlMap map(value, known);
-  if (!map.is_map()) return std::nullopt;
   const ShapeKeys* shape = shape_of(map, value);
   if (!shape) return std::nullopt;
   for (const std::string_view key : known)

@@ -15,6 +15,21 @@ Place place_of(const YAML::Node& node, Place fallback) {
   return mark.is_null() || mark.line < 0 ? fallback : Place{mark.line + 1, mark.column + 1};
 }
 
+/// Where else a key is known: people write keys of rules at a surface, and the reverse.
+const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> homes{
+    {"rules", {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness", "thin_layers"}},
+    {"an entry of surfaces", {"kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at"}},
+    {"box", {"min", "max", "margin", "polygon", "azimuth", "center"}},
+    {"mesh", {"mode", "refine", "size", "quality", "preserve_boundary", "cluster_distance"}},
+    {"output", {"formats", "directory", "origin"}},
+    {"the top of the file", {"column", "wells", "points", "regions", "groups", "attributes", "surfaces", "rules"}}};
+
+std::string home_of(std::string_view key) {
+  for (const auto& [home, keys] : homes)
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) return std::string(home);
+  return {};
+}
+
 /// 010 is 8 to some YAML readers and 10 to others.
 bool has_leading_zero(std::string_view s) {
   if (!s.empty() && (s.front() == '-' || s.front() == '+')) s.remove_prefix(1);
@@ -116,7 +131,7 @@ std::optional<Vec3> YamlValue::point() const {
 std::vector<YamlValue> YamlValue::items() const {
   std::vector<YamlValue> list;
   if (!node_.IsSequence()) {
-    problem("a list was expected, found " + described());
+    problem("a list was expected, found " + described() + (node_.IsMap() ? "; each entry begins with a dash: - {name: ...}" : ""));
     return list;
   }
   for (std::size_t i = 0; i < node_.size(); ++i) {
@@ -146,8 +161,11 @@ YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& kn
     }
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       const std::string_view near = nearest_word(key, known);
+      const std::string home = home_of(key);
       problems.add(place, "unknown key " + in_quotes(key) + (value.name() == "project" ? "" : " in " + value.name()) +
-                              (near.empty() ? "; known are " + listed(known) : "; was '" + std::string(near) + "' meant?"));
+                              (!home.empty()   ? "; it belongs to " + home
+                               : near.empty() ? "; known are " + listed(known)
+                                              : "; was '" + std::string(near) + "' meant?"));
       continue;
     }
     if (find(key)) {
