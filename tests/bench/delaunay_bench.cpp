@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes the tables of the Delaunay section of docs/performance.md to standard output:
-///     delaunay_bench [--repetitions N] [--tetgen-repetitions N] [--size N] [--largest N] [--section NAME]... [--peer NAME]...
-/// Sections: ratios, small, degenerate, growth, threads, clusters. All by default.
+/// Writes the tables of the Delaunay section of docs/performance.md to standard output; `--help` lists the options.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +12,7 @@
 
 #include "delaunay_inputs.hpp"
 #include "delaunay_peers.hpp"
+#include "delaunay_verify.hpp"
 
 using namespace geomesh;
 using namespace geomesh::bench;
@@ -21,6 +20,15 @@ using namespace geomesh::bench;
 namespace {
 
 constexpr unsigned seed = 42;
+
+constexpr const char* usage =
+    "delaunay_bench [options]: the Delaunay stage beside CGAL and TetGen, each run in a process of its own\n"
+    "  --section NAME           ratios, small, degenerate, growth, threads, clusters or verify; may be repeated (default: all)\n"
+    "  --peer NAME              only triangulators whose names begin so: geomesh, CGAL, TetGen; may be repeated\n"
+    "  --size N                 points of an input (1000000)\n"
+    "  --largest N              largest input of growth (10000000)\n"
+    "  --repetitions N          runs of each, of which the median counts (5)\n"
+    "  --tetgen-repetitions N   the same for TetGen, which is slow (1)\n";
 
 struct Settings {
   int repetitions = 5, tetgen_repetitions = 1;
@@ -126,10 +134,37 @@ void clusters(const Settings& settings) {
   }
 }
 
+/// Returns whether all is right.
+bool verify_all(const Settings& settings) {
+  bool right = true;
+  std::printf("| input | points | tetrahedra | validator's faults | flips | two threads | CGAL |\n|---|---|---|---|---|---|---|\n");
+  for (const char* input : {"uniform", "horizons", "clusters", "grid", "sphere"}) {
+    const std::size_t n = input == std::string("sphere") ? settings.size / 10 : settings.size;
+    const std::vector<Vec3> points = make_points(input, n, seed);
+    const Verification v = verify(points);
+    const auto word = [](bool same) { return same ? "same" : "DIFFERENT"; };
+    std::printf("| %s | %zu | %zu | %zu | %s | %s | %s |\n", input, points.size(), v.tetrahedra, v.faults, word(v.flips_agree),
+                word(v.threads_agree), word(v.cgal_agrees));
+    std::fflush(stdout);
+    right = right && v.faults == 0 && v.flips_agree && v.threads_agree && v.cgal_agrees;
+  }
+  return right;
+}
+
 Settings parse(int argc, char** argv) {
   Settings s;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string key = argv[i], value = argv[i + 1];
+  const auto refuse = [](const std::string& what) {
+    std::fprintf(stderr, "%s\n%s", what.c_str(), usage);
+    std::exit(2);
+  };
+  for (int i = 1; i < argc; i += 2) {
+    const std::string key = argv[i];
+    if (key == "--help" || key == "-h") {
+      std::fputs(usage, stdout);
+      std::exit(0);
+    }
+    if (i + 1 == argc) refuse(key + " needs a value");
+    const std::string value = argv[i + 1];
     if (key == "--repetitions")
       s.repetitions = std::stoi(value);
     else if (key == "--tetgen-repetitions")
@@ -143,7 +178,7 @@ Settings parse(int argc, char** argv) {
     else if (key == "--section")
       s.sections.insert(value);
     else
-      std::fprintf(stderr, "unknown option %s\n", key.c_str()), std::exit(2);
+      refuse("unknown option " + key);
   }
   return s;
 }
@@ -168,4 +203,7 @@ int main(int argc, char** argv) {
   section(settings, "growth", "Growth", [&] { growth(settings); });
   section(settings, "threads", "Threads", [&] { threads(settings); });
   section(settings, "clusters", "Deferred insertion of clustered points", [&] { clusters(settings); });
+  bool right = true;
+  section(settings, "verify", "The same tetrahedra", [&] { right = verify_all(settings); });
+  return right ? 0 : 1;
 }

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "pipeline/finish.hpp"
+#include "pipeline/hull.hpp"
 #include "pipeline/read_points.hpp"
+#include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-/// Equal points are one vertex; a warning names the first few rows.
+/// Equal points are one vertex; a warning names the first few rows, the report all of them.
 void report_equal_points(const std::vector<VertexIndex>& representative, std::vector<std::string>& warnings, const RunContext& context) {
   std::size_t n = 0;
   std::string rows;
@@ -22,7 +26,46 @@ void report_equal_points(const std::vector<VertexIndex>& representative, std::ve
                                 (n > 5 ? ", ..." : "") + ")");
 }
 
-/// The finite cells as one region `hull`, points renumbered without gaps.
+/// Each point that was merged, with the one it equals, as rows of the input.
+nlohmann::ordered_json merged_points(const std::vector<VertexIndex>& representative) {
+  auto pairs = nlohmann::ordered_json::array();
+  for (VertexIndex v = 0; v < representative.size(); ++v)
+    if (representative[v] != v) pairs.push_back({v, representative[v]});
+  return pairs;
+}
+
+/// The same tetrahedron, as oriented, least vertex first and the least of the others second.
+Tetrahedron canonical(const Tetrahedron& t) {
+  constexpr std::array<std::array<std::uint8_t, 4>, 4> to_front{{{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
+  const auto& order = to_front[static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin())];
+  Tetrahedron r{t[order[0]], t[order[1]], t[order[2]], t[order[3]]};
+  std::rotate(r.begin() + 1, std::min_element(r.begin() + 1, r.end()), r.end());
+  return r;
+}
+
+double volume_of(const ModelMesh& mesh) {
+  CompensatedSum volume;
+  for (const Tetrahedron& t : mesh.tetrahedra)
+    volume.add(signed_volume(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]));
+  return volume.value();
+}
+
+/// The boundary as the one surface, normals outward.
+void add_hull(ModelMesh& mesh, std::vector<Triangle> hull) {
+  constexpr std::int32_t region = 1, surface = 2;
+  for (Triangle& t : hull) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(hull.begin(), hull.end());
+  CompensatedSum area;
+  for (const Triangle& t : hull) {
+    area.add(triangle_area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+    mesh.faces.push_back({t, surface, 0, 1, region, 0, static_cast<std::int32_t>(mesh.faces.size())});
+  }
+  mesh.surface_sets = {{surface}};
+  mesh.surfaces.push_back({surface, hull_name, SurfaceKind::surface, area.value()});
+}
+
+/// The finite cells as one region `hull`, points renumbered without gaps. The order of the cells is canonical, so that files are the
+/// same whatever the algorithm.
 ModelMesh to_model_mesh(const std::vector<Vec3>& points, const DelaunayTetrahedralization& delaunay) {
   ModelMesh mesh;
   std::vector<VertexIndex> new_index(points.size(), no_vertex);
@@ -34,19 +77,21 @@ ModelMesh to_model_mesh(const std::vector<Vec3>& points, const DelaunayTetrahedr
   }
   mesh.point_kind.assign(mesh.points.size(), 0);
   const TetMesh& cells = delaunay.mesh;
+  std::vector<Triangle> hull;
   for (CellIndex c = 0; c < cells.n_slots(); ++c) {
-    if (!cells.is_live(c) || cells.is_ghost(c)) continue;
-    Tetrahedron t{};
-    for (unsigned i = 0; i < 4; ++i) t[i] = new_index[cells.vertex(c, i)];
-    mesh.tetrahedra.push_back(t);
+    if (!cells.is_live(c)) continue;
+    const auto& v = cells.vertices(c);
+    if (const int ghost = cells.ghost_index(c); ghost >= 0) {
+      const auto& f = face_vertices[static_cast<std::size_t>(ghost)];
+      hull.push_back({new_index[v[f[0]]], new_index[v[f[1]]], new_index[v[f[2]]]});
+    } else {
+      mesh.tetrahedra.push_back(canonical({new_index[v[0]], new_index[v[1]], new_index[v[2]], new_index[v[3]]}));
+    }
   }
+  std::sort(mesh.tetrahedra.begin(), mesh.tetrahedra.end());
   mesh.tet_region.assign(mesh.tetrahedra.size(), 1);
-  double volume = 0;
-  for (const Tetrahedron& t : mesh.tetrahedra) {
-    const Vec3& o = mesh.points[t[0]];
-    volume += dot(mesh.points[t[3]] - o, cross(mesh.points[t[1]] - o, mesh.points[t[2]] - o)) / 6;
-  }
-  mesh.regions.push_back({1, "hull", {}, mesh.tetrahedra.size(), volume});
+  mesh.regions.push_back({1, hull_name, {}, mesh.tetrahedra.size(), volume_of(mesh)});
+  add_hull(mesh, std::move(hull));
   return mesh;
 }
 
@@ -88,7 +133,7 @@ JobResult run_delaunay(const DelaunayRequest& request, const RunContext& context
   Report report;
   report.command = "delaunay";
   report.name = mesh.name;
-  report.input_json = nlohmann::ordered_json{{"points", points.size()}}.dump();
+  report.input_json = nlohmann::ordered_json{{"points", points.size()}, {"equal_points", merged_points(delaunay.representative)}}.dump();
   ConstrainedTetrahedralization core;
   core.delaunay_statistics = delaunay.statistics;
   core.recovery.tetrahedra_unconstrained = core.recovery.tetrahedra_final = mesh.tetrahedra.size();
