@@ -9,6 +9,7 @@
 #include "diagnosis.hpp"
 #include "geomesh/core/error.hpp"
 #include "rounding.hpp"
+#include "snap.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -43,10 +44,12 @@ class Arrangement {
   }
 
   ArrangementResult run() {
+    if (options_.tolerance > 0) apply_tolerance_to_input();
     Contacts contacts = find_contacts(ingested_.complex, context_);
     result_.n_pairs = contacts.n_pairs;
     log_round(0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
+    apply_tolerance(complex);
     // A soup that grows beyond these while it is mended will not end.
     const std::size_t most_facets = 4 * complex.facets.size() + 1000, most_contacts = 4 * contacts.facets.size() + 1000;
     for (unsigned round = 1;; ++round) {
@@ -56,7 +59,11 @@ class Arrangement {
       if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets || contacts.facets.size() > most_contacts)
         refuse(complex, contacts);
       result_.n_rounding_rounds = round;
+      snap_contacts(complex, contacts, round);
+      contacts = find_contacts(complex, context_);
+      if (contacts.empty()) break;
       complex = round_again(complex, contacts, round);
+      apply_tolerance(complex);
     }
     fill_soup(std::move(complex));
     diagnose_soup(surfaces_, result_);
@@ -80,18 +87,61 @@ class Arrangement {
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_);
     RoundingOptions rounding{0, bounds_};
-    // What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
-    rounding.snap = unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
+    rounding.snap = mending_distance(complex, round);
     return take(round_to_doubles(arranged, complex, rounding));
   }
 
+  /// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
+  static double mending_distance(const Complex& complex, unsigned round) {
+    return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
+  }
+
+  /// Brings together what lies within the mending distance among the facets that still meet.
+  void snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
+    std::vector<std::uint8_t> active(complex.facets.size(), 0);
+    for (const FacetContact& c : contacts.facets) {
+      active[c.facet] = 1;
+      if (c.other != no_index) active[c.other] = 1;
+    }
+    for (const Overlap& o : contacts.overlaps) active[o.a] = active[o.b] = 1;
+    take(snap_near(complex, active, {mending_distance(complex, round), bounds_, false}));
+  }
+
+  void apply_tolerance_to_input() {
+    Complex& complex = ingested_.complex;
+    const double least = 1024 * unit_in_the_last_place(complex);
+    if (options_.tolerance < least)
+      throw Error(ErrorKind::usage, "the tolerance must be at least " + std::to_string(least) + " for coordinates of this size, or 0");
+    std::vector<VertexIndex> now;
+    take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), {options_.tolerance, bounds_, options_.box.has_value()}, &now));
+    for (auto& vertices : ingested_.vertex_of_point)
+      for (VertexIndex& v : vertices) v = now[v];
+  }
+
+  void apply_tolerance(Complex& complex) {
+    if (options_.tolerance > 0)
+      take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), {options_.tolerance, bounds_, false}));
+  }
+
+  void take(const SnapOutcome& outcome) {
+    add(outcome.moved, result_.merging.displacement);
+    result_.merging.vertices_merged += outcome.n_vertices_merged;
+    result_.merging.vertices_inserted += outcome.n_vertices_inserted;
+    result_.merging.facets_merged += outcome.n_facets_merged;
+    result_.merging.facets_collapsed += outcome.n_facets_collapsed;
+  }
+
+  /// A point may move once a step: the sum of the largest bounds it.
+  static void add(const Displacement& more, Displacement& total) {
+    if (more.largest > total.largest) total.where = more.where;
+    total.largest += more.largest;
+    const auto n = static_cast<double>(total.points_moved + more.points_moved);
+    if (n > 0) total.mean = (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
+    total.points_moved += more.points_moved;
+  }
+
   Complex take(Rounded&& rounded) {
-    Displacement& total = result_.rounding;
-    const Displacement& d = rounded.displacement;
-    if (d.largest > total.largest) total.where = d.where;
-    total.largest += d.largest;  // a point may move once a round: the sum bounds it
-    total.mean += d.mean;
-    total.points_moved += d.points_moved;
+    add(rounded.displacement, result_.rounding);
     n_collapsed_ += rounded.n_facets_collapsed;
     return std::move(rounded.complex);
   }

@@ -208,15 +208,7 @@ class Cluster {
           origins.push_back(o);
         }
       if (origins.empty()) continue;
-      const auto before = [](const Origin& a, const Origin& b) {
-        return a.surface != b.surface ? a.surface < b.surface : a.triangle < b.triangle;
-      };
-      std::stable_sort(origins.begin(), origins.end(), before);
-      origins.erase(std::unique(origins.begin(), origins.end(),
-                                [](const Origin& a, const Origin& b) { return a.surface == b.surface && a.triangle == b.triangle; }),
-                    origins.end());
-      const bool right = origins.front().reversed;
-      for (Origin& o : origins) o.reversed = o.reversed != right;
+      const bool right = normalise_origins(origins);
       push(mesh_.faces()[f], std::move(origins), right ? Sign::negative : Sign::positive);
     }
     finish_points();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,22 @@ struct Complex {
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
   /// Per facet and per segment: not known to be free of crossings with the others that are not dirty either.
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
+};
+
+/// A well that runs to and fro along the same line gives each piece once.
+void remove_repeated_segments(Complex& complex);
+
+/// Sorts origins by surface and triangle and drops repeated ones. True where the first one is then reversed: all are turned, and the facet is to be.
+bool normalise_origins(std::vector<Origin>& origins);
+
+/// Facets on the same three vertices become the first of them, with the origins of all. Returns how many went.
+std::size_t merge_equal_facets(Complex& complex);
+
+struct PointHash {
+  std::size_t operator()(const Vec3& p) const {
+    const std::hash<double> h;
+    return (h(p.x) * 0x9E3779B97F4A7C15ull ^ h(p.y)) * 0xC2B2AE3D27D4EB4Full ^ h(p.z);
+  }
 };
 
 /// A facet's plane seen along the axis in which its normal is longest in doubles; `sign` is its orientation there, never zero.

@@ -9,13 +9,6 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-struct PointHash {
-  std::size_t operator()(const Vec3& p) const {
-    const std::hash<double> h;
-    return (h(p.x) * 0x9E3779B97F4A7C15ull ^ h(p.y)) * 0xC2B2AE3D27D4EB4Full ^ h(p.z);
-  }
-};
-
 /// Places that constructed points may snap to, in cells twice the snapping distance wide.
 class Anchors {
  public:
@@ -71,7 +64,7 @@ class Rounding {
     take_facets();
     take_segments();
     for (const auto& p : arranged_.isolated_points) result_.complex.isolated_points.push_back({row_[p.v], p.point});
-    if (n_made_ > 0) result_.displacement.mean /= static_cast<double>(n_made_);
+    if (result_.displacement.points_moved > 0) result_.displacement.mean /= static_cast<double>(result_.displacement.points_moved);
     return std::move(result_);
   }
 
@@ -130,7 +123,6 @@ class Rounding {
 
   /// True where the doubles are not the exact place.
   bool note_displacement(Index v, const Vec3& p) {
-    ++n_made_;
     const ExactPoint& q = *arranged_.vertices.made(v);
     const ExactPoint r = arranged_.vertices.frame().to_exact_beyond(p);
     double squared = 0;
@@ -182,33 +174,12 @@ class Rounding {
     remove_repeated_segments(out);
   }
 
-  /// A well that runs to and fro along the same line gives each piece once.
-  static void remove_repeated_segments(Complex& out) {
-    std::vector<std::array<Index, 4>> keys;
-    for (Index s = 0; s < out.segments.size(); ++s)
-      keys.push_back({out.segments[s].polyline, std::min(out.segments[s].a, out.segments[s].b),
-                      std::max(out.segments[s].a, out.segments[s].b), s});
-    std::sort(keys.begin(), keys.end());
-    std::vector<std::uint8_t> repeated(out.segments.size(), 0);
-    for (std::size_t k = 1; k < keys.size(); ++k)
-      if (std::equal(keys[k].begin(), keys[k].begin() + 3, keys[k - 1].begin())) repeated[keys[k][3]] = 1;
-    std::size_t kept = 0;
-    for (std::size_t s = 0; s < out.segments.size(); ++s) {
-      if (repeated[s]) continue;
-      out.segments[kept] = out.segments[s];
-      out.dirty_segment[kept++] = out.dirty_segment[s];
-    }
-    out.segments.resize(kept);
-    out.dirty_segment.resize(kept);
-  }
-
   const Arranged& arranged_;
   const Complex& before_;
   const RoundingOptions& options_;
   Anchors anchors_;
   std::vector<VertexIndex> row_;
   std::vector<std::uint8_t> moved_;
-  std::size_t n_made_ = 0;
   Rounded result_;
 };
 

@@ -70,6 +70,9 @@ struct ArrangementOptions {
   std::vector<TriangulatedSurface> volume;
   enum class Crossings { resolve, refuse } crossings = Crossings::resolve;
   unsigned max_rounding_rounds = 8;
+  /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of crossings all the
+  /// same. At least 1024 ulps of the largest coordinate where it is not 0.
+  double tolerance = 0;
 };
 
 struct Displacement {
@@ -82,6 +85,11 @@ struct ArrangementResult {
   PolygonSoup soup;
   std::vector<TriangulatedSurface> box_sides;  ///< of the box (six) or the volume that was asked for; surface row n + i
   Displacement rounding;
+  /// What `tolerance`, or the mending of places too thin for any rounding, brought together.
+  struct Merging {
+    Displacement displacement;
+    std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;
+  } merging;
   /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length left.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
   std::vector<double> area_clipped_by_rules;  ///< filled by trim_soup's caller; empty where no rule acts on the soup

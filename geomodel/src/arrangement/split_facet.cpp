@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geomesh/core/error.hpp"
+#include "planar_triangulation.hpp"
+#include "snap.hpp"
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+/// Thrown out of the triangulation where two constraints cross.
+struct ConstraintsCross {};
+
+class FacetSplitter {
+ public:
+  FacetSplitter(const std::vector<Vec3>& points, const Projection& frame)
+      : points_(points), frame_(frame), mesh_(no_exact_points_, frame.i, frame.j, [](int, int) -> PlanarPoint { throw ConstraintsCross{}; }) {}
+
+  /// False where two vertices are one as seen.
+  bool add_vertices(const std::vector<VertexIndex>& border, const std::vector<VertexIndex>& inside) {
+    for (const VertexIndex v : border)
+      if (!rows_.contains(v) && !add(v)) return false;
+    for (const VertexIndex v : inside)
+      if (!rows_.contains(v)) add(v);  // one as seen with another: left out
+    start_with_a_frame();
+    for (int p = 0; p < n_vertices(); ++p) mesh_.insert_point(p);
+    return true;
+  }
+
+  /// Throws ConstraintsCross.
+  void constrain(const std::vector<EdgeKey>& edges) {
+    for (const auto& [a, b] : edges)
+      if (rows_.contains(a) && rows_.contains(b)) mesh_.insert_constraint(rows_.at(a), rows_.at(b), 0);
+  }
+
+  /// Triangles on the left of the closed walk along `border`.
+  std::vector<Triangle> inside_of(const std::vector<VertexIndex>& border) const {
+    std::map<std::pair<int, int>, int> walls;  // directed edge -> times walked
+    for (std::size_t k = 0; k < border.size(); ++k) {
+      const std::vector<int> chain = mesh_.chain(rows_.at(border[k]), rows_.at(border[(k + 1) % border.size()]));
+      for (std::size_t s = 0; s + 1 < chain.size(); ++s) ++walls[{chain[s], chain[s + 1]}];
+    }
+    const auto times = [&walls](int a, int b) {
+      const auto at = walls.find({a, b});
+      return at == walls.end() ? 0 : at->second;
+    };
+    std::vector<std::uint8_t> in(mesh_.faces().size(), 0);
+    std::vector<int> stack;
+    const auto visit = [&](int f) {
+      if (!std::exchange(in[static_cast<std::size_t>(f)], 1)) stack.push_back(f);
+    };
+    for (const auto& [edge, n] : walls)
+      if (n > times(edge.second, edge.first)) visit(mesh_.left_face(edge.first, edge.second).first);
+    while (!stack.empty()) {
+      const PlanarTriangulation::Face& face = mesh_.faces()[static_cast<std::size_t>(stack.back())];
+      stack.pop_back();
+      for (std::size_t e = 0; e < 3; ++e) {
+        const int a = face.v[(e + 1) % 3], b = face.v[(e + 2) % 3];
+        if (face.neighbour[e] >= 0 && times(a, b) == times(b, a)) visit(face.neighbour[e]);
+      }
+    }
+    return collect(in);
+  }
+
+ private:
+  int n_vertices() const { return static_cast<int>(ids_.size()); }
+
+  bool add(VertexIndex v) {
+    if (!seen_.try_emplace({points_[v][frame_.i], points_[v][frame_.j]}, v).second) return false;
+    rows_[v] = mesh_.add_point({points_[v], nullptr});
+    ids_.push_back(v);
+    return true;
+  }
+
+  void start_with_a_frame() {
+    const Vec3 centre = points_[ids_.front()];
+    double extent = 0;
+    for (const VertexIndex v : ids_)
+      for (const std::size_t k : {frame_.i, frame_.j}) extent = std::max(extent, std::fabs(points_[v][k] - centre[k]));
+    const double h = std::ldexp(1.0, std::ilogb(extent) + 2);
+    for (const auto& [x, y] : {std::pair{-8.0, -4.0}, std::pair{8.0, -4.0}, std::pair{0.0, 8.0}}) {
+      Vec3 p = centre;
+      p[frame_.i] += x * h;
+      p[frame_.j] += y * h;
+      mesh_.add_point({p, nullptr});
+    }
+    mesh_.start(n_vertices(), n_vertices() + 1, n_vertices() + 2);
+  }
+
+  /// Nothing where the walk's left reaches the frame: it winds the wrong way about somewhere.
+  std::vector<Triangle> collect(const std::vector<std::uint8_t>& in) const {
+    std::vector<Triangle> triangles;
+    for (std::size_t f = 0; f < in.size(); ++f) {
+      if (!in[f]) continue;
+      Triangle t{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int row = mesh_.faces()[f].v[k];
+        if (row >= n_vertices()) throw ConstraintsCross{};
+        t[k] = ids_[static_cast<std::size_t>(row)];
+      }
+      triangles.push_back(t);
+    }
+    return triangles;
+  }
+
+  const std::vector<Vec3>& points_;
+  Projection frame_;
+  ExactFrame no_exact_points_;
+  PlanarTriangulation mesh_;
+  std::vector<VertexIndex> ids_;
+  std::map<VertexIndex, int> rows_;
+  std::map<std::pair<double, double>, VertexIndex> seen_;
+};
+
+std::vector<EdgeKey> edges_of_walk(const std::vector<VertexIndex>& walk) {
+  std::vector<EdgeKey> edges;
+  for (std::size_t k = 0; k < walk.size(); ++k) edges.push_back(edge_key(walk[k], walk[(k + 1) % walk.size()]));
+  return edges;
+}
+
+/// Parts of the walk that go to and fro along one edge are taken out.
+void remove_spikes(std::vector<VertexIndex>& walk) {
+  for (bool changed = true; changed && walk.size() > 2;) {
+    changed = false;
+    for (std::size_t k = 0; k < walk.size() && walk.size() > 2 && !changed; ++k) {
+      const std::size_t a = k, b = (k + 1) % walk.size(), c = (k + 2) % walk.size();
+      if (walk[a] != walk[b] && walk[a] != walk[c]) continue;
+      walk.erase(walk.begin() + static_cast<std::ptrdiff_t>(b));
+      changed = true;
+    }
+  }
+}
+
+std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame, const std::vector<VertexIndex>& walk,
+                                               const std::vector<VertexIndex>& inside, const std::vector<EdgeKey>& wanted) {
+  FacetSplitter splitter(points, frame);
+  if (!splitter.add_vertices(walk, inside)) return std::nullopt;
+  try {
+    splitter.constrain(edges_of_walk(walk));
+    splitter.constrain(wanted);
+    return splitter.inside_of(walk);
+  } catch (const ConstraintsCross&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet, const std::vector<VertexIndex>& border,
+                                                 const std::vector<VertexIndex>& inside, const std::vector<EdgeKey>& wanted) {
+  std::vector<VertexIndex> walk = border;
+  remove_spikes(walk);
+  if (walk.size() < 3) return std::vector<Triangle>{};
+  const Projection frame = projection_of(points[facet[0]], points[facet[1]], points[facet[2]]);
+  if (frame.sign == Sign::zero) return std::nullopt;
+  if (frame.sign == Sign::negative) std::reverse(walk.begin(), walk.end());
+  auto triangles = try_split(points, frame, walk, inside, wanted);
+  if (!triangles && !wanted.empty()) triangles = try_split(points, frame, walk, inside, {});
+  if (triangles && frame.sign == Sign::negative)
+    for (Triangle& t : *triangles) std::swap(t[1], t[2]);
+  return triangles;
+}
+
+}  // namespace geomesh::geomodel::arrangement
