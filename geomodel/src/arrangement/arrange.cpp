@@ -59,8 +59,7 @@ class Arrangement {
       if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets || contacts.facets.size() > most_contacts)
         refuse(complex, contacts);
       result_.n_rounding_rounds = round;
-      snap_contacts(complex, contacts, round);
-      contacts = find_contacts(complex, context_);
+      for (int k = 0; k < 6 && !contacts.empty() && snap_contacts(complex, contacts, round); ++k) contacts = find_contacts(complex, context_);
       if (contacts.empty()) break;
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
@@ -97,14 +96,16 @@ class Arrangement {
   }
 
   /// Brings together what lies within the mending distance among the facets that still meet.
-  void snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
+  bool snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
     std::vector<std::uint8_t> active(complex.facets.size(), 0);
     for (const FacetContact& c : contacts.facets) {
       active[c.facet] = 1;
       if (c.other != no_index) active[c.other] = 1;
     }
     for (const Overlap& o : contacts.overlaps) active[o.a] = active[o.b] = 1;
-    take(snap_near(complex, active, {mending_distance(complex, round), bounds_, false}));
+    const SnapOutcome outcome = snap_near(complex, active, {mending_distance(complex, round), bounds_, false});
+    take(outcome);
+    return outcome.changed();
   }
 
   void apply_tolerance_to_input() {
