@@ -56,11 +56,11 @@ class Arrangement {
       contacts = find_contacts(complex, context_);
       if (contacts.empty()) break;
       log_round(round, complex, contacts);
+      result_.n_rounding_rounds = round;
+      for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k) contacts = find_contacts(complex, context_);
+      if (contacts.empty()) break;
       if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets || contacts.facets.size() > most_contacts)
         refuse(complex, contacts);
-      result_.n_rounding_rounds = round;
-      for (int k = 0; k < 6 && !contacts.empty() && snap_contacts(complex, contacts, round); ++k) contacts = find_contacts(complex, context_);
-      if (contacts.empty()) break;
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
@@ -70,6 +70,8 @@ class Arrangement {
   }
 
  private:
+  static constexpr unsigned most_snaps = 6;  ///< in one round
+
   Complex first_round(const Contacts& contacts) {
     Arranged arranged = arrange_round(ingested_.complex, contacts, context_);
     std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);
@@ -96,7 +98,9 @@ class Arrangement {
   }
 
   /// Brings together what lies within the mending distance among the facets that still meet.
+  /// False where nothing was near enough, or nothing meets any more.
   bool snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
+    if (contacts.empty()) return false;
     std::vector<std::uint8_t> active(complex.facets.size(), 0);
     for (const FacetContact& c : contacts.facets) {
       active[c.facet] = 1;
@@ -178,6 +182,7 @@ class Arrangement {
   }
 
   void fill_soup(Complex&& complex) {
+    drop_unused_points(complex);
     PolygonSoup& soup = result_.soup;
     soup.points = std::move(complex.points);
     soup.input_point = std::move(complex.input_point);

@@ -98,6 +98,33 @@ std::size_t merge_equal_facets(Complex& complex) {
   return n_gone;
 }
 
+void drop_unused_points(Complex& complex) {
+  std::vector<VertexIndex> row(complex.points.size(), no_vertex);
+  const auto use = [&row](VertexIndex v) { row[v] = 0; };
+  for (const Triangle& t : complex.facets) std::for_each(t.begin(), t.end(), use);
+  for (const auto& s : complex.segments) {
+    use(s.a);
+    use(s.b);
+  }
+  for (const auto& p : complex.isolated_points) use(p.v);
+  VertexIndex n = 0;
+  for (VertexIndex v = 0; v < row.size(); ++v) {
+    if (row[v] == no_vertex) continue;
+    complex.points[n] = complex.points[v];
+    complex.input_point[n] = complex.input_point[v];
+    row[v] = n++;
+  }
+  complex.points.resize(n);
+  complex.input_point.resize(n);
+  for (Triangle& t : complex.facets)
+    for (VertexIndex& v : t) v = row[v];
+  for (auto& s : complex.segments) {
+    s.a = row[s.a];
+    s.b = row[s.b];
+  }
+  for (auto& p : complex.isolated_points) p.v = row[p.v];
+}
+
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 double area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * length(cross(b - a, c - a)); }
 

@@ -55,6 +55,9 @@ struct PointHash {
   }
 };
 
+/// Points that no facet, segment or isolated point names go; the others keep their order.
+void drop_unused_points(Complex& complex);
+
 /// A facet's plane seen along the axis in which its normal is longest in doubles; `sign` is its orientation there, never zero.
 struct Projection {
   std::size_t i = 0, j = 1;
