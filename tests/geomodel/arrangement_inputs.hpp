@@ -105,6 +105,22 @@ inline RandomSoup random_soup(unsigned seed) {
   return soup;
 }
 
+/// Turned about z and then y, so that next to nothing is exactly degenerate any more; without a box.
+inline RandomSoup turned(RandomSoup soup, double angle) {
+  const auto turn = [angle](Vec3& p) {
+    const double c = std::cos(angle), s = std::sin(angle), d = std::cos(0.7 * angle + 0.1), t = std::sin(0.7 * angle + 0.1);
+    const Vec3 q{c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+    p = {d * q.x - t * q.z, q.y, t * q.x + d * q.z};
+  };
+  for (TriangulatedSurface& s : soup.surfaces)
+    for (Vec3& p : s.points) turn(p);
+  for (Polyline& line : soup.polylines)
+    for (Vec3& p : line.points) turn(p);
+  for (NamedPoint& p : soup.points) turn(p.point);
+  soup.options.box.reset();
+  return soup;
+}
+
 inline double volume_inside(const PolygonSoup& soup, const std::function<bool(const PolygonSoup::Origin&)>& counts) {
   double six_volumes = 0;
   for (Index f = 0; f < soup.facets.size(); ++f)

@@ -3,33 +3,23 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <sstream>
 
+#include "edge_buckets.hpp"
 #include "geomesh/core/error.hpp"
+#include "surface_parts.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
 
 using SurfacePair = std::pair<Index, Index>;
 
-std::string name_of(const SurfaceList& surfaces, Index s) {
-  return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name;
-}
-
 bool is_inside(const std::optional<Box3>& box, const Vec3& p) {
   for (std::size_t i = 0; box && i < 3; ++i)
     if (p[i] < box->min[i] || p[i] > box->max[i]) return false;
   return true;
-}
-
-std::string crossing_text(const SurfaceList& surfaces, const Spot& spot) {
-  std::ostringstream text;
-  if (spot.surface_a == spot.surface_b)
-    text << name_of(surfaces, spot.surface_a) << " crosses itself";
-  else
-    text << name_of(surfaces, spot.surface_a) << " crosses " << name_of(surfaces, spot.surface_b);
-  text << " along " << spot.measure << " (" << spot.count << " pairs of triangles) near " << to_text(spot.place);
-  return text.str();
 }
 
 /// Crossings that geology does not expect: a surface with itself, horizons with each other, surfaces of no known kind.
@@ -39,57 +29,16 @@ bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
   return (a == SurfaceKind::horizon && b == SurfaceKind::horizon) || a == SurfaceKind::surface || b == SurfaceKind::surface;
 }
 
-struct SoupEdge {
-  VertexIndex other;
-  Index facet;
-};
-
-/// Edges of the soup in buckets by their lesser vertex, each bucket sorted: linear time.
-class EdgeBuckets {
- public:
-  explicit EdgeBuckets(const PolygonSoup& soup) : begin_(soup.points.size() + 1, 0), edges_(3 * soup.facets.size()) {
-    for_each(soup, [this](VertexIndex a, VertexIndex, Index) { ++begin_[a + 1]; });
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) begin_[v + 1] += begin_[v];
-    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for_each(soup, [&](VertexIndex a, VertexIndex b, Index f) { edges_[next[a]++] = {b, f}; });
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
-      std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v]), edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]),
-                [](const SoupEdge& x, const SoupEdge& y) { return x.other != y.other ? x.other < y.other : x.facet < y.facet; });
-  }
-  /// Calls visit(a, b, facet) for edges with one facet.
-  template <typename Visit>
-  void for_each_free_edge(Visit&& visit) const {
-    for (VertexIndex a = 0; a + 1 < begin_.size(); ++a)
-      for (std::size_t k = begin_[a]; k < begin_[a + 1];) {
-        std::size_t end = k + 1;
-        while (end < begin_[a + 1] && edges_[end].other == edges_[k].other) ++end;
-        if (end == k + 1) visit(a, edges_[k].other, edges_[k].facet);
-        k = end;
-      }
-  }
-
- private:
-  template <typename Visit>
-  static void for_each(const PolygonSoup& soup, Visit&& visit) {
-    for (Index f = 0; f < soup.facets.size(); ++f)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const VertexIndex a = soup.facets[f][k], b = soup.facets[f][(k + 1) % 3];
-        visit(std::min(a, b), std::max(a, b), f);
-      }
-  }
-  std::vector<std::size_t> begin_;
-  std::vector<SoupEdge> edges_;
-};
-
-/// Free borders by surface and connected piece, longest first within a surface; at most `limit` a surface, the rest in one spot.
-void add_free_borders(const PolygonSoup& soup, std::vector<Spot>& spots) {
+/// Free borders by surface and connected piece, longest first; at most `limit` of a kind a surface, the rest in one spot. A closed piece is a gap,
+/// unless it may be the surface's outer border: the longest where there is no box.
+void add_free_borders(const PolygonSoup& soup, bool has_box, std::vector<Spot>& spots) {
   struct FreeEdge {
     Index surface;
     VertexIndex a, b;
   };
   std::vector<FreeEdge> edges;
-  EdgeBuckets(soup).for_each_free_edge([&](VertexIndex a, VertexIndex b, Index f) {
-    edges.push_back({soup.origins[soup.origin_offsets[f]].surface, a, b});
+  EdgeBuckets(soup).for_each_edge([&](VertexIndex a, VertexIndex b, const std::vector<Index>& facets) {
+    if (facets.size() == 1) edges.push_back({soup.origins[soup.origin_offsets[facets.front()]].surface, a, b});
   });
   std::map<std::pair<Index, VertexIndex>, std::pair<Index, VertexIndex>> parent;
   const auto root = [&parent](std::pair<Index, VertexIndex> v) {
@@ -101,29 +50,40 @@ void add_free_borders(const PolygonSoup& soup, std::vector<Spot>& spots) {
     parent[std::max(a, b)] = std::min(a, b);
   }
   std::map<std::pair<Index, VertexIndex>, Spot> pieces;
+  std::map<std::pair<Index, VertexIndex>, std::size_t> degree;
   for (const FreeEdge& e : edges) {
+    ++degree[{e.surface, e.a}];
+    ++degree[{e.surface, e.b}];
     Spot& spot = pieces[root({e.surface, e.a})];
     if (spot.count == 0) spot = {"free border", e.surface, no_index, 0, 0, 0.5 * (soup.points[e.a] + soup.points[e.b])};
     ++spot.count;
     spot.measure += length(soup.points[e.a] - soup.points[e.b]);
   }
+  std::map<Index, double> longest;
+  for (const auto& [key, spot] : pieces) longest[key.first] = std::max(longest[key.first], spot.measure);
+  std::set<std::pair<Index, VertexIndex>> open;  // pieces with an end: they stop at another surface
+  for (const auto& [vertex, n] : degree)
+    if (n % 2 != 0) open.insert(root(vertex));
+  for (auto& [key, spot] : pieces)
+    if (!open.contains(key) && (has_box || spot.measure < longest.at(key.first))) spot.what = "gap";
   std::vector<Spot> sorted;
   for (const auto& piece : pieces) sorted.push_back(piece.second);
   std::stable_sort(sorted.begin(), sorted.end(), [](const Spot& x, const Spot& y) {
-    return x.surface_a != y.surface_a ? x.surface_a < y.surface_a : x.measure > y.measure;
+    return std::tuple{x.surface_a, x.what, -x.measure} < std::tuple{y.surface_a, y.what, -y.measure};
   });
   constexpr std::size_t limit = 20;
   std::size_t in_surface = 0;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
-    in_surface = k > 0 && sorted[k].surface_a == sorted[k - 1].surface_a ? in_surface + 1 : 0;
+    in_surface = k > 0 && sorted[k].surface_a == sorted[k - 1].surface_a && sorted[k].what == sorted[k - 1].what ? in_surface + 1 : 0;
     if (in_surface < limit) {
       spots.push_back(sorted[k]);
     } else if (in_surface == limit) {
       spots.push_back(sorted[k]);
-      spots.back().what = "free border (other pieces)";
+      if (spots.back().what != "gap") spots.back().what = "free border (other pieces)";
     } else {
       spots.back().count += sorted[k].count;
       spots.back().measure += sorted[k].measure;
+      ++spots.back().n_pieces;
     }
   }
 }
@@ -144,13 +104,21 @@ void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, Arrangem
   for (const auto& [pair, spot] : overlaps) {
     result.spots.push_back(spot);
     if (surfaces[pair.second].kind == SurfaceKind::box) continue;
-    std::ostringstream text;
-    if (pair.first == pair.second)
-      text << name_of(surfaces, pair.first) << " lies on itself (repeated or overlapping triangles)";
-    else
-      text << name_of(surfaces, pair.first) << " and " << name_of(surfaces, pair.second) << " coincide";
-    text << " over an area of " << spot.measure << " near " << to_text(spot.place) << "; merged";
-    result.warnings.push_back(text.str());
+    result.warnings.push_back(describe(spot, surfaces.all()));
+  }
+}
+
+/// How much of either surface lies beyond the other, and warnings of crossings that should not be.
+void measure_crossings(const SurfaceList& surfaces, ArrangementResult& result) {
+  const auto is_pair = [](const Spot& spot) { return spot.what == "crossing"; };
+  std::optional<SurfaceParts> parts;
+  if (std::any_of(result.spots.begin(), result.spots.end(), is_pair)) parts.emplace(result.soup, surfaces.size());
+  for (Spot& spot : result.spots) {
+    if (is_pair(spot)) {
+      const double a = parts->area_parted(spot.surface_a, spot.surface_b), b = parts->area_parted(spot.surface_b, spot.surface_a);
+      spot.area = a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
+    }
+    if ((is_pair(spot) || spot.what == "self-crossing") && is_suspicious(surfaces, spot)) result.warnings.push_back(describe(spot, surfaces.all()));
   }
 }
 
@@ -188,10 +156,7 @@ void diagnose_crossings(const Complex& complex, const Contacts& contacts, const 
     const Index a = complex.origins.of(o.a)[0].surface, b = complex.origins.of(o.b)[0].surface;
     if (a == b && a < crosses_itself.size()) crosses_itself[a] = 1;
   }
-  for (const auto& entry : spots) {
-    result.spots.push_back(entry.second);
-    if (is_suspicious(surfaces, entry.second)) result.warnings.push_back(crossing_text(surfaces, entry.second));
-  }
+  for (const auto& entry : spots) result.spots.push_back(entry.second);
 }
 
 void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces) {
@@ -199,7 +164,7 @@ void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfac
   ErrorContext context;
   for (const Spot& spot : result.spots) {
     if (spot.what != "crossing" && spot.what != "self-crossing") continue;
-    text << (context.places.empty() ? "" : "; ") << crossing_text(surfaces, spot);
+    text << (context.places.empty() ? "" : "; ") << describe(spot, surfaces.all());
     context.places.push_back(spot.place);
   }
   if (context.places.empty()) return;
@@ -208,8 +173,9 @@ void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfac
 }
 
 void diagnose_soup(const SurfaceList& surfaces, ArrangementResult& result) {
+  measure_crossings(surfaces, result);
   add_overlaps(result.soup, surfaces, result);
-  add_free_borders(result.soup, result.spots);
+  add_free_borders(result.soup, !surfaces.box_sides.empty(), result.spots);
   for (Index s = 0; s < surfaces.given.size(); ++s) {
     if (result.area_clipped_by_box[s] > 0)
       result.spots.push_back({"clipped by box", s, no_index, 0, result.area_clipped_by_box[s],

@@ -196,6 +196,15 @@ std::vector<TriangulatedSurface> make_box_sides(const Box3& box) {
   return sides;
 }
 
+std::vector<TriangulatedSurface> SurfaceList::all() const {
+  std::vector<TriangulatedSurface> result;
+  for (std::size_t s = 0; s < size(); ++s) {
+    result.emplace_back().name = (*this)[s].name;
+    result.back().kind = (*this)[s].kind;
+  }
+  return result;
+}
+
 std::string to_text(const Vec3& p) {
   std::array<char, 128> text;
   std::snprintf(text.data(), text.size(), "(%.10g, %.10g, %.10g)", p.x, p.y, p.z);

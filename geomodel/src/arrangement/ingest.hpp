@@ -15,6 +15,7 @@ struct SurfaceList {
   const std::vector<TriangulatedSurface>& given;
   const std::vector<TriangulatedSurface>& box_sides;
   std::size_t size() const { return given.size() + box_sides.size(); }
+  std::vector<TriangulatedSurface> all() const;  ///< names and kinds alone
   const TriangulatedSurface& operator[](std::size_t i) const { return i < given.size() ? given[i] : box_sides[i - given.size()]; }
 };
 

@@ -99,6 +99,7 @@ void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {
 }  // namespace
 
 FileInfo describe_file(const std::filesystem::path& path) {
+  if (path.extension() == ".yaml" || path.extension() == ".yml") return describe_project(path);
   FileInfo info;
   info.file = path.filename().string();
   if (may_be_mesh(path) && describe_mesh(path, info)) return info;

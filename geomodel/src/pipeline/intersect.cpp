@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 
 #include "pipeline/prepare.hpp"
@@ -69,6 +70,16 @@ void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
   }
 }
 
+/// What crosses, has gaps and dangles, but for what was warned of.
+void note_findings(PreparedModel& model, const RunContext& context) {
+  constexpr std::size_t most = 100;
+  std::size_t n = 0;
+  for (std::string& text : findings(model.arrangement.spots, model.surfaces))
+    if (std::find(model.warnings.begin(), model.warnings.end(), text) == model.warnings.end() && n++ < most)
+      note(model.notes, context, std::move(text));
+  if (n > most) note(model.notes, context, "... and " + std::to_string(n - most) + " more findings of this kind: see intersection.spots");
+}
+
 }  // namespace
 
 void build(PreparedModel& model, const RunContext& context) {
@@ -87,6 +98,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
+  note_findings(model, context);
   if (model.rules.trims()) {
     TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.built_rows, model.rules);
     model.arrangement.soup = std::move(trimmed.soup);

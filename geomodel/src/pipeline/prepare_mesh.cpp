@@ -134,6 +134,7 @@ void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunCon
 
   ArrangementOptions options;
   options.box = request.box;
+  options.tolerance = request.tolerance;
   if (request.intersect == MeshRequest::Intersect::never) options.crossings = ArrangementOptions::Crossings::refuse;
   intersect(model, wells, options, context);
   // Closed surfaces are bodies for `inside`; they do not cut each other.

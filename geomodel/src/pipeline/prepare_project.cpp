@@ -119,6 +119,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   model.options = project.mesh.options;
   model.refinement = project.mesh.refinement;
   ArrangementOptions options;
+  options.tolerance = project.tolerance;
   if (project.box) {
     model.volume = make_volume(*project.box, model.surfaces, project.output.origin);
     if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);

@@ -59,6 +59,7 @@ vtkSmartPointer<vtkPolyData> spot_data(const std::vector<Spot>& spots, const std
   measure->SetName("measure");
   for (const Spot& spot : spots) measure->InsertNextValue(spot.measure);
   data->GetCellData()->AddArray(measure);
+  data->GetCellData()->AddArray(string_array("description", n, [&](std::size_t i) { return describe(spots[i], surfaces); }));
   return data;
 }
 

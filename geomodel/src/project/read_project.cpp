@@ -78,7 +78,7 @@ class ProjectReader {
 
   void read_root(const YamlValue& root) {
     const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "rules", "regions", "groups", "attributes",
-                              "mesh", "output"});
+                              "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v);
@@ -100,6 +100,7 @@ class ProjectReader {
     if (const auto v = map.find("attributes")) read_attributes(*v, project_);
     finish_volume(root, project_);
     finish_rules(root, project_);
+    if (const auto v = map.find("tolerance")) read_tolerance(*v);
     if (const auto v = map.find("mesh")) read_mesh(*v);
     if (const auto v = map.find("output")) read_output(*v);
   }
@@ -264,6 +265,13 @@ class ProjectReader {
     }
     if (const auto v = map.find("preserve_boundary")) options.recover.preserve_boundary = v->boolean().value_or(false);
     read_refinement(map, project_);
+  }
+
+  void read_tolerance(const YamlValue& value) {
+    const auto length = value.number();
+    if (!length) return;
+    project_.tolerance = *length;
+    if (*length < 0) value.problem("a length of zero or more was expected");
   }
 
   void read_output(const YamlValue& value) {

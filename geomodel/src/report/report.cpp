@@ -50,6 +50,10 @@ std::string name_at(const std::vector<std::string>& names, std::size_t row) {
   return row < names.size() ? names[row] : std::string("surface ").append(std::to_string(row + 1));
 }
 
+json displacement_json(const Displacement& d) {
+  return {{"largest", d.largest}, {"mean", d.mean}, {"where", to_json(d.where)}, {"points_moved", d.points_moved}};
+}
+
 json spots_json(const std::vector<Spot>& spots, const std::vector<std::string>& names) {
   json list = json::array();
   for (const Spot& s : spots) {
@@ -58,6 +62,7 @@ json spots_json(const std::vector<Spot>& spots, const std::vector<std::string>& 
     if (s.surface_b != no_index) spot["surface_b"] = name_at(names, s.surface_b);
     spot["count"] = s.count;
     spot["measure"] = s.measure;
+    if (s.area > 0) spot["area"] = s.area;
     spot["place"] = to_json(s.place);
     list.push_back(std::move(spot));
   }
@@ -83,11 +88,13 @@ json clipping_json(const ArrangementResult& a, const std::vector<std::string>& n
 }
 
 void add_arrangement(const ArrangementResult& a, const std::vector<std::string>& names, json& root) {
-  root["displacement"] = {{"rounding",
-                           {{"largest", a.rounding.largest},
-                            {"mean", a.rounding.mean},
-                            {"where", to_json(a.rounding.where)},
-                            {"points_moved", a.rounding.points_moved}}},
+  json merging = displacement_json(a.merging.displacement);
+  merging["vertices_merged"] = a.merging.vertices_merged;
+  merging["vertices_inserted"] = a.merging.vertices_inserted;
+  merging["facets_merged"] = a.merging.facets_merged;
+  merging["facets_collapsed"] = a.merging.facets_collapsed;
+  root["displacement"] = {{"rounding", displacement_json(a.rounding)},
+                          {"merging", std::move(merging)},
                           {"clipping", clipping_json(a, names)}};
   root["intersection"] = {{"pairs_tested", a.n_pairs},
                           {"pairs_crossing", a.n_crossing_pairs},

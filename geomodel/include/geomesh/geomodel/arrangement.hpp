@@ -56,12 +56,19 @@ struct PolygonSoup {
 
 /// Where something of note was seen, for messages, for the report and for the VTP of offending spots.
 struct Spot {
-  std::string what;           ///< "crossing", "self-crossing", "free border", "overlap", "clipped", "moved", ...
+  std::string what;           ///< "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "clipped", ...
   Index surface_a = no_index, surface_b = no_index;
   std::size_t count = 0;      ///< pairs of triangles, edges ...
   double measure = 0;         ///< area (m2) or length (m) where that makes sense
   Vec3 place;
+  double area = 0;            ///< crossings: area of the lesser of the two surfaces' parts beyond the other; 0 where nothing is parted
+  std::size_t n_pieces = 1;   ///< free borders: connected pieces
 };
+/// The spot in a geologist's words: "horizon top crosses horizon base over 0.8 km2 along 3.1 km near (x, y, z)". `surfaces`: those given, then
+/// the box's sides.
+std::string describe(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces);
+/// What crosses what, what has gaps and what dangles, a line each.
+std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces);
 
 struct ArrangementOptions {
   std::optional<Box3> box;  ///< clip to it; its sides are then surfaces n .. n+5 in the order xmin xmax ymin ymax zmin zmax

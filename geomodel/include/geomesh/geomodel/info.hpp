@@ -67,7 +67,10 @@ struct FileInfo {
   std::vector<std::string> notes, warnings;
 };
 
-/// Errors as the readers'. Near-linear.
+/// A project's surfaces, read, built and intersected: what crosses what, over which area and where, what dangles, what has gaps.
+/// Errors as read_project, the readers and arrange.
+FileInfo describe_project(const std::filesystem::path& path);
+/// Project files go to describe_project. Errors as the readers'. Near-linear.
 FileInfo describe_file(const std::filesystem::path& path);
 /// For a person.
 std::string to_text(const FileInfo& info);

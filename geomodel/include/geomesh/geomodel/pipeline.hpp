@@ -44,6 +44,7 @@ struct MeshRequest {
   RefinementSettings refinement;
   enum class Intersect { automatic, always, never } intersect = Intersect::automatic;
   bool keep_hull = false;
+  double tolerance = 0;  ///< as ArrangementOptions::tolerance
   std::optional<Box3> box;
   std::optional<std::filesystem::path> report;
   std::string stop_after;

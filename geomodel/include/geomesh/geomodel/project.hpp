@@ -65,6 +65,7 @@ struct Project {
   std::vector<std::string> column;
   ModelRules rules;    ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
   NamingRules naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
+  double tolerance = 0;  ///< points, edges and facets nearer to each other than this merge
   MeshSpec mesh;
   OutputSpec output;
 };
