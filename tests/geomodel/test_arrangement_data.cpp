@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "arrangement_inputs.hpp"
+#include "geomesh/geomodel/build_model.hpp"
 #include "require_sound.hpp"
 
 using namespace geomesh;
@@ -114,6 +115,7 @@ TEST_CASE("arrange: mirrored, permuted and scaled input gives the same counts", 
     CHECK(result.soup.points.size() == plain.soup.points.size());
     CHECK(result.n_crossing_pairs == plain.n_crossing_pairs);
     CHECK(result.spots.size() == plain.spots.size());
+    CHECK(make_plc(result.soup, other, {}).curves.size() == make_plc(plain.soup, surfaces, {}).curves.size());
   }
   std::vector<TriangulatedSurface> far;
   for (const auto& s : surfaces)

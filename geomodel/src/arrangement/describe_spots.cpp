@@ -37,7 +37,9 @@ std::string overlap_text(const Spot& spot, const std::vector<TriangulatedSurface
 
 std::string border_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces, std::size_t n_pieces) {
   const std::string a = name_of(surfaces, spot.surface_a);
-  const std::string where = length_text(spot.measure) + (n_pieces > 1 ? " in " + std::to_string(n_pieces) + " pieces, the longest" : std::string()) + near(spot);
+  std::string where = length_text(spot.measure);
+  if (n_pieces > 1) where.append(" in ").append(std::to_string(n_pieces)).append(" pieces, the longest");
+  where += near(spot);
   if (spot.what == "gap") return a + (n_pieces > 1 ? " has gaps: holes with borders of " : " has a gap: a hole with a border of ") + where;
   const SurfaceKind kind = spot.surface_a < surfaces.size() ? surfaces[spot.surface_a].kind : SurfaceKind::surface;
   if (kind == SurfaceKind::fault) return a + " ends inside the model (tip line) along " + where;

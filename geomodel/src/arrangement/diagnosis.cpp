@@ -108,17 +108,17 @@ void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, Arrangem
   }
 }
 
-/// How much of either surface lies beyond the other, and warnings of crossings that should not be.
+/// Of crossings that should not be: how much of either surface lies beyond the other, and warnings.
 void measure_crossings(const SurfaceList& surfaces, ArrangementResult& result) {
-  const auto is_pair = [](const Spot& spot) { return spot.what == "crossing"; };
   std::optional<SurfaceParts> parts;
-  if (std::any_of(result.spots.begin(), result.spots.end(), is_pair)) parts.emplace(result.soup, surfaces.size());
   for (Spot& spot : result.spots) {
-    if (is_pair(spot)) {
+    if ((spot.what != "crossing" && spot.what != "self-crossing") || !is_suspicious(surfaces, spot)) continue;
+    if (spot.what == "crossing") {
+      if (!parts) parts.emplace(result.soup, surfaces.size());
       const double a = parts->area_parted(spot.surface_a, spot.surface_b), b = parts->area_parted(spot.surface_b, spot.surface_a);
       spot.area = a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
     }
-    if ((is_pair(spot) || spot.what == "self-crossing") && is_suspicious(surfaces, spot)) result.warnings.push_back(describe(spot, surfaces.all()));
+    result.warnings.push_back(describe(spot, surfaces.all()));
   }
 }
 

@@ -61,7 +61,7 @@ struct Spot {
   std::size_t count = 0;      ///< pairs of triangles, edges ...
   double measure = 0;         ///< area (m2) or length (m) where that makes sense
   Vec3 place;
-  double area = 0;            ///< crossings: area of the lesser of the two surfaces' parts beyond the other; 0 where nothing is parted
+  double area = 0;            ///< crossings that should not be: area of the lesser of the two surfaces' parts beyond the other; 0 where nothing is parted
   std::size_t n_pieces = 1;   ///< free borders: connected pieces
 };
 /// The spot in a geologist's words: "horizon top crosses horizon base over 0.8 km2 along 3.1 km near (x, y, z)". `surfaces`: those given, then
