@@ -23,7 +23,8 @@ FULL = {
     "name": "full",
     "crs": {"horizontal": "local", "z": "elevation", "unit": "m"},
     "box": {"min": [0, 0, 0], "max": [10, 10, 10]},
-    "surfaces": [{"name": "top", "kind": "horizon", "file": "top.ts", "extend": "flat", "fill_holes": "all", "base": "erode"}],
+    "surfaces": [{"name": "top", "kind": "horizon", "file": "top.ts", "extend": "flat", "fill_holes": "all", "base": "erode",
+                  "gridding": {"method": "thin_plate"}, "smooth": 1}],
     "wells": [{"name": "w", "file": "w.pl"}],
     "points": [{"name": "p", "at": [1, 2, 3]}],
     "column": ["upper", "top", "lower"],
@@ -168,6 +169,8 @@ class ProjectSchema(ProgramTest):
         mistakes = [
             {"surfaces": [{"name": "top", "kind": "horizon"}]}, surface(kind="salt"), surface(name="a,b"), surface(name=" top"),
             surface(fill_holes=-1), surface(fill_holes="some"), surface(extent="to_fault"), surface(extent="beyond"), surface(base="erodes"),
+            surface(crs="mars"), surface(unit="ms"), surface(z="time"), surface(z_datum="kb"), surface(resample=0), surface(smooth=1.5),
+            surface(gridding={"spacing": -1}), {"crs": {"z_scale": 0}}, {"crs": {"horizontal": "utm 32"}},
             {"box": {"min": [0, 0, 0]}}, {"box": {"min": [0, 0], "max": [1, 1, 1]}}, {"box": {"min": [0, 0, "a"], "max": [1, 1, 1]}},
             {"column": ["upper", "top", "upper"]}, {"rules": {"trim_overshoot": -5}}, {"rules": {"fault_blocks": "perhaps"}},
             {"rules": {"min_volume": "big"}}, {"groups": {"all": "upper"}}, {"attributes": {"upper": {"region": 1}}},

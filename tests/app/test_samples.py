@@ -88,6 +88,11 @@ class Samples(ProgramTest):
     def test_depth_in_feet(self):
         self.run_with_expected("depth-in-feet")
 
+    def test_lon_lat(self):
+        report, _ = self.run_with_expected("lon-lat")
+        self.assertEqual(report["input"]["crs"]["mesh"], "utm 32N")
+        self.assertTrue(any("converted from geographic to utm 32N" in note for note in report["notes"]), report["notes"])
+
     def test_wells(self):
         report, _ = self.run_with_expected("wells")
         wells = {curve["name"]: curve["length"] for curve in report["curves"] if curve["kind"] == "well"}

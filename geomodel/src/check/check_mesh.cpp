@@ -7,6 +7,7 @@
 #include <set>
 
 #include "check/judged_mesh.hpp"
+#include "coordinates/project_inputs.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
@@ -17,23 +18,6 @@ namespace geomesh::geomodel {
 namespace {
 
 using namespace checking;
-
-/// The object that a project's entry means: the file's only surface, or the one of the entry's name.
-TriangulatedSurface surface_of_entry(const SurfaceSpec& spec, const Vec3& origin) {
-  FileContents contents = read_surface_file(spec.file);
-  auto it = contents.surfaces.begin();
-  if (contents.surfaces.size() != 1)
-    it = std::find_if(contents.surfaces.begin(), contents.surfaces.end(),
-                      [&](const TriangulatedSurface& s) { return s.name == spec.name; });
-  if (it == contents.surfaces.end())
-    throw Error(ErrorKind::invalid_input, spec.file.string() + ": holds no surface for the project's entry " + spec.name);
-  TriangulatedSurface surface = std::move(*it);
-  surface.name = spec.name;
-  surface.kind = spec.kind;
-  surface.cuts_all = spec.cuts_all;
-  for (Vec3& p : surface.points) p = p - origin;
-  return surface;
-}
 
 /// NAME.ext -> NAME<suffix>, empty where there is no such file.
 std::filesystem::path beside(const std::filesystem::path& mesh, const std::string& suffix) {
@@ -88,12 +72,13 @@ void claim_clipped_areas(const Project& project, const std::filesystem::path& me
 }
 
 Claim claim_of_project(const std::filesystem::path& file, const std::filesystem::path& mesh) {
-  const Project project = read_project(file);
+  Project project = read_project(file);
+  project.crs.z_scale = 1;  // the mesh is written without it
+  ProjectInputs inputs = read_project_inputs(project, {});
   Claim claim;
   claim.named = true;
-  for (const SurfaceSpec& spec : project.surfaces) claim.surfaces.push_back(surface_of_entry(spec, project.output.origin));
-  if (project.box) claim.volume = make_volume(*project.box, claim.surfaces, project.output.origin);
-  for (TriangulatedSurface& s : claim.surfaces) s.ends_model = s.name == project.rules.topography || s.name == project.rules.floor;
+  claim.surfaces = std::move(inputs.surfaces);
+  if (inputs.volume) claim.volume = make_volume(*inputs.volume, claim.surfaces, Vec3{});
   claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
   ModelRules rules = project.rules;
   if (claim.volume) rules.box = claim.volume->bounds;

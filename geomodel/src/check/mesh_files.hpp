@@ -25,6 +25,7 @@ struct MeshFile {
   std::vector<std::int32_t> region;  ///< per tetrahedron; empty where the file has no such array
   std::string region_array;          ///< its name
   std::map<std::int32_t, std::string> region_names;
+  std::vector<std::string> arrays;          ///< of points and cells, with their type (VTK files only)
   std::vector<std::int32_t> input_vertex;   ///< per point, -1 where added; empty where the file has no such array
   std::vector<std::string> missing_arrays;  ///< point arrays of the output contract that are not there (VTK files only)
 };

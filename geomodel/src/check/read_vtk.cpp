@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <vtkAbstractArray.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -96,6 +97,16 @@ std::int32_t nearest_id(double value) {
   return value > Limits::min() && value <= Limits::max() ? static_cast<std::int32_t>(value) : Limits::min();
 }
 
+/// "porosity (cells, double)".
+void list_arrays(vtkFieldData& data, const char* where, std::vector<std::string>& names) {
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
+    vtkAbstractArray* array = data.GetAbstractArray(i);
+    if (!array || !array->GetName()) continue;
+    const int n = array->GetNumberOfComponents();
+    names.push_back(std::string(array->GetName()) + " (" + where + ", " + array->GetDataTypeAsString() + (n > 1 ? " x " + std::to_string(n) : "") + ")");
+  }
+}
+
 std::vector<std::int32_t> integers_of(vtkDataArray& array) {
   std::vector<std::int32_t> values(static_cast<std::size_t>(array.GetNumberOfTuples()));
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -173,6 +184,8 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
       ++(is_solid(type) ? mesh.n_other_solids : mesh.n_lower_cells);
     }
   }
+  list_arrays(*grid.GetPointData(), "points", mesh.arrays);
+  list_arrays(*grid.GetCellData(), "cells", mesh.arrays);
   for (const char* name : {"region", "RegionId", "region_id", "MaterialIDs", "attribute", "gmsh:physical", "medit:ref"}) {
     vtkDataArray* array = grid.GetCellData()->GetArray(name);
     if (!array) continue;

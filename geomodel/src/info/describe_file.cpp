@@ -4,6 +4,7 @@
 
 #include "check/mesh_files.hpp"
 #include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "sets/sums.hpp"
@@ -14,6 +15,32 @@ namespace {
 bool may_be_mesh(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   return extension == ".vtu" || extension == ".msh" || extension == ".inp";
+}
+
+/// Tetrahedra and volumes by region.
+void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
+  struct Sum {
+    std::size_t n = 0;
+    CompensatedSum volume;
+  };
+  std::map<std::int32_t, Sum> sums;
+  CompensatedSum whole;
+  for (std::size_t t = 0; t < file.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = file.tetrahedra[t];
+    const Vec3 &a = file.points[v[0]], &b = file.points[v[1]], &c = file.points[v[2]], &d = file.points[v[3]];
+    const double volume = signed_volume(a, b, c, d);
+    whole.add(volume);
+    mesh.n_inverted += orient3d(a, b, c, d) != Sign::positive;
+    if (file.region.empty()) continue;
+    Sum& sum = sums[file.region[t]];
+    ++sum.n;
+    sum.volume.add(volume);
+  }
+  mesh.volume = whole.value();
+  for (const auto& [id, sum] : sums) {
+    const auto name = file.region_names.find(id);
+    mesh.regions.push_back({id, name == file.region_names.end() ? "" : name->second, sum.n, sum.volume.value()});
+  }
 }
 
 /// False where the file holds no tetrahedra.
@@ -28,12 +55,10 @@ bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   mesh.n_lower_cells = file.n_lower_cells;
   mesh.region_array = file.region_array;
   for (const Vec3& p : file.points) mesh.bounds.add(p);
-  std::map<std::int32_t, std::size_t> counts;
-  for (const std::int32_t id : file.region) ++counts[id];
-  for (const auto& [id, n] : counts) {
-    const auto name = file.region_names.find(id);
-    mesh.regions.push_back({id, name == file.region_names.end() ? "" : name->second, n});
-  }
+  mesh.arrays = file.arrays;
+  measure_regions(file, mesh);
+  if (mesh.n_inverted > 0)
+    info.warnings.push_back(std::to_string(mesh.n_inverted) + " tetrahedra have no positive volume (decided exactly): `geomesh check` names them");
   if (file.region.empty()) info.warnings.push_back("no region array: the solver will see one material");
   if (file.n_other_solids > 0)
     info.warnings.push_back(std::to_string(file.n_other_solids) + " cells are solids other than tetrahedra");
@@ -74,6 +99,9 @@ void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {
   info.format = contents.format;
   info.notes = std::move(contents.notes);
   info.warnings = std::move(contents.warnings);
+  info.frame = contents.frame;
+  info.grids = std::move(contents.grids);
+  info.arrays = std::move(contents.arrays);
   for (TriangulatedSurface& surface : contents.surfaces) {
     if (surface.name.empty()) surface.name = path.stem().string();
     info.surfaces.push_back(measure_surface(surface));
@@ -81,11 +109,13 @@ void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {
   }
   for (const Polyline& line : contents.polylines) {
     CompensatedSum length;
+    Box3 bounds;
+    for (const Vec3& p : line.points) bounds.add(p);
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       const Vec3 step = line.points[i] - line.points[i - 1];
       length.add(std::sqrt(dot(step, step)));
     }
-    info.polylines.push_back({line.name, line.points.size(), length.value()});
+    info.polylines.push_back({line.name, line.points.size(), length.value(), bounds});
   }
   info.n_named_points = contents.points.size();
   for (const PointSet& set : contents.point_sets) {

@@ -48,7 +48,8 @@ std::size_t count_sets(DisjointSets& sets, std::vector<VertexIndex> vertices) {
   return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
 }
 
-void measure_edges(std::vector<DirectedEdge>& edges, const std::vector<Vec3>& points, SurfaceInfo& info) {
+/// Returns the vertices on borders.
+std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const std::vector<Vec3>& points, SurfaceInfo& info) {
   std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
     return std::tie(a.low, a.high, a.forward) < std::tie(b.low, b.high, b.forward);
   });
@@ -72,8 +73,9 @@ void measure_edges(std::vector<DirectedEdge>& edges, const std::vector<Vec3>& po
     }
   }
   info.border_length = length.value();
-  info.n_borders = count_sets(borders, std::move(border_vertices));
+  info.n_borders = count_sets(borders, border_vertices);
   info.closed = !odd && !edges.empty();
+  return border_vertices;
 }
 
 }  // namespace
@@ -116,7 +118,8 @@ SurfaceInfo measure_surface(const TriangulatedSurface& surface) {
   for (std::size_t i = 1; i < keys.size(); ++i) info.n_repeated += keys[i] == keys[i - 1];
   info.n_components = count_sets(pieces, std::move(used));
   info.area = area.value();
-  measure_edges(edges, surface.points, info);
+  const std::vector<VertexIndex> on_borders = measure_edges(edges, surface.points, info);
+  info.n_holes = info.n_borders - count_sets(pieces, on_borders);
   if (info.closed && info.n_misoriented_edges == 0) info.volume = std::abs(volume.value());
   return info;
 }

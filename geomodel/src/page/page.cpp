@@ -45,19 +45,19 @@ std::string regions_table(const ModelMesh& mesh) {
   for (const Region& r : mesh.regions) {
     std::string inside;
     for (const std::string& body : r.inside) inside += (inside.empty() ? "" : ", ") + body;
-    out += "<tr>" + cell(swatch(static_cast<std::size_t>(r.id - 1)) + escape(r.name)) + cell(volume_words(r.volume), true) +
+    out += "<tr>" + cell(swatch(static_cast<std::size_t>(r.id - 1)) + escape(r.name)) + cell(volume_words(r.volume, mesh.unit), true) +
            cell(std::to_string(r.n_tetrahedra), true) + cell(escape(inside)) + "</tr>\n";
   }
   return out + "</table>\n";
 }
 
 std::string surfaces_table(const ModelMesh& mesh) {
-  std::string out = "<h2>Surfaces and curves</h2>\n<div class=\"row\"><table><tr><th>surface</th><th>kind</th><th class=\"n\">area, m2</th></tr>\n";
+  std::string out = "<h2>Surfaces and curves</h2>\n<div class=\"row\"><table><tr><th>surface</th><th>kind</th><th class=\"n\">area, " + mesh.unit + "2</th></tr>\n";
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
     const NamedSurface& s = mesh.surfaces[i];
     out += "<tr>" + cell(swatch(mesh.regions.size() + i) + escape(s.name)) + cell(std::string(to_string(s.kind))) + cell(number(s.area), true) + "</tr>\n";
   }
-  out += "</table><table><tr><th>curve</th><th>kind</th><th class=\"n\">length, m</th></tr>\n";
+  out += "</table><table><tr><th>curve</th><th>kind</th><th class=\"n\">length, " + mesh.unit + "</th></tr>\n";
   for (const NamedCurve& c : mesh.curves) out += "<tr>" + cell(escape(c.name)) + cell(escape(c.kind)) + cell(number(c.length), true) + "</tr>\n";
   return out + "</table></div>\n";
 }

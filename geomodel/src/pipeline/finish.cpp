@@ -26,7 +26,7 @@ std::vector<std::string> summarise(const ModelMesh& mesh) {
     const Region& region = mesh.regions[i];
     char line[256];
     std::snprintf(line, sizeof line, "  %3d  %-28s %10zu tetrahedra  %s", region.id, region.name.c_str(), region.n_tetrahedra,
-                  volume_words(region.volume).c_str());
+                  volume_words(region.volume, mesh.unit).c_str());
     lines.emplace_back(line);
   }
   if (mesh.regions.size() > most_regions_listed)
@@ -65,6 +65,23 @@ ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& rec
   return core;
 }
 
+/// Divides z of everything by the scale, a power of two: exact, so that what was decided with scaled z holds for what is named, verified
+/// and written.
+void undo_z_scale(PreparedModel& model, ConstrainedTetrahedralization& core) {
+  if (model.z_scale == 1) return;
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", model.z_scale);
+  const auto undo = [&](std::vector<Vec3>& points) {
+    for (Vec3& p : points) p.z /= model.z_scale;
+  };
+  undo(core.points);
+  undo(model.arrangement.soup.points);
+  undo(model.plc.plc.points);
+  for (TriangulatedSurface& surface : model.surfaces) undo(surface.points);
+  for (NamedPoint& p : model.points) p.point.z /= model.z_scale;
+  model.notes.push_back(std::string("z was scaled by ") + text + " while meshing; lengths and areas of clipping and rounding are those of the scaled model");
+}
+
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays, PreparedModel& model,
                           StageRecorder& recorder) {
   StageScope stage(recorder.context(), "verify");
@@ -74,6 +91,7 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   mesh.name = model.name;
   mesh.origin = model.origin;
   mesh.cell_arrays = std::move(arrays);
+  mesh.unit = model.unit;
   const std::vector<std::string> faults = validate_model_mesh(mesh);
   if (!faults.empty()) {
     std::string all = "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
@@ -162,6 +180,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     refined = refine_model(model, std::move(refined.mesh), options, recorder.context());
     report.refinement = refined.statistics;
   }
+  undo_z_scale(model, refined.mesh);
   const ConstrainedTetrahedralization& core = refined.mesh;
   report.core = &core;
   const SizeField* const size = refine ? &refined.size_field : nullptr;

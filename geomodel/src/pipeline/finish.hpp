@@ -29,6 +29,8 @@ struct PreparedModel {
   TetrahedralizeOptions options;
   RefinementSettings refinement;
   Vec3 origin{0, 0, 0};
+  std::string system = "local", unit = "m";  ///< of the mesh, for the report
+  double z_scale = 1;  ///< z of everything but naming.seeds is multiplied by this power of two until the mesh is named
   ModelRules rules;
   ModelVolume volume;
   BuiltRows built_rows;                  ///< which triangles of the input surfaces rules made

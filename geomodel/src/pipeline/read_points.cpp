@@ -88,6 +88,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& path) {
   std::vector<Vec3> points;
   for (const auto& surface : contents.surfaces) points.insert(points.end(), surface.points.begin(), surface.points.end());
   for (const auto& line : contents.polylines) points.insert(points.end(), line.points.begin(), line.points.end());
+  for (const auto& set : contents.point_sets) points.insert(points.end(), set.points.begin(), set.points.end());
   for (const auto& point : contents.points) points.push_back(point.point);
   return points;
 }

@@ -6,6 +6,8 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "project/read_coordinates.hpp"
+#include "project/read_gridding.hpp"
 #include "project/read_mesh_settings.hpp"
 #include "project/read_rules.hpp"
 #include "project/read_volume.hpp"
@@ -81,7 +83,7 @@ class ProjectReader {
                               "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
-    if (const auto v = map.find("crs")) read_crs(*v);
+    if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
     if (const auto v = map.find("box")) project_.box = read_volume(*v);
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
@@ -135,17 +137,6 @@ class ProjectReader {
     }
   }
 
-  void read_crs(const YamlValue& value) {
-    const YamlMap map(value, {"horizontal", "z", "unit"});
-    if (const auto v = map.find("horizontal")) {
-      if (const auto text = v->text()) project_.crs.horizontal = *text;
-    }
-    if (const auto v = map.find("z")) project_.crs.depth = v->choice({"elevation", "depth"}) == "depth";
-    if (const auto v = map.find("unit")) {
-      if (const auto unit = v->choice({"m", "km", "ft", "ftUS"})) project_.crs.unit = *unit;
-    }
-  }
-
   /// The path against the project's folder; reports a missing file.
   void read_file(const YamlValue& value, std::filesystem::path& file, std::string& as_written) {
     const auto text = value.text();
@@ -164,7 +155,8 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at"});
+    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at", "object", "crs", "unit", "z_unit", "z", "z_datum",
+                              "gridding", "resample", "smooth"});
     if (!map.is_map()) return;
     SurfaceSpec spec;
     spec.line = map.place().line;
@@ -178,12 +170,14 @@ class ProjectReader {
     if (const auto v = map.require("file", "the file of the surface")) read_file(*v, spec.file, spec.file_as_written);
     spec.cuts_all = spec.kind == SurfaceKind::body;
     if (const auto v = map.find("cuts")) read_cuts(*v, spec);
+    read_source(map, spec.source);
+    read_gridding(map, spec);
     read_surface_rules(map, spec);
     project_.surfaces.push_back(std::move(spec));
   }
 
   void read_well(const YamlValue& value) {
-    const YamlMap map(value, {"name", "file"});
+    const YamlMap map(value, {"name", "file", "object", "crs", "unit", "z_unit", "z", "z_datum"});
     if (!map.is_map()) return;
     WellSpec spec;
     spec.line = map.place().line;
@@ -191,6 +185,7 @@ class ProjectReader {
       if (read_name(*v, spec.name)) claim_name(*v, spec.name);
     }
     if (const auto v = map.require("file", "the file of the well's path")) read_file(*v, spec.file, spec.file_as_written);
+    read_source(map, spec.source);
     project_.wells.push_back(std::move(spec));
   }
 

@@ -128,12 +128,14 @@ std::optional<VolumeSpec> read_volume(const YamlValue& value) {
     map.require("bottom", "a height, or the horizon at which the model ends below");
     map.require("top", "a height, or the horizon at which the model ends above");
   }
-  if (spec.bottom && spec.top && !(*spec.bottom < *spec.top)) value.problem("its bottom must be below its top (heights count upwards)");
   return complete ? std::optional(spec) : std::nullopt;
 }
 
 void finish_volume(const YamlValue& root, Project& project) {
   if (!project.box) return;
+  const std::optional<double>&bottom = project.box->bottom, &top = project.box->top;
+  if (bottom && top && !(project.crs.depth ? *top < *bottom : *bottom < *top))
+    root.problem(std::string("box: its bottom must be below its top (") + (project.crs.depth ? "depths count downwards)" : "heights count upwards)"));
   const auto check = [&](const std::string& name, const char* key) {
     if (name.empty()) return;
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(),

@@ -27,4 +27,46 @@ FileContents read_stl(const InputFile& file);
 bool is_obj(const InputFile& file);
 FileContents read_obj(const InputFile& file);
 
+bool is_esri_ascii(const InputFile& file);
+FileContents read_esri_ascii(const InputFile& file);
+
+bool is_surfer_text(const InputFile& file);
+FileContents read_surfer_text(const InputFile& file);
+
+bool is_surfer_6(const InputFile& file);
+FileContents read_surfer_6(const InputFile& file);
+
+bool is_surfer_7(const InputFile& file);
+FileContents read_surfer_7(const InputFile& file);
+
+bool is_zmap(const InputFile& file);
+FileContents read_zmap(const InputFile& file);
+
+bool is_cps3(const InputFile& file);
+FileContents read_cps3(const InputFile& file);
+
+bool is_irap_text(const InputFile& file);
+FileContents read_irap_text(const InputFile& file);
+
+bool is_irap_binary(const InputFile& file);
+FileContents read_irap_binary(const InputFile& file);
+
+bool is_geotiff(const InputFile& file);
+FileContents read_geotiff(const InputFile& file);
+
+bool is_dxf(const InputFile& file);
+FileContents read_dxf(const InputFile& file);
+
+bool is_omf(const InputFile& file);
+FileContents read_omf(const InputFile& file);
+
+bool is_earth_vision(const InputFile& file);
+FileContents read_earth_vision(const InputFile& file);
+
+bool is_petrel_points(const InputFile& file);
+FileContents read_petrel_points(const InputFile& file);
+
+bool is_xyz(const InputFile& file);
+FileContents read_xyz(const InputFile& file);
+
 }  // namespace geomesh::geomodel

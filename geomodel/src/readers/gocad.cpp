@@ -60,6 +60,7 @@ void describe_frame(const std::vector<GocadObject>& objects, FileContents& conte
   contents.frame.unit = f.unit[0];
   if (f.unit[2] != f.unit[0]) contents.frame.z_unit = f.unit[2];
   contents.frame.depth = f.depth;
+  contents.frame.z_named = true;
   for (const std::string& part : {f.name, f.projection, f.datum}) {
     if (part.empty() || equals_ignoring_case(part, "Unknown") || equals_ignoring_case(part, "Default")) continue;
     contents.frame.crs += (contents.frame.crs.empty() ? "" : ", ") + part;
@@ -126,6 +127,9 @@ FileContents read_gocad(const InputFile& file) {
       ++skipped[object.kind];
     }
   }
+  for (const GocadObject& object : objects)
+    for (const std::string& name : object.properties)
+      if (std::find(contents.arrays.begin(), contents.arrays.end(), name) == contents.arrays.end()) contents.arrays.push_back(name);
   for (const auto& [kind, n] : skipped) {
     contents.notes.push_back(std::to_string(n) + " object(s) of kind " + kind + " passed over");
   }

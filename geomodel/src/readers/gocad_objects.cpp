@@ -40,6 +40,8 @@ class ObjectParser {
       geometry_line(keyword, tokens);
     } else if (keyword == "HEADER" || keyword.starts_with("HEADER{")) {
       header();
+    } else if (keyword == "PROPERTIES") {
+      while (!tokens.at_end()) object_.properties.emplace_back(tokens.next_quoted());
     } else if (keyword == "GOCAD_ORIGINAL_COORDINATE_SYSTEM") {
       coordinate_system();
     } else if (keyword == "PROPERTY_CLASS_HEADER" || lines_.line().find('{') != std::string_view::npos) {

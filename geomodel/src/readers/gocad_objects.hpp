@@ -48,6 +48,7 @@ struct GocadObject {
   std::vector<Index> part_first;         ///< first triangle of each TFACE
   std::vector<std::vector<VertexIndex>> lines;  ///< PLine: one per ILINE, as chains of rows of `points`
   std::vector<Vec3> path;                ///< Well
+  std::vector<std::string> properties;   ///< of its vertices, by name; their values are passed over
   std::vector<std::pair<std::string, double>> markers;  ///< Well: name and measured depth
   std::vector<GocadKeyFace> key_faces;   ///< Model3d
   std::vector<GocadRegion> regions;      ///< Model3d

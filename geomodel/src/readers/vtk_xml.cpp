@@ -3,12 +3,14 @@
 // points are widened. Volume cells are no surface: such a file is refused here (`geomesh info` and `check` read it).
 #include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -94,6 +96,11 @@ void add_points(const InputFile& file, vtkPointSet& data, SurfaceBuilder& builde
   }
 }
 
+void list_arrays(vtkFieldData& data, FileContents& contents) {
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
+    if (const char* name = data.GetArrayName(i)) contents.arrays.emplace_back(name);
+}
+
 struct CellCounts {
   std::size_t lines = 0, volumes = 0, points = 0;
 };
@@ -158,6 +165,8 @@ FileContents read_vtk_xml(const InputFile& file) {
     file.fail(counts.volumes > 0 ? "it holds volume cells and no triangle: it is a mesh, not a surface"
                                  : "the surface is empty: the file holds no triangle");
   }
+  list_arrays(*data->GetPointData(), contents);
+  list_arrays(*data->GetCellData(), contents);
   contents.format = poly ? "VTK PolyData" : "VTK UnstructuredGrid";
   if (counts.volumes > 0) contents.warnings.push_back(std::to_string(counts.volumes) + " volume cells are passed over");
   if (counts.points > 0) contents.notes.push_back(std::to_string(counts.points) + " point cells are passed over");

@@ -5,12 +5,12 @@
 
 namespace geomesh::geomodel {
 
-std::string volume_words(double cubic_metres) {
+std::string volume_words(double volume, const std::string& unit) {
   char text[64];
-  if (cubic_metres >= 1e8) {
-    std::snprintf(text, sizeof text, "%.4g km3", cubic_metres / 1e9);
+  if (volume >= 1e8 && unit == "m") {
+    std::snprintf(text, sizeof text, "%.4g km3", volume / 1e9);
   } else {
-    std::snprintf(text, sizeof text, "%.4g m3", cubic_metres);
+    std::snprintf(text, sizeof text, "%.4g %s3", volume, unit.c_str());
   }
   return text;
 }

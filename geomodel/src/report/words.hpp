@@ -7,7 +7,7 @@
 
 namespace geomesh::geomodel {
 
-/// "5.123 km3" from 1e8 m3 on, "5123 m3" below: four significant digits.
-std::string volume_words(double cubic_metres);
+/// "5.123 km3" from 1e8 m3 on, "5123 m3" below; "5123 ft3" in other units: four significant digits.
+std::string volume_words(double volume, const std::string& unit);
 
 }  // namespace geomesh::geomodel

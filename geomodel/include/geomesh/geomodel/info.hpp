@@ -26,6 +26,7 @@ struct SurfaceInfo {
   std::size_t n_misoriented_edges = 0;   ///< edges whose two triangles run along them in the same direction
   std::size_t n_degenerate = 0;          ///< triangles of exactly zero area
   std::size_t n_repeated = 0;            ///< triangles on the same three vertices as an earlier one
+  std::size_t n_holes = 0;               ///< borders beyond the longest one of each piece
   bool closed = false;                   ///< no border: every edge has an even number of triangles
   double volume = 0;                     ///< enclosed, where closed and oriented alike
   Vec3 border_place, non_manifold_place; ///< an example of each
@@ -37,21 +38,29 @@ struct MeshInfo {
   std::size_t n_points = 0, n_tetrahedra = 0, n_other_solids = 0, n_lower_cells = 0;
   Box3 bounds;
   std::string region_array;
+  std::vector<std::string> arrays;  ///< of points and cells, with their type
+  double volume = 0;                ///< of all tetrahedra
+  std::size_t n_inverted = 0;       ///< tetrahedra of exactly zero or negative volume
   struct Region {
     std::int32_t id;
     std::string name;
     std::size_t n_tetrahedra;
+    double volume;
   };
   std::vector<Region> regions;
 };
 
 struct FileInfo {
   std::string file, format;
+  SourceFrame frame;
+  std::vector<GridSummary> grids;
+  std::vector<std::string> arrays;  ///< properties passed over
   std::vector<SurfaceInfo> surfaces;
   struct Line {
     std::string name;
     std::size_t n_points;
     double length;
+    Box3 bounds;
   };
   std::vector<Line> polylines;
   struct Points {

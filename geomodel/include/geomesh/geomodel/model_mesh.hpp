@@ -96,6 +96,7 @@ struct ModelMesh {
   std::vector<NamedSurface> surfaces;
   std::vector<NamedCurve> curves;
   Vec3 origin{0, 0, 0};  ///< was subtracted from the project's coordinates
+  std::string unit = "m";  ///< of all coordinates; volumes and areas are in its powers
 };
 
 }  // namespace geomesh::geomodel

@@ -11,6 +11,7 @@
 #include "geomesh/core/geometry.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
+#include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/refinement.hpp"
@@ -18,12 +19,26 @@
 
 namespace geomesh::geomodel {
 
+/// How the coordinates of one input are to be understood (docs/coordinates.md).
+struct SourceSpec {
+  std::string object;         ///< name of the object in the file; empty: the only one, or the one named as the entry
+  std::string crs;            ///< empty: the file's own where it names one that is known, else the project's
+  std::string unit;           ///< of x, y and z; empty: the file's own, else the project's
+  std::string z_unit;         ///< of z alone; empty: as unit
+  std::optional<bool> depth;  ///< empty: the file's own, else the project's
+  double z_datum = 0;         ///< elevation of the input's zero in the project's height system, in the project's unit
+};
+
 struct SurfaceSpec {
   std::string name;
   SurfaceKind kind = SurfaceKind::horizon;
   std::filesystem::path file;  ///< absolute, resolved against the project file
   std::string file_as_written;
   bool cuts_all = false;  ///< `cuts: all`; default true for bodies
+  SourceSpec source;
+  GriddingSpec gridding;  ///< how points become a surface
+  double resample = 0;    ///< length of the edges of the surface remade; 0: as it is
+  int smooth = 0;         ///< passes of smoothing
   SurfaceRules rules;     ///< `extend`, `fill_holes`, `extent`, `base`
   int line = 0;           ///< where it stands in the project file, from 1
 };
@@ -32,13 +47,17 @@ struct WellSpec {
   std::string name;
   std::filesystem::path file;
   std::string file_as_written;
+  SourceSpec source;
   int line = 0;
 };
 
 struct CrsSpec {
-  std::string horizontal = "local";
-  bool depth = false;  ///< z: depth
-  std::string unit = "m";
+  std::string horizontal = "local";  ///< local, geographic, utm [ZONE], epsg:CODE
+  bool depth = false;                ///< z: depth; what the project file and its inputs count downwards. The mesh has elevation up
+  std::string unit = "m";            ///< of the mesh, and of all lengths in the project file
+  std::string z_datum;               ///< name of the height system, for the report alone
+  /// z is multiplied by this while meshing and divided in the mesh: a power of two, which is undone without rounding.
+  double z_scale = 1;
 };
 
 struct MeshSpec {

@@ -69,8 +69,19 @@ struct SourceFrame {
   std::string unit;        ///< as written ("m", "ft", ...); empty where the file names none
   std::string z_unit;      ///< where it differs
   bool depth = false;      ///< z counted downwards
+  bool z_named = false;    ///< the file says which way z counts
   std::string crs;         ///< name, projection, datum as written; empty where the file names none
   bool geographic = false; ///< x, y are longitude and latitude in degrees
+};
+
+/// A grid that became a surface.
+struct GridSummary {
+  std::string surface;  ///< its name
+  std::size_t n_columns = 0, n_rows = 0, n_blank = 0;  ///< nodes, and how many have no value
+  Vec2 origin;          ///< the first node
+  Vec2 spacing;         ///< zero where the nodes are not regular
+  double rotation = 0;  ///< degrees counter-clockwise
+  bool cell_centred = false;
 };
 
 /// What one file held.
@@ -82,6 +93,8 @@ struct FileContents {
   std::vector<NamedPoint> points;
   std::vector<PointSet> point_sets;
   std::vector<RegionHint> regions;
+  std::vector<GridSummary> grids;     ///< of the surfaces that were grids
+  std::vector<std::string> arrays;    ///< properties of points or triangles in the file, which are passed over
   std::vector<std::string> notes;     ///< what was understood beyond the obvious (z negated: Depth, unit ft, ...)
   std::vector<std::string> warnings;  ///< in a user's words
 };

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coordinates/project_inputs.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/gridding.hpp"
+#include "geomesh/geomodel/readers.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// The object of the list that the entry means: the one of the name asked for, the one named as the entry, the only one; nullptr else.
+template <class Object>
+Object* object_of(std::vector<Object>& objects, const SurfaceSpec& spec, bool only_one) {
+  const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
+  for (Object& object : objects)
+    if (object.name == wanted) return &object;
+  return only_one && objects.size() == 1 && spec.source.object.empty() ? &objects.front() : nullptr;
+}
+
+[[noreturn]] void refuse_choice(const FileContents& contents, const SurfaceSpec& spec) {
+  std::string names;
+  for (const TriangulatedSurface& s : contents.surfaces) names += (names.empty() ? "" : ", ") + s.name;
+  for (const PointSet& s : contents.point_sets) names += (names.empty() ? "" : ", ") + s.name;
+  const std::string what = "surface " + spec.name + ": " + spec.file_as_written + " (" + contents.format + ")";
+  if (names.empty()) throw Error(ErrorKind::invalid_input, what + " holds no surface and no points");
+  throw Error(ErrorKind::invalid_input, what + " holds " + names + ", and none is called " +
+                                            (spec.source.object.empty() ? spec.name : spec.source.object) +
+                                            ": name the one you mean with 'object' in the entry");
+}
+
+std::string length_text(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", v);
+  return text;
+}
+
+std::string gridding_note(const SurfaceSpec& spec, const GriddedSurface& g) {
+  std::string text = spec.name + ": surface made from " + std::to_string(g.n_points) + " points, ";
+  if (spec.gridding.method == GriddingSpec::Method::triangulate) {
+    text += "triangulated as they are";
+  } else {
+    text += "thin plate with smoothing length " + length_text(g.smoothing) + " on a grid of spacing " + length_text(g.spacing) + " (" + std::to_string(g.n_nodes) + " nodes)";
+  }
+  return text + "; residual at the points: rms " + length_text(g.rms_residual) + ", largest " + length_text(g.largest_residual);
+}
+
+TriangulatedSurface surface_of_points(const PointSet& set, const SurfaceSpec& spec, const std::optional<Box3>& box, ProjectInputs& inputs) {
+  if (spec.gridding.to_box && !box) throw Error(ErrorKind::usage, "surface " + spec.name + ": gridding.extent is box, which is known beforehand for a box with min and max alone");
+  const GraphOver over = spec.kind == SurfaceKind::horizon ? GraphOver::map : GraphOver::mean_plane;
+  if (spec.kind == SurfaceKind::body) {
+    throw Error(ErrorKind::invalid_input, "surface " + spec.name + ": " + spec.file_as_written + " holds points; a body needs a closed triangulated surface");
+  }
+  GriddedSurface made = grid_points(set.points, spec.gridding, over, box ? &*box : nullptr);
+  inputs.notes.push_back(gridding_note(spec, made));
+  if (made.n_outside > 0) {
+    inputs.warnings.push_back(spec.name + ": " + std::to_string(made.n_outside) + " of its points are not over the surface made from them");
+  }
+  return std::move(made.surface);
+}
+
+void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs& inputs) {
+  const GraphOver over = spec.kind == SurfaceKind::horizon ? GraphOver::map : GraphOver::mean_plane;
+  if (spec.smooth > 0) {
+    const SurfaceChange change = smooth_surface(surface, spec.smooth, over);
+    inputs.notes.push_back(spec.name + ": smoothed in " + std::to_string(spec.smooth) + " passes; vertices moved by rms " + length_text(change.rms_move) + ", at most " + length_text(change.largest_move));
+  }
+  if (spec.resample > 0) {
+    const SurfaceChange change = resample_surface(surface, spec.resample, over);
+    inputs.notes.push_back(spec.name + ": remade with edges of about " + length_text(spec.resample) + " (" + std::to_string(change.n_triangles) + " triangles); former vertices are off it by rms " +
+                                   length_text(change.rms_move) + ", at most " + length_text(change.largest_move));
+  }
+}
+
+TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box, ProjectInputs& inputs) {
+  const bool one_object = contents.surfaces.size() + contents.point_sets.size() == 1;
+  TriangulatedSurface surface;
+  if (TriangulatedSurface* s = object_of(contents.surfaces, spec, one_object || contents.surfaces.size() == 1)) {
+    surface = std::move(*s);
+  } else if (const PointSet* p = object_of(contents.point_sets, spec, one_object)) {
+    surface = surface_of_points(*p, spec, box, inputs);
+  } else {
+    refuse_choice(contents, spec);
+  }
+  remake(surface, spec, inputs);
+  surface.name = spec.name;
+  surface.kind = spec.kind;
+  surface.cuts_all = spec.cuts_all;
+  surface.file = spec.file_as_written;
+  return surface;
+}
+
+void warn_where_outside(const TriangulatedSurface& surface, const Box3& box, ProjectInputs& inputs) {
+  Box3 bounds;
+  for (const Vec3& p : surface.points) bounds.add(p);
+  if (bounds.empty()) return;
+  const std::string guess = inputs.frame.guess_why_outside(bounds, box);
+  if (!guess.empty()) inputs.warnings.push_back(surface.name + " lies outside the box; " + guess);
+}
+
+void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyline>& wells) {
+  std::size_t n_taken = 0;
+  for (Polyline& line : contents.polylines) {
+    if (!spec.source.object.empty() && line.name != spec.source.object) continue;
+    line.name = contents.polylines.size() == 1 || !spec.source.object.empty() ? spec.name : spec.name + "_" + line.name;
+    wells.push_back(std::move(line));
+    ++n_taken;
+  }
+  if (n_taken == 0) {
+    throw Error(ErrorKind::invalid_input, "well " + spec.name + ": " + spec.file_as_written + " holds no polyline" +
+                                              (spec.source.object.empty() ? "" : " called " + spec.source.object));
+  }
+}
+
+}  // namespace
+
+ProjectInputs read_project_inputs(const Project& project, const RunContext& context) {
+  std::vector<FileContents> contents;
+  contents.reserve(project.surfaces.size() + project.wells.size());
+  std::vector<SourceInput> sources;
+  std::vector<std::string> warnings;
+  const auto read = [&](const std::string& name, const std::filesystem::path& file, const SourceSpec& source) {
+    contents.push_back(read_surface_file(file));
+    for (const std::string& text : contents.back().warnings) warnings.push_back(name + ": " + text);
+    sources.push_back({name, &source, &contents.back()});
+    context.report(sources.size(), contents.capacity());
+    context.check_cancelled();
+  };
+  for (const SurfaceSpec& spec : project.surfaces) read(spec.name, spec.file, spec.source);
+  for (const WellSpec& spec : project.wells) read(spec.name, spec.file, spec.source);
+
+  ProjectInputs inputs{ModelFrame(project, sources)};
+  inputs.warnings = std::move(warnings);
+  for (const SourceInput& source : sources) inputs.frame.place(source, inputs.notes, inputs.warnings);
+  std::optional<Box3> box;
+  if (project.box) {
+    std::string box_note;
+    inputs.volume = inputs.frame.volume(*project.box, box_note);
+    if (inputs.volume->shape == VolumeSpec::Shape::box) box = inputs.volume->box;
+    if (!box_note.empty()) inputs.notes.push_back(box_note);
+  }
+  std::size_t n_triangles = 0;
+  for (std::size_t i = 0; i < project.surfaces.size(); ++i) {
+    inputs.surfaces.push_back(make_surface(contents[i], project.surfaces[i], box, inputs));
+    inputs.surfaces.back().ends_model = project.surfaces[i].name == project.rules.topography || project.surfaces[i].name == project.rules.floor;
+    n_triangles += inputs.surfaces.back().triangles.size();
+    if (box) warn_where_outside(inputs.surfaces.back(), *box, inputs);
+    context.check_cancelled();
+  }
+  for (std::size_t i = 0; i < project.wells.size(); ++i) take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
+  for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});
+  context.note(LogLevel::info, std::to_string(inputs.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");
+  return inputs;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The files of a project, read and brought into the frame of the model.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coordinates/georeference.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/geomodel/model_volume.hpp"
+
+namespace geomesh::geomodel {
+
+/// Everything in the frame, less the origin; z multiplied by the project's z_scale.
+struct ProjectInputs {
+  ModelFrame frame;
+  std::vector<TriangulatedSurface> surfaces{};  ///< in the project's order; points have become surfaces, `smooth` and `resample` are done
+  std::vector<Polyline> wells{};
+  std::vector<NamedPoint> points{};
+  std::optional<VolumeSpec> volume{};           ///< for make_volume with the origin (0, 0, 0)
+  std::vector<std::string> notes{}, warnings{};
+};
+
+/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} where a file does not hold what its entry means.
+ProjectInputs read_project_inputs(const Project& project, const RunContext& context);
+
+}  // namespace geomesh::geomodel
