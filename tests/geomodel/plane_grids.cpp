@@ -213,7 +213,7 @@ std::string dxf_polyface() {
   for (const Vec3& p : plane.points) s += pair(0, "VERTEX") + pair(8, "plane") + dxf_point(0, p) + pair(70, "192");
   for (const Triangle& t : plane.triangles) {
     s += pair(0, "VERTEX") + pair(8, "plane") + dxf_point(0, {}) + pair(70, "128");
-    for (int k = 0; k < 3; ++k) s += pair(71 + k, (k == 1 ? "-" : "") + std::to_string(t[static_cast<std::size_t>(k)] + 1));
+    for (int k = 0; k < 3; ++k) s += pair(71 + k, std::string(k == 1 ? "-" : "") + std::to_string(t[static_cast<std::size_t>(k)] + 1));
   }
   return dxf(s + pair(0, "SEQEND"));
 }

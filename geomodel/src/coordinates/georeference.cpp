@@ -212,7 +212,7 @@ VolumeSpec ModelFrame::volume(const VolumeSpec& spec, std::string& note) const {
 }
 
 std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) const {
-  const auto overlaps = [](double a0, double a1, double b0, double b1) { return a0 < b1 && b0 < a1; };
+  const auto overlaps = [](double a0, double a1, double b0, double b1) { return a0 <= b1 && b0 <= a1; };
   const auto inside = [&](double factor) {
     for (std::size_t i = 0; i < 2; ++i)
       if (!overlaps(factor * (bounds.min[i] + origin_[i]), factor * (bounds.max[i] + origin_[i]), box.min[i] + origin_[i], box.max[i] + origin_[i])) return false;
@@ -227,7 +227,7 @@ std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) c
     const double shift = origin_.z * z_scale_, a = factor * (bounds.min.z + shift), b = factor * (bounds.max.z + shift);
     return overlaps(std::min(a, b), std::max(a, b), box.min.z + shift, box.max.z + shift);
   };
-  if (bounds.min.z == bounds.max.z || z_inside(1)) return {};
+  if (z_inside(1)) return {};
   if (z_inside(-1)) return "it would lie inside the box if its z were counted the other way: if so, give 'z: depth' or 'z: elevation' in its entry";
   for (const double factor : guessed_factors)
     for (const double sign : {1.0, -1.0})

@@ -53,7 +53,7 @@ void add_well(const GocadObject& object, const InputFile& file, FileContents& co
 void describe_frame(const std::vector<GocadObject>& objects, FileContents& contents) {
   const auto first = std::find_if(objects.begin(), objects.end(), [](const GocadObject& o) { return o.frame.given; });
   if (first == objects.end()) {
-    contents.notes.push_back("no coordinate system block: elevation in metres is understood");
+    contents.notes.push_back("no coordinate system block: the unit and direction of z are not named (elevation in metres, or as the project says)");
     return;
   }
   const GocadFrame& f = first->frame;
