@@ -52,6 +52,7 @@ std::optional<std::pair<ErrorKind, std::string>> error_of(const std::string& nam
   const TestFile file(name, bytes);
   try {
     is_plc_file(file.path) ? static_cast<void>(read_plc_file(file.path)) : static_cast<void>(read_surface_file(file.path));
+    static_cast<void>(to_text(describe_file(file.path)));
   } catch (const Error& e) {
     return std::pair(e.kind(), std::string(e.what()));
   }

@@ -171,7 +171,7 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
   mesh.format = "VTK unstructured grid";
   mesh.points = points_of(grid, mesh.single_precision);
   if (mesh.points.size() >= no_vertex) refuse(path, "holds more points than 32 bits can count");
-  std::vector<std::size_t> selected;
+  if (grid.GetCells() && !grid.GetCells()->IsValid()) refuse(path, "has offsets of cells that do not fit their connectivity (damaged)");
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
     const int type = grid.GetCellType(cell);
     if (type == VTK_TETRA) {

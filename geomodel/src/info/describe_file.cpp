@@ -7,6 +7,7 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "readers/vtk_xml_guard.hpp"
 #include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
@@ -45,7 +46,12 @@ void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
 
 /// False where the file holds no tetrahedra.
 bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
-  const checking::MeshFile file = checking::read_mesh_file(path);
+  checking::MeshFile file;
+  try {
+    file = checking::read_mesh_file(path);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::invalid_input, path.string() + ": reading it needs more memory than there is; its counts may be wrong");
+  }
   if (file.tetrahedra.empty()) return false;
   info.format = file.format;
   MeshInfo mesh;

@@ -105,6 +105,28 @@ struct CellCounts {
   std::size_t lines = 0, volumes = 0, points = 0;
 };
 
+/// Offsets within the connectivity, and connectivity within the points: VTK follows both without looking.
+void require_valid(const InputFile& file, vtkCellArray* cells, vtkIdType n_points) {
+  if (!cells) return;
+  if (!cells->IsValid()) file.fail("the offsets of its cells do not fit their connectivity (damaged)");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
+    cells->GetCellAtId(c, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      if (ids->GetId(k) < 0 || ids->GetId(k) >= n_points)
+        file.fail("a face names vertex row " + std::to_string(ids->GetId(k)) + " (counted from 0), but there are " + std::to_string(n_points) + " vertices");
+  }
+}
+
+void require_valid_cells(const InputFile& file, vtkPointSet& data) {
+  const vtkIdType n_points = data.GetNumberOfPoints();
+  if (auto* poly = vtkPolyData::SafeDownCast(&data)) {
+    for (vtkCellArray* cells : {poly->GetVerts(), poly->GetLines(), poly->GetPolys(), poly->GetStrips()}) require_valid(file, cells, n_points);
+  } else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data)) {
+    require_valid(file, grid->GetCells(), n_points);
+  }
+}
+
 void add_polyline(vtkCell& cell, vtkPointSet& data, const InputFile& file, FileContents& contents) {
   Polyline line{file.path.stem().string() + "__" + std::to_string(contents.polylines.size() + 1), file.shown(), {}};
   for (vtkIdType k = 0; k < cell.GetNumberOfPoints(); ++k) {
@@ -159,6 +181,7 @@ FileContents read_vtk_xml(const InputFile& file) {
   SurfaceBuilder builder(file);
   FileContents contents;
   CellCounts counts;
+  require_valid_cells(file, *data);
   add_points(file, *data, builder);
   add_cells(file, *data, builder, contents, counts);
   if (builder.empty() && contents.polylines.empty()) {
