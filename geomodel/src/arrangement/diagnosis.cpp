@@ -30,8 +30,8 @@ bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
 }
 
 /// Free borders by surface and connected piece, longest first; at most `limit` of a kind a surface, the rest in one spot. A closed piece is a gap,
-/// unless it may be the surface's outer border: the longest where there is no box.
-void add_free_borders(const PolygonSoup& soup, bool has_box, std::vector<Spot>& spots) {
+/// unless it may be the surface's outer border: its longest piece, but for horizons in a box, which are to reach its sides.
+void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std::vector<Spot>& spots) {
   struct FreeEdge {
     Index surface;
     VertexIndex a, b;
@@ -65,7 +65,9 @@ void add_free_borders(const PolygonSoup& soup, bool has_box, std::vector<Spot>& 
   for (const auto& [vertex, n] : degree)
     if (n % 2 != 0) open.insert(root(vertex));
   for (auto& [key, spot] : pieces)
-    if (!open.contains(key) && (has_box || spot.measure < longest.at(key.first))) spot.what = "gap";
+    if (!open.contains(key) && (spot.measure < longest.at(key.first) ||
+                                (!surfaces.box_sides.empty() && surfaces[key.first].kind == SurfaceKind::horizon)))
+      spot.what = "gap";
   std::vector<Spot> sorted;
   for (const auto& piece : pieces) sorted.push_back(piece.second);
   std::stable_sort(sorted.begin(), sorted.end(), [](const Spot& x, const Spot& y) {
@@ -175,7 +177,7 @@ void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfac
 void diagnose_soup(const SurfaceList& surfaces, ArrangementResult& result) {
   measure_crossings(surfaces, result);
   add_overlaps(result.soup, surfaces, result);
-  add_free_borders(result.soup, !surfaces.box_sides.empty(), result.spots);
+  add_free_borders(result.soup, surfaces, result.spots);
   for (Index s = 0; s < surfaces.given.size(); ++s) {
     if (result.area_clipped_by_box[s] > 0)
       result.spots.push_back({"clipped by box", s, no_index, 0, result.area_clipped_by_box[s],
