@@ -158,7 +158,7 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
   app.add_flag("--no-refine", no_refine, "Add only the points that recovery needs (the default without the options below)");
   app.add_flag("--preserve-boundary", preserve, "No added point on any surface or segment, only inside");
   app.add_flag("--hull", request.keep_hull, "Keep the convex hull, as region \"hull\" where nothing else encloses it");
-  app.add_option("--tolerance", request.tolerance, "Merge points, edges and facets nearer to each other than this; 0: only what is equal")
+  app.add_option("--merge-within", request.tolerance, "Merge points, edges and facets nearer to each other than this; 0: only what is equal")
       ->check(CLI::NonNegativeNumber)->type_name("L");
   app.add_option("--box", box, "Cut by a box and mesh its inside")->type_name("x0,y0,z0,x1,y1,z1");
   refinement.add_to(app);
