@@ -51,7 +51,7 @@ Parts meshed_parts(const TriangulatedSurface& a, const TriangulatedSurface& b) {
   MeshRequest request;
   request.inputs = {folder.path / "a.off", folder.path / "b.off"};
   request.output = folder.path / "out.vtu";
-  run_mesh(request);
+  run_mesh(request, RunContext{});
   std::ifstream in(folder.path / "out.report.json");
   Parts parts;
   for (const auto& region : nlohmann::json::parse(in)["regions"]) {

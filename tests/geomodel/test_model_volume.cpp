@@ -17,7 +17,7 @@ namespace {
 
 TriangulatedSurface tilted_sheet() {
   TriangulatedSurface s;
-  s.name = "h";
+  s.name = std::string("h");
   s.kind = SurfaceKind::horizon;
   s.points = {{-50, -50, -7}, {150, -50, 3}, {150, 150, 6}, {-50, 150, -4}};
   s.triangles = {{0, 1, 2}, {0, 2, 3}};

@@ -56,8 +56,8 @@ std::string describe(const Spot& spot, const std::vector<TriangulatedSurface>& s
   if (spot.what == "overlap") return overlap_text(spot, surfaces);
   if (is_border(spot)) return border_text(spot, surfaces, 1);
   std::string text = name_of(surfaces, spot.surface_a) + ": " + spot.what;
-  if (spot.surface_b != no_index) text += " " + name_of(surfaces, spot.surface_b);
-  return text + ", " + area_text(spot.measure) + near(spot);
+  if (spot.surface_b != no_index) text.append(" ").append(name_of(surfaces, spot.surface_b));
+  return text.append(", ").append(area_text(spot.measure)).append(near(spot));
 }
 
 std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces) {

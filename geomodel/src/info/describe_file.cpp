@@ -47,11 +47,8 @@ void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
 /// False where the file holds no tetrahedra.
 bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   checking::MeshFile file;
-  try {
-    file = checking::read_mesh_file(path);
-  } catch (const std::bad_alloc&) {
+  if (!survives_sizes([&] { file = checking::read_mesh_file(path); }))
     throw Error(ErrorKind::invalid_input, path.string() + ": reading it needs more memory than there is; its counts may be wrong");
-  }
   if (file.tetrahedra.empty()) return false;
   info.format = file.format;
   MeshInfo mesh;
