@@ -91,8 +91,10 @@ column: [young, a, middle, b, old]
 
     def test_longitude_and_latitude_in_a_utm_project(self):
         self.write("a.ts", plane_ts("a", [(117.0, -22.6, -900), (117.1, -22.6, -900), (117.1, -22.5, -900), (117.0, -22.5, -900)]))
-        _, report = self.mesh("crs: {horizontal: utm 50S}\n" + UTM_BOX + "surfaces: [{name: a, kind: horizon, file: a.ts}]\n")
-        self.assert_told(report["warnings"], "horizon a never meets the model", "longitude and latitude")
+        self.write("model.yaml", "crs: {horizontal: utm 50S}\n" + UTM_BOX + "surfaces: [{name: a, kind: horizon, file: a.ts}]\n")
+        printed = self.run_program("model.yaml", status=BAD_INPUT)
+        for words in ("a: ", "longitude and latitude", "utm 50S", "add 'crs: geographic' to this entry"):
+            self.assertIn(words, printed)
 
     def test_a_fault_with_no_extent_ends_where_it_was_given(self):
         self.write("f.ts", plane_ts("f", [(5, 2, 2), (5, 8, 2), (5, 8, 8), (5, 2, 8)]))

@@ -55,12 +55,16 @@ class Runs(ProgramTest):
     def interrupt(self, number, status):
         """Signals a run at several moments; each ends with the status and leaves nothing, or was done before."""
         interrupted = 0
-        for delay in (0.02, 0.1, 0.3, 0.6):
-            folder = self.path("after_%g" % delay)
-            run = subprocess.Popen([PROGRAM, self.sample("salt-dome"), "-o", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        for stage, delay in (("", 0.02), ("", 0.1), ("read", 0), ("intersect", 0), ("delaunay", 0), ("recover", 0)):
+            folder = self.path("after_%s%g" % (stage, delay))
+            run = subprocess.Popen([PROGRAM, self.sample("salt-dome"), "-o", folder], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            while stage and not run.stderr.readline().startswith(stage):  # a stage is told as soon as it is done
+                self.assertIsNone(run.poll())
             time.sleep(delay)
             run.send_signal(number)
+            run.stderr.read()
             run.wait(timeout=60)
+            run.stderr.close()
             left = os.listdir(folder) if os.path.exists(folder) else []
             if run.returncode == 0:
                 self.assertIn("salt_dome.vtu", left)

@@ -54,7 +54,8 @@ Parts meshed_parts(const TriangulatedSurface& a, const TriangulatedSurface& b) {
   run_mesh(request, RunContext{});
   std::ifstream in(folder.path / "out.report.json");
   Parts parts;
-  for (const auto& region : nlohmann::json::parse(in)["regions"]) {
+  const nlohmann::json report = nlohmann::json::parse(in);
+  for (const auto& region : report["regions"]) {
     const auto inside = region["inside"].get<std::set<std::string>>();
     const double volume = region["volume"];
     if (inside == std::set<std::string>{"a", "b"}) parts.both += volume;
@@ -89,7 +90,10 @@ void compare(const TriangulatedSurface& a, const TriangulatedSurface& b) {
   for (const TriangulatedSurface* s : {&a, &b})
     for (const Vec3& p : s->points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   const double ulp = std::ldexp(1.0, std::ilogb(largest) - 52), area = area_of(a) + area_of(b);
-  const auto near = [&](double x, double y) { CHECK(std::fabs(x - y) <= 2 * ulp * area + 1e-12 * std::fabs(y)); };
+  const auto near = [&](double x, double y) {
+    CAPTURE(x, y);
+    CHECK(std::fabs(x - y) <= 2 * ulp * area + 1e-12 * std::fabs(y));
+  };
   near(ours.both, exact.both);
   near(ours.only_a, exact.only_a);
   near(ours.only_b, exact.only_b);
@@ -155,7 +159,7 @@ TEST_CASE("volumes: spheres from files beside exact corefinement", "[arrangement
   compare(spheres[0], spheres[1]);
 }
 
-TEST_CASE("volumes: bunny and cow beside exact corefinement", "[arrangement][data][nightly]") {
+TEST_CASE("volumes: bunny and cow beside exact corefinement", "[arrangement][data]") {
   if (!std::filesystem::exists(data / "solids")) {
     WARN("skipped: " << (data / "solids").string() << " is not there");
     return;
