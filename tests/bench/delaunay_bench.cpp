@@ -85,7 +85,7 @@ void growth(const Settings& settings) {
   for (std::size_t n = 100000; n <= settings.largest; n *= 10) {
     const std::vector<Vec3> points = make_points("uniform", n, seed);
     std::vector<Measurement> runs;
-    for (int r = 0; r < (n > 1000000 ? 1 : settings.repetitions); ++r)
+    for (int r = 0; r < settings.repetitions; ++r)
       runs.push_back(measure({[&] { return run_geomesh(points, {}, 1); }})[0]);
     const Measurement m = median(runs, &Measurement::cpu_s);
     std::printf("| %zu | %.3f | %.1f | %.2f |\n", n, m.cpu_s, bytes_a_tetrahedron(m),

@@ -4,7 +4,7 @@
 /// the conflict zone, stellate.
 #pragma once
 
-#include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -24,7 +24,7 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
  public:
   using Base::Base;
 
-  /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex are left out.
+  /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex are left out (in 3D).
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
 
   std::size_t cells_removed() const { return cells_removed_; }
@@ -43,7 +43,6 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   void enlarge_lists();
   void close_cavity();
   bool star_shaped(const Vec3& p);
-  bool near_boundary(const Vec3& p, double distance) const;
   void stellate(VertexIndex v);
   unsigned number_boundary();
   void link_by_table(VertexIndex v);
@@ -57,6 +56,8 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);  ///< then the slots of the new cells, by boundary face
   std::vector<Face> boundary_ = std::vector<Face>(256);
   std::size_t n_cavity_ = 0, n_boundary_ = 0;
+  /// Squared distance of the new point from the nearest vertex, which it will be joined to. Not known in 2D.
+  double nearest_ = std::numeric_limits<double>::infinity();
   std::array<VertexIndex, table_side + 1> numbered_;  ///< vertices of the boundary by number
   std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
   std::uint16_t infinite_local_ = PointRecord::no_local;
@@ -80,7 +81,7 @@ InsertionOutcome CavityInsertion<Space, Shared>::insert(VertexIndex v, double cl
     close_cavity();
     return InsertionOutcome::not_owned;
   }
-  if (cluster_distance > 0 && near_boundary(p, cluster_distance)) {
+  if (nearest_ < cluster_distance * cluster_distance) {
     close_cavity();
     this->hint_ = c;
     return InsertionOutcome::too_near;
@@ -170,6 +171,7 @@ bool CavityInsertion<Space, Shared>::grow_cavity_by_lanes(const Vec3& p) {
   const bool owned = lane_kernels().grow(query, flags_, cavity_flag, lists, host);
   n_cavity_ = lists.n_cells;
   n_boundary_ = lists.n_faces;
+  nearest_ = lists.nearest;
   return owned;
 }
 
@@ -191,16 +193,6 @@ bool CavityInsertion<Space, Shared>::star_shaped(const Vec3& p) {
     if (finite && space_.side(v, dimension, p) != Sign::positive) return false;
   }
   return true;
-}
-
-template <class Space, bool Shared>
-bool CavityInsertion<Space, Shared>::near_boundary(const Vec3& p, double distance) const {
-  // The nearest vertex is joined to p in the new triangulation, so it is on the boundary.
-  for (std::size_t k = 0; k < n_boundary_; ++k)
-    for (const VertexIndex u : boundary_[k].vertices)
-      if (u != infinite_ && std::fabs(space_.record(u).x - p.x) < distance && space_.squared_distance(u, p) < distance * distance)
-        return true;
-  return false;
 }
 
 template <class Space, bool Shared>

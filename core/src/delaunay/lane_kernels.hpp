@@ -37,6 +37,7 @@ struct CavityLists {
   CellIndex* cells = nullptr;  ///< cells in conflict; those before `n_done` have been looked at
   CavityFace<3>* faces = nullptr;
   std::size_t n_cells = 0, n_done = 0, n_faces = 0, capacity = 0;
+  double nearest = 0;  ///< when grown: least squared distance from the point to a vertex of the cavity, which has the nearest of all
 };
 
 /// Answers what the loop cannot.

@@ -38,6 +38,12 @@ GEOMESH_INLINE unsigned signs(Mask m) {
 
 GEOMESH_INLINE Lanes greater(Lanes u, Lanes v) { return u > v ? u : v; }
 
+/// The greatest lane, in all lanes.
+GEOMESH_INLINE Lanes greatest(Lanes v) {
+  const Lanes pairs = greater(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
+  return greater(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1));
+}
+
 /// At least the square root, at most 1.07 times it: half the exponent, the mantissa as if it were linear.
 GEOMESH_INLINE Lanes root_bound(Lanes v) {
   using Words = unsigned long long __attribute__((vector_size(32), aligned(8), may_alias));
@@ -116,7 +122,9 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
       inside = signs(det < -error) == 0xFu;
       break;
     }
-    c = cell[4 + __builtin_ctz(beyond)] >> 2;
+    // Through the face with the largest determinant, if that is certain: fewer steps than through the first.
+    const unsigned farthest = signs(det >= greatest(det)) & beyond;
+    c = cell[4 + __builtin_ctz(farthest != 0 ? farthest : beyond)] >> 2;
   }
   at = c;
   steps += n;
@@ -137,6 +145,8 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
   std::size_t n_cells = lists.n_cells, n_faces = lists.n_faces, k = lists.n_done;
   std::uint8_t unused = 0;
   bool owned = true;
+  constexpr double infinity = __builtin_inf();
+  Lanes nearest = {infinity, infinity, infinity, infinity};
   for (; k < n_cells; ++k) {
     if ((n_cells > n_faces ? n_cells : n_faces) + 4 > lists.capacity) [[unlikely]] {
       lists.n_cells = n_cells, lists.n_faces = n_faces;
@@ -157,6 +167,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
     }
     const FourPoints q = four_points(points, words(cell), px, py, pz);
     const FourPoints e = four_points(points, apex, px, py, pz);
+    nearest = q.w < nearest ? q.w : nearest;
     const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y), sz = face_s(q.z);
     const Lanes tx = face_t(q.x), ty = face_t(q.y), tz = face_t(q.z);
     const Lanes rw = face_r(q.w), sw = face_s(q.w), tw = face_t(q.w);
@@ -202,6 +213,8 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
     for (unsigned i = 4; i < 8; ++i) __builtin_prefetch(&cells[later[i] >> 2]);
   }
   lists.n_cells = n_cells, lists.n_faces = n_faces, lists.n_done = k;
+  const double a = nearest[0] < nearest[1] ? nearest[0] : nearest[1], b = nearest[2] < nearest[3] ? nearest[2] : nearest[3];
+  lists.nearest = a < b ? a : b;
   return owned;
 }
 
