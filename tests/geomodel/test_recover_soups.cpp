@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <sstream>
 
 #include "corpus_run.hpp"
 #include "soup_models.hpp"
@@ -41,6 +43,15 @@ void mesh_faults(const std::string& group) {
 
 TEST_CASE("random soups that the arrangement made valid are meshed, with and without points on their boundary", "[recover][judged]") {
   mesh_soups(0, 200);
+}
+// GEOMESH_SOUPS="FIRST COUNT" test_geomodel "[soups]": any range of seeds, to share a long run among processes or to come back to one.
+TEST_CASE("random soups of the seeds asked for are meshed", "[recover][judged][.][soups]") {
+  const char* asked = std::getenv("GEOMESH_SOUPS");
+  REQUIRE(asked != nullptr);
+  std::istringstream words(asked);
+  unsigned first = 0, count = 0;
+  REQUIRE(words >> first >> count);
+  mesh_soups(first, count);
 }
 TEST_CASE("ten thousand random soups are meshed", "[recover][judged][nightly]") { mesh_soups(1000, 10000); }
 TEST_CASE("the intersected faults of a salt diapir are meshed", "[recover][judged][shared]") { mesh_faults("SALT"); }

@@ -143,11 +143,21 @@ struct Missing {
   unsigned halvings;
 };
 
+/// More points than this on one subsegment only crowd: each removes a crossing, but flips that gave way to it may have made others.
+std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
+  LineCrossings line;
+  walk_line(mesh, s.a, s.b, line);
+  return 100 + 4 * line.crossings.size();
+}
+
+/// Throws Error{cannot_mesh} where no point can be placed or `most_points` do not suffice.
 void recover_by_points(Recovery& recovery, Missing first) {
   ConstrainedMesh& mesh = recovery.mesh;
   Constraints& constraints = recovery.constraints;
   std::vector<Missing> stack{first};
+  std::size_t points_left = most_points(mesh, constraints.subsegments[first.subsegment]);
   while (!stack.empty()) {
+    recovery.context.check_cancelled();
     const Missing item = stack.back();
     stack.pop_back();
     if (!constraints.subsegments[item.subsegment].live) continue;
@@ -158,7 +168,7 @@ void recover_by_points(Recovery& recovery, Missing first) {
     if (item.halvings < 12 && recover_segment_by_flips(recovery, s.a, s.b, depth)) continue;
     if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, {200})) continue;
     const VertexIndex x = insert_on_segment(recovery, item.subsegment);
-    if (x == no_vertex) fail_segment_not_recovered(recovery, item.subsegment);
+    if (x == no_vertex || points_left-- == 0) fail_segment_not_recovered(recovery, item.subsegment);
     recovery.count_added_point();
     const bool inside_facet = s.segment == no_index;
     constraints.vertices.resize(mesh.points().size());
