@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/arrangement.hpp"
+#include "scratch.hpp"
 
 namespace geomesh::geomodel::testing {
 
@@ -163,7 +164,7 @@ inline std::vector<TriangulatedSurface> load_all_ts(const std::filesystem::path&
   std::vector<TriangulatedSurface> all;
   std::ifstream in(file);
   std::ofstream part;
-  const auto scratch = std::filesystem::temp_directory_path() / ("geomesh_part_" + file.filename().string());
+  const auto scratch = geomesh::geomodel::testing::scratch_folder() / ("geomesh_part_" + file.filename().string());
   std::string text;
   const auto flush = [&] {
     if (text.empty()) return;

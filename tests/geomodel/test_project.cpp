@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The project file: what it means, and that one run names every mistake with its place.
-#include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,6 +8,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/project.hpp"
+#include "scratch.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -17,15 +17,13 @@ namespace {
 
 /// A folder with a project file and two empty surface files, gone at the end.
 struct ProjectFolder {
-  /// One a process, since tests run side by side.
-  std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("geomesh_test_" + std::to_string(getpid())) / "geomesh_test_project_folder";
+  std::filesystem::path folder = testing::scratch_folder() / "geomesh_test_project_folder";
   ProjectFolder() {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "s");
     for (const char* name : {"s/a.ts", "s/b.ts"}) std::ofstream(folder / name) << "GOCAD TSurf 1\n";
   }
-  ~ProjectFolder() { std::filesystem::remove_all(folder.parent_path()); }
+  ~ProjectFolder() { std::filesystem::remove_all(folder); }
   std::filesystem::path write(const std::string& text, const char* name = "model.yaml") const {
     std::ofstream(folder / name, std::ios::binary) << text;
     return folder / name;

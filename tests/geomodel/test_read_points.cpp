@@ -5,13 +5,14 @@
 
 #include "geomesh/core/error.hpp"
 #include "../../geomodel/src/pipeline/read_points.hpp"
+#include "scratch.hpp"
 
 using namespace geomesh;
 using geomesh::geomodel::read_points;
 
 namespace {
 std::filesystem::path file_with(const std::string& text) {
-  const auto path = std::filesystem::path(GEOMESH_BINARY_DIR) / "test-points.txt";
+  const auto path = geomesh::geomodel::testing::scratch_folder() / "test-points.txt";
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

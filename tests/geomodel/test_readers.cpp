@@ -11,6 +11,7 @@
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "plane_files.hpp"
+#include "scratch.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -20,7 +21,7 @@ namespace {
 /// A file of the test, gone at the end.
 struct TestFile {
   std::filesystem::path path;
-  TestFile(const std::string& name, const std::string& bytes) : path(std::filesystem::temp_directory_path() / ("geomesh_readers_" + name)) {
+  TestFile(const std::string& name, const std::string& bytes) : path(testing::scratch_folder() / ("geomesh_readers_" + name)) {
     std::ofstream(path, std::ios::binary) << bytes;
   }
   ~TestFile() { std::filesystem::remove(path); }

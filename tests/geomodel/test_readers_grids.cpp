@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "plane_files.hpp"
+#include "scratch.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -14,7 +15,7 @@ using namespace geomesh::geomodel;
 namespace {
 
 FileContents read_text(const std::string& name, const std::string& bytes) {
-  const auto path = std::filesystem::temp_directory_path() / ("geomesh_grids_" + name);
+  const auto path = testing::scratch_folder() / ("geomesh_grids_" + name);
   std::ofstream(path, std::ios::binary) << bytes;
   FileContents contents = read_surface_file(path);
   std::filesystem::remove(path);
