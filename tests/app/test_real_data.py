@@ -120,6 +120,29 @@ class ModelA4(ProgramTest):
             self.assertAlmostEqual(region["volume"] / wanted[region["name"]], 1, delta=1e-9, msg=region["name"])
 
 
+class SurfacesThatCross(ProgramTest):
+    """Sets that cross themselves or each other, intersected, meshed, and judged against the surfaces as given."""
+
+    def mesh_and_check(self, files, *options):
+        self.run_program("mesh", *files, "-o", "out.vtu", "--quiet", *options)
+        self.check(self.path("out.vtu"), "--surfaces", *files)
+        return self.report(self.path("out.report.json"))
+
+    def test_hundred_grains_in_a_box(self):
+        folder = self.shared("grains")
+        grains = [os.path.join(folder, "%d.obj" % i) for i in range(100)]
+        report = self.mesh_and_check(grains, "--hull")
+        self.assertEqual(len(report["regions"]), 101)
+
+    def test_a_hundred_triangles_in_a_box(self):
+        report = self.mesh_and_check([self.shared("solids", "soup.stl")], "--box", "-0.1,-0.1,-0.1,1.1,1.1,1.1")
+        self.assertAlmostEqual(sum(region["volume"] for region in report["regions"]), 1.2 ** 3, delta=1e-12)
+
+    def test_spheres_that_overlap(self):
+        report = self.mesh_and_check([self.shared("solids", "sphere1.obj"), self.shared("solids", "sphere2.obj")])
+        self.assertEqual(sorted(len(region["inside"]) for region in report["regions"]), [1, 1, 2])
+
+
 class Solids(ProgramTest):
     def test_solids(self):
         for name in ("sphere1.obj", "res.obj", "cow25k.obj", "humanoid.off"):

@@ -3,10 +3,14 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "arrangement_inputs.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "require_sound.hpp"
+#include "soup_models.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -49,6 +53,27 @@ ArrangementResult require_good(const std::vector<TriangulatedSurface>& surfaces,
 TriangulatedSurface moved(TriangulatedSurface s, const std::function<Vec3(const Vec3&)>& move) {
   for (Vec3& p : s.points) p = move(p);
   return s;
+}
+
+/// Volumes of the regions that a soup encloses, least first.
+std::vector<double> region_volumes(const PolygonSoup& soup) {
+  const ConstrainedTetrahedralization mesh = tetrahedralize(complex_of(soup), {}, {});
+  std::map<Index, double> volume;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]], &d = mesh.points[v[3]];
+    volume[mesh.component[t]] += std::fabs(dot(cross(b - a, c - a), d - a)) / 6;
+  }
+  std::vector<double> sorted;
+  for (const auto& [component, sum] : volume) sorted.push_back(sum);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+/// As many regions, and of volumes `factor` times as large within `tolerance`.
+void require_same_regions(const std::vector<double>& volumes, const std::vector<double>& plain, double factor, double tolerance) {
+  REQUIRE(volumes.size() == plain.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) CHECK(std::fabs(volumes[i] - factor * plain[i]) <= tolerance);
 }
 
 }  // namespace
@@ -102,11 +127,19 @@ TEST_CASE("arrange: mirrored, permuted and scaled input gives the same counts", 
       ellipsoid("c", {5.1, 4.9, 0.2}, {2, 3, 2.5}, 3)};
   const auto plain = arrange(surfaces, {}, {}, {});
   require_sound(plain.soup);
-  const std::vector<std::function<Vec3(const Vec3&)>> moves{
-      [](const Vec3& p) { return Vec3{-p.x, p.y, p.z}; }, [](const Vec3& p) { return Vec3{p.y, p.z, p.x}; },
-      [](const Vec3& p) { return Vec3{p.z, p.y, p.x}; }, [](const Vec3& p) { return std::ldexp(1.0, 17) * p; },
-      [](const Vec3& p) { return std::ldexp(1.0, -31) * p; }};
-  for (const auto& move : moves) {
+  const std::vector<double> volumes = region_volumes(plain.soup);
+  REQUIRE(volumes.size() >= 4);  // two sheets that cross divide the body into four or more
+  struct Move {
+    std::function<Vec3(const Vec3&)> of;
+    double volume_factor;
+  };
+  const std::vector<Move> moves{
+      {[](const Vec3& p) { return Vec3{-p.x, p.y, p.z}; }, 1},
+      {[](const Vec3& p) { return Vec3{p.y, p.z, p.x}; }, 1},
+      {[](const Vec3& p) { return Vec3{p.z, p.y, p.x}; }, 1},
+      {[](const Vec3& p) { return std::ldexp(1.0, 17) * p; }, std::ldexp(1.0, 51)},
+      {[](const Vec3& p) { return std::ldexp(1.0, -31) * p; }, std::ldexp(1.0, -93)}};
+  for (const auto& [move, volume_factor] : moves) {
     std::vector<TriangulatedSurface> other;
     for (const auto& s : surfaces) other.push_back(moved(s, move));
     const auto result = arrange(other, {}, {}, {});
@@ -116,6 +149,7 @@ TEST_CASE("arrange: mirrored, permuted and scaled input gives the same counts", 
     CHECK(result.n_crossing_pairs == plain.n_crossing_pairs);
     CHECK(result.spots.size() == plain.spots.size());
     CHECK(make_plc(result.soup, other, {}).curves.size() == make_plc(plain.soup, surfaces, {}).curves.size());
+    require_same_regions(region_volumes(result.soup), volumes, volume_factor, 1e-11 * volume_factor * volumes.back());
   }
   std::vector<TriangulatedSurface> far;
   for (const auto& s : surfaces)
@@ -126,6 +160,10 @@ TEST_CASE("arrange: mirrored, permuted and scaled input gives the same counts", 
   const auto utm = arrange(far, {}, {}, {});
   require_sound(utm.soup);
   CHECK(ulps_of_largest(utm.soup, utm.rounding.largest) <= 4);
+  // Input points move by up to half an ulp when they are turned, intersections once more.
+  double area = 0;
+  for (const auto& s : surfaces) area += area_of(s);
+  require_same_regions(region_volumes(utm.soup), volumes, 1, 2 * std::ldexp(1.0, 22 - 52) * area);
 }
 
 TEST_CASE("arrange: the same soup whatever the number of threads", "[arrangement]") {
