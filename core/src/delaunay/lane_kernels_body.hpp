@@ -131,6 +131,42 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
   return inside;
 }
 
+/// Determinants, and what they may be off by at most.
+struct FilteredLanes {
+  Lanes det, error;
+};
+
+/// Lane i: the in-sphere determinant of p and the neighbour over face i of the cell q, whose vertex off that face is lane i of e.
+/// Positive: p is inside.
+GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e, double reach) {
+  const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y), sz = face_s(q.z);
+  const Lanes tx = face_t(q.x), ty = face_t(q.y), tz = face_t(q.z);
+  const Lanes rw = face_r(q.w), sw = face_s(q.w), tw = face_t(q.w);
+  const Lanes rs = rx * sy - sx * ry, st = sx * ty - tx * sy, te = tx * e.y - e.x * ty;
+  const Lanes er = e.x * ry - rx * e.y, rt = rx * ty - tx * ry, se = sx * e.y - e.x * sy;
+  const Lanes rst = rz * st - sz * rt + tz * rs, ste = sz * te - tz * se + e.z * st;
+  const Lanes ter = tz * er + e.z * rt + rz * te, ers = e.z * rs + rz * se + sz * er;
+  // The neighbour (face seen from outside, apex) has the opposite orientation of (r, s, t, apex).
+  const Lanes det = (e.w * rst - tw * ers) + (sw * ter - rw * ste);
+  const Lanes w = greater(greater(rw, sw), greater(tw, e.w));
+  const Lanes error = bound(w, filter::in_sphere_factor * (w * w) * root_bound(w), reach);
+  return {det, error};
+}
+
+/// Appends the faces of the cell over which it is `closed`; room for four is there. Returns the number of faces then.
+GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces, std::size_t n_faces) {
+  const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 1, 3, 2, 4);
+  n_faces += closed & 1u;
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 2, 3, 5);
+  n_faces += closed >> 1 & 1u;
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 3, 1, 6);
+  n_faces += closed >> 2 & 1u;
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 1, 2, 7);
+  n_faces += closed >> 3 & 1u;
+  return n_faces;
+}
+
 /// How many cells ahead the neighbours of a waiting cell are fetched; two to four measure alike, none costs a tenth.
 constexpr std::size_t look_ahead = 4;
 
@@ -168,17 +204,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
     const FourPoints q = four_points(points, words(cell), px, py, pz);
     const FourPoints e = four_points(points, apex, px, py, pz);
     nearest = q.w < nearest ? q.w : nearest;
-    const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y), sz = face_s(q.z);
-    const Lanes tx = face_t(q.x), ty = face_t(q.y), tz = face_t(q.z);
-    const Lanes rw = face_r(q.w), sw = face_s(q.w), tw = face_t(q.w);
-    const Lanes rs = rx * sy - sx * ry, st = sx * ty - tx * sy, te = tx * e.y - e.x * ty;
-    const Lanes er = e.x * ry - rx * e.y, rt = rx * ty - tx * ry, se = sx * e.y - e.x * sy;
-    const Lanes rst = rz * st - sz * rt + tz * rs, ste = sz * te - tz * se + e.z * st;
-    const Lanes ter = tz * er + e.z * rt + rz * te, ers = e.z * rs + rz * se + sz * er;
-    // The neighbour (face seen from outside, apex) has the opposite orientation of (r, s, t, apex).
-    const Lanes det = (e.w * rst - tw * ers) + (sw * ter - rw * ste);
-    const Lanes w = greater(greater(rw, sw), greater(tw, e.w));
-    const Lanes error = bound(w, filter::in_sphere_factor * (w * w) * root_bound(w), reach);
+    const auto [det, error] = in_sphere(q, e, reach);
     unsigned conflict = signs(det > error) & open;
     const unsigned undecided = open & ~(conflict | signs(det < -error));
     if (undecided != 0) [[unlikely]] {
@@ -191,16 +217,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
       for (unsigned i = 0; i < 4; ++i) owned = owned && (!(other >> i & 1u) || points[apex[i]].id == infinite_vertex);
       if (!owned) break;
     }
-    const Indices v = *reinterpret_cast<const Indices*>(words(cell)), o = *reinterpret_cast<const Indices*>(words(cell) + 4);
-    const unsigned closed = open & ~conflict;
-    *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 1, 3, 2, 4);
-    n_faces += closed & 1u;
-    *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 2, 3, 5);
-    n_faces += closed >> 1 & 1u;
-    *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 3, 1, 6);
-    n_faces += closed >> 2 & 1u;
-    *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 1, 2, 7);
-    n_faces += closed >> 3 & 1u;
+    n_faces = append_faces(words(cell), open & ~conflict, faces, n_faces);
 #pragma GCC unroll 4
     for (unsigned i = 0; i < 4; ++i) {
       const unsigned taken = conflict >> i & 1u;

@@ -93,6 +93,14 @@ void expect_end_of_grid(TokenStream& tokens, const Grid& grid) {
               " rows, but more values follow: " + in_quotes(token));
 }
 
+void read_heights_below(double limit, TokenStream& tokens, Grid& grid) {
+  for (double& h : grid.heights) {
+    const double value = read_height(tokens);
+    if (value < limit) h = value;
+  }
+  expect_end_of_grid(tokens, grid);
+}
+
 TriangulatedSurface triangulate_lattice(const NodeLattice& lattice, Diagonal diagonal, std::size_t& n_left_out) {
   std::vector<std::array<std::size_t, 3>> cells;
   for (std::size_t row = 0; row + 1 < lattice.n_rows; ++row) {

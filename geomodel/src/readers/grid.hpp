@@ -42,6 +42,8 @@ double node_spacing(const InputFile& file, const char* axis, double low, double 
 double read_height(TokenStream& tokens);
 /// Throws Error{invalid_input} where anything follows the last value.
 void expect_end_of_grid(TokenStream& tokens, const Grid& grid);
+/// All heights of a text grid in the file's order, and its end; nodes with a value of `limit` or more have none.
+void read_heights_below(double limit, TokenStream& tokens, Grid& grid);
 
 /// How a cell of four nodes is split.
 enum class Diagonal {

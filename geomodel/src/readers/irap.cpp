@@ -66,11 +66,7 @@ FileContents read_irap_text(const InputFile& file) {
   grid.y0 = tokens.number("y of the origin");
   for (int i = 0; i < 7; ++i) tokens.number("one of the seven zeros that end the header");
   allocate_heights(file, grid, tokens.bytes_left(), 2);
-  for (double& h : grid.heights) {
-    const double value = read_height(tokens);
-    if (value < least_null) h = value;
-  }
-  expect_end_of_grid(tokens, grid);
+  read_heights_below(least_null, tokens, grid);
   return grid_contents(file, "Irap classic grid (text)", grid);
 }
 

@@ -54,11 +54,7 @@ FileContents read_surfer_text(const InputFile& file) {
   for (double& v : limits) v = tokens.number("a limit of x, y or z");
   allocate_heights(file, grid, tokens.bytes_left(), 2);
   set_limits(file, grid, limits[0], limits[1], limits[2], limits[3]);
-  for (double& h : grid.heights) {
-    const double value = read_height(tokens);
-    if (value < blank) h = value;
-  }
-  expect_end_of_grid(tokens, grid);
+  read_heights_below(blank, tokens, grid);
   return grid_contents(file, "Surfer grid (text)", grid);
 }
 

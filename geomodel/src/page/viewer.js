@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "page/viewer.hpp"
-
-namespace geomesh::geomodel::page {
-
-std::string_view viewer_script() {
-  return R"js(
 "use strict";
 (function () {
   const root = document.getElementById("viewer"), model = JSON.parse(document.getElementById("model").textContent);
@@ -109,7 +103,3 @@ std::string_view viewer_script() {
   window.addEventListener("resize", draw);
   build();
 })();
-)js";
-}
-
-}  // namespace geomesh::geomodel::page
