@@ -108,11 +108,15 @@ std::string quality(const QualityReport& report, const ModelMesh& mesh) {
   return out + "</table>\n";
 }
 
-std::string remarks(const Report& report) {
+std::string warnings(const Report& report) {
   std::string out;
   for (const std::string& w : report.warnings) out += "<div class=\"warning\">" + escape(w) + "</div>\n";
-  if (report.notes.empty()) return out;
-  out += "<h2>What rules changed</h2>\n<ul>\n";
+  return out;
+}
+
+std::string notes(const Report& report) {
+  if (report.notes.empty()) return {};
+  std::string out = "<h2>Found in the surfaces, and changed by rules</h2>\n<ul>\n";
   for (const std::string& n : report.notes) out += "<li>" + escape(n) + "</li>\n";
   return out + "</ul>\n";
 }
@@ -139,12 +143,12 @@ std::string to_html(const Report& report) {
     const ModelMesh& mesh = *report.mesh;
     const Box3 bounds = bounds_of(mesh);
     out += "<p class=\"lead\">" + std::to_string(mesh.tetrahedra.size()) + " tetrahedra, " + std::to_string(mesh.points.size()) + " points, " +
-           std::to_string(mesh.regions.size()) + " units</p>\n" + remarks(report) + viewer(mesh, bounds) + regions_table(mesh) +
-           sections(mesh, bounds);
+           std::to_string(mesh.regions.size()) + " units</p>\n" + warnings(report) + viewer(mesh, bounds) + regions_table(mesh) +
+           notes(report) + sections(mesh, bounds);
     if (report.quality) out += quality(*report.quality, mesh);
     out += surfaces_table(mesh);
   } else {
-    out += remarks(report);
+    out += warnings(report) + notes(report);
   }
   return out + run(report) + "</body></html>\n";
 }

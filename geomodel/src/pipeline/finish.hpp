@@ -35,7 +35,7 @@ struct PreparedModel {
   ModelVolume volume;
   BuiltRows built_rows;                  ///< which triangles of the input surfaces rules made
   std::string input_json;
-  std::vector<std::string> notes;        ///< what rules changed
+  std::vector<std::string> notes;        ///< what was found before meshing and what rules changed
   std::vector<std::string> warnings;
 };
 

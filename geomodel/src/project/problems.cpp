@@ -37,7 +37,7 @@ void Problems::throw_if_any() const {
   });
   std::string text;
   for (const Problem& p : sorted) {
-    text += (text.empty() ? "" : "\n") + file_;
+    text.append(text.empty() ? "" : "\n").append(file_);
     if (p.place.line > 0) text += ":" + std::to_string(p.place.line) + ":" + std::to_string(p.place.column);
     text += ": " + p.message;
   }

@@ -45,7 +45,7 @@ struct Report {
   std::vector<std::string> surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
-  std::vector<std::string> notes;  ///< what rules of the model changed, with areas
+  std::vector<std::string> notes;  ///< what was found before meshing and what rules changed, with areas
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< written, relative to the report
 };
