@@ -37,7 +37,7 @@ TEST_CASE("the hardest outside models are meshed, with and without points on the
 TEST_CASE("all outside models are meshed, with and without points on their boundary", "[recover][judged][shared][nightly]") {
   mesh_shared([](const std::string&) { return true; });
 }
-TEST_CASE("the solids together need few added points", "[recover][shared][nightly]") {
+TEST_CASE("the solids together need few added points", "[recover][shared]") {
   std::size_t n_points = 0, n_added = 0;
   for (const SharedModel& model : shared_models(GEOMESH_SHARED_DATA)) {
     if (model.name.rfind("solids/", 0) != 0) continue;
@@ -47,5 +47,5 @@ TEST_CASE("the solids together need few added points", "[recover][shared][nightl
     n_added += s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside;
   }
   INFO(n_added << " points added to " << n_points);
-  CHECK(400 * n_added <= n_points);
+  CHECK(1000 * n_added <= n_points);
 }

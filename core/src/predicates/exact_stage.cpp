@@ -179,6 +179,7 @@ Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
   const double det = det3(u, v, w), permanent = permanent3(u, v, w);
   if (std::fabs(det) > 10 * unit * permanent) return -sign_of(det);
+  if (permanent == 0) return Sign::zero;  // a zero factor in each product: exact (a plane across an axis)
   const TwoDouble fine = det3(vector_from(a, d, TwoDouble{}), vector_from(b, d, TwoDouble{}), vector_from(c, d, TwoDouble{}));
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return -sign_of(fine.hi);
   ++exact_calls;

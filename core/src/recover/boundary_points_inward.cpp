@@ -12,6 +12,7 @@
 
 #include "recover/cavity_retriangulation.hpp"
 #include "recover/recover.hpp"
+#include "recover/region_filling.hpp"
 #include "recover/star_fans.hpp"
 
 namespace geomesh::recover {
@@ -31,8 +32,8 @@ struct Sector {
 
 class PointRemoval {
  public:
-  PointRemoval(Recovery& recovery, VertexIndex x)
-      : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints), x_(x), n_points_(recovery.mesh.points().size()) {}
+  PointRemoval(Recovery& recovery, VertexIndex x, bool by_regions)
+      : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints), x_(x), by_regions_(by_regions), n_points_(recovery.mesh.points().size()) {}
 
   bool run() {
     mesh_.star(x_, star_);
@@ -42,7 +43,7 @@ class PointRemoval {
     auto found = find_star_fans(recovery_, x_, star_);
     if (!found) return false;
     around_ = std::move(*found);
-    if (has_foreign_chord()) return false;
+    if (has_foreign_chord() || repeats_subfacet()) return false;
     if (!fill_sectors(3)) return false;
     commit();
     return true;
@@ -73,6 +74,12 @@ class PointRemoval {
   bool has_foreign_chord() {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
     return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
+  }
+  /// A triangle that a facet would get is there already: another facet's, or the thin rest of the same.
+  bool repeats_subfacet() const {
+    return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
+      return std::any_of(f.triangles.begin(), f.triangles.end(), [&](const Triangle& t) { return constraints_.subfacet_of(t[0], t[1], t[2]) != no_index; });
+    });
   }
   void drop_moved_points() {
     while (mesh_.points().size() > n_points_) mesh_.drop_last_point();
@@ -175,12 +182,18 @@ class PointRemoval {
 
   Cavity cavity_of(const Sector& s) const {
     Cavity out(recovery_, s.cells, x_);
+    for (const Triangle& t : sheets_of(s)) out.add_sheet(t);
+    out.forbid(grown_);
+    return out;
+  }
+  /// The triangles that take the place of those at x, seen from the sector.
+  std::vector<Triangle> sheets_of(const Sector& s) const {
+    std::vector<Triangle> out;
     for (const auto& [fan, side] : s.fans)
       for (const Triangle& t : around_.fans[fan].triangles) {
-        if (side & 1u) out.add_sheet(t);
-        if (side & 2u) out.add_sheet({t[0], t[2], t[1]});
+        if (side & 1u) out.push_back(t);
+        if (side & 2u) out.push_back({t[0], t[2], t[1]});
       }
-    out.forbid(grown_);
     return out;
   }
   /// Without a point, else with one. The cells taken are the sector's afterwards.
@@ -190,17 +203,27 @@ class PointRemoval {
     if (!s.wraps_round()) {
       for (VertexIndex v : vertices_of(boundary)) {
         auto fan = fan_from(mesh_, constraints_, boundary, v);
-        if (fan && take(s, std::move(*fan), cavity)) return true;
+        if (fan && take(s, std::move(*fan), cavity.cells())) return true;
       }
     }
     auto filling = cavity.fill({400, 4});
-    if (filling && take(s, std::move(*filling), cavity)) return true;
+    if (filling && take(s, std::move(*filling), cavity.cells())) return true;
+    if (by_regions_ && fill_by_region(s)) return true;
     return !s.wraps_round() && fill_about_moved_point(s);
   }
-  bool take(Sector& s, std::vector<Tetrahedron>&& filling, const Cavity& cavity) {
+  /// Without a point, with cells about the sector.
+  bool fill_by_region(Sector& s) {
+    constexpr std::size_t max_vertices = 40, max_conflicts = 2000;
+    std::optional<Region> region = region_about(recovery_, s.cells, {&x_, 1}, max_vertices, grown_);
+    if (!region) return false;
+    for (const Triangle& t : sheets_of(s)) region->boundary.push_back(t);
+    auto filling = fill_region(mesh_, constraints_, *region, max_conflicts);
+    return filling && take(s, std::move(*filling), region->cells);
+  }
+  bool take(Sector& s, std::vector<Tetrahedron>&& filling, const std::vector<CellIndex>& cells) {
     if (!has_segment(filling)) return false;
     s.filling = std::move(filling);
-    s.cells = cavity.cells();
+    s.cells = cells;
     grown_.insert(grown_.end(), s.cells.begin(), s.cells.end());
     std::sort(grown_.begin(), grown_.end());
     grown_.erase(std::unique(grown_.begin(), grown_.end()), grown_.end());
@@ -235,7 +258,7 @@ class PointRemoval {
         mesh_.move_point(moved, origin + step * direction);
         Cavity trial = cavity;
         auto fan = trial.star_from(moved, max_growths);
-        if (fan && take(s, std::move(*fan), trial)) return true;
+        if (fan && take(s, std::move(*fan), trial.cells())) return true;
       }
     mesh_.drop_last_point();
     constraints_.vertices.pop_back();
@@ -275,6 +298,7 @@ class PointRemoval {
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
   VertexIndex x_;
+  bool by_regions_;
   std::size_t n_points_;
   std::vector<CellIndex> star_;   ///< sorted
   std::vector<CellIndex> grown_;  ///< the star and the cells that sectors have grown over, sorted
@@ -284,6 +308,6 @@ class PointRemoval {
 
 }  // namespace
 
-bool take_point_off_boundary(Recovery& recovery, VertexIndex x) { return PointRemoval(recovery, x).run(); }
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions) { return PointRemoval(recovery, x, by_regions).run(); }
 
 }  // namespace geomesh::recover

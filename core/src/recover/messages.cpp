@@ -136,7 +136,7 @@ void fail_facet_not_recovered(const Recovery& recovery, Index subfacet) {
 }
 
 void Recovery::count_added_point() {
-  if (++n_points_added == 100 + input_vertex.size() / 50) refuse_crossings();
+  if (++n_points_added == 300 + input_vertex.size() / 20) refuse_crossings();
 }
 
 bool Recovery::has_crossings() const { return find_crossing(plc).has_value(); }

@@ -51,8 +51,8 @@ void remove_added_points(Recovery& recovery, bool must_clear);
 /// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(const Recovery& recovery);
 
-/// Takes one added point off its segment or facet (boundary_points_inward.cpp). False: nothing has changed.
-bool take_point_off_boundary(Recovery& recovery, VertexIndex x);
+/// Takes one added point off its segment or facet (boundary_points_inward.cpp), `by_regions` with cells about its star too. False: nothing has changed.
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions = false);
 
 /// Counts declared simplices that are not in the mesh.
 std::size_t count_missing_subsegments(Recovery& recovery);

@@ -196,7 +196,7 @@ void recover_segments(Recovery& recovery) {
       missing.push_back(s);
   std::size_t n_missing_before = missing.size();
   for (std::size_t i = missing.size(); recovery.attempt > 0 && i > 1; --i) std::swap(missing[i - 1], missing[recovery.mesh.random(static_cast<unsigned>(i))]);
-  for (unsigned depth : {0u, 1u, 2u, 3u}) {
+  for (unsigned depth : {0u, 1u}) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;

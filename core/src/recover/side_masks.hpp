@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// On which side of the plane of three vertices each of up to 64 vertices lies, as bit masks; each triple is decided once, exactly.
+/// On which side of the plane of three vertices each of up to 64 vertices lies, as bit masks; each triple is decided once, exactly,
+/// when it is asked for or all together.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -28,6 +30,16 @@ class SideMasks {
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), row_(triples(vertices.size()), 0) {}
 
+  /// For those who will ask for most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with what they share taken out of the loops.
+  void decide_all() {
+    const std::size_t n = vertices_.size();
+    known_.assign(triples(n), {0, 0});
+    for (std::size_t row = 0; row < row_.size(); ++row) row_[row] = static_cast<std::uint32_t>(row + 1);
+    for (std::size_t l = 3; l < n; ++l)
+      for (std::size_t k = 2; k < l; ++k)
+        for (std::size_t j = 1; j < k; ++j) decide_below(j, k, l);
+  }
+
   /// Vertices v for which (t, v) is positive.
   VertexMask above(const LocalTriangle& t) { return sides(t).first; }
   /// Vertices v for which (t, v) is negative.
@@ -40,7 +52,10 @@ class SideMasks {
 
  private:
   using Masks = std::pair<VertexMask, VertexMask>;
-  static std::size_t triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
+  // Rows of increasing triples are sums of binomial coefficients (the combinatorial number system).
+  static constexpr std::size_t pairs(std::size_t n) { return n * (n - 1) / 2; }
+  static constexpr std::size_t triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
+  static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) { return triples(k) + pairs(j) + i; }
 
   Masks sides(const LocalTriangle& t) {
     LocalTriangle s = t;
@@ -53,8 +68,7 @@ class SideMasks {
     order(0, 1);
     order(1, 2);
     order(0, 1);
-    const std::size_t i = s[0], j = s[1], k = s[2];
-    std::uint32_t& row = row_[k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i];
+    std::uint32_t& row = row_[row_of(s[0], s[1], s[2])];
     if (row == 0) {
       known_.push_back(decide(s));
       row = static_cast<std::uint32_t>(known_.size());
@@ -71,6 +85,37 @@ class SideMasks {
       if (s == Sign::negative) out.second |= bit(v);
     }
     return out;
+  }
+
+  /// All (i, j, k, l) with i < j. The bound is that of the predicates' second stage (exact_stage.cpp).
+  void decide_below(std::size_t j, std::size_t k, std::size_t l) {
+    constexpr double bound = 10 * 0x1p-53;
+    const Vec3 &o = mesh_.point(vertices_[l]), v = mesh_.point(vertices_[j]) - o, w = mesh_.point(vertices_[k]) - o;
+    const Vec3 minor{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+    const Vec3 permanent{std::fabs(v.y * w.z) + std::fabs(v.z * w.y), std::fabs(v.z * w.x) + std::fabs(v.x * w.z),
+                         std::fabs(v.x * w.y) + std::fabs(v.y * w.x)};
+    for (std::size_t i = 0; i < j; ++i) {
+      const Vec3 u = mesh_.point(vertices_[i]) - o;
+      const double det = u.x * minor.x + u.y * minor.y + u.z * minor.z;
+      const double error = bound * (std::fabs(u.x) * permanent.x + std::fabs(u.y) * permanent.y + std::fabs(u.z) * permanent.z);
+      if (det < -error) {
+        put(i, j, k, l, true);
+      } else if (det > error) {
+        put(i, j, k, l, false);
+      } else if (const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]); s != Sign::zero) {
+        put(i, j, k, l, s == Sign::positive);
+      }
+    }
+  }
+  /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
+  void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, bool positive) {
+    const auto put_side = [&](std::size_t row, std::size_t v, bool above) {
+      (above ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
+    };
+    put_side(row_of(i, j, k), l, positive);
+    put_side(row_of(i, j, l), k, !positive);
+    put_side(row_of(i, k, l), j, positive);
+    put_side(row_of(j, k, l), i, !positive);
   }
 
   const ConstrainedMesh& mesh_;

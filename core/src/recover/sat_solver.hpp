@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A small solver for propositional formulas in conjunctive normal form: conflict-driven clause learning with two watched literals,
+/// activities and restarts (Marques-Silva and Sakallah 1999, "GRASP"; Moskewicz et al. 2001, "Chaff"; Een and Sorensson 2003, "An extensible
+/// SAT-solver"). "At most one of these" is a constraint of its own, as nearly all of a filling's clauses would otherwise stem from it.
+/// Deterministic; made for some thousand variables and as many conflicts, so learned clauses are never thrown away.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace geomesh::recover {
+
+/// Variable v as it is (2v) or negated (2v + 1).
+class Literal {
+ public:
+  Literal() = default;
+  Literal(std::uint32_t variable, bool negated) : code_(2 * variable + (negated ? 1 : 0)) {}
+  std::uint32_t variable() const { return code_ >> 1; }
+  bool is_negated() const { return code_ & 1u; }
+  std::uint32_t code() const { return code_; }
+  Literal operator~() const { return from_code(code_ ^ 1u); }
+  bool operator==(const Literal&) const = default;
+  static Literal from_code(std::uint32_t code) {
+    Literal l;
+    l.code_ = code;
+    return l;
+  }
+
+ private:
+  std::uint32_t code_ = 0;
+};
+
+enum class Satisfiability { satisfiable, unsatisfiable, unknown };
+
+/// Invariants between calls of solve(): nothing is assigned but what follows from the clauses alone; each clause of two or more literals is
+/// watched by its first two.
+class SatSolver {
+ public:
+  /// `preferred`: the value tried first. Variables are decided in the order of their making until conflicts say otherwise.
+  std::uint32_t new_variable(bool preferred = false);
+  void prefer(std::uint32_t variable, bool value) { phase_[variable] = value ? 1 : 0; }
+  std::size_t n_variables() const { return values_.size(); }
+
+  /// At least one of `literals`. To be called before solve().
+  void add_clause(std::span<const Literal> literals);
+  /// At most one of `variables`. To be called before solve().
+  void add_at_most_one(std::span<const std::uint32_t> variables);
+
+  /// unknown: not decided after `max_conflicts`.
+  Satisfiability solve(std::size_t max_conflicts);
+  /// After satisfiable.
+  bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
+
+ private:
+  static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
+  static constexpr std::uint32_t exclusion = 0x80000000u;  ///< reason: the variable in the lower bits is true
+
+  struct Watch {
+    std::uint32_t clause;
+    Literal blocker;  ///< another literal of the clause: where it is true the clause need not be looked at
+  };
+  struct Clause {
+    std::uint32_t begin, size;
+  };
+  /// A variable stands in a row of exclusive_.
+  struct Occurrence {
+    std::uint32_t row, next;
+  };
+
+  /// -1: unassigned, 0 or 1.
+  int value(Literal l) const { return values_[l.variable()] < 0 ? -1 : values_[l.variable()] ^ static_cast<int>(l.is_negated()); }
+  std::uint32_t level() const { return static_cast<std::uint32_t>(level_begin_.size()); }
+  void assign(Literal l, std::uint32_t reason);
+  std::uint32_t store_clause(std::span<const Literal> literals);
+  bool propagate();
+  bool propagate_clauses(Literal falsified);
+  bool propagate_exclusions(std::uint32_t variable);
+  void learn();
+  void collect_reason(std::uint32_t reason, Literal implied);
+  void undo_to(std::uint32_t level);
+  void bump(std::uint32_t variable);
+  bool decide();
+
+  void heap_up(std::size_t i);
+  void heap_down(std::size_t i);
+  void heap_insert(std::uint32_t variable);
+  bool heap_less(std::uint32_t a, std::uint32_t b) const { return activity_[a] != activity_[b] ? activity_[a] > activity_[b] : a < b; }
+
+  std::vector<Literal> literals_;
+  std::vector<Clause> clauses_;
+  std::vector<std::vector<Watch>> watches_;  ///< of each literal: clauses that watch its negation's falsity
+  std::vector<std::uint32_t> exclusive_;                 ///< variables, row after row
+  std::vector<std::uint32_t> exclusive_end_;             ///< of each row
+  std::vector<Occurrence> occurrences_;
+  std::vector<std::uint32_t> first_occurrence_;          ///< of each variable
+  std::vector<std::int8_t> values_, phase_;
+  std::vector<std::uint32_t> level_of_, reason_;
+  std::vector<Literal> trail_;
+  std::vector<std::uint32_t> level_begin_;
+  std::size_t propagated_ = 0;
+  std::vector<Literal> conflict_;  ///< all false
+  bool contradictory_ = false;
+
+  std::vector<double> activity_;
+  double increment_ = 1;
+  std::vector<std::uint32_t> heap_;
+  std::vector<std::int32_t> heap_place_;
+
+  std::vector<std::uint8_t> seen_;
+  std::vector<Literal> learned_;
+};
+
+}  // namespace geomesh::recover
