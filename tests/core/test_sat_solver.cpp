@@ -13,11 +13,12 @@ using geomesh::recover::SatSolver;
 
 namespace {
 
-/// Clauses and exclusions over a few variables, kept beside the solver so that every assignment can be tried.
+/// Clauses and choices over a few variables, kept beside the solver so that every assignment can be tried.
 struct Formula {
   unsigned n_variables = 0;
   std::vector<std::vector<Literal>> clauses;
-  std::vector<std::vector<std::uint32_t>> exclusions;
+  std::vector<std::vector<std::uint32_t>> choices;
+  std::vector<std::uint32_t> flags;  ///< of each choice
 
   template <class IsTrue>
   bool holds(const IsTrue& is_true) const {
@@ -26,10 +27,10 @@ struct Formula {
       for (Literal l : clause) any = any || is_true(l.variable()) != l.is_negated();
       if (!any) return false;
     }
-    for (const auto& row : exclusions) {
+    for (std::size_t i = 0; i < choices.size(); ++i) {
       unsigned n = 0;
-      for (std::uint32_t v : row) n += is_true(v);
-      if (n > 1) return false;
+      for (std::uint32_t v : choices[i]) n += is_true(v);
+      if (n > 1 || (n == 1 && flags[i] != SatSolver::no_variable && !is_true(flags[i]))) return false;
     }
     return true;
   }
@@ -42,7 +43,7 @@ struct Formula {
     SatSolver out;
     for (unsigned v = 0; v < n_variables; ++v) out.new_variable(v % 3 == 0);
     for (const auto& clause : clauses) out.add_clause(clause);
-    for (const auto& row : exclusions) out.add_at_most_one(row);
+    for (std::size_t i = 0; i < choices.size(); ++i) out.add_choice(choices[i], flags[i]);
     return out;
   }
 };
@@ -58,10 +59,11 @@ Formula random_formula(std::mt19937& random) {
     out.clauses.push_back(clause);
   }
   for (unsigned e = random() % 4; e-- > 0;) {
-    std::vector<std::uint32_t> row;
+    const std::uint32_t flag = random() % out.n_variables;
+    out.flags.push_back(random() % 2 == 0 ? flag : SatSolver::no_variable);
+    out.choices.emplace_back();
     for (std::uint32_t v = 0; v < out.n_variables; ++v)
-      if (random() % 3 == 0) row.push_back(v);
-    out.exclusions.push_back(row);
+      if (v != flag && random() % 3 == 0) out.choices.back().push_back(v);
   }
   return out;
 }
@@ -75,8 +77,9 @@ Formula pigeons(unsigned n) {
     for (unsigned hole = 0; hole < n; ++hole) out.clauses.back().push_back(Literal(pigeon * n + hole, false));
   }
   for (unsigned hole = 0; hole < n; ++hole) {
-    out.exclusions.emplace_back();
-    for (unsigned pigeon = 0; pigeon <= n; ++pigeon) out.exclusions.back().push_back(pigeon * n + hole);
+    out.flags.push_back(SatSolver::no_variable);
+    out.choices.emplace_back();
+    for (unsigned pigeon = 0; pigeon <= n; ++pigeon) out.choices.back().push_back(pigeon * n + hole);
   }
   return out;
 }

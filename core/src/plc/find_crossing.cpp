@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geomesh/core/predicates.hpp"
+#include "refine/closest_point.hpp"
 
 namespace geomesh {
 
@@ -17,12 +18,6 @@ struct Item {
   Index facet = no_index;
 };
 
-bool overlap(const Box3& a, const Box3& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (a.max[i] < b.min[i] || b.max[i] < a.min[i]) return false;
-  return true;
-}
-
 class CrossingSearch {
  public:
   explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
@@ -30,17 +25,14 @@ class CrossingSearch {
   std::optional<PlcCrossing> run() {
     collect();
     const std::size_t axis = longest_axis();
-    const auto by_min = [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; };
-    std::stable_sort(edges_.begin(), edges_.end(), by_min);
-    std::stable_sort(triangles_.begin(), triangles_.end(), by_min);
+    std::stable_sort(edges_.begin(), edges_.end(), [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; });
+    const remesh::ClosestPointTrees tree = tree_of_triangles();
     std::optional<PlcCrossing> best;
-    std::vector<std::size_t> active;
-    std::size_t next = 0;
     for (const Item& e : edges_) {
-      for (; next < triangles_.size() && triangles_[next].box.min[axis] <= e.box.max[axis]; ++next) active.push_back(next);
-      std::erase_if(active, [&](std::size_t t) { return triangles_[t].box.max[axis] < e.box.min[axis]; });
-      for (std::size_t t : active)
-        if (overlap(e.box, triangles_[t].box) && meet(e, triangles_[t])) keep_first(best, e, triangles_[t]);
+      tree.for_each_in(e.box, 0, [&](const auto& found) {
+        const Item& t = triangles_[found.id];
+        if (meet(e, t)) keep_first(best, e, t);
+      });
       if (best) return best;
     }
     return best;
@@ -66,6 +58,11 @@ class CrossingSearch {
       if (plc_.n_loops(f) == 1 && outer.size() == 3) triangles_.push_back(make(outer[0], outer[1], outer[2], f));
     }
     for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
+  }
+  remesh::ClosestPointTrees tree_of_triangles() const {
+    std::vector<remesh::ClosestPointTrees::Item> items;
+    for (const Item& t : triangles_) items.push_back({{point(t.a), point(t.b), point(t.c)}, 0, static_cast<Index>(items.size())});
+    return {std::move(items), 1};
   }
   std::size_t longest_axis() const {
     Box3 box;

@@ -89,12 +89,12 @@ namespace {
 class RegionFiller {
  public:
   RegionFiller(const ConstrainedMesh& mesh, const Constraints& constraints, const Region& region)
-      : constraints_(constraints), region_(region), n_(region.vertices.size()), sides_(mesh, region.vertices), faces_(n_ * (n_ - 1) * (n_ - 2) / 6) {
+      : constraints_(constraints), region_(region), n_(region.vertices.size()), sides_(mesh, region.vertices), faces_(n_ * (n_ - 1) * (n_ - 2) / 6),
+        forced_(n_, 0), allowed_(n_, 0) {
     for (const Triangle& t : region.boundary) boundary_.push_back(local(t));
-    for (const auto& s : region.segments) forced_edges_.push_back(edge(local(s[0]), local(s[1])));
+    for (const auto& s : region.segments) force_edge(local(s[0]), local(s[1]));
     for (const LocalTriangle& t : boundary_)
-      for (unsigned i = 0; i < 3; ++i) forced_edges_.push_back(edge(t[i], t[(i + 1) % 3]));
-    sort_unique(forced_edges_);
+      for (unsigned i = 0; i < 3; ++i) force_edge(t[i], t[(i + 1) % 3]);
   }
 
   std::optional<std::vector<Tetrahedron>> run(std::size_t max_conflicts) {
@@ -112,7 +112,6 @@ class RegionFiller {
 
  private:
   using Cell = std::array<LocalVertex, 4>;
-  using Edge = std::array<LocalVertex, 2>;
   enum class Presence : std::uint8_t { unknown, allowed, pierced };
 
   /// A triangle of three vertices in increasing order.
@@ -129,7 +128,10 @@ class RegionFiller {
   Tetrahedron global(const Cell& c) const {
     return {region_.vertices[c[0]], region_.vertices[c[1]], region_.vertices[c[2]], region_.vertices[c[3]]};
   }
-  static Edge edge(LocalVertex a, LocalVertex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+  void force_edge(LocalVertex a, LocalVertex b) {
+    forced_[a] |= bit(b);
+    forced_[b] |= bit(a);
+  }
   VertexMask all() const { return n_ == 64 ? ~VertexMask{0} : (VertexMask{1} << n_) - 1; }
 
   /// The face, and whether the triangle is an odd permutation of its vertices.
@@ -144,28 +146,30 @@ class RegionFiller {
     return {&faces_[k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i], odd};
   }
 
-  /// a-b has its ends strictly on either side of t, whose sides are given, and passes through the inside of t or its border.
-  bool crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t, VertexMask above, VertexMask below) {
-    if (!((above & bit(a)) && (below & bit(b))) && !((above & bit(b)) && (below & bit(a)))) return false;
+  /// a-b, whose ends lie strictly on either side of t, passes through the inside of t or its border.
+  bool crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
     const int s0 = sides_.sign(a, b, t[0], t[1]), s1 = sides_.sign(a, b, t[1], t[2]), s2 = sides_.sign(a, b, t[2], t[0]);
     return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
   }
-  /// a-b and e lie in one plane and each has its ends strictly on either side of the other.
-  bool crosses_in_plane(LocalVertex a, LocalVertex b, const Edge& e) {
-    const auto [c, d] = e;
-    if (a == c || a == d || b == c || b == d) return false;
-    const VertexMask above = sides_.above({a, b, c}), below = sides_.below({a, b, c}), off = above | below;
-    if ((off & bit(d)) || off == 0) return false;
-    const LocalVertex apex = lowest(off);
-    return sides_.sign(apex, a, b, c) * sides_.sign(apex, a, b, d) < 0 && sides_.sign(apex, c, d, a) * sides_.sign(apex, c, d, b) < 0;
+  /// a-b passes through the inside of a forced edge in a plane of both: each has its ends strictly on either side of the other.
+  bool crosses_forced_in_plane(LocalVertex a, LocalVertex b) {
+    for (LocalVertex c = 0; c < n_; ++c) {
+      if (c == a || c == b) continue;
+      const VertexMask off = sides_.above({a, b, c}) | sides_.below({a, b, c});
+      if (off == 0) continue;
+      const LocalVertex apex = lowest(off);
+      for (VertexMask of_d = forced_[c] & beyond(c) & ~(off | bit(a) | bit(b)); of_d != 0; of_d &= of_d - 1) {
+        const LocalVertex d = lowest(of_d);
+        if (sides_.sign(apex, a, b, c) * sides_.sign(apex, a, b, d) < 0 && sides_.sign(apex, c, d, a) * sides_.sign(apex, c, d, b) < 0) return true;
+      }
+    }
+    return false;
   }
   /// Edges that cross no boundary triangle and no edge that must be there, as masks of the other ends.
   void find_allowed_edges() {
-    allowed_.assign(n_, 0);
     for (LocalVertex a = 0; a < n_; ++a)
       for (LocalVertex b = 0; b < a; ++b) {
-        if (constraints_.skips_added_points(region_.vertices[a], region_.vertices[b])) continue;
-        if (std::any_of(forced_edges_.begin(), forced_edges_.end(), [&](const Edge& e) { return crosses_in_plane(a, b, e); })) continue;
+        if (constraints_.skips_added_points(region_.vertices[a], region_.vertices[b]) || crosses_forced_in_plane(a, b)) continue;
         allowed_[a] |= bit(b);
         allowed_[b] |= bit(a);
       }
@@ -177,7 +181,7 @@ class RegionFiller {
       const LocalVertex a = lowest(of_a);
       for (VertexMask of_b = below & allowed_[a]; of_b != 0; of_b &= of_b - 1) {
         const LocalVertex b = lowest(of_b);
-        if (!crosses(a, b, t, above, below)) continue;
+        if (!crosses(a, b, t)) continue;
         allowed_[a] &= ~bit(b);
         allowed_[b] &= ~bit(a);
       }
@@ -185,12 +189,17 @@ class RegionFiller {
   }
   bool is_pierced(const LocalTriangle& t) {
     Presence& p = face_of(t).first->presence;
-    if (p == Presence::unknown) {
-      const VertexMask above = sides_.above(t), below = sides_.below(t);
-      const auto pierces = [&](const Edge& e) { return crosses(e[0], e[1], t, above, below); };
-      p = std::any_of(forced_edges_.begin(), forced_edges_.end(), pierces) ? Presence::pierced : Presence::allowed;
-    }
+    if (p == Presence::unknown) p = is_pierced_by_forced(t) ? Presence::pierced : Presence::allowed;
     return p == Presence::pierced;
+  }
+  bool is_pierced_by_forced(const LocalTriangle& t) {
+    const VertexMask above = sides_.above(t), below = sides_.below(t);
+    for (VertexMask of_a = above; of_a != 0; of_a &= of_a - 1) {
+      const LocalVertex a = lowest(of_a);
+      for (VertexMask of_b = below & forced_[a]; of_b != 0; of_b &= of_b - 1)
+        if (crosses(a, lowest(of_b), t)) return true;
+    }
+    return false;
   }
 
   void gather_candidates() {
@@ -235,7 +244,6 @@ class RegionFiller {
       if (!is_boundary && f.cells[0].empty() && f.cells[1].empty()) continue;
       for (unsigned side = 0; side < 2; ++side) {
         if (f.required[side] && f.cells[side].empty()) return false;
-        solver_.add_at_most_one(f.cells[side]);
         if (is_boundary) state_boundary(f.cells[side], f.required[side]);
       }
       if (!is_boundary) state_inner(f);
@@ -256,24 +264,23 @@ class RegionFiller {
     }
   }
   void state_boundary(const std::vector<std::uint32_t>& cells, bool required) {
-    std::vector<Literal> clause;
+    clause_.clear();
     for (std::uint32_t c : cells) {
-      if (required) clause.push_back(Literal(c, false));
+      if (required) clause_.push_back(Literal(c, false));
       if (const Literal no = Literal(c, true); !required) solver_.add_clause({&no, 1});
     }
-    if (required) solver_.add_clause(clause);
+    if (!required) return;
+    solver_.add_clause(clause_);
+    solver_.add_choice(cells);
   }
   /// A cell on one side makes the triangle a face, and a face has a cell on each side.
   void state_inner(const Face& f) {
     const std::uint32_t is_face = solver_.new_variable();
-    for (unsigned side = 0; side < 2; ++side) {
-      std::vector<Literal> clause{Literal(is_face, true)};
-      for (std::uint32_t c : f.cells[side]) {
-        const std::array<Literal, 2> implication{Literal(c, true), Literal(is_face, false)};
-        solver_.add_clause(implication);
-        clause.push_back(Literal(c, false));
-      }
-      solver_.add_clause(clause);
+    for (const std::vector<std::uint32_t>& cells : f.cells) {
+      clause_.assign(1, Literal(is_face, true));
+      for (std::uint32_t c : cells) clause_.push_back(Literal(c, false));
+      solver_.add_clause(clause_);
+      solver_.add_choice(cells, is_face);
     }
   }
   /// Segments that end in the region's inside or cross it in coplanar faces are not asked for by the formula.
@@ -291,9 +298,10 @@ class RegionFiller {
   SideMasks sides_;
   std::vector<Face> faces_;
   std::vector<LocalTriangle> boundary_;
-  std::vector<Edge> forced_edges_;
-  std::vector<VertexMask> allowed_;
+  std::vector<VertexMask> forced_;   ///< the other ends of edges that must be there
+  std::vector<VertexMask> allowed_;  ///< of edges that may be there
   std::vector<Cell> cells_;
+  std::vector<Literal> clause_;
   SatSolver solver_;
 };
 

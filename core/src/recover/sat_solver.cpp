@@ -7,7 +7,7 @@ namespace geomesh::recover {
 
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
+constexpr std::uint32_t no_occurrence = 0xFFFFFFFFu, no_watch = 0xFFFFFFFFu;
 
 /// 1 1 2 1 1 2 4 ... (Luby, Sinclair and Zuckerman 1993).
 std::size_t luby(std::size_t i) {
@@ -34,8 +34,9 @@ std::uint32_t SatSolver::new_variable(bool preferred) {
   reason_.push_back(no_reason);
   activity_.push_back(0);
   seen_.push_back(0);
-  first_occurrence_.push_back(none);
-  watches_.resize(watches_.size() + 2);
+  first_choice_.push_back(no_occurrence);
+  first_flag_.push_back(no_occurrence);
+  first_watch_.resize(first_watch_.size() + 2, no_watch);
   heap_place_.push_back(-1);
   heap_insert(v);
   return v;
@@ -52,23 +53,35 @@ void SatSolver::add_clause(std::span<const Literal> literals) {
   }
 }
 
-void SatSolver::add_at_most_one(std::span<const std::uint32_t> variables) {
-  if (variables.size() < 2) return;
-  for (std::uint32_t v : variables) {
-    occurrences_.push_back({static_cast<std::uint32_t>(exclusive_end_.size()), first_occurrence_[v]});
-    first_occurrence_[v] = static_cast<std::uint32_t>(occurrences_.size() - 1);
-  }
-  exclusive_.insert(exclusive_.end(), variables.begin(), variables.end());
-  exclusive_end_.push_back(static_cast<std::uint32_t>(exclusive_.size()));
+void SatSolver::add_choice(std::span<const std::uint32_t> variables, std::uint32_t flag) {
+  if (variables.empty() || (variables.size() == 1 && flag == no_variable)) return;
+  const std::uint32_t choice = static_cast<std::uint32_t>(choices_.size()), begin = static_cast<std::uint32_t>(chosen_.size());
+  chosen_.insert(chosen_.end(), variables.begin(), variables.end());
+  choices_.push_back({begin, static_cast<std::uint32_t>(chosen_.size()), flag});
+  for (std::uint32_t v : variables) add_occurrence(first_choice_[v], choice);
+  if (flag != no_variable) add_occurrence(first_flag_[flag], choice);
+}
+
+void SatSolver::add_occurrence(std::uint32_t& first, std::uint32_t choice) {
+  occurrences_.push_back({choice, first});
+  first = static_cast<std::uint32_t>(occurrences_.size() - 1);
 }
 
 std::uint32_t SatSolver::store_clause(std::span<const Literal> literals) {
   const std::uint32_t c = static_cast<std::uint32_t>(clauses_.size());
   clauses_.push_back({static_cast<std::uint32_t>(literals_.size()), static_cast<std::uint32_t>(literals.size())});
   literals_.insert(literals_.end(), literals.begin(), literals.end());
-  watches_[(~literals[0]).code()].push_back({c, literals[1]});
-  watches_[(~literals[1]).code()].push_back({c, literals[0]});
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    watches_.push_back({literals[1 - k], no_watch});
+    watch(literals[k], 2 * c + k);
+  }
   return c;
+}
+
+void SatSolver::watch(Literal watched, std::uint32_t watch) {
+  std::uint32_t& first = first_watch_[(~watched).code()];
+  watches_[watch].next = first;
+  first = watch;
 }
 
 void SatSolver::assign(Literal l, std::uint32_t reason) {
@@ -82,69 +95,86 @@ void SatSolver::assign(Literal l, std::uint32_t reason) {
 bool SatSolver::propagate() {
   while (propagated_ < trail_.size()) {
     const Literal l = trail_[propagated_++];
-    if (!l.is_negated() && !propagate_exclusions(l.variable())) return false;
-    if (!propagate_clauses(l)) return false;
+    if (!(l.is_negated() ? propagate_flag(l.variable()) : propagate_choices(l.variable())) || !propagate_clauses(l)) return false;
   }
   return true;
 }
 
-bool SatSolver::propagate_exclusions(std::uint32_t variable) {
-  for (std::uint32_t o = first_occurrence_[variable]; o != none; o = occurrences_[o].next) {
-    const std::uint32_t row = occurrences_[o].row;
-    for (std::uint32_t k = row == 0 ? 0 : exclusive_end_[row - 1]; k < exclusive_end_[row]; ++k) {
-      const std::uint32_t other = exclusive_[k];
-      if (other == variable || values_[other] == 0) continue;
-      if (values_[other] == 1) {
-        conflict_ = {Literal(variable, true), Literal(other, true)};
-        return false;
-      }
-      assign(Literal(other, true), exclusion | variable);
-    }
+/// The one makes the other true. False: it is false.
+bool SatSolver::imply(Literal cause, Literal effect) {
+  const int v = value(effect);
+  if (v == 0) conflict_ = {~cause, effect};
+  if (v < 0) assign(effect, by_literal | cause.code());
+  return v != 0;
+}
+
+/// The variable has become true: all others of its choices are false, their flags true.
+bool SatSolver::propagate_choices(std::uint32_t variable) {
+  const Literal cause(variable, false);
+  for (std::uint32_t o = first_choice_[variable]; o != no_occurrence; o = occurrences_[o].next) {
+    const Choice& choice = choices_[occurrences_[o].choice];
+    for (std::uint32_t k = choice.begin; k < choice.end; ++k)
+      if (chosen_[k] != variable && !imply(cause, Literal(chosen_[k], true))) return false;
+    if (choice.flag != no_variable && !imply(cause, Literal(choice.flag, false))) return false;
+  }
+  return true;
+}
+
+/// The flag has become false: so are its choices.
+bool SatSolver::propagate_flag(std::uint32_t flag) {
+  for (std::uint32_t o = first_flag_[flag]; o != no_occurrence; o = occurrences_[o].next) {
+    const Choice& choice = choices_[occurrences_[o].choice];
+    for (std::uint32_t k = choice.begin; k < choice.end; ++k)
+      if (!imply(Literal(flag, true), Literal(chosen_[k], true))) return false;
   }
   return true;
 }
 
 /// Clauses in which ~made_true is watched.
 bool SatSolver::propagate_clauses(Literal made_true) {
-  std::vector<Watch>& watches = watches_[made_true.code()];
   const Literal falsified = ~made_true;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < watches.size(); ++i) {
-    const Watch watch = watches[i];
-    if (value(watch.blocker) == 1) {
-      watches[kept++] = watch;
+  std::uint32_t* link = &first_watch_[made_true.code()];
+  while (*link != no_watch) {
+    const std::uint32_t w = *link;
+    if (value(watches_[w].blocker) == 1) {
+      link = &watches_[w].next;
       continue;
     }
-    Literal* l = literals_.data() + clauses_[watch.clause].begin;
-    const std::uint32_t size = clauses_[watch.clause].size;
+    Literal* l = literals_.data() + clauses_[w / 2].begin;
     if (l[0] == falsified) std::swap(l[0], l[1]);
-    std::uint32_t free = 2;
-    if (value(l[0]) != 1)
-      while (free < size && value(l[free]) == 0) ++free;
-    if (value(l[0]) != 1 && free < size) {
-      std::swap(l[1], l[free]);
-      watches_[(~l[1]).code()].push_back({watch.clause, l[0]});
+    watches_[w].blocker = l[0];
+    if (value(l[0]) != 1 && find_other_watch(w / 2)) {
+      *link = watches_[w].next;
+      watch(l[1], w);
       continue;
     }
-    watches[kept++] = {watch.clause, l[0]};
+    link = &watches_[w].next;
     if (value(l[0]) == 1) continue;
     if (value(l[0]) == 0) {
-      conflict_.assign(l, l + size);
-      while (++i < watches.size()) watches[kept++] = watches[i];
-      watches.resize(kept);
+      conflict_.assign(l, l + clauses_[w / 2].size);
       return false;
     }
-    assign(l[0], watch.clause);
+    assign(l[0], w / 2);
   }
-  watches.resize(kept);
   return true;
+}
+
+/// Exchanges the second literal for one behind it that is not false. False: there is none.
+bool SatSolver::find_other_watch(std::uint32_t clause) {
+  Literal* l = literals_.data() + clauses_[clause].begin;
+  for (std::uint32_t k = 2; k < clauses_[clause].size; ++k) {
+    if (value(l[k]) == 0) continue;
+    std::swap(l[1], l[k]);
+    return true;
+  }
+  return false;
 }
 
 /// Marks the literals that made `implied` true; those of the level in work are counted by the caller through seen_.
 void SatSolver::collect_reason(std::uint32_t reason, Literal implied) {
   conflict_.clear();
-  if (reason & exclusion) {
-    conflict_.push_back(Literal(reason & ~exclusion, true));
+  if (reason & by_literal) {
+    conflict_.push_back(~Literal::from_code(reason & ~by_literal));
     return;
   }
   const Clause& c = clauses_[reason];

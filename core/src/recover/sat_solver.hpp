@@ -38,6 +38,8 @@ enum class Satisfiability { satisfiable, unsatisfiable, unknown };
 /// watched by its first two.
 class SatSolver {
  public:
+  static constexpr std::uint32_t no_variable = 0xFFFFFFFFu;
+
   /// `preferred`: the value tried first. Variables are decided in the order of their making until conflicts say otherwise.
   std::uint32_t new_variable(bool preferred = false);
   void prefer(std::uint32_t variable, bool value) { phase_[variable] = value ? 1 : 0; }
@@ -45,8 +47,8 @@ class SatSolver {
 
   /// At least one of `literals`. To be called before solve().
   void add_clause(std::span<const Literal> literals);
-  /// At most one of `variables`. To be called before solve().
-  void add_at_most_one(std::span<const std::uint32_t> variables);
+  /// At most one of `variables`, and where one is true so is `flag` (another variable; none: no_variable). To be called before solve().
+  void add_choice(std::span<const std::uint32_t> variables, std::uint32_t flag = no_variable);
 
   /// unknown: not decided after `max_conflicts`.
   Satisfiability solve(std::size_t max_conflicts);
@@ -55,18 +57,23 @@ class SatSolver {
 
  private:
   static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
-  static constexpr std::uint32_t exclusion = 0x80000000u;  ///< reason: the variable in the lower bits is true
+  static constexpr std::uint32_t by_literal = 0x80000000u;  ///< reason: the literal with the code in the lower bits is true
 
+  /// Of the two watches of clause c, 2c and 2c + 1. Lists, as each clause always has two of them and they only change places.
   struct Watch {
-    std::uint32_t clause;
     Literal blocker;  ///< another literal of the clause: where it is true the clause need not be looked at
+    std::uint32_t next;
   };
   struct Clause {
     std::uint32_t begin, size;
   };
-  /// A variable stands in a row of exclusive_.
+  /// Variables of which at most one is true.
+  struct Choice {
+    std::uint32_t begin, end, flag;
+  };
+  /// A variable stands in a choice, or is its flag.
   struct Occurrence {
-    std::uint32_t row, next;
+    std::uint32_t choice, next;
   };
 
   /// -1: unassigned, 0 or 1.
@@ -74,9 +81,14 @@ class SatSolver {
   std::uint32_t level() const { return static_cast<std::uint32_t>(level_begin_.size()); }
   void assign(Literal l, std::uint32_t reason);
   std::uint32_t store_clause(std::span<const Literal> literals);
+  void watch(Literal watched, std::uint32_t watch);
   bool propagate();
   bool propagate_clauses(Literal falsified);
-  bool propagate_exclusions(std::uint32_t variable);
+  bool propagate_choices(std::uint32_t variable);
+  bool propagate_flag(std::uint32_t flag);
+  bool imply(Literal cause, Literal effect);
+  bool find_other_watch(std::uint32_t clause);
+  void add_occurrence(std::uint32_t& first, std::uint32_t choice);
   void learn();
   void collect_reason(std::uint32_t reason, Literal implied);
   void undo_to(std::uint32_t level);
@@ -90,11 +102,12 @@ class SatSolver {
 
   std::vector<Literal> literals_;
   std::vector<Clause> clauses_;
-  std::vector<std::vector<Watch>> watches_;  ///< of each literal: clauses that watch its negation's falsity
-  std::vector<std::uint32_t> exclusive_;                 ///< variables, row after row
-  std::vector<std::uint32_t> exclusive_end_;             ///< of each row
+  std::vector<Watch> watches_;
+  std::vector<std::uint32_t> first_watch_;  ///< of each literal: of the clauses that watch its negation
+  std::vector<std::uint32_t> chosen_;  ///< variables, choice after choice
+  std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
-  std::vector<std::uint32_t> first_occurrence_;          ///< of each variable
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable
   std::vector<std::int8_t> values_, phase_;
   std::vector<std::uint32_t> level_of_, reason_;
   std::vector<Literal> trail_;
