@@ -176,9 +176,8 @@ def rounded(points):
 
 
 def write_expected(path, units):
-    """expected.json of a sample: the volumes of the regions of each unit, in m3; null where only the count is known. Regions of one unit
-    are listed from small to large."""
-    units = {name: sorted(volumes, key=lambda v: v if v is not None else 0.0) for name, volumes in units.items()}
+    """expected.json of a sample: the volumes of the regions of each unit, in m3. Regions of one unit are listed from small to large."""
+    units = {name: sorted(volumes) for name, volumes in units.items()}
     with open(path, "w", newline="\n") as file:
         json.dump({"units": units}, file, indent=1, sort_keys=True)
         file.write("\n")
