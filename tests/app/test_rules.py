@@ -100,6 +100,95 @@ column: [upper, h, lower]
         self.assertIn("which is no fault; faults are f", printed)
 
 
+def patch(x_range, y_range, height, step=0.5):
+    """A lattice over a rectangle of the map, with heights by y alone."""
+    nx, ny = round((x_range[1] - x_range[0]) / step), round((y_range[1] - y_range[0]) / step)
+    points = [(x_range[0] + (x_range[1] - x_range[0]) * i / nx, y_range[0] + step * j, height(y_range[0] + step * j))
+              for j in range(ny + 1) for i in range(nx + 1)]
+    corners = [(j * (nx + 1) + i, j * (nx + 1) + i + 1) for j in range(ny) for i in range(nx)]
+    return points, [t for a, b in corners for t in ((a, b, b + nx + 1), (a, b + nx + 1, a + nx + 1))]
+
+
+class ThrowThatDiesOut(RulesTest):
+    """A fault x = 5 with an end inside, at y = 6. West of it h lies at 6; east of it the throw grows by a third of the distance from y = 6.5."""
+
+    SURFACES = """surfaces:
+  - {name: h, kind: horizon, file: h.ts, throw_at: [f]}
+  - {name: f, kind: fault, file: f.ts}
+column: [upper, h, lower]
+"""
+
+    def fault(self, low=-1, high=6):
+        self.write("f.ts", plane_ts("f", [(5, low, -1), (5, high, -1), (5, high, 11), (5, low, 11)]))
+
+    @staticmethod
+    def lowered(y):
+        return 6 - max(0, 6.5 - y) / 3
+
+    def horizon(self, *patches):
+        points, triangles = [], []
+        for more, others in patches:
+            triangles += [tuple(v + len(points) for v in t) for t in others]
+            points += more
+        self.write("h.ts", triangles_ts("h", points, triangles))
+
+    def assert_throw_dies_out(self, lost_east):
+        report, volumes = self.mesh(self.SURFACES)
+        # Round the end of the fault a strip as wide as the gap is filled by rule.
+        self.assertEqual(sorted(volumes), ["lower", "upper"])
+        self.assertAlmostEqual(volumes["lower"], 600 - lost_east, delta=0.2)
+        self.assertAlmostEqual(volumes["lower"] + volumes["upper"], 1000, delta=1e-9)
+        self.assertFalse(any("stops short" in text or "not divided" in text or "open" in text for text in report["warnings"]), report["warnings"])
+        area = {surface["name"]: surface["area"] for surface in report["surfaces"]}
+        self.assertAlmostEqual(area["f"], 60, delta=1e-9)
+        self.assertTrue(any(curve["name"] == "f.tip" for curve in report["curves"]))
+        self.assertFalse(any(curve["name"] == "h.border" for curve in report["curves"]), "the horizon has no free border")
+        cut = [curve["length"] for curve in report["curves"] if curve["name"] == "f*h"]
+        self.assertAlmostEqual(sum(cut), 6 + 6 * (1 + 1 / 9) ** 0.5, delta=0.3)
+        return report
+
+    def test_blocks_in_two_sheets(self):
+        """Both stop short of the fault and of each other beyond it."""
+        self.fault()
+        self.horizon(patch((-1, 4.5), (-1, 11), lambda y: 6), patch((5.5, 11), (-1, 11), self.lowered))
+        report = self.assert_throw_dies_out(5 * 6.5 * 6.5 / 6)
+        self.told(report, "notes", "h: its blocks are joined beyond the end of its faults", "throw left there")
+
+    def test_one_sheet_round_the_end(self):
+        self.fault()
+        self.horizon(patch((-1, 4.5), (-1, 6.5), lambda y: 6), patch((5.5, 11), (-1, 6.5), self.lowered),
+                     patch((-1, 4.5), (6.5, 11), lambda y: 6), patch((4.5, 5.5), (6.5, 11), lambda y: 6), patch((5.5, 11), (6.5, 11), lambda y: 6))
+        self.assert_throw_dies_out(5 * 6.5 * 6.5 / 6)
+
+    def test_one_side_runs_through_the_fault(self):
+        """What is given beyond the fault goes; the block is continued to the fault anew."""
+        self.fault()
+        self.horizon(patch((-1, 5.3), (-1, 11), lambda y: 6), patch((5.5, 11), (-1, 11), self.lowered))
+        report = self.assert_throw_dies_out(5 * 6.5 * 6.5 / 6)
+        self.told(report, "notes", "made anew from its blocks")
+
+    def test_both_ends_inside(self):
+        """The throw dies out to both ends, at y = 2 and y = 8, from 1 in the middle."""
+        self.fault(2, 8)
+        def sag(y):
+            return 6 - max(0, 1 - abs(y - 5) / 3)
+        self.horizon(patch((-1, 4.5), (-1, 11), lambda y: 6), patch((5.5, 11), (-1, 11), sag))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assertAlmostEqual(volumes["lower"], 600 - 5 * 3, delta=0.08)
+        self.assertEqual(len(volumes), 2)
+        self.assertFalse(any(curve["name"] == "h.border" for curve in report["curves"]))
+        cut = [curve["length"] for curve in report["curves"] if curve["name"] == "f*h"]
+        self.assertAlmostEqual(sum(cut), 6 + 6 * (1 + 1 / 9) ** 0.5, delta=1)  # a spacing of the points at each end
+
+    def test_throw_that_does_not_die_out_is_told(self):
+        """The blocks lie at different heights where the fault has ended: joined by a steep strip, and said."""
+        self.fault()
+        self.horizon(patch((-1, 4.5), (-1, 11), lambda y: 6), patch((5.5, 11), (-1, 11), lambda y: 4))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assertEqual(sorted(volumes), ["lower", "upper"])
+        self.told(report, "warnings", "throw left there: at most 2 m", "does not die out", "extent: to_box")
+
+
 class Faults(RulesTest):
     CUTS = """surfaces:
   - {name: a, kind: horizon, file: a.ts}

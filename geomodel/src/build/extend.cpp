@@ -257,12 +257,12 @@ void fill_holes(TriangulatedSurface& surface, double longest_border, const Build
                         to_text(longest_border) + " stay");
 }
 
-void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log, Index rim) {
+void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log, const ContinuationPoints& added_points) {
   if (how == Extend::none || surface.triangles.empty()) return;
   const Frame frame = frame_of(surface);
   const PlanarBorder border = planar_border(surface, frame);
   if (border.edges.empty()) return;
-  const Box3 area = extended_area(surface, frame, box, rim);
+  const Box3 area = extended_area(surface, frame, box, added_points.rim);
   const double step = std::max(area.max.x - area.min.x, area.max.y - area.min.y) / n_grid;
   const int nx = std::max(1, static_cast<int>(std::lround((area.max.x - area.min.x) / step)));
   const int ny = std::max(1, static_cast<int>(std::lround((area.max.y - area.min.y) / step)));
@@ -274,7 +274,7 @@ void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, co
       const double x = area.min.x + (area.max.x - area.min.x) * i / nx, y = area.min.y + (area.max.y - area.min.y) * j / ny;
       const Nearest at = nearest_on_border(border, x, y);
       const bool on_rim = i == 0 || j == 0 || i == nx || j == ny;
-      if (!on_rim && at.distance2 < 0.25 * step * step) continue;
+      if (!on_rim && (!added_points.inside || at.distance2 < 0.25 * step * step)) continue;
       points.push_back({x, y});
       added.push_back({x, y, continuation.height(x, y, at)});
     }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "build/part_blocks.hpp"
 #include "build/pieces.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
@@ -23,8 +24,7 @@ class Trimmer {
     end_at(rules_.topography, 1, "nothing is kept above the topography");
     end_at(rules_.floor, -1, "nothing is kept below the bottom of the model");
     stop_continuations();
-    for (Index s = 0; s < built_.block_of_triangle.size(); ++s)
-      if (!built_.block_of_triangle[s].empty()) part_blocks(s);
+    part_blocks({working_, surfaces_, built_, rules_, removed_, notes_, warnings_});
     order_horizons();
     for (Index s = 0; s < n_given(); ++s) cut_units_alone(s);
     if (rules_.trim_overshoot > 0) trim_overshoots();
@@ -80,58 +80,6 @@ class Trimmer {
     if (n > 0)
       notes_.push_back("surface " + surfaces_[s].name + " ends at " + surfaces_[target].name + ": " + std::to_string(n) +
                        " continued pieces beyond it removed (area " + to_text(area) + ")");
-  }
-
-  /// throw_at: of each block's sheets and their continuation, what faults part from most of what was given goes.
-  void part_blocks(Index s) {
-    const std::vector<Index>& block_of = built_.block_of_triangle[s];
-    std::vector<Index> faults;
-    for (const std::string& name : rules_.of(s).throw_at) faults.push_back(row_of(name));
-    const Index n_blocks = *std::max_element(block_of.begin(), block_of.end()) + 1;
-    for (Index block = 0; block < n_blocks; ++block) {
-      const auto is_of_block = [&](const PolygonSoup::Origin& o) { return o.surface == s && block_of[o.triangle] == block; };
-      const auto is_mine = [&](Index f) { return std::any_of(working_.origins[f].begin(), working_.origins[f].end(), is_of_block); };
-      const std::vector<Piece> pieces = pieces_of(working_, is_mine, faults, nullptr);
-      std::vector<double> given(pieces.size(), 0);
-      for (std::size_t k = 0; k < pieces.size(); ++k)
-        for (Index f : pieces[k].facets)
-          for (const PolygonSoup::Origin& o : working_.origins[f])
-            if (is_of_block(o) && is_given(o)) given[k] += working_.area(f);
-      if (pieces.empty()) continue;
-      const std::size_t main = static_cast<std::size_t>(std::max_element(given.begin(), given.end()) - given.begin());
-      if (pieces.size() == 1 && n_blocks > 1) {
-        drop_continuation(s, pieces[0], is_of_block);
-        continue;
-      }
-      double area = 0, overshoot = 0;
-      Vec3 place;
-      for (std::size_t k = 0; k < pieces.size(); ++k) {
-        if (k == main) continue;
-        if (given[k] > 0 && given[k] >= overshoot) place = working_.centre(pieces[k].largest);
-        area += working_.remove(pieces[k].facets, is_of_block);
-        overshoot += given[k];
-      }
-      removed_[s] += area;
-      notes_.push_back("horizon " + surfaces_[s].name + ", block " + std::to_string(block + 1) + ": ended at its faults, area beyond them removed " +
-                       to_text(area) + (overshoot > 0 ? ", of which given (overshoot on the wrong side) " + to_text(overshoot) + " near " +
-                                                            to_text(place)
-                                                      : std::string()));
-    }
-  }
-
-  /// Where no fault parts a block's continuation from it, it would run through the other blocks.
-  void drop_continuation(Index s, const Piece& piece, const std::function<bool(const PolygonSoup::Origin&)>& is_of_block) {
-    std::vector<Index> made;
-    for (Index f : piece.facets)
-      if (std::any_of(working_.origins[f].begin(), working_.origins[f].end(),
-                      [&](const PolygonSoup::Origin& o) { return is_of_block(o) && !is_given(o); }))
-        made.push_back(f);
-    removed_[s] += working_.remove(made, [&](const PolygonSoup::Origin& o) { return is_of_block(o) && !is_given(o); });
-    std::string faults;
-    for (const std::string& name : rules_.of(s).throw_at) faults += (faults.empty() ? "" : ", ") + name;
-    warnings_.push_back("horizon " + surfaces_[s].name + " is not divided by the faults across which it is to have throw (" + faults +
-                        "): a block near " + to_text(working_.centre(piece.largest)) +
-                        " is kept as given; let the faults reach through the model (extent: to_box)");
   }
 
   /// cut_units: pieces of a fault above the units that it cuts, or below them, go.

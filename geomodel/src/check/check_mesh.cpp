@@ -82,7 +82,7 @@ Claim claim_of_project(const std::filesystem::path& file, const std::filesystem:
   claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
   ModelRules rules = project.rules;
   if (claim.volume) rules.box = claim.volume->bounds;
-  claim.surfaces = build_surfaces(claim.surfaces, rules).surfaces;
+  claim.surfaces = build_surfaces(claim.surfaces, rules).model_surfaces();
   claim_clipped_areas(project, mesh, claim);
   return claim;
 }

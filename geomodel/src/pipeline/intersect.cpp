@@ -80,6 +80,17 @@ void note_findings(PreparedModel& model, const RunContext& context) {
   if (n > most) note(model.notes, context, "... and " + std::to_string(n - most) + " more findings of this kind: see intersection.spots");
 }
 
+/// Continued blocks of a horizon with throw run through and onto each other until they are parted: nothing that the user gave is wrong there.
+void drop_spots_of_blocks(PreparedModel& model) {
+  ArrangementResult& found = model.arrangement;
+  const auto& blocks = model.built_rows.block_of_triangle;
+  std::erase_if(found.spots, [&](const Spot& spot) {
+    const bool of_blocks = spot.surface_a == spot.surface_b && spot.surface_a < blocks.size() && !blocks[spot.surface_a].empty();
+    if (of_blocks) std::erase(found.warnings, describe(spot, model.surfaces));
+    return of_blocks;
+  });
+}
+
 }  // namespace
 
 void build(PreparedModel& model, const RunContext& context) {
@@ -95,6 +106,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
                const RunContext& context) {
   StageScope stage(context, "intersect");
   model.arrangement = arrange(model.surfaces, wells, model.points, options, context);
+  drop_spots_of_blocks(model);
   for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);

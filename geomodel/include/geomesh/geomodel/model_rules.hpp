@@ -6,6 +6,7 @@
 ///     surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -82,13 +83,26 @@ struct ModelRules {
 /// Which triangles are whose, per input surface.
 struct BuiltRows {
   std::vector<Index> n_given_triangles;               ///< from this row on triangles were made by rule
-  std::vector<std::vector<Index>> block_of_triangle;  ///< with throw_at: from 0; empty for others
+  std::vector<std::vector<Index>> block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
+  /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where none was.
+  std::vector<Index> first_only_parting;
+
+  static constexpr Index of_every_block = no_index;    ///< runs on beyond the end of a fault with throw
+  static constexpr Index of_no_block = no_index - 1;   ///< given, but at a fault that ends inside: made anew there
+  static Index n_blocks(const std::vector<Index>& block_of) {
+    Index n = 0;
+    for (const Index block : block_of)
+      if (block < of_no_block) n = std::max(n, block + 1);
+    return n;
+  }
 };
 
 struct BuiltSurfaces {
   /// Rows of points and triangles as given stay, and what rules add follows; but layers that collapse give their horizons new triangles.
   std::vector<TriangulatedSurface> surfaces;
   BuiltRows rows;
+  /// The surfaces without what only served to part blocks: what the model is to hold before anything is trimmed.
+  std::vector<TriangulatedSurface> model_surfaces() const;
   std::vector<std::string> notes;             ///< what each rule did, with areas
   std::vector<std::string> warnings;          ///< rules that could not be applied, and why
 };
