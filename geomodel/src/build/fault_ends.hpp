@@ -9,11 +9,12 @@
 
 namespace geomesh::geomodel {
 
-/// What a triangle crosses: nothing, a fault as it is, or the continuation of one inside the box (which wins over the fault itself: the
-/// fault ends in that triangle).
+/// What a triangle crosses: nothing, a fault as it is, or the continuation of one (which wins over the fault itself: the fault ends in that
+/// triangle).
 enum class Crossing : std::uint8_t { none, fault, continuation };
 
-/// Of the horizon's triangles from row `first` on; by exact orientation of edges against triangles.
+/// Of the horizon's triangles from row `first` on; by exact orientation of edges against triangles. Continuations count inside
+/// the box.
 std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::size_t first, const std::vector<ThrowFault>& faults,
                                      const Box3& box);
 

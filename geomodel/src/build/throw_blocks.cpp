@@ -2,6 +2,7 @@
 #include "build/throw_blocks.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "build/fault_ends.hpp"
@@ -13,6 +14,8 @@
 namespace geomesh::geomodel {
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
 constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
 
 Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
@@ -100,8 +103,8 @@ std::vector<Index> blocks_of_sheets(const TriangulatedSurface& horizon, const st
 /// The horizon's sheets as the faults that end inside part them.
 class Ends {
  public:
-  Ends(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, const Box3& box)
-      : horizon_(horizon), neighbours_(neighbours_in(horizon)), crossing_(find_crossings(horizon, 0, faults, box)) {
+  Ends(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults)
+      : horizon_(horizon), neighbours_(neighbours_in(horizon)), crossing_(find_crossings(horizon, 0, faults, everywhere)) {
     const std::size_t n = horizon.triangles.size();
     whole_ = sheets_of(n, neighbours_, [](Index, Index) { return true; });
     part_ = sheets_of(n, neighbours_, [this](Index a, Index b) { return is_free(a) && is_free(b); });
@@ -172,7 +175,7 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, co
   for (std::size_t t = 0; t < horizon.triangles.size(); ++t)
     if (block[t] != BuiltRows::of_no_block) joint.triangles.push_back(horizon.triangles[t]);
   const std::size_t n_kept = joint.triangles.size();
-  fill_holes(joint, std::numeric_limits<double>::infinity(), {notes, warnings});
+  fill_holes(joint, infinite, {notes, warnings});
   extend_to_box(joint, how, box, {notes, warnings}, {0, false});
   if (!warnings.empty()) log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
   const std::vector<Crossing> crossing = find_crossings(joint, n_kept, faults, box);
@@ -202,7 +205,7 @@ std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vec
     const std::vector<Index> sheet = sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
     return blocks_of_sheets(horizon, sheet, faults, [](Index) { return true; });
   }
-  const Ends ends(horizon, faults, box);
+  const Ends ends(horizon, faults);
   std::vector<Index> block = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
   for (Index t = 0; t < block.size(); ++t)
     if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
