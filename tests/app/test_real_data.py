@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Real surfaces from the shared test data, where that stands beside the project."""
+import csv
 import glob
 import os
 import re
@@ -43,6 +44,42 @@ class Claudius(ProgramTest):
         for horizon in ("horizon_0", "horizon_60", "horizon_250", "horizon_330"):
             self.assertIn(horizon, warnings)
         self.assertIn("unit_", warnings)
+
+
+    def completed(self, name, entry):
+        """Meshes the whole box with four entries of surfaces made by `entry` of a horizon's number; its volumes by region."""
+        with open(self.shared("claudius", "claudiusbb.txt")) as file:
+            low, high = [[repr(float(x)) for x in line.split()] for line in file.read().splitlines()[:2]]
+        surfaces = "".join("  - {name: horizon_%d, kind: horizon, %s}\n" % (number, entry(number)) for number in (0, 60, 250, 330))
+        project = self.write(name + ".yaml", "name: %s\nbox: {min: [%s], max: [%s]}\nsurfaces:\n%srules: {on_crossing: clip_older}\n"
+                             "column: [unit_1, horizon_0, unit_2, horizon_60, unit_3, horizon_250, unit_4, horizon_330, unit_5]\n" % (
+                                 name, ", ".join(low), ", ".join(high), surfaces))
+        self.run_program(project, "-o", self.folder)
+        check = self.check(self.path(name + ".vtu"), "--project", project)
+        self.assertEqual(self.region_names(check), ["unit_1", "unit_2", "unit_3", "unit_4", "unit_5"])
+        self.assertAlmostEqual(check["volume"] / (3700.0 * 5400 * 2610), 1, delta=1e-12)
+        report = self.report(self.path(name + ".report.json"))
+        self.assertTrue(any("horizon_330 above horizon_250 removed" in note for note in report["notes"]), report["notes"])
+        return report, {region["name"]: region["volume"] for region in check["regions"]}
+
+    def test_whole_box_completed_by_rule(self):
+        """Five units in the whole box, from the points and from the triangulated surfaces; the two ways, which have no code in common but
+        for the meshing, agree, and so does the mean height of the points."""
+        points, surfaces = self.shared("claudius", "claudius.csv"), self.shared("claudius", "claudius_delaunay.ts")
+        report, gridded = self.completed("gridded", lambda number: 'file: %s, object: "%d.0", gridding: {spacing: 100, extent: box}' % (points, number))
+        self.assertTrue(any("residual at the points: rms" in note for note in report["notes"]), report["notes"])
+        report, extended = self.completed("extended", lambda number: "file: %s, extend: tangent, fill_holes: all" % surfaces)
+        notes = "\n".join(report["notes"])
+        self.assertIn("horizon_60: 4 holes filled", notes)
+        self.assertIn("horizon_330: 2 holes filled", notes)
+        for unit in gridded:
+            self.assertAlmostEqual(gridded[unit] / extended[unit], 1, delta=0.015, msg=unit)
+        heights = {}
+        with open(points) as file:
+            for row in csv.DictReader(file):
+                heights.setdefault(row["val"], []).append(float(row["Z"]))
+        mean = sum(heights["0.0"]) / len(heights["0.0"])
+        self.assertAlmostEqual(gridded["unit_1"] / (3700.0 * 5400 * (-8400 - mean)), 1, delta=0.01)
 
 
 class Faults(ProgramTest):
