@@ -10,6 +10,7 @@
 #pragma once
 
 #include <deque>
+#include <queue>
 
 #include "recover/delaunay_insertion.hpp"
 #include "recover/recover.hpp"
@@ -28,10 +29,16 @@ class ConformingRecovery {
 
  private:
   // conforming_segments.cpp
-  void find_sharp_vertices();
+  void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
-  Vec3 split_place(const Subsegment& s) const;
+  /// Of the vertices of the cells that the missing subsegment passes through, the one from which it is seen under the largest angle, if that
+  /// is obtuse; else no_vertex.
+  VertexIndex encroaching_vertex(const Subsegment& s);
+  /// Whether v lies on a model segment that has `end` for an end.
+  bool is_on_segment_from(VertexIndex v, VertexIndex end) const;
+  double place_on_common_sphere(const Subsegment& s, VertexIndex v) const;
+  Vec3 split_place(const Subsegment& s);
   void give_up_segment(Index s);
 
   // conforming_facets.cpp
@@ -40,6 +47,7 @@ class ConformingRecovery {
   void insert_into_facet(Index f);
   bool insert_midpoint(Index f, VertexIndex a, VertexIndex b);
   void give_up_facet(Index f);
+  void queue_facet(Index f);
 
   /// Inserts, records what was lost. no_vertex where nothing could be inserted.
   VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
@@ -49,10 +57,21 @@ class ConformingRecovery {
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
   RecoverOptions options_;
+  /// Short ones first: their points are the fewest, and what they set off on longer ones is known before these are split.
+  struct QueuedSegment {
+    double squared_length;
+    Index segment;
+    bool operator<(const QueuedSegment& other) const {
+      return squared_length != other.squared_length ? squared_length > other.squared_length : segment > other.segment;
+    }
+  };
+
+  DelaunayInsertion insertion_;
   double min_edge_ = 0;
   std::size_t max_points_ = 0;
-  std::vector<std::uint8_t> sharp_;               ///< per vertex: segments meet there at less than 60 degrees
-  std::deque<Index> missing_segments_, missing_facets_;
+  EdgeMap segment_of_ends_;
+  std::priority_queue<QueuedSegment> missing_segments_;
+  std::deque<Index> missing_facets_;
   FaceMap facet_of_face_;                         ///< faces of facets found present
   std::vector<std::uint8_t> facet_queued_;        ///< per subfacet
   std::vector<std::uint8_t> facet_is_given_up_;   ///< per subfacet

@@ -98,9 +98,7 @@ void ConformingRecovery::recover_queued_facets() {
     if (facet_is_given_up_[f] || register_if_present(f)) continue;
     ++recovery_.statistics.facets_reinserted;
     insert_into_facet(f);
-    if (facet_is_given_up_[f] || facet_queued_[f]) continue;
-    facet_queued_[f] = 1;
-    missing_facets_.push_back(f);
+    if (!facet_is_given_up_[f]) queue_facet(f);
   }
   recover_queued_segments();
 }

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
-/// Stitching with protecting spheres (section 3.1; Ruppert 1995, section 5).
+/// Stitching with protecting spheres (section 3.1; Ruppert 1995, section 5; Si and Gaertner 2005, "Meshing piecewise linear complexes by
+/// constrained Delaunay tetrahedralizations", for the choice of the sphere).
 #include <algorithm>
 #include <cmath>
 
 #include "recover/conforming.hpp"
+#include "recover/crossing.hpp"
 
 namespace geomesh::recover {
+
+namespace {
+
+/// Segments that meet at less than 60 degrees meet sharply.
+constexpr double sharp_cosine = 0.5;
+
+double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(b - a, b - a)); }
+
+}  // namespace
 
 ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions& options)
     : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints), options_(options) {
@@ -19,19 +30,16 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   points_on_facet_.assign(constraints_.subfacets.size(), 0);
   segment_is_given_up_.assign(constraints_.segments.size(), 0);
   points_on_segment_.assign(constraints_.segments.size(), 0);
-  find_sharp_vertices();
+  for (Index s = 0; s < constraints_.segments.size(); ++s) segment_of_ends_.insert({constraints_.segments[s].a, constraints_.segments[s].b}, s);
 }
 
 bool ConformingRecovery::run() {
   for (Index s = 0; s < constraints_.subsegments.size(); ++s)
-    if (mesh_.find_edge(constraints_.subsegments[s].a, constraints_.subsegments[s].b) == no_cell) missing_segments_.push_back(s);
+    if (mesh_.find_edge(constraints_.subsegments[s].a, constraints_.subsegments[s].b) == no_cell) queue_segment(s);
   recover_queued_segments();
   recovery_.statistics.missing_facets_initial = count_missing_subfacets(recovery_);
   for (Index f = 0; f < constraints_.subfacets.size(); ++f)
-    if (constraints_.subfacets[f].live && !facet_is_given_up_[f]) {
-      facet_queued_[f] = 1;
-      missing_facets_.push_back(f);
-    }
+    if (constraints_.subfacets[f].live && !facet_is_given_up_[f]) queue_facet(f);
   recover_queued_facets();
   for (const Index f : missing_facets_) give_up_facet(f);
   std::sort(given_up_.begin(), given_up_.end());
@@ -41,49 +49,39 @@ bool ConformingRecovery::run() {
 
 bool ConformingRecovery::too_short(const Vec3& a, const Vec3& b) const { return dot(b - a, b - a) < min_edge_ * min_edge_; }
 
-void ConformingRecovery::find_sharp_vertices() {
-  std::vector<std::vector<VertexIndex>> ends(mesh_.points().size());
-  for (const ModelSegment& s : constraints_.segments) {
-    ends[s.a].push_back(s.b);
-    ends[s.b].push_back(s.a);
-  }
-  sharp_.assign(mesh_.points().size(), 0);
-  for (VertexIndex v = 0; v < ends.size(); ++v)
-    for (std::size_t i = 0; i < ends[v].size() && !sharp_[v]; ++i)
-      for (std::size_t j = 0; j < i && !sharp_[v]; ++j) {
-        const Vec3 a = mesh_.point(ends[v][i]) - mesh_.point(v), b = mesh_.point(ends[v][j]) - mesh_.point(v);
-        const double c = dot(a, b);
-        sharp_[v] = c > 0 && 4 * c * c > dot(a, a) * dot(b, b);
-      }
+void ConformingRecovery::queue_segment(Index s) {
+  const Vec3 d = mesh_.point(constraints_.subsegments[s].b) - mesh_.point(constraints_.subsegments[s].a);
+  missing_segments_.push({dot(d, d), s});
 }
 
 VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRecord record) {
-  const DelaunayInsertion insertion = insert_delaunay(mesh_, p, mesh_.cell_of(near));
-  if (insertion.vertex == no_vertex) return no_vertex;
+  insert_delaunay(mesh_, p, mesh_.cell_of(near), insertion_);
+  if (insertion_.vertex == no_vertex) return no_vertex;
   recovery_.count_added_point();
   constraints_.vertices.resize(mesh_.points().size());
-  constraints_.vertices[insertion.vertex] = record;
-  sharp_.resize(mesh_.points().size(), 0);
-  for (const Tetrahedron& t : insertion.removed) {
-    for (const auto& e : edge_vertices) {
-      const Index s = constraints_.subsegment_of(t[e[0]], t[e[1]]);
-      if (s != no_index && mesh_.find_edge(t[e[0]], t[e[1]]) == no_cell) missing_segments_.push_back(s);
-    }
-    for (const auto& l : face_vertices) {
-      const Index f = facet_of_face_.find({t[l[0]], t[l[1]], t[l[2]]});
-      if (f == no_index || facet_queued_[f] || mesh_.find_face(t[l[0]], t[l[1]], t[l[2]]).valid()) continue;
-      facet_queued_[f] = 1;
-      missing_facets_.push_back(f);
-    }
+  constraints_.vertices[insertion_.vertex] = record;
+  for (const auto& [a, b] : insertion_.edges) {
+    const Index s = constraints_.subsegment_of(a, b);
+    if (s != no_index && mesh_.find_edge(a, b) == no_cell) queue_segment(s);
   }
-  return insertion.vertex;
+  for (const Triangle& t : insertion_.faces) {
+    const Index f = facet_of_face_.find({t[0], t[1], t[2]});
+    if (f != no_index) queue_facet(f);
+  }
+  return insertion_.vertex;
+}
+
+void ConformingRecovery::queue_facet(Index f) {
+  if (facet_queued_[f]) return;
+  facet_queued_[f] = 1;
+  missing_facets_.push_back(f);
 }
 
 void ConformingRecovery::recover_queued_segments() {
   while (!missing_segments_.empty() && recovery_.n_points_added < max_points_) {
     recovery_.context.check_cancelled();
-    const Index s = missing_segments_.front();
-    missing_segments_.pop_front();
+    const Index s = missing_segments_.top().segment;
+    missing_segments_.pop();
     const Subsegment& sub = constraints_.subsegments[s];
     if (!sub.live || mesh_.find_edge(sub.a, sub.b) != no_cell) continue;
     if (sub.segment != no_index && segment_is_given_up_[sub.segment]) continue;
@@ -91,17 +89,67 @@ void ConformingRecovery::recover_queued_segments() {
   }
 }
 
-/// The middle; where segments meet sharply at one end, the nearest distance from that end that is a power of two, so that the points on
-/// the segments about it come to lie on common spheres.
-Vec3 ConformingRecovery::split_place(const Subsegment& s) const {
+VertexIndex ConformingRecovery::encroaching_vertex(const Subsegment& s) {
+  LineCrossings line;
+  walk_line(mesh_, s.a, s.b, line);
+  VertexIndex best = no_vertex;
+  double smallest = 0;  // of the cosine: what lies outside the sphere over the subsegment does not count
+  for (const CellIndex c : line.cells)
+    for (const VertexIndex v : mesh_.cells().vertices(c)) {
+      if (v == s.a || v == s.b || v == infinite_vertex || mesh_.is_box_vertex(v)) continue;
+      const Vec3 to_a = mesh_.point(s.a) - mesh_.point(v), to_b = mesh_.point(s.b) - mesh_.point(v);
+      const double cosine = dot(to_a, to_b) / std::sqrt(dot(to_a, to_a) * dot(to_b, to_b));
+      if (cosine > smallest || (cosine == smallest && (best == no_vertex || compare_lexicographic(mesh_.point(v), mesh_.point(best)) > 0)))
+        continue;
+      smallest = cosine;
+      best = v;
+    }
+  return best;
+}
+
+bool ConformingRecovery::is_on_segment_from(VertexIndex v, VertexIndex end) const {
+  const VertexRecord& r = constraints_.vertices[v];
+  if (r.origin == VertexOrigin::on_segment) return constraints_.segments[r.owner].a == end || constraints_.segments[r.owner].b == end;
+  return r.origin == VertexOrigin::input && segment_of_ends_.find({v, end}) != no_index;
+}
+
+/// On the sphere through the encroaching vertex v about the end of the model's segment at which a segment of v's meets it sharply: so that
+/// points on segments which meet sharply come to lie on common spheres. The distance from s.a, or a negative one where there is no such
+/// sphere or it passes s by.
+double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexIndex v) const {
+  if (s.segment == no_index) return -1;
+  const Vec3 &a = mesh_.point(s.a), &b = mesh_.point(s.b), &p = mesh_.point(v);
+  const ModelSegment& model = constraints_.segments[s.segment];
+  const bool a_is_nearer_to_model_a = distance(mesh_.point(model.a), a) <= distance(mesh_.point(model.a), b);
+  const double length = distance(a, b);
+  double place = -1, largest = sharp_cosine;
+  for (const VertexIndex end : {model.a, model.b}) {
+    if (!is_on_segment_from(v, end)) continue;
+    const Vec3& e = mesh_.point(end);
+    const double radius = distance(p, e), cosine = std::fabs(dot(p - e, b - a)) / (radius * length);
+    if (cosine < largest) continue;
+    largest = cosine;
+    place = (end == model.a) == a_is_nearer_to_model_a ? radius - distance(a, e) : length - (radius - distance(b, e));
+  }
+  return place < length ? place : -1;
+}
+
+/// On a common sphere; else where the encroaching vertex projects to, so that a point set off by another goes no further than it has to;
+/// else, where that would be nearer to an end than half the vertex's own distance from it, at that distance (Si and Gaertner 2005).
+Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   const Vec3 a = mesh_.point(s.a), b = mesh_.point(s.b);
-  const bool sharp_a = sharp_[s.a], sharp_b = sharp_[s.b];
-  if (sharp_a == sharp_b) return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y, 0.5 * a.z + 0.5 * b.z};
-  const Vec3 from = sharp_a ? a : b, to = sharp_a ? b : a;
-  const double length = std::sqrt(dot(to - from, to - from));
-  double shell = std::ldexp(1.0, std::ilogb(length));
-  while (shell > 2.0 / 3.0 * length) shell /= 2;
-  return from + shell / length * (to - from);
+  const VertexIndex v = encroaching_vertex(s);
+  if (v == no_vertex) return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y, 0.5 * a.z + 0.5 * b.z};
+  const double length = distance(a, b);
+  double place = place_on_common_sphere(s, v);
+  if (place < 0) {
+    const Vec3& p = mesh_.point(v);
+    const double from_a = distance(a, p), from_b = distance(b, p);
+    place = dot(p - a, b - a) / length;
+    if (2 * place < from_a && 2 * from_a < length) place = from_a;
+    if (2 * (length - place) < from_b && 2 * from_b < length) place = length - from_b;
+  }
+  return a + place / length * (b - a);
 }
 
 void ConformingRecovery::split_segment(Index si) {
@@ -114,12 +162,8 @@ void ConformingRecovery::split_segment(Index si) {
   if (x == no_vertex) return give_up_segment(si);
   if (!is_inner) ++points_on_segment_[s.segment];
   ++recovery_.statistics.edges_reinserted;
-  for (const Index half : constraints_.split_subsegment(si, x)) missing_segments_.push_back(half);
-  for (const Index f : s.subfacets) {
-    if (facet_queued_[f]) continue;
-    facet_queued_[f] = 1;
-    missing_facets_.push_back(f);
-  }
+  for (const Index half : constraints_.split_subsegment(si, x)) queue_segment(half);
+  for (const Index f : s.subfacets) queue_facet(f);
 }
 
 void ConformingRecovery::give_up_segment(Index si) {

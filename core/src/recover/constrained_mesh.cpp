@@ -232,6 +232,50 @@ void ConstrainedMesh::link_created() {
   }
 }
 
+/// From a cell of the cavity about edge p-q, through its face `exit` and on: the face of the cavity's boundary that comes first, from outside.
+FaceRef ConstrainedMesh::boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const {
+  FaceRef next = mesh_.neighbor(cell, exit);
+  while (is_in_cavity(next.cell())) {
+    const CellIndex c = next.cell();
+    next = mesh_.neighbor(c, 6 - mesh_.index_of(c, p) - mesh_.index_of(c, q) - next.face());
+  }
+  return next;
+}
+
+void ConstrainedMesh::replace_by_star(std::span<const CellIndex> cavity, VertexIndex x) {
+  GEOMESH_CHECK(journal_depth_ == 0);
+  created_.clear();
+  star_faces_.clear();
+  // The old cells keep their links, so that they can be turned in; their outer neighbours lead to the new ones.
+  for (const CellIndex c : cavity)
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef outer = mesh_.neighbor(c, i);
+      if (is_in_cavity(outer.cell())) continue;
+      const auto v = mesh_.vertices(c);
+      const auto& l = face_vertices[i];
+      const CellIndex made = mesh_.add_cell({v[l[0]], v[l[1]], v[l[2]], x});
+      mesh_.link(FaceRef(made, 3), outer);
+      created_.push_back(made);
+      star_faces_.push_back(FaceRef(c, i));
+    }
+  for (std::size_t k = 0; k < created_.size(); ++k) {
+    const CellIndex made = created_[k];
+    const auto v = mesh_.vertices(made);
+    for (unsigned j = 0; j < 3; ++j) {
+      if (mesh_.neighbor(made, j).valid()) continue;
+      const VertexIndex p = v[(j + 1) % 3], q = v[(j + 2) % 3];
+      const FaceRef outer = boundary_about_edge(star_faces_[k].cell(), face_vertices[star_faces_[k].face()][j], p, q);
+      const CellIndex other = mesh_.mirror(outer).cell();
+      mesh_.link(FaceRef(made, j), FaceRef(other, 3 - mesh_.index_of(other, p) - mesh_.index_of(other, q)));
+    }
+    for (const VertexIndex u : v) cell_of_[u] = made;
+  }
+  for (const CellIndex c : cavity) {
+    mesh_.flags(c) = 0;
+    mesh_.free_cell(c);
+  }
+}
+
 std::size_t ConstrainedMesh::mark() {
   ++journal_depth_;
   return journal_.size();

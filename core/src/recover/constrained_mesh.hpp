@@ -22,6 +22,7 @@ namespace geomesh::recover {
 
 inline constexpr std::uint8_t locked_faces_mask = 0x0F;
 inline constexpr std::uint8_t cavity_flag = 0x80;  ///< set while a replacement runs
+inline constexpr std::uint8_t tested_flag = 0x40;  ///< set while a cavity is searched: found to lie outside it
 
 /// The cells about an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
 struct EdgeRing {
@@ -86,6 +87,15 @@ class ConstrainedMesh {
   void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
   const std::vector<CellIndex>& last_created() const { return created_; }
 
+  /// The cavity of an insertion, while nothing is locked and no undo is open: the cells that `in_cavity(cell)` accepts, searched from `first`,
+  /// which is one of them, through faces. They stay marked until replace_by_star. O(cells tested).
+  template <class Test>
+  void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
+  bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & cavity_flag; }
+  /// Replaces a cavity from find_cavity by the cells that join its boundary with x. Cells are linked by turning about the edges of the
+  /// boundary inside the cavity, so that no table of faces is needed. The caller answers for positivity; new cells: last_created(). O(k).
+  void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
+
   /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
   std::size_t mark();
   void roll_back(std::size_t mark);
@@ -109,6 +119,7 @@ class ConstrainedMesh {
   };
 
   void link_created();
+  FaceRef boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const;
 
   TetMesh mesh_;
   std::vector<Vec3> points_;
@@ -117,11 +128,29 @@ class ConstrainedMesh {
   std::vector<JournalEntry> journal_;
   std::size_t journal_depth_ = 0;
   std::vector<CellIndex> created_;
+  std::vector<FaceRef> star_faces_;       ///< per created cell of a star: the old cell's face under it
+  std::vector<CellIndex> tested_;         ///< of a search for a cavity: cells outside it
   std::vector<LinkEntry> links_;
   std::vector<Triangle> inner_locks_;  ///< locked faces between two of the old cells
   std::vector<std::uint32_t> visited_;
   std::uint32_t epoch_ = 0;
   std::uint32_t seed_ = 1;
 };
+
+template <class Test>
+void ConstrainedMesh::find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity) {
+  cavity.assign(1, first);
+  tested_.clear();
+  mesh_.flags(first) |= cavity_flag;
+  for (std::size_t i = 0; i < cavity.size(); ++i)
+    for (unsigned f = 0; f < 4; ++f) {
+      const CellIndex n = mesh_.neighbor_cell(cavity[i], f);
+      if (mesh_.flags(n) & (cavity_flag | tested_flag)) continue;
+      const bool inside = in_cavity(n);
+      (inside ? cavity : tested_).push_back(n);
+      mesh_.flags(n) |= inside ? cavity_flag : tested_flag;
+    }
+  for (const CellIndex c : tested_) mesh_.flags(c) &= static_cast<std::uint8_t>(~tested_flag);
+}
 
 }  // namespace geomesh::recover

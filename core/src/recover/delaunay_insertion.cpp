@@ -2,46 +2,45 @@
 #include "recover/delaunay_insertion.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace geomesh::recover {
 
-DelaunayInsertion insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start) {
+namespace {
+
+/// The edges and inner faces of the cavity, while its cells are marked.
+void list_lost(const ConstrainedMesh& mesh, const std::vector<CellIndex>& cavity, DelaunayInsertion& out) {
+  for (const CellIndex c : cavity) {
+    const Tetrahedron& v = mesh.cells().vertices(c);
+    for (const auto& e : edge_vertices) out.edges.push_back({v[e[0]], v[e[1]]});
+    for (unsigned f = 0; f < 4; ++f) {
+      const CellIndex n = mesh.cells().neighbor_cell(c, f);
+      if (n < c && mesh.is_in_cavity(n)) out.faces.push_back({v[face_vertices[f][0]], v[face_vertices[f][1]], v[face_vertices[f][2]]});
+    }
+  }
+}
+
+}  // namespace
+
+void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out) {
   const TetMesh& cells = mesh.cells();
-  DelaunayInsertion out;
+  out.vertex = no_vertex;
+  out.edges.clear();
+  out.faces.clear();
   const CellIndex first = mesh.locate(p, start);
-  if (first == no_cell) return out;
-  for (VertexIndex v : cells.vertices(first))
-    if (mesh.point(v) == p) return out;
+  if (first == no_cell) return;
+  for (const VertexIndex v : cells.vertices(first))
+    if (mesh.point(v) == p) return;
   const auto conflicts = [&](CellIndex c) {
     if (cells.is_ghost(c)) return false;  // p lies strictly inside the box
     const auto& v = cells.vertices(c);
     return in_sphere_perturbed(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), p) == Sign::positive;
   };
-  std::vector<CellIndex> cavity{first};
-  std::unordered_set<CellIndex> seen{first}, inside{first};
-  for (std::size_t i = 0; i < cavity.size(); ++i)
-    for (unsigned f = 0; f < 4; ++f) {
-      const CellIndex n = cells.neighbor_cell(cavity[i], f);
-      if (!seen.insert(n).second || !conflicts(n)) continue;
-      cavity.push_back(n);
-      inside.insert(n);
-    }
-  const VertexIndex x = mesh.add_point(p);
-  std::vector<Tetrahedron> star;
-  for (CellIndex c : cavity) {
-    out.removed.push_back(cells.vertices(c));
-    for (unsigned f = 0; f < 4; ++f) {
-      if (inside.count(cells.neighbor_cell(c, f))) continue;
-      const auto& v = cells.vertices(c);
-      const auto& l = face_vertices[f];
-      star.push_back({v[l[0]], v[l[1]], v[l[2]], x});
-      GEOMESH_CHECK(mesh.positive(star.back()));
-    }
-  }
-  mesh.replace(cavity, star);
-  out.vertex = x;
-  return out;
+  std::vector<CellIndex> cavity;
+  mesh.find_cavity(first, conflicts, cavity);
+  list_lost(mesh, cavity, out);
+  out.vertex = mesh.add_point(p);
+  mesh.replace_by_star(cavity, out.vertex);
+  for (const CellIndex c : mesh.last_created()) GEOMESH_CHECK(mesh.positive(cells.vertices(c)));
 }
 
 bool is_locally_delaunay(const ConstrainedMesh& mesh) {

@@ -9,11 +9,13 @@
 namespace geomesh::recover {
 
 struct DelaunayInsertion {
-  VertexIndex vertex = no_vertex;        ///< no_vertex where the point equals a vertex or lies outside the box
-  std::vector<Tetrahedron> removed;      ///< the cells that conflicted
+  VertexIndex vertex = no_vertex;             ///< no_vertex where the point equals a vertex or lies outside the box
+  std::vector<std::array<VertexIndex, 2>> edges;  ///< of the cells that conflicted; some more than once, some still there
+  std::vector<Triangle> faces;                ///< that are gone: between two cells that conflicted
 };
 
-DelaunayInsertion insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
+/// Inserts into `out`, whose lists are reused.
+void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
 /// Whether every finite cell that has no box vertex is Delaunay towards its neighbours: exactly, ties allowed.
 bool is_locally_delaunay(const ConstrainedMesh& mesh);
