@@ -4,8 +4,9 @@
 /// inserted on them. Points are rounded to doubles before they are inserted.
 ///
 /// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
-///   - `max_steiner_per_facet` points on one facet, and as many on one segment;
-///   - 30 points for each vertex of the model, and 3000 more, in all;
+///   - `max_steiner_per_facet` points on one facet that meets another at less than 90 degrees or has segments that meet at less than 60,
+///     and as many on one segment; others always end (section 3.2; Ruppert 1995), so none is given up;
+///   - 30 points for each vertex of the model, and 100,000 more, in all;
 ///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096 ulps of it.
 #pragma once
 
@@ -29,6 +30,10 @@ class ConformingRecovery {
 
  private:
   // conforming_segments.cpp
+  void mark_sharp_vertices();
+  void mark_sharp_facets();
+  bool is_sharp_segment(const Subsegment& s) const;
+  Vec3 inwards(const Subsegment& s, Index f) const;
   void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
@@ -69,12 +74,14 @@ class ConformingRecovery {
   DelaunayInsertion insertion_;
   double min_edge_ = 0;
   std::size_t max_points_ = 0;
-  EdgeMap segment_of_ends_;
+  EdgeMap segment_of_ends_;                       ///< model segments
   std::priority_queue<QueuedSegment> missing_segments_;
   std::deque<Index> missing_facets_;
   FaceMap facet_of_face_;                         ///< faces of facets found present
   std::vector<std::uint8_t> facet_queued_;        ///< per subfacet
   std::vector<std::uint8_t> facet_is_given_up_;   ///< per subfacet
+  std::vector<std::uint8_t> vertex_is_sharp_;     ///< per vertex of the model: segments meet there at less than 60 degrees
+  std::vector<std::uint8_t> facet_is_sharp_;      ///< per subfacet: the budget holds for it
   std::vector<std::uint8_t> segment_is_given_up_; ///< per model segment
   std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
   std::vector<Index> given_up_;

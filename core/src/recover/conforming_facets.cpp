@@ -63,26 +63,29 @@ class Draft {
   std::vector<Triangle> triangles_;
 };
 
-/// Of each draft triangle that is no face: its longest edge that is missing, or all three where all are there.
-std::set<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
-  std::set<DirectedEdge> out;
+/// Of each draft triangle that is no face: its longest edge that is missing, or all three where all are there. The longest first.
+std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
+  const auto squared_length = [&mesh](const DirectedEdge& e) {
+    const Vec3 d = mesh.point(e[1]) - mesh.point(e[0]);
+    return dot(d, d);
+  };
+  std::set<DirectedEdge> edges;
   for (const Triangle& t : draft) {
     if (mesh.find_face(t[0], t[1], t[2]).valid()) continue;
-    DirectedEdge longest{no_vertex, no_vertex};
-    double length = 0;
+    std::vector<DirectedEdge> all, missing;
     for (unsigned i = 0; i < 3; ++i) {
-      const VertexIndex a = std::min(t[i], t[(i + 1) % 3]), b = std::max(t[i], t[(i + 1) % 3]);
-      const Vec3 d = mesh.point(b) - mesh.point(a);
-      if (dot(d, d) <= length || mesh.find_edge(a, b) != no_cell) continue;
-      length = dot(d, d);
-      longest = {a, b};
+      all.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+      if (mesh.find_edge(all.back()[0], all.back()[1]) == no_cell) missing.push_back(all.back());
     }
-    if (longest[0] != no_vertex) {
-      out.insert(longest);
+    if (missing.empty()) {
+      edges.insert(all.begin(), all.end());
     } else {
-      for (unsigned i = 0; i < 3; ++i) out.insert({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+      edges.insert(*std::max_element(missing.begin(), missing.end(),
+                                     [&](const DirectedEdge& d, const DirectedEdge& e) { return squared_length(d) < squared_length(e); }));
     }
   }
+  std::vector<DirectedEdge> out(edges.begin(), edges.end());
+  std::stable_sort(out.begin(), out.end(), [&](const DirectedEdge& d, const DirectedEdge& e) { return squared_length(d) > squared_length(e); });
   return out;
 }
 
@@ -121,13 +124,20 @@ void ConformingRecovery::insert_into_facet(Index f) {
   constraints_.make_piece(f);
   for (const DirectedEdge& e : constraints_.piece_of(f).border)
     if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f);  // of a segment given up
-  if (points_on_facet_[f] >= options_.max_steiner_per_facet) return give_up_facet(f);
+  if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet) return give_up_facet(f);
   Draft draft(mesh_, constraints_.subfacets[f].vertices, constraints_.piece_of(f));
   if (!draft.build()) return give_up_facet(f);
-  const std::set<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
+  const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
   if (edges.empty()) return give_up_facet(f);
-  for (const DirectedEdge& e : edges)
-    if (points_on_facet_[f] >= options_.max_steiner_per_facet || !insert_midpoint(f, e[0], e[1])) return give_up_facet(f);
+  // The draft is not made again after each point, so no other goes where one of this round may have made it needless.
+  std::vector<Vec3> added;
+  for (const DirectedEdge& e : edges) {
+    const Vec3 a = mesh_.point(e[0]), b = mesh_.point(e[1]), middle = 0.5 * a + 0.5 * b;
+    const bool is_near = std::any_of(added.begin(), added.end(), [&](const Vec3& p) { return dot(p - middle, p - middle) < dot(b - a, b - a); });
+    if (is_near) continue;
+    if (!insert_midpoint(f, e[0], e[1])) return give_up_facet(f);
+    added.push_back(middle);
+  }
 }
 
 bool ConformingRecovery::insert_midpoint(Index f, VertexIndex a, VertexIndex b) {

@@ -14,6 +14,12 @@ namespace {
 /// Segments that meet at less than 60 degrees meet sharply.
 constexpr double sharp_cosine = 0.5;
 
+/// Whether the angle is smaller than that of this cosine, by more than rounding the directions may do.
+bool is_sharp(const Vec3& a, const Vec3& b, double cosine) {
+  constexpr double rounding = 1e-9;
+  return dot(a, b) > (cosine + rounding) * std::sqrt(dot(a, a) * dot(b, b));
+}
+
 double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(b - a, b - a)); }
 
 }  // namespace
@@ -24,7 +30,9 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   for (VertexIndex v = 0; v < mesh_.n_input(); ++v)
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(mesh_.point(v)[i]));
   min_edge_ = std::ldexp(largest, -40);
-  max_points_ = 30 * mesh_.n_input() + 3000;
+  max_points_ = 30 * mesh_.n_input() + 100000;
+  mark_sharp_vertices();
+  mark_sharp_facets();
   facet_queued_.assign(constraints_.subfacets.size(), 0);
   facet_is_given_up_.assign(constraints_.subfacets.size(), 0);
   points_on_facet_.assign(constraints_.subfacets.size(), 0);
@@ -48,6 +56,49 @@ bool ConformingRecovery::run() {
 }
 
 bool ConformingRecovery::too_short(const Vec3& a, const Vec3& b) const { return dot(b - a, b - a) < min_edge_ * min_edge_; }
+
+void ConformingRecovery::mark_sharp_vertices() {
+  std::vector<std::vector<VertexIndex>> joined(mesh_.points().size());
+  for (const ModelSegment& s : constraints_.segments) {
+    joined[s.a].push_back(s.b);
+    joined[s.b].push_back(s.a);
+  }
+  vertex_is_sharp_.assign(joined.size(), 0);
+  for (VertexIndex v = 0; v < joined.size(); ++v)
+    for (std::size_t i = 0; i < joined[v].size() && !vertex_is_sharp_[v]; ++i)
+      for (std::size_t j = 0; j < i && !vertex_is_sharp_[v]; ++j)
+        vertex_is_sharp_[v] = is_sharp(mesh_.point(joined[v][i]) - mesh_.point(v), mesh_.point(joined[v][j]) - mesh_.point(v), sharp_cosine);
+}
+
+/// Those that meet another facet at less than 90 degrees, or have a sharp vertex.
+void ConformingRecovery::mark_sharp_facets() {
+  facet_is_sharp_.assign(constraints_.subfacets.size(), 0);
+  for (const Subsegment& s : constraints_.subsegments)
+    for (const Index f : s.subfacets) {
+      if (vertex_is_sharp_[s.a] || vertex_is_sharp_[s.b]) facet_is_sharp_[f] = 1;
+      for (const Index g : s.subfacets)
+        if (g != f && !facet_is_sharp_[f]) facet_is_sharp_[f] = is_sharp(inwards(s, f), inwards(s, g), 0);
+    }
+}
+
+bool ConformingRecovery::is_sharp_segment(const Subsegment& s) const {
+  const ModelSegment& model = constraints_.segments[s.segment];
+  return vertex_is_sharp_[model.a] || vertex_is_sharp_[model.b] ||
+         std::any_of(s.subfacets.begin(), s.subfacets.end(), [&](Index f) { return facet_is_sharp_[f] != 0; });
+}
+
+/// From a border edge into the facet, square to the edge; zero where the facet lies on both sides of it.
+Vec3 ConformingRecovery::inwards(const Subsegment& s, Index f) const {
+  const Triangle& t = constraints_.subfacets[f].vertices;
+  const Vec3& o = mesh_.point(t[0]);
+  const Vec3 normal = cross(mesh_.point(t[1]) - o, mesh_.point(t[2]) - o);
+  std::vector<DirectedEdge> border{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}};
+  if (constraints_.is_piece(f)) border = constraints_.piece_of(f).border;
+  Vec3 along;
+  for (const DirectedEdge& e : border)
+    if ((e[0] == s.a && e[1] == s.b) || (e[0] == s.b && e[1] == s.a)) along = along + (mesh_.point(e[1]) - mesh_.point(e[0]));
+  return cross(normal, along);
+}
 
 void ConformingRecovery::queue_segment(Index s) {
   const Vec3 d = mesh_.point(constraints_.subsegments[s].b) - mesh_.point(constraints_.subsegments[s].a);
@@ -156,7 +207,7 @@ void ConformingRecovery::split_segment(Index si) {
   const Subsegment s = constraints_.subsegments[si];
   const Vec3 p = split_place(s);
   const bool is_inner = s.segment == no_index;
-  const bool over_budget = !is_inner && points_on_segment_[s.segment] >= options_.max_steiner_per_facet;
+  const bool over_budget = !is_inner && is_sharp_segment(s) && points_on_segment_[s.segment] >= options_.max_steiner_per_facet;
   if (over_budget || too_short(mesh_.point(s.a), p) || too_short(mesh_.point(s.b), p)) return give_up_segment(si);
   const VertexIndex x = insert(p, s.a, {is_inner ? VertexOrigin::on_facet : VertexOrigin::on_segment, is_inner ? s.facet : s.segment});
   if (x == no_vertex) return give_up_segment(si);

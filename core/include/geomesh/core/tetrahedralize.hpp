@@ -23,7 +23,7 @@ enum class MeshMode {
 struct RecoverOptions {
   MeshMode mode = MeshMode::constrained;
   bool preserve_boundary = false;  ///< no new point on any facet or segment of the PLC, only inside regions
-  std::size_t max_steiner_per_facet = 200;  ///< conforming: a facet (or the facets of a segment) is given up, and listed, beyond this
+  std::size_t max_steiner_per_facet = 200;  ///< conforming: a facet with small angles (or a segment's facets) is given up, and listed, beyond this
 };
 
 struct TetrahedralizeOptions {
