@@ -56,6 +56,7 @@ class ConformingRecovery {
 
   /// Inserts, records what was lost. no_vertex where nothing could be inserted.
   VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
+  bool is_edge_of_new_star(VertexIndex a, VertexIndex b) const;
   bool too_short(const Vec3& a, const Vec3& b) const;
 
   Recovery& recovery_;

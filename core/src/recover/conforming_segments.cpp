@@ -113,13 +113,20 @@ VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRe
   constraints_.vertices[insertion_.vertex] = record;
   for (const auto& [a, b] : insertion_.edges) {
     const Index s = constraints_.subsegment_of(a, b);
-    if (s != no_index && mesh_.find_edge(a, b) == no_cell) queue_segment(s);
+    if (s != no_index && !is_edge_of_new_star(a, b)) queue_segment(s);
   }
   for (const Triangle& t : insertion_.faces) {
     const Index f = facet_of_face_.find({t[0], t[1], t[2]});
     if (f != no_index) queue_facet(f);
   }
   return insertion_.vertex;
+}
+
+/// Whether a-b is an edge of the cells that the last insertion made. Of the edges of the cells it removed no others are left, and the new
+/// vertex has no others.
+bool ConformingRecovery::is_edge_of_new_star(VertexIndex a, VertexIndex b) const {
+  return std::any_of(mesh_.last_created().begin(), mesh_.last_created().end(),
+                     [&](CellIndex c) { return mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b); });
 }
 
 void ConformingRecovery::queue_facet(Index f) {
@@ -213,7 +220,8 @@ void ConformingRecovery::split_segment(Index si) {
   if (x == no_vertex) return give_up_segment(si);
   if (!is_inner) ++points_on_segment_[s.segment];
   ++recovery_.statistics.edges_reinserted;
-  for (const Index half : constraints_.split_subsegment(si, x)) queue_segment(half);
+  for (const Index half : constraints_.split_subsegment(si, x))
+    if (!is_edge_of_new_star(constraints_.subsegments[half].a, constraints_.subsegments[half].b)) queue_segment(half);
   for (const Index f : s.subfacets) queue_facet(f);
 }
 
