@@ -124,6 +124,14 @@ class Refinement(ProgramTest):
         curves = {curve["name"] for curve in report["curves"]}
         self.assertIn("salt*top_chalk", curves)
 
+    def test_crossings_force_no_needles(self):
+        """Where surfaces cross, their triangles are cut into needles; what is kept is the triangles that were given."""
+        report, _ = self.refined_sample("onlap", "{size: 200}")
+        quality = report["quality"]["below_8_degrees"]
+        self.assertEqual(quality["tetrahedra"] - quality["forced"], 0)
+        self.assertLessEqual(quality["tetrahedra"], 5)
+        self.assertGreater(report["quality"]["whole"]["share_above_24_85"], 0.99)
+
     def test_wells_and_thin_layers(self):
         """Curves, thin layers and faults of the small samples survive refinement, and the mesh passes."""
         for name in ("wells", "depth-in-feet", "fault-junctions"):

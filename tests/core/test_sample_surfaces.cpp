@@ -36,7 +36,7 @@ double volume_of(const ConstrainedTetrahedralization& mesh, Index component) {
 
 TEST_CASE("Edges and facets are sampled at the asked distance, facets in their planes", "[refine]") {
   const Model model = two_boxes(1);
-  const remesh::SampledComplex sampled = remesh::sample_surfaces(model.plc, model.mesh, constant_size(), {});
+  const remesh::SampledComplex sampled = remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), model.mesh, constant_size(), {});
   const PiecewiseLinearComplex& plc = sampled.plc;
   REQUIRE(plc.n_facets() == model.plc.n_facets());
   std::map<Index, std::vector<VertexIndex>> inside;
@@ -67,8 +67,8 @@ TEST_CASE("Edges and facets are sampled at the asked distance, facets in their p
 
 TEST_CASE("The mesh of the sampled model has the components of the first", "[refine]") {
   const Model model = two_boxes(1);
-  const auto fresh = remesh::mesh_sampled(model.plc, model.mesh,
-                                          remesh::sample_surfaces(model.plc, model.mesh, constant_size(), {}), {});
+  const auto fresh = remesh::mesh_sampled(remesh::merge_pieces(model.plc, {}), model.mesh,
+                                          remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), model.mesh, constant_size(), {}), {});
   REQUIRE(fresh);
   REQUIRE(fresh->n_components == model.mesh.n_components);
   for (Index c = 0; c < fresh->n_components; ++c)
@@ -98,7 +98,7 @@ TEST_CASE("The mesh of the sampled model has the components of the first", "[ref
     if (f.tetrahedron_above != no_index) f.tetrahedron_above = row[f.tetrahedron_above];
   }
   const auto half =
-      remesh::mesh_sampled(model.plc, one, remesh::sample_surfaces(model.plc, one, constant_size(), {}), {});
+      remesh::mesh_sampled(remesh::merge_pieces(model.plc, {}), one, remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), one, constant_size(), {}), {});
   REQUIRE(half);
   CHECK(half->n_components == 1);
   CHECK(volume_of(*half, 0) == Approx(volume_of(model.mesh, 0)).epsilon(1e-12));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "quality/shape.hpp"
+#include "refine/domain_io.hpp"
+#include "refine/merge_pieces.hpp"
 #include "refine/refinement.hpp"
 
 namespace geomesh::remesh {
@@ -11,14 +14,13 @@ namespace {
 
 class SizeFieldBuilder {
  public:
-  SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
-                   const std::vector<Index>& patch, double tolerance)
-      : plc_(plc),
-        tolerance_(tolerance),
+  SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance)
+      : tolerance_(tolerance),
         mesh_(mesh),
-        options_(options),
-        patch_(patch),
-        sources_(options.sources),
+        options_(options.size),
+        patch_(named_patches(plc, options)),
+        merged_(merge_pieces(plc, options.facet_parent).row_of_facet),
+        sources_(options.size.sources),
         at_vertex_(mesh.n_vertices(), infinity) {}
 
   SizeField run() {
@@ -58,17 +60,27 @@ class SizeFieldBuilder {
   }
 
   /// At each vertex on a surface the harmonic mean of the lengths of the constrained edges there: in an even triangulation their
-  /// mean; near a few short edges among long ones a few times the short ones, which is what elements of good shape need there.
+  /// mean; near a few short edges among long ones a few times the short ones, which is what elements of good shape need there. Edges
+  /// between pieces of one input triangle are nobody's wish.
   void add_input_edges() {
+    struct Use {
+      VertexIndex a, b;
+      Index facet;
+    };
+    std::vector<Use> uses;
+    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
+      for (unsigned k = 0; k < 3; ++k)
+        uses.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), merged_[facet]});
+    });
+    std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return std::tuple(x.a, x.b, x.facet) < std::tuple(y.a, y.b, y.facet); });
     std::vector<double> sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
     shortest_.assign(mesh_.n_vertices(), infinity);
-    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index) {
-      for (unsigned k = 0; k < 3; ++k) {
-        const VertexIndex a = t[k], b = t[(k + 1) % 3];
-        const double l = distance(mesh_.point(a), mesh_.point(b));
-        for (const VertexIndex v : {a, b}) sum[v] += 1 / l, count[v] += 1, shortest_[v] = std::min(shortest_[v], l);
-      }
-    });
+    for (std::size_t i = 0, j; i < uses.size(); i = j) {
+      for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b;) ++j;
+      if (j - i == 2 && uses[i].facet == uses[i + 1].facet) continue;
+      const double l = distance(mesh_.point(uses[i].a), mesh_.point(uses[i].b)), n = static_cast<double>(j - i);
+      for (const VertexIndex v : {uses[i].a, uses[i].b}) sum[v] += n / l, count[v] += n, shortest_[v] = std::min(shortest_[v], l);
+    }
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
       if (options_.from_input_edges && count[v] > 0) ask(v, count[v] / sum[v]);
   }
@@ -200,11 +212,11 @@ class SizeFieldBuilder {
     sources_.insert(sources_.end(), found.begin(), found.end());
   }
 
-  const PiecewiseLinearComplex& plc_;
   double tolerance_;  // of surfaces; 0 where they are kept exactly
   const DomainMesh& mesh_;
   const SizeOptions& options_;
-  const std::vector<Index>& patch_;
+  std::vector<Index> patch_;   // by facet
+  std::vector<Index> merged_;  // by facet: equal for pieces of one input triangle
   std::vector<SizeSource> sources_;
   std::vector<double> at_vertex_;
   std::vector<double> shortest_;  // input edge at a vertex
@@ -212,9 +224,8 @@ class SizeFieldBuilder {
 
 }  // namespace
 
-SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
-                           const std::vector<Index>& facet_patch, double tolerance) {
-  return SizeFieldBuilder(plc, mesh, options, facet_patch, tolerance).run();
+SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance) {
+  return SizeFieldBuilder(plc, mesh, options, tolerance).run();
 }
 
 double estimate_elements(const DomainMesh& mesh, const SizeField& size) {

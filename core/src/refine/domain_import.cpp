@@ -6,6 +6,7 @@
 
 #include "quality/shape.hpp"
 #include "refine/domain_io.hpp"
+#include "refine/merge_pieces.hpp"
 
 namespace geomesh::remesh {
 
@@ -230,9 +231,7 @@ std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const Refine
 
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options) {
   if (options.honour == Honour::tolerance) return named_patches(plc, options);
-  std::vector<Index> patch(plc.n_facets());
-  std::iota(patch.begin(), patch.end(), 0);
-  return patch;
+  return merge_pieces(plc, options.facet_parent).row_of_facet;
 }
 
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,

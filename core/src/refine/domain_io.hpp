@@ -8,7 +8,7 @@
 
 namespace geomesh::remesh {
 
-/// Patch of each facet as the options say: exact: each facet its own; else facet_patch, or facets of equal provenance.
+/// Patch of each facet as the options say: exact: what is kept as one facet; else facet_patch, or facets of equal provenance.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options);
 /// The patches that users name (sizes), whatever the honour mode.
 std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options);

@@ -24,6 +24,7 @@ void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
   if (o.size.global < 0 || o.size.min_size < 0 || o.size.max_size < 0) refuse("a size cannot be negative");
   if (o.honour == Honour::tolerance && !(o.tolerance > 0)) refuse("honouring surfaces to a tolerance needs a distance above 0");
   if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets()) refuse("one patch must be given for each facet");
+  if (!o.facet_parent.empty() && o.facet_parent.size() != plc.n_facets()) refuse("one parent must be given for each facet");
 }
 
 double size_tolerance(const RefineOptions& o) { return o.honour == Honour::tolerance ? o.tolerance : 0; }
@@ -91,42 +92,20 @@ void announce_estimate(const DomainMesh& mesh, const RefineOptions& options, con
 
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them one by one would
 /// start from the slivers between them. False where that cannot be; the mesh is then as it was.
-bool add_surface_points(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization& mesh, const RunContext& context,
-                        RefineResult& result) {
-  remesh::SampledComplex sampled = remesh::sample_surfaces(plc, mesh, result.size_field, context);
-  const std::size_t n_on_facets = sampled.plc.facet_points.size() - plc.facet_points.size();
+bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& mesh,
+                        const RunContext& context, RefineResult& result) {
+  const remesh::MergedFacets merged = remesh::merge_pieces(plc, options.facet_parent);
+  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, mesh, result.size_field, context);
+  const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
   const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
-  if (n_on_facets + n_on_edges == 0) return false;
-  auto fresh = remesh::mesh_sampled(plc, mesh, std::move(sampled), context);
+  const bool is_merged = merged.plc.n_facets() < plc.n_facets();
+  if (n_on_facets + n_on_edges == 0 && !is_merged) return false;
+  auto fresh = remesh::mesh_sampled(merged, mesh, std::move(sampled), context);
   if (!fresh) return false;
   mesh = std::move(*fresh);
   result.statistics.points_on_curves += n_on_edges;
   result.statistics.points_on_surfaces += n_on_facets;
   return true;
-}
-
-/// Faces remade within a patch take the facet nearest to them, oriented as it is.
-void renew_facets(DomainMesh& mesh, const remesh::SurfaceGuard& guard, const PiecewiseLinearComplex& plc) {
-  if (guard.exact()) return;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    for (unsigned i = 0; i < 4; ++i) {
-      const remesh::FaceTag t = mesh.tag(c, i);
-      if (!mesh.is_live(c) || !t.constrained() || t.facet() == remesh::hull_facet || (!t.above() && mesh.has_neighbor(c, i)))
-        continue;
-      const Tetrahedron& v = mesh.vertices(c);
-      const Vec3 &p = mesh.point(v[face_vertices[i][0]]), &q = mesh.point(v[face_vertices[i][1]]),
-                 &r = mesh.point(v[face_vertices[i][2]]);
-      const Index facet = guard.nearest_facet(mesh.patch_of(t), (1.0 / 3) * (p + q + r));
-      if (facet == t.facet()) continue;
-      const auto loop = plc.outer_loop(facet);
-      const Vec3 n = cross(plc.points[loop[1]] - plc.points[loop[0]], plc.points[loop[2]] - plc.points[loop[0]]);
-      const bool above = dot(n, cross(q - p, r - p)) > 0;  // the face is seen from cell c, towards which its normal points
-      const remesh::FaceTag renewed(facet, above);
-      mesh.set_tag(c, i, renewed);
-      if (!mesh.has_neighbor(c, i)) continue;
-      const FaceRef other = mesh.topology().neighbor(c, i);
-      mesh.set_tag(other.cell(), other.face(), renewed.opposite());
-    }
 }
 
 }  // namespace
@@ -136,7 +115,7 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
   check_options(plc, options);
   const DomainMesh domain = remesh::import_domain(plc, mesh, options);
   return remesh::estimate_elements(
-      domain, remesh::build_size_field(plc, domain, options.size, remesh::named_patches(plc, options), size_tolerance(options)));
+      domain, remesh::build_size_field(plc, domain, options, size_tolerance(options)));
 }
 
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
@@ -145,11 +124,11 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   RefineResult result;
   DomainMesh mesh = remesh::import_domain(plc, input, options);
   result.size_field =
-      remesh::build_size_field(plc, mesh, options.size, remesh::named_patches(plc, options), size_tolerance(options));
+      remesh::build_size_field(plc, mesh, options, size_tolerance(options));
   if (options.refine) announce_estimate(mesh, options, context, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  if (options.refine && options.honour == Honour::exact && add_surface_points(plc, input, context, result))
+  if (options.refine && options.honour == Honour::exact && add_surface_points(plc, options, input, context, result))
     mesh = remesh::import_domain(plc, input, options);
   const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
@@ -162,7 +141,8 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   }
   result.statistics.worst_shape_after = worst_shape(mesh);
   result.statistics.edges_within_size = share_of_edges_within_size(tools);
-  renew_facets(mesh, guard, plc);
+  remesh::renew_facets(mesh, guard, plc);
+  result.kept_patch = remesh::patches_of_facets(plc, options);
   const std::string fault = mesh.validate();
   if (!fault.empty()) throw InternalError("refinement: " + fault);
   std::tie(result.statistics.deviation_result_to_input, result.statistics.deviation_input_to_result) = guard.deviation(mesh);

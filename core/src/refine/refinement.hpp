@@ -10,8 +10,10 @@ namespace geomesh::remesh {
 
 /// Sizes asked: from the options, the input's edges, curvature (and a tolerance that limits it; 0: none) and gaps, on the mesh as
 /// it was given.
-SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const SizeOptions& options,
-                           const std::vector<Index>& facet_patch, double tolerance);
+SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance);
+
+/// Gives each face the facet of its patch that is nearest to it, oriented as it is.
+void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);
 
 /// Integral over the mesh of the inverse volume of an element of the asked size.
 double estimate_elements(const DomainMesh& mesh, const SizeField& size);

@@ -37,17 +37,19 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
       f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
       return f;
     }
-  const Vec3 along = plc.points[loop[1]] - o, u = (1 / length(along)) * along;
-  return PlaneFrame{o, u, cross((1 / l) * n, u)};
+  // A short edge is off the plane of many points by much of its length in relation: only its part in the plane is taken.
+  const Vec3 unit = (1 / l) * n, along = plc.points[loop[1]] - o, flat = along - dot(along, unit) * unit, u = (1 / length(flat)) * flat;
+  return PlaneFrame{o, u, cross(unit, u)};
 }
 
 class SurfaceSampler {
  public:
-  SurfaceSampler(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const SizeField& size)
-      : plc_(plc), size_(size), beside_(plc.n_facets(), {no_index, no_index}) {
+  SurfaceSampler(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size)
+      : plc_(merged.plc), size_(size), beside_(merged.plc.n_facets(), {no_index, no_index}) {
     for (const auto& f : mesh.faces) {
-      if (f.tetrahedron_below != no_index) beside_[f.facet][0] = mesh.component[f.tetrahedron_below];
-      if (f.tetrahedron_above != no_index) beside_[f.facet][1] = mesh.component[f.tetrahedron_above];
+      std::array<Index, 2>& beside = beside_[merged.row_of_facet[f.facet]];
+      if (f.tetrahedron_below != no_index) beside[0] = mesh.component[f.tetrahedron_below];
+      if (f.tetrahedron_above != no_index) beside[1] = mesh.component[f.tetrahedron_above];
     }
   }
 
@@ -188,19 +190,23 @@ class SurfaceSampler {
 };
 
 /// Which component of `mesh` each component of `fresh` is, told by a facet and its side; no_index: none. Nothing where facets disagree.
-std::optional<std::vector<Index>> match_components(const ConstrainedTetrahedralization& mesh, const ConstrainedTetrahedralization& fresh) {
+std::optional<std::vector<Index>> match_components(const ConstrainedTetrahedralization& mesh, const std::vector<Index>& row_of_facet,
+                                                   const ConstrainedTetrahedralization& fresh) {
   std::map<std::pair<Index, bool>, Index> side;
   std::vector<Index> match(fresh.n_components, no_index);
   const auto for_each_side = [](const ConstrainedTetrahedralization& m, const auto& visit) {
     for (const auto& f : m.faces)
       for (const bool above : {false, true})
         if (const Index t = above ? f.tetrahedron_above : f.tetrahedron_below; t != no_index)
-          if (!visit(std::pair(f.facet, above), m.component[t])) return false;
+          if (!visit(f.facet, above, m.component[t])) return false;
     return true;
   };
-  if (!for_each_side(mesh, [&](const auto& key, Index c) { return side.try_emplace(key, c).first->second == c; })) return std::nullopt;
-  const bool agrees = for_each_side(fresh, [&](const auto& key, Index c) {
-    const auto at = side.find(key);
+  if (!for_each_side(mesh, [&](Index facet, bool above, Index c) {
+        return side.try_emplace({row_of_facet[facet], above}, c).first->second == c;
+      }))
+    return std::nullopt;
+  const bool agrees = for_each_side(fresh, [&](Index row, bool above, Index c) {
+    const auto at = side.find({row, above});
     if (at == side.end()) return true;
     if (match[c] == no_index) match[c] = at->second;
     return match[c] == at->second;
@@ -224,9 +230,19 @@ void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<In
     if (match[c] == no_index) plc.hole_seeds.push_back({place[c], no_index});
 }
 
-/// Rows of `plc` for points, segments and components.
+/// Per merged facet the first of those that it was made of.
+std::vector<Index> first_facets(const MergedFacets& merged) {
+  std::vector<Index> first(merged.plc.n_facets(), no_index);
+  for (Index f = 0; f < merged.row_of_facet.size(); ++f) first[merged.row_of_facet[f]] = std::min(first[merged.row_of_facet[f]], f);
+  return first;
+}
+
+/// Rows as they were for points, facets, segments and components.
 ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const ConstrainedTetrahedralization& mesh,
-                                         const std::vector<Index>& match, std::size_t n_points, const SampledComplex& sampled) {
+                                         const std::vector<Index>& match, const MergedFacets& merged, const SampledComplex& sampled) {
+  const std::size_t n_points = merged.plc.points.size();
+  const std::vector<Index> first = first_facets(merged);
+  for (auto& f : fresh.faces) f.facet = first[f.facet];
   std::vector<bool> on_facet(sampled.plc.points.size(), false);
   for (const auto& p : sampled.plc.facet_points) on_facet[p.v] = true;
   for (std::size_t v = 0; v < fresh.points.size(); ++v) {
@@ -246,31 +262,31 @@ ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, co
 
 }  // namespace
 
-SampledComplex sample_surfaces(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const SizeField& size,
+SampledComplex sample_surfaces(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
                                const RunContext& context) {
-  return SurfaceSampler(plc, mesh, size).run(context);
+  return SurfaceSampler(merged, mesh, size).run(context);
 }
 
-std::optional<ConstrainedTetrahedralization> mesh_sampled(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh,
                                                           SampledComplex sampled, const RunContext& context) {
   RunContext quiet;
   quiet.cancel = context.cancel;
   quiet.threads = context.threads;
   try {
     ConstrainedTetrahedralization fresh = tetrahedralize(sampled.plc, {}, quiet);
-    auto match = match_components(mesh, fresh);
+    auto match = match_components(mesh, merged.row_of_facet, fresh);
     if (!match) return std::nullopt;
     if (std::find(match->begin(), match->end(), no_index) != match->end()) {
       seed_holes(fresh, *match, sampled.plc);
       fresh = tetrahedralize(sampled.plc, {}, quiet);
-      match = match_components(mesh, fresh);
+      match = match_components(mesh, merged.row_of_facet, fresh);
     }
     if (!match) return std::nullopt;
     std::vector<Index> found = *match;
     std::sort(found.begin(), found.end());
     for (Index c = 0; c < std::max(found.size(), mesh.n_components); ++c)
       if (c >= found.size() || found[c] != c) return std::nullopt;
-    return renumbered(std::move(fresh), mesh, *match, plc.points.size(), sampled);
+    return renumbered(std::move(fresh), mesh, *match, merged, sampled);
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::interrupted) throw;
     context.note(LogLevel::debug, std::string("points on surfaces are added one by one: ") + e.what());

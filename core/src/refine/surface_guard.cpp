@@ -21,11 +21,15 @@ namespace {
 /// tolerance.
 constexpr double sampling_margin = 0.7;
 
-/// Newell's normal of a loop, of length one, or zero.
-Vec3 loop_normal(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+/// Newell's normal of a loop, of twice its area.
+Vec3 loop_area(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
   Vec3 n;
   const Vec3& o = plc.points[loop[0]];
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
+  return n;
+}
+/// Of length one, or zero.
+Vec3 unit(const Vec3& n) {
   const double l = length(n);
   return l > 0 ? (1 / l) * n : n;
 }
@@ -67,12 +71,11 @@ double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFa
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance)
     : honour_(honour), tolerance_(sampling_margin * tolerance) {
-  for (Index f = 0; f < plc.n_facets(); ++f) {
-    facet_normal_.push_back(loop_normal(plc, plc.outer_loop(f)));
-    facet_point_.push_back(plc.points[plc.outer_loop(f)[0]]);
-    facet_axis_.push_back(common_axis(plc, plc.outer_loop(f)));
+  if (exact()) {
+    find_planes(mesh, plc);
+    return;
   }
-  if (exact()) return;
+  for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
   std::vector<ClosestPointTrees::Item> faces, samples, pieces;
   for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
     const Index patch = mesh.patch_of_facet(facet);
@@ -86,18 +89,47 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex&
   curves_ = ClosestPointTrees(std::move(pieces), mesh.n_curve_classes());
 }
 
-Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return exact() ? patch : patches_.closest(p, patch).item; }
+/// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than rounding.
+void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc) {
+  planes_.resize(mesh.n_patches());
+  std::vector<Index> count(mesh.n_patches(), 0);
+  std::vector<double> weight(mesh.n_patches(), 0);
+  std::vector<Vec3> offset(mesh.n_patches());
+  for (Index f = 0; f < plc.n_facets(); ++f) {
+    const Index patch = mesh.patch_of_facet(f);
+    const auto loop = plc.outer_loop(f);
+    const Vec3 n = loop_area(plc, loop);
+    const double w = length(n);
+    Plane& plane = planes_[patch];
+    const std::uint8_t axis = common_axis(plc, loop);
+    if (count[patch]++ == 0) {
+      plane.point = plc.points[loop[0]];
+      plane.axis = axis;
+    } else if (axis != plane.axis || (axis < 3 && plc.points[loop[0]][axis] != plane.point[axis])) {
+      plane.axis = 3;
+    }
+    plane.normal = plane.normal + n;
+    weight[patch] += w;
+    for (const VertexIndex v : loop) offset[patch] = offset[patch] + (w / static_cast<double>(loop.size())) * (plc.points[v] - plane.point);
+  }
+  for (Index p = 0; p < planes_.size(); ++p) {
+    planes_[p].normal = unit(planes_[p].normal);
+    if (count[p] > 1 && weight[p] > 0 && planes_[p].axis == 3) planes_[p].point = planes_[p].point + (1 / weight[p]) * offset[p];
+  }
+}
+
+Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return patches_.closest(p, patch).item; }
 
 Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
-  const Index facet = nearest_facet(patch, p);
-  return facet < facet_normal_.size() ? facet_normal_[facet] : Vec3{};
+  const Index row = exact() ? patch : nearest_facet(patch, p);
+  return row < planes_.size() ? planes_[row].normal : Vec3{};
 }
 
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
   if (!exact()) return patches_.closest(p, patch).point;
-  const Vec3& n = facet_normal_[patch];
-  Vec3 q = p - dot(p - facet_point_[patch], n) * n;
-  if (const std::uint8_t axis = facet_axis_[patch]; axis < 3) q[axis] = facet_point_[patch][axis];
+  const Plane& plane = planes_[patch];
+  Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
+  if (plane.axis < 3) q[plane.axis] = plane.point[plane.axis];
   return q;
 }
 
@@ -163,7 +195,8 @@ std::pair<double, double> SurfaceGuard::deviation(const DomainMesh& mesh) const 
   std::pair<double, double> d{0, 0};
   if (exact()) {
     for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
-      for (const Vec3& q : p) d.first = std::max(d.first, std::abs(dot(q - facet_point_[facet], facet_normal_[facet])));
+      const Plane& plane = planes_[mesh.patch_of_facet(facet)];
+      for (const Vec3& q : p) d.first = std::max(d.first, std::abs(dot(q - plane.point, plane.normal)));
     });
     d.second = d.first;
     return d;

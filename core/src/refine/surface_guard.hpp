@@ -2,7 +2,7 @@
 /// @file
 /// Keeps surfaces and curves where the user allows them to be while they are remeshed.
 ///
-/// `exact`: patches are single facets, so a vertex within a patch moves in the facet's plane and a curve is one input edge; no
+/// `exact`: a patch is one facet or several in its plane, so a vertex within a patch moves in that plane and a curve is one input edge; no
 /// face can leave its plane but by rounding. `tolerance`: every sample of a new face (corners, mid-edges, centroid, and six more)
 /// must be within the tolerance of the ORIGINAL triangles of its patch, and every sample of the original patch near the faces
 /// that go must be within the tolerance of those that come or of their neighbours. So the sampled Hausdorff distance is bounded
@@ -43,7 +43,7 @@ class SurfaceGuard {
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
   /// p brought back to the curve. Not for exact, where curve vertices do not move.
   Vec3 project_to_curve(Index curve, const Vec3& p) const;
-  /// Facet of the patch nearest to a place: provenance of a remade face.
+  /// Facet of the patch nearest to a place: provenance of a remade face. Not for exact.
   Index nearest_facet(Index patch, const Vec3& p) const;
 
   /// Whether faces and curve pieces may be exchanged; `around` are faces that stay and share a vertex with those that go.
@@ -55,6 +55,12 @@ class SurfaceGuard {
   std::pair<double, double> deviation(const DomainMesh& mesh) const;
 
  private:
+  struct Plane {
+    Vec3 normal;  ///< of length one
+    Vec3 point;
+    std::uint8_t axis = 3;  ///< the coordinate that is the same for all its points, 3: none
+  };
+  void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   bool near_reference(const SurfaceFace& f) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
@@ -62,8 +68,7 @@ class SurfaceGuard {
 
   Honour honour_ = Honour::exact;
   double tolerance_ = 0;                          // what samples are held to
-  std::vector<Vec3> facet_normal_, facet_point_;  // by facet
-  std::vector<std::uint8_t> facet_axis_;          // by facet: the coordinate that is the same for all its points, 3: none
+  std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
   ClosestPointTrees patches_, curves_;
   ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
 };

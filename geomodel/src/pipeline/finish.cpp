@@ -102,14 +102,15 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   return mesh;
 }
 
-/// `core` has the tetrahedra of `mesh`, in the same order.
+/// `core` has the tetrahedra of `mesh`, in the same order; `refined` tells what the model was refined to, where it was.
 QualityReport judge_quality(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const PreparedModel& model,
-                            const SizeField* size) {
+                            const RefineResult& refined) {
+  const SizeField* const size = model.refinement.refine ? &refined.size_field : nullptr;
   constexpr std::size_t n_listed = 10;
   QualityOptions options;
   options.min_worst = n_listed;
   options.size = size;
-  if (model.refinement.refine && model.refinement.honour == Honour::tolerance) options.facet_patch = model.plc.facet_patch;
+  if (model.refinement.refine) options.facet_patch = refined.kept_patch;
   for (const std::int32_t region : mesh.tet_region) options.group.push_back(static_cast<Index>(region - 1));
   options.n_groups = mesh.regions.size();
   QualityReport report{measure_quality(model.plc.plc, core, options), {}, size != nullptr};
@@ -186,7 +187,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   const SizeField* const size = refine ? &refined.size_field : nullptr;
   const ModelMesh mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
   report.mesh = &mesh;
-  report.quality = judge_quality(core, mesh, model, size);
+  report.quality = judge_quality(core, mesh, model, refined);
   result.summary = summarise(mesh);
   if (refine) result.summary.push_back(summarise(*report.quality));
   {

@@ -2,6 +2,7 @@
 #include "pipeline/refine_model.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "geomesh/core/quality.hpp"
@@ -85,6 +86,19 @@ std::vector<AskedSize> segment_sizes(const PreparedModel& model) {
   return sizes;
 }
 
+/// Per facet of the PLC that is a piece of input triangles a number that only pieces of the same triangles have; no_index for polygons.
+std::vector<Index> facet_parents(const PreparedModel& model) {
+  std::map<std::vector<std::pair<Index, Index>>, Index> number;
+  std::vector<Index> parents;
+  for (Index f = 0; f < model.plc.plc.n_facets(); ++f) {
+    std::vector<std::pair<Index, Index>> triangles;
+    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f)) triangles.emplace_back(o.surface, o.triangle);
+    const bool is_piece = model.plc.facet_soup_offsets[f + 1] - model.plc.facet_soup_offsets[f] == 1 && !triangles.empty();
+    parents.push_back(is_piece ? number.try_emplace(std::move(triangles), static_cast<Index>(number.size())).first->second : no_index);
+  }
+  return parents;
+}
+
 double cell_value(const std::string& name, const TetrahedronShape& s) {
   if (name == "min_dihedral") return s.min_dihedral;
   if (name == "max_dihedral") return s.max_dihedral;
@@ -120,6 +134,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   options.time_budget = settings.time_budget;
   options.max_elements = settings.max_elements;
   for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);
+  options.facet_parent = facet_parents(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)
     options.size.sources.push_back({near.place - model.origin, near.asked.size, near.asked.radius});

@@ -17,7 +17,8 @@
 namespace geomesh {
 
 enum class Honour {
-  exact,  ///< every facet stays exactly a union of faces; points are added on facets (off their plane by rounding), none leaves
+  exact,  ///< every facet, or what `facet_parent` makes one of several, stays a union of faces; points are added on facets (off their
+          ///< plane by rounding), none leaves
   tolerance,  ///< surfaces may be remeshed within `RefineOptions::tolerance` of the input, both ways
 };
 
@@ -53,6 +54,10 @@ struct RefineOptions {
   QualityLevel quality = QualityLevel::standard;
   bool refine = true;              ///< false: improve only, no points for size
   std::vector<Index> facet_patch;  ///< per facet of the PLC; empty: facets with equal provenance rows are one patch
+  /// Honour::exact: per facet of the PLC the input triangle that it is a piece of (any number that only its pieces have), no_index: none.
+  /// Pieces of one triangle that join in one plane (to rounding) across edges where nothing else is are kept as one facet: crossings cut
+  /// triangles into needles that nobody asked for. Empty: every facet is kept.
+  std::vector<Index> facet_parent;
   double sharp_angle = 40;         ///< degrees between the normals of two faces of one patch from which their edge is a curve
   double time_budget = 0;          ///< seconds for improvement; 0: none. With a budget the result depends on the machine.
   std::size_t max_elements = 50'000'000;
@@ -74,6 +79,7 @@ struct RefineResult {
   ConstrainedTetrahedralization mesh;
   RefineStatistics statistics;
   SizeField size_field;
+  std::vector<Index> kept_patch;  ///< per facet of the PLC: facets of one number were kept as one; what QualityOptions::facet_patch asks for
 };
 
 /// Refines the mesh to the size field, then improves it to the quality level. Stages reported: refine, improve.
