@@ -42,6 +42,9 @@ class SizeFieldBuilder {
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  /// Where short edges stand among long ones, as where curves cross the sides of triangles: nobody asked for the short ones, so sizes grow as
+  /// fast from there as shapes allow.
+  static constexpr double uneven_ratio = 0.5, uneven_gradation = 0.6;
 
   void ask(VertexIndex v, double size) {
     if (size > 0) at_vertex_[v] = std::min(at_vertex_[v], size);
@@ -73,16 +76,24 @@ class SizeFieldBuilder {
         uses.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), merged_[facet]});
     });
     std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return std::tuple(x.a, x.b, x.facet) < std::tuple(y.a, y.b, y.facet); });
-    std::vector<double> sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
+    std::vector<double> inverse(mesh_.n_vertices(), 0), sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
     shortest_.assign(mesh_.n_vertices(), infinity);
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b;) ++j;
       if (j - i == 2 && uses[i].facet == uses[i + 1].facet) continue;
       const double l = distance(mesh_.point(uses[i].a), mesh_.point(uses[i].b)), n = static_cast<double>(j - i);
-      for (const VertexIndex v : {uses[i].a, uses[i].b}) sum[v] += n / l, count[v] += n, shortest_[v] = std::min(shortest_[v], l);
+      for (const VertexIndex v : {uses[i].a, uses[i].b}) inverse[v] += n / l, sum[v] += n * l, count[v] += n, shortest_[v] = std::min(shortest_[v], l);
     }
-    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
-      if (options_.from_input_edges && count[v] > 0) ask(v, count[v] / sum[v]);
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
+      if (!options_.from_input_edges || !(count[v] > 0)) continue;
+      const double harmonic = count[v] / inverse[v], mean = sum[v] / count[v];
+      if (harmonic >= uneven_ratio * mean) {
+        ask(v, harmonic);
+      } else {
+        ask(v, mean);
+        sources_.push_back({mesh_.point(v), harmonic, 0, std::max(options_.gradation, uneven_gradation)});
+      }
+    }
   }
 
   /// Sizes of patches hold over their faces, curvature at their edges.

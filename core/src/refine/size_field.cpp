@@ -21,9 +21,9 @@ double distance_to(const Box3& b, const Vec3& p) {
   return std::sqrt(s);
 }
 
-double value_at(const SizeSource& s, const Vec3& p, double gradation) {
+double value_at(const SizeSource& s, const Vec3& p) {
   const Vec3 d = p - s.point;
-  return s.size + gradation * std::max(0.0, std::sqrt(dot(d, d)) - s.radius);
+  return s.size + s.gradation * std::max(0.0, std::sqrt(dot(d, d)) - s.radius);
 }
 
 }  // namespace
@@ -31,6 +31,8 @@ double value_at(const SizeSource& s, const Vec3& p, double gradation) {
 SizeField::SizeField(std::vector<SizeSource> sources, Limits limits) : limits_(std::move(limits)), sources_(std::move(sources)) {
   GEOMESH_CHECK(limits_.gradation > 0);
   std::erase_if(sources_, [&](const SizeSource& s) { return !(s.size > 0) || s.size >= limits_.max_size; });
+  for (SizeSource& s : sources_)
+    if (!(s.gradation > 0)) s.gradation = limits_.gradation;
   if (!sources_.empty()) build(0, static_cast<Index>(sources_.size()));
 }
 
@@ -38,11 +40,12 @@ Index SizeField::build(Index first, Index last) {
   const Index n = static_cast<Index>(nodes_.size());
   Node node;
   node.first = first, node.last = last;
-  node.least = std::numeric_limits<double>::infinity();
+  node.least = node.gradation = std::numeric_limits<double>::infinity();
   for (Index i = first; i < last; ++i) {
     node.box.add(sources_[i].point);
     node.least = std::min(node.least, sources_[i].size);
     node.widest = std::max(node.widest, sources_[i].radius);
+    node.gradation = std::min(node.gradation, sources_[i].gradation);
   }
   nodes_.push_back(node);
   if (last - first > leaf_size) {
@@ -63,8 +66,7 @@ Index SizeField::build(Index first, Index last) {
 
 double SizeField::least_over_sources(const Vec3& p, double bound) const {
   if (nodes_.empty()) return bound;
-  const double g = limits_.gradation;
-  const auto lower_bound = [&](const Node& n) { return n.least + g * std::max(0.0, distance_to(n.box, p) - n.widest); };
+  const auto lower_bound = [&](const Node& n) { return n.least + n.gradation * std::max(0.0, distance_to(n.box, p) - n.widest); };
   Index stack[96];
   int top = 0;
   stack[top++] = 0;
@@ -72,7 +74,7 @@ double SizeField::least_over_sources(const Vec3& p, double bound) const {
     const Node& n = nodes_[stack[--top]];
     if (lower_bound(n) >= bound) continue;
     if (n.left == no_index) {
-      for (Index i = n.first; i < n.last; ++i) bound = std::min(bound, value_at(sources_[i], p, g));
+      for (Index i = n.first; i < n.last; ++i) bound = std::min(bound, value_at(sources_[i], p));
       continue;
     }
     const bool left_first = lower_bound(nodes_[n.left]) <= lower_bound(nodes_[n.right]);

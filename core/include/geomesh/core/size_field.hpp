@@ -2,8 +2,8 @@
 /// @file
 /// The size that elements are asked to have, as a function of place.
 ///
-/// The field is h(x) = clamp(min(global, caps, callback(x), min_i(s_i + g max(0, |x - p_i| - r_i)))): point sources with size s_i
-/// that holds within a radius r_i and grows with the gradation g beyond. So it is Lipschitz with constant g where caps and
+/// The field is h(x) = clamp(min(global, caps, callback(x), min_i(s_i + g_i max(0, |x - p_i| - r_i)))): point sources with size s_i
+/// that holds within a radius r_i and grows with the gradation g_i beyond. So it is Lipschitz with the greatest of these where caps and
 /// callback are. Evaluated exactly (no background mesh, no interpolation) by branch and bound over a kd-tree of the sources:
 /// near-logarithmic.
 #pragma once
@@ -21,7 +21,8 @@ namespace geomesh {
 struct SizeSource {
   Vec3 point;
   double size = 0;
-  double radius = 0;  ///< the size holds unchanged within this distance
+  double radius = 0;     ///< the size holds unchanged within this distance
+  double gradation = 0;  ///< growth beyond; 0: the field's
 };
 
 class SizeField {
@@ -49,6 +50,7 @@ class SizeField {
     Box3 box;
     double least = 0;           ///< least size of a source below
     double widest = 0;          ///< largest radius of a source below
+    double gradation = 0;       ///< least of a source below
     Index first = 0, last = 0;  ///< sources
     Index left = no_index, right = no_index;
   };
