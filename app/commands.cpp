@@ -57,7 +57,7 @@ int run_command(const CheckCommand& command, const RunContext&, Verbosity verbos
   leave_at_once_when_signalled();
   if (command.report) geomodel::require_writable(*command.report);
   const geomodel::CheckResult result =
-      geomodel::check_mesh({command.mesh, command.project, command.surfaces, command.delaunay});
+      geomodel::check_mesh({command.mesh, command.project, command.surfaces, command.delaunay, -1, command.within});
   write_report(command.report, geomodel::to_json(result));
   if (verbosity != Verbosity::quiet || !result.faults.empty()) std::cout << geomodel::to_text(result);
   return result.faults.empty() ? 0 : status_faults_found;

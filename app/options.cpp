@@ -234,6 +234,9 @@ CommandLine parse_check(int argc, const char* const* argv) {
   auto* p = app.add_option("--project", project, "Check against this project's box and surfaces")->type_name("P");
   app.add_option("--surfaces", surfaces, "Check that these surfaces are covered by mesh faces")->type_name("FILE...")->excludes(p);
   app.add_flag("--delaunay", command.delaunay, "Check that the mesh is (constrained) Delaunay");
+  app.add_option("--within", command.within,
+                 "Surfaces may lie this far off the input, both ways (default: the project's tolerance where it has one, else 0)")
+      ->check(CLI::NonNegativeNumber)->type_name("L");
   common.add_to(app);
   CommandLine line;
   if (parse(app, argc, argv, help)) {

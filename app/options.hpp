@@ -26,6 +26,7 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false;
+  double within = -1;  ///< negative: what the project says
   std::optional<std::filesystem::path> report;
 };
 struct InfoCommand {

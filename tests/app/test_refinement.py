@@ -5,7 +5,7 @@ import os
 import re
 import shutil
 
-from geomesh_program import CANNOT_MESH, SOURCE, USAGE, ProgramTest, level, main
+from geomesh_program import BAD_INPUT, CANNOT_MESH, SOURCE, USAGE, ProgramTest, level, main
 
 LAYERS = """name: layers
 box: {min: [0, 0, 0], max: [10, 10, 10]}
@@ -143,6 +143,26 @@ class Refinement(ProgramTest):
             quality = report["quality"]["below_8_degrees"]
             self.assertLessEqual(quality["tetrahedra"] - quality["forced"], 5, name)
             self.assertTrue(report["curves"], name)
+
+    def test_surfaces_within_a_tolerance(self):
+        """The project's tolerance is what `check` judges by; a tenth of it is not met."""
+        for name, mesh, regions in (("sediment-grains", "{size: {global: 35, input_edges: false}, honour: tolerance, tolerance: 0.5}", 9),
+                                    ("faulted-layers", "{size: {global: 700, input_edges: false}, honour: tolerance, tolerance: 5}", 12)):
+            shutil.rmtree(self.path("sample"), ignore_errors=True)
+            report, check = self.refined_sample(name, mesh)
+            self.assertEqual(len(check["regions"]), regions)
+            done = "\n".join(check["checks_done"])
+            self.assertIn("from mesh to input: proven within", done)
+            self.assertIn("from input to mesh", done)
+            self.assertIn("region volumes are those of the input", done)
+            for region in report["regions"]:
+                self.assertAlmostEqual(region["volume"] / region["volume_of_input"], 1, delta=0.02)
+            mesh_file = self.path({"sediment-grains": "sediment_grains", "faulted-layers": "faulted_layers"}[name] + ".vtu")
+            narrow = self.check(mesh_file, "--project", self.path("sample", "project.yaml"), "--within", "0.05", status=BAD_INPUT)
+            self.assertIn("faces_off_their_surface", [fault["id"] for fault in narrow["faults"]])
+            for file in os.listdir(self.folder):
+                if os.path.isfile(self.path(file)):
+                    os.remove(self.path(file))
 
 
 if __name__ == "__main__":

@@ -132,6 +132,22 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK_FALSE(read_project(f.write(two_surfaces)).mesh.refinement.refine);
 }
 
+TEST_CASE("attributes do not take the names of arrays that the mesh file has", "[project]") {
+  const ProjectFolder f;
+  const auto message = [&](const std::string& rest) {
+    try {
+      read_project(f.write(std::string(two_surfaces) + rest));
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  for (const char* name : {"region", "size", "aspect", "min_dihedral"})
+    CHECK(message("attributes: {u: {" + std::string(name) + ": 1}}\n").find("is the name of an array") != std::string::npos);
+  CHECK(message("attributes: {u: {porosity: 0.2}}\n").empty());
+  CHECK(message("mesh: {size: 5, cell_arrays: [size, aspect, size]}\n").find("asked for twice") != std::string::npos);
+}
+
 TEST_CASE("all mistakes of a project are named in one run, in the order of the file", "[project]") {
   const std::string text = complaint(
       "nmae: x\n"

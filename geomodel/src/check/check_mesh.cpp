@@ -5,8 +5,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "check/judged_mesh.hpp"
+#include "check/within_tolerance.hpp"
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
@@ -73,7 +75,7 @@ void claim_clipped_areas(const Project& project, const std::filesystem::path& me
 
 Claim claim_of_project(const std::filesystem::path& file, const std::filesystem::path& mesh) {
   Project project = read_project(file);
-  project.crs.z_scale = 1;  // the mesh is written without it
+  const double z_scale = std::exchange(project.crs.z_scale, 1);  // the mesh is written without it
   ProjectInputs inputs = read_project_inputs(project, {});
   Claim claim;
   claim.named = true;
@@ -84,6 +86,9 @@ Claim claim_of_project(const std::filesystem::path& file, const std::filesystem:
   if (claim.volume) rules.box = claim.volume->bounds;
   claim.surfaces = build_surfaces(claim.surfaces, rules).model_surfaces();
   claim_clipped_areas(project, mesh, claim);
+  // The tolerance is a length of the scaled model; undoing a scale below 1 stretches it.
+  const RefinementSettings& refinement = project.mesh.refinement;
+  if (refinement.refine && refinement.honour == Honour::tolerance) claim.within = refinement.tolerance * std::max(1.0, 1 / z_scale);
   return claim;
 }
 
@@ -116,17 +121,36 @@ double tolerance_of(const CheckRequest& request, const MeshFile& mesh) {
   return std::max(ulps * ulp, 2 * reported_displacement(request.mesh));
 }
 
+/// What surfaces may be off their input beyond rounding: as asked, else as the project says of its meshing; 0: nothing.
+double surfaces_may_be_off(const CheckRequest& request, const Claim& claim) {
+  return request.within >= 0 ? request.within : claim.within;
+}
+
+/// The surfaces of the claim: covered, or followed within a tolerance.
+void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
+                    const std::vector<Triangle>& set_faces, CheckResult& result) {
+  const double rounding = tolerance_of(request, mesh.file), within = surfaces_may_be_off(request, claim);
+  if (std::any_of(set_faces.begin(), set_faces.end(), [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) != t.end(); })) {
+    result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
+    return;
+  }
+  if (within == 0) return check_coverage(mesh, claim, faces, set_faces, rounding, result);
+  const ClaimedFaces claimed(mesh, claim, faces, set_faces);
+  const Allowed allowed{within, rounding};
+  check_surfaces_within(claimed, allowed, result);
+  if (!faces || !claim.named) return;
+  check_surface_topology(claimed, allowed, result);
+  check_volumes_within(claimed, allowed, report_beside(request.mesh), result);
+}
+
 void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const FacesFile* faces,
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
   if (!request.project.empty()) {
     const Claim claim = claim_of_project(request.project, request.mesh);
     if (claim.volume) check_volume(mesh, claim, result);
-    check_coverage(mesh, claim, faces, set_faces, tolerance_of(request, mesh.file), result);
+    judge_surfaces(request, mesh, claim, faces, set_faces, result);
   }
-  if (!request.surfaces.empty()) {
-    const Claim claim = claim_of_surfaces(request.surfaces);
-    check_coverage(mesh, claim, faces, set_faces, tolerance_of(request, mesh.file), result);
-  }
+  if (!request.surfaces.empty()) judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "check/box_tree.hpp"
+#include "check/claimed_faces.hpp"
 #include "check/crossing.hpp"
 #include "check/faults.hpp"
 #include "check/judged_mesh.hpp"
@@ -19,41 +19,15 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-constexpr const char* box_side_names[] = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
-
 /// By how much the area that no face covers may exceed the clipped area that the report tells, relative to the surface's area.
 constexpr double area_agreement = 1e-9;
 
-BoxTree tree_over(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
-  std::vector<Box3> boxes;
-  for (const Triangle& t : triangles) boxes.push_back(box_of(points[t[0]], points[t[1]], points[t[2]]));
-  return BoxTree(std::move(boxes));
-}
-
-/// A body: with `cuts_all` it removes horizons and faults inside it; what of it lies inside itself on both sides is removed too.
-struct Body {
-  const TriangulatedSurface* surface;
-  BoxTree tree;
-};
-
-/// Everything the coverage checks share.
-class CoverageJudge {
+class CoverageJudge : public ClaimedFaces {
  public:
   CoverageJudge(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces, const std::vector<Triangle>& set_faces,
                 double tolerance)
-      : mesh_(mesh),
-        claim_(claim),
-        faces_(faces),
-        tolerance_(tolerance),
-        candidates_(candidate_faces(set_faces)),
-        tree_(tree_over(mesh.file.points, candidates_)) {
-    for (const TriangulatedSurface& s : claim.surfaces)
-      if (s.kind == SurfaceKind::body || s.cuts_all) bodies_.push_back({&s, tree_over(s.points, s.triangles)});
-    if (!faces_) return;
-    for (Index i = 0; i < claim.surfaces.size(); ++i)
-      for (const auto& [id, name] : faces_->surface_names)
-        if (name == claim.surfaces[i].name) surface_of_id_[id] = i, id_of_surface_[i] = id;
-    collect_clip_edges();
+      : ClaimedFaces(mesh, claim, faces, set_faces), tolerance_(tolerance), tree_(tree_over(mesh.file.points, candidates_)) {
+    if (faces_) collect_clip_edges();
   }
 
   void check_sources(CheckResult& result);
@@ -61,47 +35,14 @@ class CoverageJudge {
   void check_triangles(CheckResult& result);
 
  private:
-  /// Faces of the set (all rows, so that they can be told apart), or every face of the mesh where there is no set.
-  std::vector<Triangle> candidate_faces(const std::vector<Triangle>& set_faces) const {
-    if (faces_) return set_faces;
-    std::vector<Triangle> all;
-    for (const FacePair& face : mesh_.faces) all.push_back(face.key);
-    return all;
-  }
-  bool carries(Index face, Index surface) const {
-    if (!faces_ || !claim_.named) return true;
-    const auto id = id_of_surface_.find(surface);
-    if (id == id_of_surface_.end()) return false;
-    const auto& set = set_of(face);
-    return std::find(set.begin(), set.end(), id->second) != set.end();
-  }
-  const std::vector<std::int32_t>& set_of(Index face) const {
-    static const std::vector<std::int32_t> none;
-    const std::int32_t row = faces_->surface_set[face];
-    return row >= 0 && static_cast<std::size_t>(row) < faces_->surface_sets.size() ? faces_->surface_sets[row] : none;
-  }
-  bool is_cut_kind(Index surface) const {
-    const SurfaceKind kind = claim_.surfaces[surface].kind;
-    return (kind == SurfaceKind::horizon || kind == SurfaceKind::fault) && !claim_.surfaces[surface].ends_model;
-  }
-  const Vec3& corner(const Triangle& t, int i) const { return mesh_.point(t[i]); }
-
   void collect_clip_edges();
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
   bool uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces, Vec3& place) const;
-  bool is_removed(const PlaneTriangle& triangle, Index surface, const Vec3& p) const;
   bool may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces, Vec3& place) const;
 
-  const JudgedMesh& mesh_;
-  const Claim& claim_;
-  const FacesFile* faces_;
   double tolerance_;
-  std::vector<Triangle> candidates_;
   BoxTree tree_;
-  std::vector<Body> bodies_;
-  std::map<std::int32_t, Index> surface_of_id_;
-  std::map<Index, std::int32_t> id_of_surface_;
   std::vector<std::pair<VertexIndex, VertexIndex>> clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
 };
 
@@ -110,11 +51,8 @@ std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return 
 void CoverageJudge::collect_clip_edges() {
   std::set<std::int32_t> clipping;
   for (const auto& [id, name] : faces_->surface_names) {
-    const auto row = surface_of_id_.find(id);
-    if (row != surface_of_id_.end()
-            ? claim_.surfaces[row->second].cuts_all
-            : std::find(std::begin(box_side_names), std::end(box_side_names), name) != std::end(box_side_names))
-      clipping.insert(id);
+    const Index row = surface_of(id);
+    if (row != no_index ? claim_.surfaces[row].cuts_all : is_box_side(id)) clipping.insert(id);
   }
   for (Index f = 0; f < candidates_.size(); ++f) {
     const auto& set = set_of(f);
@@ -124,27 +62,15 @@ void CoverageJudge::collect_clip_edges() {
   std::sort(clip_edges_.begin(), clip_edges_.end());
 }
 
-/// Each face lies on the triangle that it names as its source; faces of box sides lie on them exactly.
+/// Each face lies on the triangle that it names as its source.
 void CoverageJudge::check_sources(CheckResult& result) {
-  FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle"), off_side("faces_off_box_side");
+  FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
   double largest = 0;
   for (Index f = 0; f < candidates_.size(); ++f) {
     const Triangle& t = candidates_[f];
-    const auto row = surface_of_id_.find(faces_->surface[f]);
-    if (row == surface_of_id_.end()) {
-      const auto name = faces_->surface_names.find(faces_->surface[f]);
-      for (std::size_t side = 0; claim_.box() && name != faces_->surface_names.end() && side < 6; ++side) {
-        if (name->second != box_side_names[side]) continue;
-        const double wanted = (side % 2 == 0 ? claim_.box()->min : claim_.box()->max)[side / 2];
-        for (int i = 0; i < 3; ++i)
-          if (corner(t, i)[side / 2] != wanted) {
-            off_side.add(f, corner(t, i));
-            break;
-          }
-      }
-      continue;
-    }
-    const TriangulatedSurface& surface = claim_.surfaces[row->second];
+    const Index row = surface_of(faces_->surface[f]);
+    if (row == no_index) continue;
+    const TriangulatedSurface& surface = claim_.surfaces[row];
     const auto source = static_cast<std::size_t>(faces_->source_triangle[f]);
     if (faces_->source_triangle[f] < 0 || source >= surface.triangles.size()) {
       no_source.add(f, centroid(mesh_, t));
@@ -163,27 +89,10 @@ void CoverageJudge::check_sources(CheckResult& result) {
                 tolerance_, largest);
   no_source.report(result, "faces name a source_triangle that their surface does not have");
   off.report(result, text);
-  off_side.report(result, "faces of box sides do not lie on them exactly");
   std::snprintf(text, sizeof text,
                 "each face lies on the input triangle that it names, within %.3g (largest distance seen: %.3g)", tolerance_,
                 largest);
   result.checks_done.emplace_back(text);
-}
-
-/// Whether the rules take p, a point of the surface's triangle, away: parts of horizons and faults inside a body that cuts, and
-/// parts of a body that crosses itself with its inside on either side. Where p is on a body's surface the answer is yes: the open
-/// edges speak there.
-bool CoverageJudge::is_removed(const PlaneTriangle& triangle, Index surface, const Vec3& p) const {
-  const auto in = [](const Body& body, const Vec3& q) {
-    const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, q, q, q);
-    return !winding || *winding != 0;
-  };
-  if (is_cut_kind(surface))
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) { return body.surface->cuts_all && in(body, p); });
-  const Vec3 off = (4 * tolerance_) * triangle.normal();
-  return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
-    return body.surface == &claim_.surfaces[surface] && in(body, p + off) && in(body, p - off);
-  });
 }
 
 /// No face of a horizon or fault lies inside a body that cuts.
@@ -193,10 +102,10 @@ void CoverageJudge::check_bodies(CheckResult& result) {
   for (Index f = 0; f < candidates_.size(); ++f) {
     bool is_cut = false, bounds_body = false;
     for (const std::int32_t id : set_of(f)) {
-      const auto row = surface_of_id_.find(id);
-      if (row == surface_of_id_.end()) continue;
-      is_cut = is_cut || is_cut_kind(row->second);
-      bounds_body = bounds_body || claim_.surfaces[row->second].kind == SurfaceKind::body;
+      const Index row = surface_of(id);
+      if (row == no_index) continue;
+      is_cut = is_cut || is_cut_kind(row);
+      bounds_body = bounds_body || claim_.surfaces[row].kind == SurfaceKind::body;
     }
     if (!is_cut || bounds_body) continue;
     const Triangle& t = candidates_[f];
@@ -260,7 +169,7 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index su
       }
       const bool covered = std::any_of(flat.begin(), flat.end(),
                                        [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance_; });
-      if (covered || is_removed(triangle, surface, p)) continue;
+      if (covered || is_removed(surface, p, (4 * tolerance_) * triangle.normal())) continue;
       place = p;
       return false;
     }
@@ -334,13 +243,9 @@ void CoverageJudge::check_triangles(CheckResult& result) {
 
 void check_coverage(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces, const std::vector<Triangle>& set_faces,
                     double tolerance, CheckResult& result) {
-  for (const Triangle& t : set_faces)
-    if (std::find(t.begin(), t.end(), no_vertex) != t.end()) {
-      result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
-      return;
-    }
   CoverageJudge judge(mesh, claim, faces, set_faces, tolerance);
   if (faces && claim.named) judge.check_sources(result);
+  if (faces && claim.named) judge.check_box_sides(result);
   if (faces && claim.named) judge.check_bodies(result);
   judge.check_triangles(result);
 }

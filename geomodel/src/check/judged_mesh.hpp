@@ -74,6 +74,7 @@ struct Claim {
   bool ends_inside = false;  ///< at a topography or a bottom: less than the volume is filled
   /// Per surface: the area that is said to be clipped away (by box, bodies and rules), where the triangles alone do not tell.
   std::map<Index, double> clipped_area;
+  double within = 0;  ///< how far surfaces may be off their triangles, both ways, beyond rounding
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
   bool named = false;  ///< surfaces bear the names under which the faces file knows them
 };

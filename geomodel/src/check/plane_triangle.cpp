@@ -86,7 +86,7 @@ double PlaneTriangle::common_area(const Vec3& p, const Vec3& q, const Vec3& r) c
   return 0.5 * std::abs(twice);
 }
 
-double PlaneTriangle::area_inside(const Box3& box) const {
+std::vector<Vec3> PlaneTriangle::inside(const Box3& box) const {
   std::vector<Vec3> polygon(corner_.begin(), corner_.end());
   const auto blend = [](const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); };
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -95,6 +95,11 @@ double PlaneTriangle::area_inside(const Box3& box) const {
     polygon = clip(
         polygon, [&](const Vec3& x) { return box.max[axis] - x[axis]; }, blend);
   }
+  return polygon;
+}
+
+double PlaneTriangle::area_inside(const Box3& box) const {
+  const std::vector<Vec3> polygon = inside(box);
   double twice = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i)
     twice += dot(cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]), normal_);

@@ -32,6 +32,8 @@ class PlaneTriangle {
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
   /// Area of the part inside the closed box.
   double area_inside(const Box3& box) const;
+  /// That part, a convex polygon (fewer than three points: nothing).
+  std::vector<Vec3> inside(const Box3& box) const;
 
  private:
   Vec2 project(const Vec3& p) const;

@@ -176,7 +176,10 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   RefineResult refined;
   refined.mesh = mesh_core(model, recorder);
   const bool refine = model.refinement.refine;
+  std::vector<double> volumes_of_input;
   if (refine) {
+    if (model.refinement.honour == Honour::tolerance) volumes_of_input = component_volumes(refined.mesh);
+    for (double& volume : volumes_of_input) volume /= model.z_scale;
     const RefineOptions options = refine_options(model, refined.mesh);
     refined = refine_model(model, std::move(refined.mesh), options, recorder.context());
     report.refinement = refined.statistics;
@@ -185,7 +188,8 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   const ConstrainedTetrahedralization& core = refined.mesh;
   report.core = &core;
   const SizeField* const size = refine ? &refined.size_field : nullptr;
-  const ModelMesh mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
+  ModelMesh mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
+  set_volumes_of_input(mesh, core, volumes_of_input);
   report.mesh = &mesh;
   report.quality = judge_quality(core, mesh, model, refined);
   result.summary = summarise(mesh);

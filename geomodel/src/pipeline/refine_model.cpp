@@ -7,6 +7,7 @@
 
 #include "geomesh/core/quality.hpp"
 #include "sets/name_regions.hpp"
+#include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
 
@@ -117,6 +118,8 @@ const std::vector<std::string>& known_cell_arrays() {
 
 std::string contradiction(const RefinementSettings& settings, const RecoverOptions& recover) {
   const bool wants_size = std::find(settings.cell_arrays.begin(), settings.cell_arrays.end(), "size") != settings.cell_arrays.end();
+  for (auto at = settings.cell_arrays.begin(); at != settings.cell_arrays.end(); ++at)
+    if (std::find(settings.cell_arrays.begin(), at, *at) != at) return "the cell array '" + *at + "' is asked for twice";
   if (!settings.refine)
     return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined" : "";
   if (recover.mode == MeshMode::conforming)
@@ -150,6 +153,25 @@ RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization me
   if (result.statistics.out_of_time)
     warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
   return result;
+}
+
+std::vector<double> component_volumes(const ConstrainedTetrahedralization& mesh) {
+  std::vector<CompensatedSum> sums(mesh.n_components);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    sums[mesh.component[t]].add(signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]));
+  }
+  std::vector<double> volumes;
+  for (const CompensatedSum& sum : sums) volumes.push_back(sum.value());
+  return volumes;
+}
+
+void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core, const std::vector<double>& volumes) {
+  if (volumes.empty()) return;
+  std::vector<std::int32_t> region_of(volumes.size(), 0);
+  for (std::size_t t = 0; t < core.component.size(); ++t) region_of[core.component[t]] = mesh.tet_region[t];
+  for (std::size_t c = 0; c < volumes.size(); ++c)
+    if (region_of[c] > 0) mesh.regions[static_cast<std::size_t>(region_of[c] - 1)].volume_of_input += volumes[c];
 }
 
 std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names, const ConstrainedTetrahedralization& mesh,

@@ -129,7 +129,9 @@ void read_groups(const YamlValue& value, Project& project) {
 void read_attributes(const YamlValue& value, Project& project) {
   for (const auto& [unit, list] : named_entries(value, "UNIT: {NAME: number, ...}"))
     for (const auto& [name, number] : named_entries(list, "NAME: number")) {
-      if (name == "region") number.problem("'region' is the name of the array of region ids; choose another");
+      const std::vector<std::string>& taken = known_cell_arrays();
+      if (name == "region" || std::find(taken.begin(), taken.end(), name) != taken.end())
+        number.problem("'" + name + "' is the name of an array of the mesh file (mesh.cell_arrays, region ids); choose another");
       if (const auto n = number.number()) project.naming.attributes[unit][name] = *n;
     }
 }

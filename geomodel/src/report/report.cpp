@@ -106,8 +106,10 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
 
 void add_mesh(const ModelMesh& mesh, json& root) {
   json regions = json::array(), surfaces = json::array(), curves = json::array();
-  for (const Region& r : mesh.regions)
+  for (const Region& r : mesh.regions) {
     regions.push_back({{"id", r.id}, {"name", r.name}, {"tetrahedra", r.n_tetrahedra}, {"volume", r.volume}, {"inside", r.inside}});
+    if (r.volume_of_input > 0) regions.back()["volume_of_input"] = r.volume_of_input;
+  }
   for (const NamedSurface& s : mesh.surfaces)
     surfaces.push_back({{"id", s.id}, {"name", s.name}, {"kind", to_string(s.kind)}, {"area", s.area}});
   for (const NamedCurve& c : mesh.curves)

@@ -25,6 +25,9 @@ struct CheckRequest {
   /// How far a mesh face may be off the input triangle that it stands for, in the mesh's unit. Negative: 8 ulps of the largest
   /// coordinate, or what NAME.report.json beside the mesh says that rounding moved, where that is more.
   double tolerance = -1;
+  /// How far surfaces may be off the input, both ways, beyond that: they were remeshed. Negative: what the project says
+  /// (`honour: tolerance`), else 0. Where it is not 0, distances, topology and volumes are judged in place of coverage.
+  double within = -1;
 };
 
 struct CheckFault {

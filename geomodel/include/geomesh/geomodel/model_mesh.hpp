@@ -20,6 +20,7 @@ struct Region {
   std::size_t n_tetrahedra = 0;
   double volume = 0;  ///< m3, summed without cancellation
   std::string unit{};  ///< the name before suffixes: a unit of the column, a body ...
+  double volume_of_input = 0;  ///< before surfaces were moved within a tolerance; 0: they were not
 };
 
 /// A number that units carry to the mesh (porosity, density ...): a cell array of the VTU.
