@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measured_run.hpp"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -65,6 +67,12 @@ Packet run(const Job& job) {
 
 }  // namespace
 
+void limit_cpu_seconds(double seconds) {
+  const auto limit = static_cast<rlim_t>(cpu_now() + seconds + 1);
+  const rlimit both{limit, limit + 5};
+  setrlimit(RLIMIT_CPU, &both);
+}
+
 std::vector<Measurement> measure(const std::vector<Job>& side_by_side) {
   std::vector<int> pipes;
   std::vector<pid_t> children;
@@ -94,7 +102,8 @@ std::vector<Measurement> measure(const std::vector<Job>& side_by_side) {
     if (received)
       m = {packet.ok, packet.message, packet.cpu_s, packet.wall_s, packet.peak_bytes, packet.answer};
     else
-      m.message = WIFSIGNALED(status) ? "died of signal " + std::to_string(WTERMSIG(status)) : "ended without an answer";
+      m.message = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? "exceeds its time"
+                  : WIFSIGNALED(status) ? "died of signal " + std::to_string(WTERMSIG(status)) : "ended without an answer";
     results.push_back(m);
   }
   return results;

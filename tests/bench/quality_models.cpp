@@ -70,7 +70,6 @@ void add_gridded_box(QualityModel& model, const Vec3& low, const Vec3& high, int
     if (is_new) model.plc.points.push_back(low + Vec3{d.x * i[0] / n, d.y * i[1] / n, d.z * i[2] / n});
     return it->second;
   };
-  const Index first = static_cast<Index>(model.plc.n_facets());
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side)
       for (int u = 0; u < n; ++u)
@@ -89,7 +88,6 @@ void add_gridded_box(QualityModel& model, const Vec3& low, const Vec3& high, int
           model.plc.add_triangle({a, b, c}, provenance);
           model.plc.add_triangle({a, c, d}, provenance);
         }
-  model.shells.insert(model.shells.begin(), {first, static_cast<Index>(model.plc.n_facets())});
 }
 
 }  // namespace
@@ -103,11 +101,9 @@ QualityModel grains(double roughness, unsigned seed) {
     Surface s = icosphere();
     if (roughness > 0) roughen(s, roughness, random);
     const VertexIndex base = static_cast<VertexIndex>(model.plc.points.size());
-    const Index first = static_cast<Index>(model.plc.n_facets());
     const Vec3 centre{pitch * (k & 1), pitch * ((k >> 1) & 1), pitch * ((k >> 2) & 1)};
     for (const Vec3& p : s.points) model.plc.points.push_back(centre + radius * p);
     for (const auto& [a, b, c] : s.triangles) model.plc.add_triangle({base + a, base + b, base + c}, k);
-    model.shells.push_back({first, static_cast<Index>(model.plc.n_facets())});
   }
   const double margin = radius * 1.3;
   add_gridded_box(model, {-margin, -margin, -margin}, {pitch + margin, pitch + margin, pitch + margin}, 16);
@@ -138,48 +134,7 @@ QualityModel solid(const std::string& file) {
       model.plc.add_triangle(t, 0);
     }
   }
-  model.shells = {{0, static_cast<Index>(model.plc.n_facets())}};
   return model;
-}
-
-void write_poly(const PiecewiseLinearComplex& plc, const std::string& path) {
-  std::ofstream out(path);
-  out.precision(17);
-  out << plc.points.size() << " 3 0 0\n";
-  for (std::size_t v = 0; v < plc.points.size(); ++v)
-    out << v << ' ' << plc.points[v].x << ' ' << plc.points[v].y << ' ' << plc.points[v].z << '\n';
-  out << plc.n_facets() << " 1\n";
-  for (Index f = 0; f < plc.n_facets(); ++f) {
-    const auto loop = plc.outer_loop(f);
-    out << "1 0 " << f + 1 << '\n' << loop.size();
-    for (const VertexIndex v : loop) out << ' ' << v;
-    out << '\n';
-  }
-  out << "0\n0\n";
-}
-
-void write_gmsh(const QualityModel& model, const std::string& stem) {
-  std::ofstream geo(stem + ".geo");
-  for (std::size_t s = 0; s < model.shells.size(); ++s) {
-    const std::string path = stem + "." + std::to_string(s) + ".stl";
-    std::ofstream stl(path);
-    stl.precision(17);
-    stl << "solid shell\n";
-    for (Index f = model.shells[s].first; f < model.shells[s].second; ++f) {
-      stl << "facet normal 0 0 0\nouter loop\n";
-      for (const VertexIndex v : model.plc.outer_loop(f))
-        stl << "vertex " << model.plc.points[v].x << ' ' << model.plc.points[v].y << ' ' << model.plc.points[v].z << '\n';
-      stl << "endloop\nendfacet\n";
-    }
-    stl << "endsolid\n";
-    geo << "Merge \"" << path << "\";\n";
-  }
-  geo << "Coherence Mesh;\n";
-  for (std::size_t s = 1; s <= model.shells.size(); ++s) geo << "Surface Loop(" << s << ") = {" << s << "};\n";
-  for (std::size_t s = 2; s <= model.shells.size(); ++s) geo << "Volume(" << s << ") = {" << s << "};\n";
-  geo << "Volume(1) = {1";
-  for (std::size_t s = 2; s <= model.shells.size(); ++s) geo << ", " << s;
-  geo << "};\n";
 }
 
 }  // namespace geomesh::bench

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "quality_compare.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include "geomesh/core/refine.hpp"
+#include "quality_runs.hpp"
+
+namespace geomesh::bench {
+namespace {
+
+/// One number that makes meshes coarser as it grows, from 0 to 1, and what it means for a model.
+RefineOptions options_of(const QualityModel& model, double knob) {
+  Box3 box;
+  for (const Vec3& p : model.plc.points) box.add(p);
+  const Vec3 d = box.max - box.min;
+  const double length = std::sqrt(dot(d, d));
+  RefineOptions options;
+  if (model.sizes_from_edges) {  // above 0.1 a gradation; below, a global size that shrinks with it
+    options.size.gradation = std::max(knob, 0.1);
+    if (knob < 0.1) options.size.global = length / 20 * knob / 0.1;
+  } else {
+    options.size.from_input_edges = false;
+    options.size.gap_layers = 0;
+    options.size.global = length * knob;
+  }
+  return options;
+}
+
+/// The knob is chosen so that the count is that of the peer within a tenth; in at most eight runs.
+Row run_matched(const QualityModel& model, std::size_t wanted, double limit_s) {
+  double low = 0.001, high = 0.9;
+  if (model.sizes_from_edges) low = 0.02;
+  Row best;
+  double best_off = 1e9;
+  for (int trial = 0; trial < 8; ++trial) {
+    const double knob = std::sqrt(low * high);
+    Row row = run_geomesh(model, options_of(model, knob), "geomesh, as many", limit_s);
+    if (row.tetrahedra == 0) {  // too many to end in time: coarser
+      if (best.tetrahedra == 0) best = row;
+      low = knob;
+      continue;
+    }
+    const double ratio = static_cast<double>(row.tetrahedra) / static_cast<double>(wanted), off = std::abs(std::log(ratio));
+    if (off < best_off) best = row, best_off = off;
+    if (std::abs(ratio - 1) < 0.1) return best;
+    (ratio > 1 ? low : high) = knob;
+  }
+  best.tool += " (count not matched)";
+  return best;
+}
+
+bool is_better_in_all(const Row& ours, const Row& peer) {
+  const ElementShapes &a = ours.shapes, &b = peer.shapes;
+  const bool fewer = a.share_below_10 < b.share_below_10 || (a.share_below_10 == 0 && b.share_below_10 == 0);
+  return a.least > b.least && a.first_percentile > b.first_percentile && a.mean_of_least > b.mean_of_least && fewer;
+}
+
+bool is_matched(const Row& ours, const Row& peer) {
+  return std::abs(static_cast<double>(ours.tetrahedra) / static_cast<double>(peer.tetrahedra) - 1) < 0.1;
+}
+
+struct Verdict {
+  std::string model, tetgen, gmsh, speed;
+};
+
+std::string judge(const Row& ours, const Row& peer) {
+  if (peer.tetrahedra == 0) return "gives no mesh";
+  if (!is_matched(ours, peer)) return is_better_in_all(ours, peer) ? "yes, but the count differs" : "no, and the count differs";
+  return is_better_in_all(ours, peer) ? "yes" : "no";
+}
+
+std::vector<std::function<QualityModel()>> models() {
+  std::vector<std::function<QualityModel()>> m{[] { return grains(0, 1); }, [] { return grains(0.25, 1); }};
+#ifdef GEOMESH_BENCH_GEOMODEL
+  for (const char* name : {"salt-dome", "faulted-layers"}) m.push_back([name] { return sample(name); });
+  m.push_back([] { return model_a4(); });
+#endif
+  for (const char* file : {"sphere1.obj", "cube_minus_sphere.obj", "sphere2.obj", "soccerball.obj", "bunny25k.obj"})
+    m.push_back([file] { return solid(file); });
+  return m;
+}
+
+}  // namespace
+
+void compare_peers(const CompareOptions& options) {
+  print_row_header("tool");
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "geomesh_quality_bench";
+  std::filesystem::create_directories(folder);
+  const std::string stem = (folder / "model").string();
+  std::vector<Verdict> verdicts;
+  for (const auto& make : models()) {
+    const QualityModel model = make();
+    if (!options.only.empty() && model.name.find(options.only) == std::string::npos) continue;
+    if (model.plc.points.empty()) {
+      std::fprintf(stderr, "skipped: %s is absent\n", model.name.c_str());
+      continue;
+    }
+    const std::array<Row, 2> peers{run_tetgen(model, stem, options.peer_limit_s), run_gmsh(model, stem, options.peer_limit_s)};
+    std::array<Row, 2> ours;
+    for (std::size_t i = 0; i < 2; ++i) {
+      print_row(model.name, peers[i]);
+      if (peers[i].tetrahedra == 0) continue;
+      ours[i] = run_matched(model, peers[i].tetrahedra, options.own_limit_s);
+      print_row(model.name, ours[i]);
+    }
+    char speed[80] = "gmsh gives no mesh";
+    if (peers[1].tetrahedra > 0)
+      std::snprintf(speed, sizeof speed, "%s (%.2f times its time)", ours[1].cpu_s <= peers[1].cpu_s ? "yes" : "no",
+                    ours[1].cpu_s / peers[1].cpu_s);
+    verdicts.push_back({model.name, judge(ours[0], peers[0]), judge(ours[1], peers[1]), speed});
+  }
+  std::printf("\n| model | all four better than tetgen | all four better than gmsh | no slower than gmsh |\n|---|---|---|---|\n");
+  for (const Verdict& v : verdicts)
+    std::printf("| %s | %s | %s | %s |\n", v.model.c_str(), v.tetgen.c_str(), v.gmsh.c_str(), v.speed.c_str());
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace geomesh::bench
