@@ -78,7 +78,7 @@ rules: {on_crossing: guess, topography: f}
 attributes: {sand: {region: 1}}
 )");
   for (const char* part : {"no box", "only a fault has an extent", "only a horizon is the base", "nowhere", "a body is not extended",
-                           "zero or more", "on_crossing", "no horizon is named 'f'", "'region' is the name of the array"}) {
+                           "zero or more", "on_crossing", "no horizon is named 'f'", "'region' is the name of an array"}) {
     INFO(told);
     CHECK(told.find(part) != std::string::npos);
   }
