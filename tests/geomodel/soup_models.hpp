@@ -40,6 +40,27 @@ inline PiecewiseLinearComplex random_model(unsigned seed) {
   return complex_of(arrange(soup.surfaces, soup.polylines, soup.points, soup.options).soup);
 }
 
+/// A plate turned by an odd angle, so that no double lies in the planes of its walls, with `n` ellipsoids across one wall: the wall is cut into
+/// long thin facets side by side, an ulp off one plane, with vertices of the ellipsoids close before and behind them.
+inline PiecewiseLinearComplex crossed_wall(unsigned seed, unsigned n) {
+  std::mt19937 random(seed);
+  const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  TriangulatedSurface plate;
+  plate.name = "plate";
+  plate.kind = SurfaceKind::body;
+  for (int i = 0; i < 8; ++i) plate.points.push_back({i & 1 ? 20.0 : 0.0, i & 2 ? 4.0 : 0.0, i & 4 ? 20.0 : 0.0});
+  plate.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  std::vector<TriangulatedSurface> surfaces{plate};
+  for (unsigned k = 0; k < n; ++k) {
+    const double x = 1 + 18 * unit(), y = 0.3 * (unit() - 0.5), z = 1 + 18 * unit(), rx = 0.1 + unit(), ry = 0.1 + unit(), rz = 0.1 + unit();
+    surfaces.push_back(ellipsoid("body_" + std::to_string(k), {x, y, z}, {rx, ry, rz}, 2));
+  }
+  const double angle = 0.3 + unit(), c = std::cos(angle), s = std::sin(angle);
+  for (TriangulatedSurface& surface : surfaces)
+    for (Vec3& p : surface.points) p = {200 + c * p.x - s * p.y, 100 + s * p.x + c * p.y, p.z};
+  return complex_of(arrange(surfaces, {}, {}, {}).soup);
+}
+
 /// All surfaces of a folder, intersected with each other and with the sides of a box a tenth larger than they are.
 inline PiecewiseLinearComplex faults_in_box(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;

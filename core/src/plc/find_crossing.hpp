@@ -21,4 +21,20 @@ struct PlcCrossing {
 /// pairs whose boxes overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
 
+/// The same, searched for when first asked for, and once.
+class CrossingsOf {
+ public:
+  explicit CrossingsOf(const PiecewiseLinearComplex& plc) : plc_(plc) {}
+  const std::optional<PlcCrossing>& first() {
+    if (!is_known_) first_ = find_crossing(plc_);
+    is_known_ = true;
+    return first_;
+  }
+
+ private:
+  const PiecewiseLinearComplex& plc_;
+  std::optional<PlcCrossing> first_;
+  bool is_known_ = false;
+};
+
 }  // namespace geomesh

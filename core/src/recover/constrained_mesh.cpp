@@ -162,7 +162,8 @@ FaceRef ConstrainedMesh::find_face(VertexIndex a, VertexIndex b, VertexIndex c) 
 }
 
 CellIndex ConstrainedMesh::locate(const Vec3& p, CellIndex start) {
-  CellIndex c = start;
+  const int infinite = mesh_.ghost_index(start);
+  CellIndex c = infinite >= 0 ? mesh_.neighbor_cell(start, static_cast<unsigned>(infinite)) : start;
   const std::size_t limit = 1000 + mesh_.n_slots();
   for (std::size_t step = 0; step < limit; ++step) {
     const int ghost = mesh_.ghost_index(c);

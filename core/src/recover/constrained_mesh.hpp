@@ -79,7 +79,7 @@ class ConstrainedMesh {
   /// As find_face, for one given cell with all three.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
-  /// A finite cell that has p inside or on its boundary, walking from `start`; no_cell where p is outside the box. Exact.
+  /// A finite cell that has p inside or on its boundary, walking from `start` (of a ghost: from beside it); no_cell where p is outside the box. Exact.
   CellIndex locate(const Vec3& p, CellIndex start);
 
   /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks are kept

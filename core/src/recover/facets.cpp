@@ -192,6 +192,14 @@ FaceRef face_of(Recovery& recovery, Index subfacet) {
   return recovery.mesh.find_face(t[0], t[1], t[2]);
 }
 
+/// Some may come to the mesh later (hard_parts_first.hpp).
+bool has_all_vertices(const Recovery& recovery, Index subfacet) {
+  const auto in_mesh = [&](VertexIndex v) { return recovery.mesh.in_mesh(v); };
+  const Constraints& c = recovery.constraints;
+  if (c.is_piece(subfacet)) return std::all_of(c.piece_of(subfacet).members.begin(), c.piece_of(subfacet).members.end(), in_mesh);
+  return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
+}
+
 bool is_present(Recovery& recovery, Index subfacet) {
   return recovery.constraints.is_piece(subfacet) ? FacetRecovery(recovery, subfacet).is_present() : face_of(recovery, subfacet).valid();
 }
@@ -210,7 +218,7 @@ void recover_facets(Recovery& recovery) {
   std::vector<Index> missing;
   const Index n_subfacets = static_cast<Index>(constraints.subfacets.size());
   for (Index f = 0; f < n_subfacets; ++f) {
-    if (!constraints.subfacets[f].live) continue;
+    if (!constraints.subfacets[f].live || !has_all_vertices(recovery, f)) continue;
     if (constraints.is_piece(f)) {
       if (FacetRecovery(recovery, f).is_present()) {
         FacetRecovery(recovery, f).by_flips(0);
@@ -234,6 +242,7 @@ void recover_facets(Recovery& recovery) {
       return FacetRecovery(recovery, f).by_flips(depth) || (depth > 0 && FacetRecovery(recovery, f).by_cavity(200 * depth));
     });
   }
+  for (Index f : missing) recovery.hard_facets.push_back(constraints.subfacets[f].facet);
   for (Index f : missing) {
     recovery.context.check_cancelled();
     FacetRecovery(recovery, f).by_points();

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "plc/find_crossing.hpp"
-
 namespace geomesh::recover {
 
 namespace {
@@ -139,10 +137,10 @@ void Recovery::count_added_point() {
   if (++n_points_added == 300 + input_vertex.size() / 20) refuse_crossings();
 }
 
-bool Recovery::has_crossings() const { return find_crossing(plc).has_value(); }
+bool Recovery::has_crossings() const { return crossings.first().has_value(); }
 
 void Recovery::refuse_crossings() const {
-  const auto crossing = find_crossing(plc);
+  const auto& crossing = crossings.first();
   if (!crossing) return;
   ErrorContext where;
   where.facets.push_back(crossing->facet);

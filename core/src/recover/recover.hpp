@@ -7,6 +7,7 @@
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
+#include "plc/find_crossing.hpp"
 #include "recover/constrained_mesh.hpp"
 #include "recover/constraints.hpp"
 #include "recover/edge_removal.hpp"
@@ -22,7 +23,9 @@ struct Recovery {
   /// Row in plc.points per vertex (no_vertex where added), for messages.
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
+  CrossingsOf& crossings;
   std::size_t n_points_added = 0;
+  std::vector<Index> hard_segments{}, hard_facets{};  ///< model segments and facets that flips and cavities did not recover
   unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
 
   /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a valid model hardly

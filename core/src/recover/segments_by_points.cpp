@@ -55,7 +55,7 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   ConstrainedMesh& mesh = recovery.mesh;
   x = mesh.add_point(p);
   if (!seeds.empty() && insert_in_star(mesh, recovery.constraints, x, seeds)) return true;
-  const CellIndex start = seeds.empty() ? mesh.cell_of(0) : seeds[0];
+  const CellIndex start = seeds.empty() ? mesh.cell_of(static_cast<VertexIndex>(mesh.n_input())) : seeds[0];
   const CellIndex at = mesh.locate(p, start);
   if (at != no_cell && insert_in_star(mesh, recovery.constraints, x, cells_about(mesh, p, at))) return true;
   mesh.drop_last_point();
@@ -181,10 +181,19 @@ void recover_by_points(Recovery& recovery, Missing first) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the subsegment could be an edge but is none. Its ends may come to the mesh later (hard_parts_first.hpp).
+bool is_missing(ConstrainedMesh& mesh, const Subsegment& s) {
+  return s.live && mesh.in_mesh(s.a) && mesh.in_mesh(s.b) && mesh.find_edge(s.a, s.b) == no_cell;
+}
+
+}  // namespace
+
 std::size_t count_missing_subsegments(Recovery& recovery) {
   std::size_t n = 0;
   for (const Subsegment& s : recovery.constraints.subsegments)
-    if (s.live && recovery.mesh.find_edge(s.a, s.b) == no_cell) ++n;
+    if (is_missing(recovery.mesh, s)) ++n;
   return n;
 }
 
@@ -192,8 +201,7 @@ void recover_segments(Recovery& recovery) {
   Constraints& constraints = recovery.constraints;
   std::vector<Index> missing;
   for (Index s = 0; s < constraints.subsegments.size(); ++s)
-    if (constraints.subsegments[s].live && recovery.mesh.find_edge(constraints.subsegments[s].a, constraints.subsegments[s].b) == no_cell)
-      missing.push_back(s);
+    if (is_missing(recovery.mesh, constraints.subsegments[s])) missing.push_back(s);
   std::size_t n_missing_before = missing.size();
   for (std::size_t i = missing.size(); recovery.attempt > 0 && i > 1; --i) std::swap(missing[i - 1], missing[recovery.mesh.random(static_cast<unsigned>(i))]);
   for (unsigned depth : {0u, 1u}) {
@@ -202,6 +210,14 @@ void recover_segments(Recovery& recovery) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
       return recover_segment_by_flips(recovery, a, b, depth) || (depth > 0 && recover_segment_by_cavity(recovery, a, b, {200 * depth}));
     });
+  }
+  for (Index s : missing) {
+    const Subsegment& hard = constraints.subsegments[s];
+    if (hard.segment == no_index) {
+      recovery.hard_facets.push_back(hard.facet);
+    } else {
+      recovery.hard_segments.push_back(hard.segment);
+    }
   }
   for (Index s : missing) {
     recovery.context.check_cancelled();

@@ -78,6 +78,50 @@ bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, Verte
   return true;
 }
 
+namespace {
+
+/// The cells in conflict with x that are reached from `about` without passing a locked face.
+std::vector<CellIndex> delaunay_cavity(const ConstrainedMesh& mesh, VertexIndex x, std::span<const CellIndex> about) {
+  const TetMesh& cells = mesh.cells();
+  std::vector<CellIndex> cavity(about.begin(), about.end());
+  for (std::size_t i = 0; i < cavity.size() && cavity.size() < max_cavity; ++i)
+    for (unsigned f = 0; f < 4; ++f) {
+      const CellIndex n = cells.neighbor_cell(cavity[i], f);
+      if (cells.is_ghost(n) || mesh.is_locked(FaceRef(cavity[i], f)) || contains(cavity, n)) continue;
+      const auto& v = cells.vertices(n);
+      if (in_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), mesh.point(x)) == Sign::positive) cavity.push_back(n);
+    }
+  return cavity;
+}
+
+/// Whether a face of the cavity's cell c is hidden from x, or locked with the cavity on both sides.
+bool spoils_star(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, CellIndex c, VertexIndex x) {
+  const auto& v = mesh.cells().vertices(c);
+  for (unsigned f = 0; f < 4; ++f) {
+    const auto& l = face_vertices[f];
+    const bool is_inner = contains(cavity, mesh.cells().neighbor_cell(c, f));
+    if (is_inner ? mesh.is_locked(FaceRef(c, f)) : !mesh.positive({v[l[0]], v[l[1]], v[l[2]], x})) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x, std::span<const CellIndex> about) {
+  std::vector<CellIndex> cavity = delaunay_cavity(mesh, x, about);
+  for (std::size_t i = cavity.size(); i-- > about.size();)
+    if (spoils_star(mesh, cavity, cavity[i], x)) {
+      cavity.erase(cavity.begin() + static_cast<std::ptrdiff_t>(i));
+      i = cavity.size();  // its neighbours may be hidden now
+    }
+  std::vector<Tetrahedron> star;
+  CellIndex unused = no_cell;
+  if (!stellate(mesh, cavity, x, star, unused) || !keeps_constraints(mesh, constraints, cavity, star, no_index))
+    return insert_in_star(mesh, constraints, x, about);
+  mesh.replace(cavity, star);
+  return true;
+}
+
 std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell) {
   const TetMesh& cells = mesh.cells();
   std::vector<CellIndex> out{cell};

@@ -16,6 +16,11 @@ namespace geomesh::recover {
 bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x, std::span<const CellIndex> seeds,
                     Index split = no_index);
 
+/// Joins x with the boundary of its Delaunay cavity, which ends at locked faces and shrinks where x does not see its boundary; where it would
+/// swallow a subsegment, to `about`, the cells that have x inside or on their boundary. False (x lies on a locked face or on a subsegment):
+/// nothing was changed.
+bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x, std::span<const CellIndex> about);
+
 /// The finite cells that have p inside or on their boundary, from one of them.
 std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell);
 

@@ -110,7 +110,8 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, Declared
   {
     ConstrainedMesh mesh(delaunay.mesh, out.points, model.input_vertex.size());
     RecoveryStatistics unused;
-    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc};
+    CrossingsOf crossings(plc);
+    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, crossings};
     out.missing_facets = count_missing_subfacets(recovery);
   }
   std::array<int, 3> exponents{0, 0, 0};

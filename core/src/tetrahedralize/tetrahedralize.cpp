@@ -8,6 +8,7 @@
 #include "geomesh/core/predicates.hpp"
 #include "recover/conforming.hpp"
 #include "recover/declare.hpp"
+#include "recover/hard_parts_first.hpp"
 #include "recover/recover.hpp"
 #include "recover/start_triangulation.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 using recover::ConstrainedMesh;
 using recover::DeclaredModel;
+using recover::HardPartsFirst;
 using recover::Recovery;
 using recover::StartTriangulation;
 
@@ -48,15 +50,17 @@ struct MeshingRun {
   const PiecewiseLinearComplex& plc;
   const TetrahedralizeOptions& options;
   const RunContext& context;
-  DeclaredModel model;
-  RecoveryStatistics statistics;
-  DelaunayStatistics delaunay;
+  DeclaredModel model{};
+  RecoveryStatistics statistics{};
+  DelaunayStatistics delaunay{};
+  HardPartsFirst hard_parts{};
 
   StartTriangulation start(unsigned attempt = 0) {
     model = recover::declare_constraints(plc, context);
     if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
-    StartTriangulation out = recover::triangulate_start(plc, model, options.delaunay, context,
-                                                         options.recover.mode == MeshMode::constrained, attempt);
+    const bool may_scale = options.recover.mode == MeshMode::constrained && !hard_parts.has_learned();
+    StartTriangulation out = recover::triangulate_start(plc, model, options.delaunay, context, may_scale, attempt);
+    if (hard_parts.has_learned()) out.mesh = hard_parts.triangulate(out.points, options.delaunay, context);
     statistics = {};
     statistics.facets_total = plc.n_facets();
     statistics.segments_total = model.constraints.segments.size();
@@ -67,17 +71,19 @@ struct MeshingRun {
     return out;
   }
 
-  /// Where rounding of added points has led recovery into a dead end, another attempt puts them elsewhere. What recovery found wrong with the
+  /// Where rounding of added points has led recovery into a dead end, another attempt begins with what was hard. What recovery found wrong with the
   /// model is believed at once where the exact search finds a crossing, else after the last attempt.
   ConstrainedMesh recover(StartTriangulation first) {
     constexpr unsigned max_attempts = 16;
+    CrossingsOf crossings(plc);
     for (unsigned attempt = 0;; ++attempt) {
       StartTriangulation from = attempt == 0 ? std::move(first) : start(attempt);
       ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model.input_vertex.size());
-      Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc};
+      Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc, crossings};
       recovery.attempt = attempt;
       for (unsigned i = 0; i < attempt; ++i) mesh.random(2);
       try {
+        if (hard_parts.has_learned()) hard_parts.run(recovery);
         recover_constraints(recovery, options.recover);
         return mesh;
       } catch (const Error& e) {
@@ -85,6 +91,7 @@ struct MeshingRun {
         const bool is_last = attempt + 1 == max_attempts || options.recover.mode == MeshMode::conforming;
         if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
         if (is_last || (e.kind() == ErrorKind::invalid_input && recovery.has_crossings())) throw;
+        hard_parts.learn(recovery, model);
       }
     }
   }
@@ -92,7 +99,7 @@ struct MeshingRun {
 
 ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
                                            std::vector<Index>& given_up) {
-  MeshingRun run{plc, options, context, {}, {}, {}};
+  MeshingRun run{plc, options, context};
   StartTriangulation start;
   {
     const StageScope stage(context, "delaunay");
