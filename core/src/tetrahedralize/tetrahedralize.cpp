@@ -58,9 +58,9 @@ struct MeshingRun {
   StartTriangulation start(unsigned attempt = 0) {
     model = recover::declare_constraints(plc, context);
     if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
-    const bool may_scale = options.recover.mode == MeshMode::constrained && !hard_parts.has_learned();
+    const bool may_scale = options.recover.mode == MeshMode::constrained && !begins_hard(attempt);
     StartTriangulation out = recover::triangulate_start(plc, model, options.delaunay, context, may_scale, attempt);
-    if (hard_parts.has_learned()) out.mesh = hard_parts.triangulate(out.points, options.delaunay, context);
+    if (begins_hard(attempt)) out.mesh = hard_parts.triangulate(out.points, options.delaunay, context);
     statistics = {};
     statistics.facets_total = plc.n_facets();
     statistics.segments_total = model.constraints.segments.size();
@@ -71,7 +71,10 @@ struct MeshingRun {
     return out;
   }
 
-  /// Where rounding of added points has led recovery into a dead end, another attempt begins with what was hard. What recovery found wrong with the
+  /// A second attempt from another scale, with other points, is cheap and mostly enough; the others begin with what was hard.
+  bool begins_hard(unsigned attempt) const { return attempt > 1 && hard_parts.has_learned(); }
+
+  /// Where rounding of added points has led recovery into a dead end, it is begun again. What recovery found wrong with the
   /// model is believed at once where the exact search finds a crossing, else after the last attempt.
   ConstrainedMesh recover(StartTriangulation first) {
     constexpr unsigned max_attempts = 16;
@@ -83,7 +86,7 @@ struct MeshingRun {
       recovery.attempt = attempt;
       for (unsigned i = 0; i < attempt; ++i) mesh.random(2);
       try {
-        if (hard_parts.has_learned()) hard_parts.run(recovery);
+        if (begins_hard(attempt)) hard_parts.run(recovery);
         recover_constraints(recovery, options.recover);
         return mesh;
       } catch (const Error& e) {
