@@ -144,6 +144,12 @@ TEST_CASE("a horizon missing in a block, a pocket of crossing horizons and a blo
     CHECK(region_names(named.model) == Names{"sand", "shale", "region_1"});
     CHECK(some_warning_has(named.warnings, {"touches no horizon"}));
   }
+  SECTION("between faults, with a horizon further up") {
+    const Named named = name_grid(make_grid_model({1, 1, 3}, {1, 1, 1}, {plane("f", SurfaceKind::fault, 2, 1), plane("base", SurfaceKind::horizon, 2, 2)}),
+                                  {{"sand", "base", "shale"}, {}, {}});
+    CHECK(region_names(named.model) == Names{"sand", "shale__1", "shale__2"});
+    CHECK(some_warning_has(named.warnings, {"touches no horizon", "named shale", "on the vertical"}));
+  }
 }
 
 TEST_CASE("bodies name what they hold, the innermost first, and every region knows the bodies it lies in", "[sets]") {

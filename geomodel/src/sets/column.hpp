@@ -31,10 +31,17 @@ struct HorizonContacts {
 std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                                               const Column& column);
 
+/// The horizons next above and next below a point on its vertical, as if they were in contact with it (area 1): for components between
+/// faults that touch no horizon. Where nothing of a horizon is left on the vertical (all of them were above the topography), the surfaces
+/// as they were before rules and bodies took parts away tell. Linear in both.
+HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const Column& column,
+                                     const Vec3& p);
+
 /// What the contacts say.
 struct UnitVerdict {
   enum class Kind {
     unknown,    ///< no horizon speaks for it
+    vertical,   ///< touches none: first == last by the horizons next above and below on the vertical
     unit,       ///< one unit: first == last
     joined,     ///< units first .. last join through a gap in a horizon
     incomplete, ///< first == last is the nearest unit; first_possible .. last_possible agree with the contacts (a horizon is missing here)

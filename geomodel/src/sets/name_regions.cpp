@@ -111,6 +111,10 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
     case UnitVerdict::Kind::unknown:
       warnings.push_back(where + " touches no horizon of the column: it is not named after a unit");
       break;
+    case UnitVerdict::Kind::vertical:
+      warnings.push_back(where + " touches no horizon of the column: it is named " + column.units[verdict.first] +
+                         ", by the horizons next above and below it on the vertical");
+      break;
     case UnitVerdict::Kind::pocket:
       warnings.push_back(where + " is a pocket below " + horizon(verdict.first_possible - 1) + " and above " +
                          horizon(verdict.last_possible) + ", which cross; it is named " + column.units[verdict.first] +
@@ -125,6 +129,18 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
     }
     case UnitVerdict::Kind::unit:
     case UnitVerdict::Kind::joined: break;
+  }
+}
+
+/// Units of components that touch no horizon.
+void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
+                       const Column& column, std::vector<UnitVerdict>& verdicts) {
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    if (verdicts[c].kind != UnitVerdict::Kind::unknown) continue;
+    UnitVerdict verdict = judge_unit(contacts_on_vertical(soup, surfaces, column, facts[c].inside_point), column);
+    if (verdict.kind == UnitVerdict::Kind::unknown) continue;
+    verdict.kind = UnitVerdict::Kind::vertical;
+    verdicts[c] = verdict;
   }
 }
 
@@ -246,6 +262,7 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
   const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
   NamedRegions named;
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column)) named.verdicts.push_back(judge_unit(contacts, column));
+  if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
   std::vector<Label> labels = make_labels(mesh, soup, plc, surfaces, rules, column, facts, around, named.verdicts, warnings);
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);
