@@ -148,5 +148,18 @@ class TypicalMistakes(ProgramTest):
         self.assertIn("- {name", self.printed(BOX + "surfaces: {name: top, kind: horizon, file: top.ts}\n"))
 
 
+class ColumnOrder(ProgramTest):
+    def test_a_column_from_the_oldest_to_the_youngest_is_told(self):
+        self.write("a.ts", level("a", 7))
+        self.write("b.ts", level("b", 3))
+        text = ("box: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: a, kind: horizon, file: a.ts}\n"
+                "  - {name: b, kind: horizon, file: b.ts}\ncolumn: [%s]\n")
+        said = "is listed before"
+        printed = self.run_program(self.write("wrong.yaml", text % "old, b, middle, a, young"), "-o", self.folder)
+        self.assertIn("horizon b is listed before a in the column, as the younger one, but lies below it everywhere", printed)
+        self.assertIn("from the youngest to the oldest", printed)
+        self.assertNotIn(said, self.run_program(self.write("right.yaml", text % "young, a, middle, b, old"), "-o", self.folder))
+
+
 if __name__ == "__main__":
     main()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "build/column_order.hpp"
 #include "build/extend.hpp"
 #include "build/fault_ends.hpp"
 #include "build/thin_layers.hpp"
@@ -65,6 +66,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());
   for (const TriangulatedSurface& s : surfaces) built.rows.n_given_triangles.push_back(static_cast<Index>(s.triangles.size()));
+  warn_of_column_order(surfaces, rules, log);
   continue_throw_faults(built, rules);
   std::vector<std::size_t> order;  // horizons with throw after the faults that they are sorted by
   for (const bool has_throw : {false, true})

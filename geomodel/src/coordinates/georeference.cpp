@@ -231,7 +231,7 @@ std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) c
   if (z_inside(-1)) return "it would lie inside the box if its z were counted the other way: if so, give 'z: depth' or 'z: elevation' in its entry";
   for (const double factor : guessed_factors)
     for (const double sign : {1.0, -1.0})
-      if (z_inside(sign * factor)) return "it would lie inside the box if its z were in " + factor_words(factor) + (sign < 0 ? " and counted the other way" : "") + ": if so, give 'z_unit' and 'z' in its entry";
+      if (z_inside(sign * factor)) return "it would lie inside the box if its z were in " + factor_words(factor) + (sign < 0 ? " and counted the other way" : "") + ": if so, give 'z_unit' (or 'unit', where x and y are in it too) and 'z' in its entry";
   return {};
 }
 

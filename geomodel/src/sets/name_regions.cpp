@@ -118,7 +118,7 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
     case UnitVerdict::Kind::pocket:
       warnings.push_back(where + " is a pocket below " + horizon(verdict.first_possible - 1) + " and above " +
                          horizon(verdict.last_possible) + ", which cross; it is named " + column.units[verdict.first] +
-                         ", as if the younger horizon cut the older one");
+                         ", as if the younger horizon cut the older one (rules.on_crossing, or base: erode or onlap of a horizon, would cut one by the other)");
       break;
     case UnitVerdict::Kind::incomplete: {
       std::string missing;
