@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Coordinates through the whole program: units, depth, scaled z, systems, and the messages for what cannot be right."""
-from geomesh_program import BAD_INPUT, USAGE, ProgramTest, level, main
+from geomesh_program import BAD_INPUT, USAGE, ProgramTest, level, main, triangles_ts
 
 
 class Coordinates(ProgramTest):
@@ -38,7 +38,21 @@ class Coordinates(ProgramTest):
         self.assertTrue(any("z was scaled by 16" in note for note in report["notes"]), report["notes"])
         self.assertEqual(report["input"]["box"]["min"], [0, 0, -10])
         self.assertIn("conforming", self.run_program(self.project("{z_scale: 16}", mesh="{mode: conforming}"), status=USAGE))
-        self.assertIn("a power of two", self.run_program(self.project("{z_scale: 10}"), status=USAGE))
+        self.assertIn("scaled space", self.run_program(self.project("{z_scale: 16}", mesh="{refine: default}"), status=USAGE))
+        self.assertIn("between 1e-6 and 1e6", self.run_program(self.project("{z_scale: 0}"), status=USAGE))
+
+    def test_any_factor_of_z(self):
+        """Heights as given come back bit for bit, at a northing of six million: the mesh passes the exact check against its project."""
+        x0, y0 = 500000.1, 6000000.3
+        self.write("top.ts", triangles_ts("top", [(x0 + x, y0 + y, -4.1 - 0.37 * x + 0.11 * y) for x, y in ((-1, -1), (11, -1), (11, 11), (-1, 11))],
+                                          [(0, 1, 2), (0, 2, 3)]))
+        box = "{min: [%r, %r, -10.7], max: [%r, %r, 0.3]}" % (x0, y0, x0 + 10, y0 + 10)
+        plain = self.volumes(self.project(box=box))
+        for factor in ("3", "10", "0.7", "1234.5"):
+            project = self.project("{z_scale: %s}" % factor, box=box)
+            for name, volume in self.volumes(project).items():
+                self.assertAlmostEqual(volume / plain[name], 1, delta=1e-12)
+            self.check(self.path("p.vtu"), "--project", project)
 
     def test_time_is_refused(self):
         self.write("top.ts", level("top", -4))

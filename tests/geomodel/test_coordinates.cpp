@@ -116,10 +116,9 @@ TEST_CASE("a centimetre survives at northings of six million", "[coordinates]") 
   CHECK(back.z == p.z);
 }
 
-TEST_CASE("units, depth, datum, origin and z_scale are applied in that order", "[coordinates]") {
+TEST_CASE("units, depth, datum and origin are applied in that order", "[coordinates]") {
   Project project = project_in("local");
   project.crs.unit = "ft";
-  project.crs.z_scale = 8;
   project.output.origin = {100, 0, -50};
   SourceSpec spec;
   spec.unit = "m";
@@ -129,7 +128,7 @@ TEST_CASE("units, depth, datum, origin and z_scale are applied in that order", "
   const Placed placed = place(project, with_points({{304.8, 609.6, 0.3048}}), spec);
   CHECK(placed.points[0].x == Approx(1000 - 100).epsilon(1e-15));
   CHECK(placed.points[0].y == Approx(2000).epsilon(1e-15));
-  CHECK(placed.points[0].z == Approx(8 * (-1000 + 25 + 50)).epsilon(1e-15));
+  CHECK(placed.points[0].z == Approx(-1000 + 25 + 50).epsilon(1e-15));
   CHECK(placed.notes.size() == 4);
 }
 

@@ -74,8 +74,7 @@ void claim_clipped_areas(const Project& project, const std::filesystem::path& me
 }
 
 Claim claim_of_project(const std::filesystem::path& file, const std::filesystem::path& mesh) {
-  Project project = read_project(file);
-  const double z_scale = std::exchange(project.crs.z_scale, 1);  // the mesh is written without it
+  const Project project = read_project(file);
   ProjectInputs inputs = read_project_inputs(project, {});
   Claim claim;
   claim.named = true;
@@ -88,7 +87,7 @@ Claim claim_of_project(const std::filesystem::path& file, const std::filesystem:
   claim_clipped_areas(project, mesh, claim);
   // The tolerance is a length of the scaled model; undoing a scale below 1 stretches it.
   const RefinementSettings& refinement = project.mesh.refinement;
-  if (refinement.refine && refinement.honour == Honour::tolerance) claim.within = refinement.tolerance * std::max(1.0, 1 / z_scale);
+  if (refinement.refine && refinement.honour == Honour::tolerance) claim.within = refinement.tolerance * std::max(1.0, 1 / project.crs.z_scale);
   return claim;
 }
 

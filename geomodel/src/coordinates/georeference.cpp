@@ -62,7 +62,7 @@ std::string factor_words(double factor) {
 
 ModelFrame::ModelFrame(const Project& project, const std::vector<SourceInput>& inputs)
     : given_(parse_crs(project.crs.horizontal)), system_(given_), unit_(project.crs.unit), metres_(metres_of(project.crs.unit)),
-      depth_(project.crs.depth), z_scale_(project.crs.z_scale), origin_(project.output.origin) {
+      depth_(project.crs.depth), origin_(project.output.origin) {
   const bool open = given_.kind == Kind::geographic || (given_.kind == Kind::utm && given_.zone == 0);
   if (!open) return;
   if (given_.kind == Kind::geographic && project.box && project.box->shape == VolumeSpec::Shape::box) {
@@ -141,7 +141,6 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
   for_each_point(contents, [&](Vec3& p) {
     const Vec2 q = converts ? to_system(from, {p.x, p.y}) : Vec2{p.x, p.y};
     p = Vec3{q.x / metres_, q.y / metres_, p.z / metres_ + spec.z_datum} - origin_;
-    p.z *= z_scale_;
   });
   if (converts) notes.push_back(input.name + ": converted from " + from.name() + " to " + system_.name() + (from.etrs89 != system_.etrs89 ? " (WGS84 and ETRS89 taken for one; they are less than a metre apart)" : ""));
   if (xy_unit != unit_ && from.kind != Kind::geographic) notes.push_back(input.name + ": x and y converted from " + xy_unit + " to " + unit_);
@@ -154,7 +153,7 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
   }
 }
 
-Vec3 ModelFrame::unscaled_point(const Vec3& p) const {
+Vec3 ModelFrame::point(const Vec3& p) const {
   Vec2 q{p.x, p.y};
   if (given_.kind == Kind::geographic) {
     q = to_system(given_, q);
@@ -163,24 +162,18 @@ Vec3 ModelFrame::unscaled_point(const Vec3& p) const {
   return Vec3{q.x, q.y, depth_ ? -p.z : p.z} - origin_;
 }
 
-Vec3 ModelFrame::point(const Vec3& p) const {
-  Vec3 q = unscaled_point(p);
-  q.z *= z_scale_;
-  return q;
-}
-
 Box3 ModelFrame::box(const Box3& box, std::string& note) const {
-  Box3 placed{unscaled_point(box.min), unscaled_point(box.max)};
+  Box3 placed{point(box.min), point(box.max)};
   if (depth_) std::swap(placed.min.z, placed.max.z);
   if (given_.kind == Kind::geographic) {
     constexpr int n_samples = 64;  // sides are curved on the map
     for (int i = 0; i <= n_samples; ++i) {
       const double t = static_cast<double>(i) / n_samples;
       const double x = box.min.x + t * (box.max.x - box.min.x), y = box.min.y + t * (box.max.y - box.min.y);
-      placed.min.x = std::max(placed.min.x, unscaled_point({box.min.x, y, 0}).x);
-      placed.max.x = std::min(placed.max.x, unscaled_point({box.max.x, y, 0}).x);
-      placed.min.y = std::max(placed.min.y, unscaled_point({x, box.min.y, 0}).y);
-      placed.max.y = std::min(placed.max.y, unscaled_point({x, box.max.y, 0}).y);
+      placed.min.x = std::max(placed.min.x, point({box.min.x, y, 0}).x);
+      placed.max.x = std::min(placed.max.x, point({box.max.x, y, 0}).x);
+      placed.min.y = std::max(placed.min.y, point({x, box.min.y, 0}).y);
+      placed.max.y = std::min(placed.max.y, point({x, box.max.y, 0}).y);
     }
     if (!(placed.min.x < placed.max.x) || !(placed.min.y < placed.max.y)) {
       throw Error(ErrorKind::usage, "box: no upright rectangle of " + system_.name() + " lies inside these longitudes and latitudes; give surfaces and box in " + system_.name());
@@ -190,24 +183,21 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
     told.max = told.max + origin_;
     note = "the box in longitude and latitude becomes the largest upright rectangle inside it in " + system_.name() + ": " + range_text(told);
   }
-  placed.min.z *= z_scale_;
-  placed.max.z *= z_scale_;
   return placed;
 }
 
 Vec2 ModelFrame::map_point(const Vec2& p) const {
-  const Vec3 q = unscaled_point({p.x, p.y, 0});
+  const Vec3 q = point({p.x, p.y, 0});
   return {q.x, q.y};
 }
 
 VolumeSpec ModelFrame::volume(const VolumeSpec& spec, std::string& note) const {
   VolumeSpec placed = spec;
   if (spec.shape == VolumeSpec::Shape::box) placed.box = box(spec.box, note);
-  placed.margin.z *= z_scale_;
   if (spec.shape == VolumeSpec::Shape::turned) placed.center = map_point(spec.center);
   for (Vec2& corner : placed.polygon) corner = map_point(corner);
   for (std::optional<double>* height : {&placed.bottom, &placed.top})
-    if (*height) **height = ((depth_ ? -**height : **height) - origin_.z) * z_scale_;
+    if (*height) **height = ((depth_ ? -**height : **height) - origin_.z);
   return placed;
 }
 
@@ -224,7 +214,7 @@ std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) c
     return {};
   }
   const auto z_inside = [&](double factor) {
-    const double shift = origin_.z * z_scale_, a = factor * (bounds.min.z + shift), b = factor * (bounds.max.z + shift);
+    const double shift = origin_.z, a = factor * (bounds.min.z + shift), b = factor * (bounds.max.z + shift);
     return overlaps(std::min(a, b), std::max(a, b), box.min.z + shift, box.max.z + shift);
   };
   if (z_inside(1)) return {};

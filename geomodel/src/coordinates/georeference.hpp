@@ -19,7 +19,7 @@ struct SourceInput {
   FileContents* contents;
 };
 
-/// The frame of the model: the project's system, unit and origin, elevation up, z multiplied by z_scale.
+/// The frame of the model: the project's system, unit and origin, elevation up.
 class ModelFrame {
  public:
   /// Finds the zone where the project leaves it open (`utm`, `geographic`): of the box's centre where the project is geographic and has one
@@ -32,8 +32,6 @@ class ModelFrame {
 
   /// A point of the project file.
   Vec3 point(const Vec3& p) const;
-  /// As point() without z_scale: what is compared with the finished mesh.
-  Vec3 unscaled_point(const Vec3& p) const;
   /// The project's model volume. In a geographic project a box becomes the largest upright rectangle inside its outline on the map, which
   /// `note` tells; corners of a polygon and centres are converted.
   VolumeSpec volume(const VolumeSpec& spec, std::string& note) const;
@@ -57,7 +55,6 @@ class ModelFrame {
   std::string unit_;
   double metres_ = 1;  ///< per unit of the project
   bool depth_ = false;
-  double z_scale_ = 1;
   Vec3 origin_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel {
 
-/// Everything in the frame, less the origin; z multiplied by the project's z_scale.
+/// Everything in the frame, less the origin.
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface> surfaces{};  ///< in the project's order; points have become surfaces, `smooth` and `resample` are done

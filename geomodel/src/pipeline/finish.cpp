@@ -65,20 +65,17 @@ ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& rec
   return core;
 }
 
-/// Divides z of everything by the scale, a power of two: exact, so that what was decided with scaled z holds for what is named, verified
-/// and written.
+/// What follows (naming, verification, writing) is in true heights.
 void undo_z_scale(PreparedModel& model, ConstrainedTetrahedralization& core) {
-  if (model.z_scale == 1) return;
+  const ZScale& scale = model.z_scale;
+  if (scale.factor() == 1) return;
   char text[32];
-  std::snprintf(text, sizeof text, "%g", model.z_scale);
-  const auto undo = [&](std::vector<Vec3>& points) {
-    for (Vec3& p : points) p.z /= model.z_scale;
-  };
-  undo(core.points);
-  undo(model.arrangement.soup.points);
-  undo(model.plc.plc.points);
-  for (TriangulatedSurface& surface : model.surfaces) undo(surface.points);
-  for (NamedPoint& p : model.points) p.point.z /= model.z_scale;
+  std::snprintf(text, sizeof text, "%g", scale.factor());
+  scale.undo(core.points);
+  scale.undo(model.arrangement.soup.points);
+  scale.undo(model.plc.plc.points);
+  for (TriangulatedSurface& surface : model.surfaces) scale.undo(surface.points);
+  for (NamedPoint& p : model.points) scale.undo(p.point);
   model.notes.push_back(std::string("z was scaled by ") + text + " while meshing; lengths and areas of clipping and rounding are those of the scaled model");
 }
 
@@ -93,6 +90,9 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   mesh.cell_arrays = std::move(arrays);
   mesh.unit = model.unit;
   const std::vector<std::string> faults = validate_model_mesh(mesh);
+  if (!faults.empty() && !model.z_scale.is_exact())
+    throw Error(ErrorKind::cannot_mesh, "crs.z_scale is no power of two, so that undoing it rounds, and here a tetrahedron does not bear that: " +
+                                            faults.front() + "; take a power of two (2, 4, 8, 16 ...), which is undone exactly");
   if (!faults.empty()) {
     std::string all = "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
     for (const std::string& fault : faults) all += "\n  " + fault;

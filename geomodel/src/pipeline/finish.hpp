@@ -15,6 +15,7 @@
 #include "geomesh/geomodel/pipeline.hpp"
 #include "geomesh/geomodel/refinement.hpp"
 #include "pipeline/stage_recorder.hpp"
+#include "pipeline/z_scale.hpp"
 
 namespace geomesh::geomodel {
 
@@ -30,7 +31,7 @@ struct PreparedModel {
   RefinementSettings refinement;
   Vec3 origin{0, 0, 0};
   std::string system = "local", unit = "m";  ///< of the mesh, for the report
-  double z_scale = 1;  ///< z of everything but naming.seeds is multiplied by this power of two until the mesh is named
+  ZScale z_scale{1};  ///< of everything but naming.seeds, from after `build` until the mesh is named
   ModelRules rules;
   ModelVolume volume;
   BuiltRows built_rows;                  ///< which triangles of the input surfaces rules made

@@ -9,14 +9,10 @@ namespace {
 
 /// The volume in the project's system with elevation up: its bounds, and its corners in the map where it is no box along the axes.
 nlohmann::ordered_json describe_volume(const ModelVolume& volume, const PreparedModel& model) {
-  const auto placed = [&](Vec3 p) {
-    p.z /= model.z_scale;
-    return p + model.origin;
-  };
-  const Vec3 min = placed(volume.bounds.min), max = placed(volume.bounds.max);
+  const Vec3 min = volume.bounds.min + model.origin, max = volume.bounds.max + model.origin;
   nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
   for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // zmin and zmax are the last
-    const Vec3 corner = placed(volume.sides[i].points[0]);
+    const Vec3 corner = volume.sides[i].points[0] + model.origin;
     box["corners"].push_back({corner.x, corner.y});
   }
   return box;
@@ -30,6 +26,21 @@ void refuse_scaling(const Project& project) {
     throw Error(ErrorKind::usage, where + "mesh.mode: conforming, whose mesh would be Delaunay in the scaled space alone");
   if (project.mesh.refinement.refine)
     throw Error(ErrorKind::usage, where + "mesh.refine, which would judge sizes and shapes in the scaled space; leave out one of them");
+}
+
+/// From here on z is scaled, until the mesh is named. Rules have acted on the surfaces in true lengths.
+void scale_z(PreparedModel& model, std::vector<Polyline>& wells) {
+  ZScale& scale = model.z_scale;
+  if (scale.factor() == 1) return;
+  for (TriangulatedSurface& surface : model.surfaces) scale.apply(surface.points);
+  for (Polyline& well : wells) scale.apply(well.points);
+  for (NamedPoint& point : model.points) scale.apply(point.point);
+  for (TriangulatedSurface& side : model.volume.sides) scale.apply(side.points);
+  for (Box3* box : {&model.volume.bounds, model.volume.box ? &*model.volume.box : nullptr, model.rules.box ? &*model.rules.box : nullptr}) {
+    if (!box) continue;
+    scale.apply(box->min);
+    scale.apply(box->max);
+  }
 }
 
 std::string describe_input(const Project& project, const PreparedModel& model) {
@@ -68,26 +79,29 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   model.surfaces = std::move(inputs.surfaces);
   model.points = std::move(inputs.points);
   model.naming = project.naming;
-  for (NamedPoint& seed : model.naming.seeds) seed.point = inputs.frame.unscaled_point(seed.point);
+  for (NamedPoint& seed : model.naming.seeds) seed.point = inputs.frame.point(seed.point);
   model.system = inputs.frame.system().name();
   model.rules = project.rules;
   model.origin = project.output.origin;
-  model.z_scale = project.crs.z_scale;
   model.unit = project.crs.unit;
   model.options = project.mesh.options;
   model.refinement = project.mesh.refinement;
-  for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.unscaled_point(near.place) + model.origin;
+  for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
   ArrangementOptions options;
   options.tolerance = project.tolerance;
   if (inputs.volume) {
     model.volume = make_volume(*inputs.volume, model.surfaces, Vec3{});
     if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
-    options.box = model.volume.box;
-    options.volume = model.volume.sides;
     model.rules.box = model.volume.bounds;
   }
   model.input_json = describe_input(project, model);
   build(model, context);
+  model.z_scale = ZScale(project.crs.z_scale);
+  scale_z(model, inputs.wells);
+  if (inputs.volume) {
+    options.box = model.volume.box;
+    options.volume = model.volume.sides;
+  }
   intersect(model, inputs.wells, options, context);
 }
 

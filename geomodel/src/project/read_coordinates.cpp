@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/read_coordinates.hpp"
 
-#include <cmath>
 
 #include "coordinates/crs.hpp"
 #include "readers/units.hpp"
@@ -49,11 +48,8 @@ void read_crs(const YamlValue& value, CrsSpec& crs) {
   if (const auto v = map.find("z_datum")) crs.z_datum = v->text().value_or("");
   if (const auto v = map.find("z_scale")) {
     const auto scale = v->number();
-    int exponent = 0;
     if (!scale) return;
-    if (!(*scale > 0) || std::frexp(*scale, &exponent) != 0.5 || std::abs(exponent) > 20) {
-      return v->problem("a power of two (2, 4, 8, 16 ...; at most 2^20) was expected: others would be undone with rounding, and what is written would not be what was verified");
-    }
+    if (!(*scale >= 1e-6 && *scale <= 1e6)) return v->problem("a number between 1e-6 and 1e6 was expected");
     crs.z_scale = *scale;
   }
 }
