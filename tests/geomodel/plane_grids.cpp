@@ -264,6 +264,32 @@ std::string omf() {
   return s;
 }
 
+/// As omf(), as a grid surface whose nodes run along u or along v first; the axes are x and y.
+std::string omf_grid(bool u_first) {
+  const Vec3 project{400000, 6000000, 0};
+  std::string u, v, offsets;
+  for (int i = 0; i + 1 < n_columns; ++i) append(u, double{dx});
+  for (int j = 0; j + 1 < n_rows; ++j) append(v, double{dy});
+  for (int a = 0; a < (u_first ? n_rows : n_columns); ++a)
+    for (int b = 0; b < (u_first ? n_columns : n_rows); ++b) append(offsets, (u_first ? node_height(b, a) : node_height(a, b)) + 500);
+  const std::array<std::string, 3> arrays{stored(u), stored(v), stored(offsets)};
+  std::string s("\x84\x83\x82\x81OMF-v0.9.0", 14), joined;
+  std::array<std::string, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = R"({"start": )" + std::to_string(60 + joined.size()) + R"(, "length": )" + std::to_string(arrays[k].size()) + R"(, "dtype": "<f8"})";
+    joined += arrays[k];
+  }
+  s.resize(36, '\0');
+  for (int i = 0; i < 16; ++i) s += static_cast<char>(i + 1);
+  append(s, static_cast<std::uint64_t>(60 + joined.size()));
+  s += joined;
+  s += R"({"01020304-0506-0708-090a-0b0c0d0e0f10": {"__class__": "Project", "elements": ["e"], "origin": [400000, 6000000, 0], "units": "m"},)";
+  s += R"("e": {"__class__": "SurfaceElement", "name": "plane", "geometry": "g"},)";
+  s += R"("g": {"__class__": "SurfaceGridGeometry", "origin": [)" + text(node_x(0) - project.x) + ", " + text(node_y(0) - project.y) + R"(, -500], )";
+  s += R"("axis_u": [1, 0, 0], "axis_v": [0, 1, 0], "tensor_u": )" + at[0] + R"(, "tensor_v": )" + at[1] + R"(, "offset_w": "w"},)";
+  return s + R"("w": {"__class__": "ScalarArray", "array": )" + at[2] + "}}";
+}
+
 }  // namespace
 
 std::vector<PlaneFile> grid_plane_files() {
@@ -293,7 +319,9 @@ std::vector<PlaneFile> grid_plane_files() {
           {"faces.dxf", dxf_faces(), 0},
           {"polyface.dxf", dxf_polyface(), 0},
           {"mesh.dxf", dxf_mesh(), 0},
-          {"a.omf", omf(), 0}};
+          {"a.omf", omf(), 0},
+          {"along_u.omf", omf_grid(true), 0},
+          {"along_v.omf", omf_grid(false), 0}};
 }
 
 }  // namespace geomesh::geomodel

@@ -10,12 +10,14 @@
 #include "readers/binary.hpp"
 #include "readers/formats.hpp"
 #include "readers/frame.hpp"
+#include "readers/omf_grid.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 using Json = nlohmann::json;
 constexpr std::size_t header_bytes = 60;
+constexpr std::size_t most_flat_nodes = 100'000'000;  // nothing in the file stands for a flat grid's nodes
 constexpr std::string_view magic("\x84\x83\x82\x81", 4);
 
 class OmfReader {
@@ -152,7 +154,7 @@ class OmfReader {
     if (kind == "SurfaceGeometry") {
       surface(geometry, name);
     } else if (kind == "SurfaceGridGeometry") {
-      contents_.warnings.push_back("surface '" + name + "' is a grid, whose order of nodes the format leaves open: it is left out; export it as triangles");
+      grid_surface(geometry, name);
     } else if (kind == "PointSetGeometry") {
       contents_.point_sets.push_back({name, file_.shown(), vertices(geometry, name)});
     } else if (kind == "LineSetGeometry") {
@@ -174,6 +176,43 @@ class OmfReader {
       return;
     }
     contents_.surfaces.push_back(std::move(s));
+  }
+
+  /// Widths of cells stand in the geometry itself, or in an array that it names.
+  std::vector<double> widths(const Json& geometry, const char* key, const std::string& name) const {
+    const std::string what = name + "." + key;
+    const auto it = geometry.find(key);
+    if (it == geometry.end()) file_.fail(what + " is not there");
+    std::vector<double> values = it->is_string() ? doubles(object(it->get<std::string>(), what), what) : doubles(Json{{"array", *it}}, what);
+    if (values.empty()) file_.fail(what + " is empty: a grid has one cell or more each way");
+    return values;
+  }
+
+  void grid_surface(const Json& geometry, const std::string& name) {
+    OmfGrid grid;
+    grid.origin = project_origin_ + vector_of(geometry, "origin");
+    grid.axis_u = geometry.contains("axis_u") ? vector_of(geometry, "axis_u") : Vec3{1, 0, 0};
+    grid.axis_v = geometry.contains("axis_v") ? vector_of(geometry, "axis_v") : Vec3{0, 1, 0};
+    grid.cells_u = widths(geometry, "tensor_u", name);
+    grid.cells_v = widths(geometry, "tensor_v", name);
+    const auto offset = geometry.find("offset_w");
+    if (offset != geometry.end() && !offset->is_null()) {
+      grid.offsets = doubles(member(geometry, "offset_w", name), name + ".offset_w");
+      if (grid.offsets.size() / grid.n_columns() != grid.n_rows() || grid.offsets.size() % grid.n_columns() != 0)
+        file_.fail(name + ".offset_w holds " + std::to_string(grid.offsets.size()) + " numbers; a grid of " + std::to_string(grid.n_columns()) + " by " +
+                   std::to_string(grid.n_rows()) + " nodes has one each");
+    } else if (grid.n_columns() > most_flat_nodes / grid.n_rows()) {
+      file_.fail(name + " is a flat grid of " + std::to_string(grid.n_columns()) + " by " + std::to_string(grid.n_rows()) + " nodes, more than can be right");
+    }
+    const auto lattice = nodes_of(grid);
+    if (!lattice) {
+      contents_.warnings.push_back("surface '" + name + "' is a grid, and the format leaves open along which axis its nodes run first, which its heights do not tell either: it is left out; export it as triangles");
+      return;
+    }
+    const Vec3 &first = lattice->nodes.front(), &right = lattice->nodes[1], &up = lattice->nodes[lattice->n_columns];
+    add_lattice(file_, name, *lattice, {name, 0, 0, 0, {first.x, first.y}, {right.x - first.x, up.y - first.y}, 0, false}, contents_);
+    if (!grid.offsets.empty())
+      contents_.notes.push_back("the nodes of grid '" + name + "' are taken in the order in which its surface is smoother; the format leaves the order open");
   }
 
   void lines(const Json& geometry, const std::string& name) {
