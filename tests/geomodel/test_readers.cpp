@@ -147,6 +147,23 @@ TEST_CASE("no damage to a file ends otherwise than in an answer or an error", "[
 
 TEST_CASE("no damage to a file ends otherwise, at length", "[.][nightly][readers][fuzz]") { damage_every_format(1000, 5000); }
 
+namespace {
+
+/// A VTK XML file of four points with the given cells; `types` empty for PolyData.
+std::string vtk_file(const std::string& kind, const std::string& count, const std::string& element, const std::string& connectivity,
+                     const std::string& offsets, const std::string& types) {
+  const auto array = [](const std::string& name, const std::string& type, const std::string& values) {
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" format=\"ascii\">" + values + "</DataArray>";
+  };
+  std::string s = "<VTKFile type=\"" + kind + "\" version=\"0.1\"><" + kind + "><Piece NumberOfPoints=\"4\" " + count + ">";
+  s += "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 1</DataArray></Points>";
+  s += "<" + element + ">" + array("connectivity", "Int64", connectivity) + array("offsets", "Int64", offsets);
+  if (!types.empty()) s += array("types", "UInt8", types);
+  return s + "</" + element + "></Piece></" + kind + "></VTKFile>\n";
+}
+
+}  // namespace
+
 TEST_CASE("broken surface files are refused with the place and what was expected", "[readers]") {
   struct Case {
     std::string name, bytes, words;
@@ -203,6 +220,9 @@ TEST_CASE("broken surface files are refused with the place and what was expected
       {"a.dxf", "AutoCAD Binary DXF\r\n", "a binary DXF file is not read"},
       {"a.omf", "PK\x03\x04", "OMF version 2 is not read"},
       {"a.tif", std::string("II*\0\x08\0\0\0\0\0", 10), "the TIFF file cannot be read"},
+      {"a.vtp", vtk_file("PolyData", "NumberOfPolys=\"2\"", "Polys", "0 1 2 3 0 1", "4 6", ""), "cell 1 (counted from 0, of its kind) has 2 corners"},
+      {"a.vtu", vtk_file("UnstructuredGrid", "NumberOfCells=\"1\"", "Cells", "0 1 2", "3", "10"), "of type 10 has 3 corners"},
+      {"a.vtu", vtk_file("UnstructuredGrid", "NumberOfCells=\"1\"", "Cells", "0 1 2", "3", "22"), "is of VTK's type 22, which is not read"},
       {"a.xyzzy", "what is this\n", "its format is not known"},
   };
   for (const Case& c : cases) {

@@ -20,6 +20,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
+#include <limits>
 
 #include "readers/formats.hpp"
 #include "readers/single_surface.hpp"
@@ -105,25 +106,68 @@ struct CellCounts {
   std::size_t lines = 0, volumes = 0, points = 0;
 };
 
-/// Offsets within the connectivity, and connectivity within the points: VTK follows both without looking.
-void require_valid(const InputFile& file, vtkCellArray* cells, vtkIdType n_points) {
+/// Offsets within the connectivity, connectivity within the points, and cells of at least so many corners: VTK follows all of them
+/// without looking.
+void require_valid(const InputFile& file, vtkCellArray* cells, vtkIdType n_points, vtkIdType least_corners) {
   if (!cells) return;
   if (!cells->IsValid()) file.fail("the offsets of its cells do not fit their connectivity (damaged)");
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
     cells->GetCellAtId(c, ids);
+    if (ids->GetNumberOfIds() < least_corners)
+      file.fail("cell " + std::to_string(c) + " (counted from 0, of its kind) has " + std::to_string(ids->GetNumberOfIds()) + " corners; at least " +
+                std::to_string(least_corners) + " were expected");
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
       if (ids->GetId(k) < 0 || ids->GetId(k) >= n_points)
         file.fail("a face names vertex row " + std::to_string(ids->GetId(k)) + " (counted from 0), but there are " + std::to_string(n_points) + " vertices");
   }
 }
 
+struct CornerRange {
+  vtkIdType least, most;  ///< none fits where most is less
+};
+CornerRange corners_of_type(int type) {
+  constexpr vtkIdType any = std::numeric_limits<vtkIdType>::max();
+  switch (type) {
+    case VTK_EMPTY_CELL: return {0, any};
+    case VTK_VERTEX: return {1, 1};
+    case VTK_POLY_VERTEX: return {1, any};
+    case VTK_LINE: return {2, 2};
+    case VTK_POLY_LINE: return {2, any};
+    case VTK_TRIANGLE: return {3, 3};
+    case VTK_TRIANGLE_STRIP:
+    case VTK_POLYGON: return {3, any};
+    case VTK_PIXEL:
+    case VTK_QUAD:
+    case VTK_TETRA: return {4, 4};
+    case VTK_PYRAMID: return {5, 5};
+    case VTK_WEDGE: return {6, 6};
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON: return {8, 8};
+    default: return {1, 0};  // curved cells and polyhedra
+  }
+}
+
+/// As require_valid; and each cell has the corners that its type has, where that is one number.
+void require_valid_grid(const InputFile& file, vtkUnstructuredGrid& grid) {
+  require_valid(file, grid.GetCells(), grid.GetNumberOfPoints(), 0);
+  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
+    const int type = grid.GetCellType(c);
+    const vtkIdType found = grid.GetCells()->GetCellSize(c);
+    const auto wanted = corners_of_type(type);
+    if (wanted.most < wanted.least) file.fail("cell " + std::to_string(c) + " (counted from 0) is of VTK's type " + std::to_string(type) + ", which is not read: export linear cells");
+    if (wanted.least > found || found > wanted.most)
+      file.fail("cell " + std::to_string(c) + " (counted from 0) of type " + std::to_string(type) + " has " + std::to_string(found) + " corners (damaged)");
+  }
+}
+
 void require_valid_cells(const InputFile& file, vtkPointSet& data) {
   const vtkIdType n_points = data.GetNumberOfPoints();
   if (auto* poly = vtkPolyData::SafeDownCast(&data)) {
-    for (vtkCellArray* cells : {poly->GetVerts(), poly->GetLines(), poly->GetPolys(), poly->GetStrips()}) require_valid(file, cells, n_points);
+    for (const auto& [cells, least] : {std::pair(poly->GetVerts(), 1), std::pair(poly->GetLines(), 2), std::pair(poly->GetPolys(), 3), std::pair(poly->GetStrips(), 3)})
+      require_valid(file, cells, n_points, least);
   } else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data)) {
-    require_valid(file, grid->GetCells(), n_points);
+    require_valid_grid(file, *grid);
   }
 }
 
