@@ -192,7 +192,7 @@ class DxfReader {
   }
 
   const Vec3& face_corner(std::int64_t index) const {
-    const auto i = static_cast<std::uint64_t>(std::abs(index));
+    const auto i = index < 0 ? 0 - static_cast<std::uint64_t>(index) : static_cast<std::uint64_t>(index);
     if (i == 0 || i > vertices_.size()) {
       file_.fail(polyline_line_, "a face of this POLYLINE names vertex " + std::to_string(index) + ", but there are " + std::to_string(vertices_.size()));
     }
