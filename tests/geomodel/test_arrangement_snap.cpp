@@ -59,6 +59,25 @@ TEST_CASE("tolerance: surfaces that nearly coincide become one", "[arrangement]"
   CHECK(result.merging.vertices_merged == 81);
   CHECK(result.merging.facets_merged == 128);
   CHECK(result.soup.points.size() == 81);
+  const auto merged = std::find_if(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "merged"; });
+  REQUIRE(merged != result.spots.end());
+  CHECK(merged->surface_a == 0);
+  CHECK(merged->surface_b == 1);
+  CHECK(merged->count == 128);
+  CHECK(merged->measure == Approx(area_of(result.soup, 0)));
+  CHECK(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& w) { return w.find("a and horizon b were merged over") != std::string::npos; }));
+  CHECK(std::none_of(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "overlap"; }));
+}
+
+TEST_CASE("merging: facets that lose their area are counted by surface", "[arrangement]") {
+  const auto needle = triangles("needle", {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}, {Vec3{3, 0, 0}, Vec3{4, 0, 0}, Vec3{3.5, 0.001, 0}}});
+  const auto result = arrange({needle}, {}, {}, within(0.01));
+  const auto vanished = std::find_if(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "vanished"; });
+  REQUIRE(vanished != result.spots.end());
+  CHECK(vanished->surface_a == 0);
+  CHECK(vanished->count == 1);
+  CHECK(vanished->count == result.merging.facets_collapsed);
+  CHECK(describe(*vanished, {needle}).find("surface needle: 1 facets too thin") == 0);
 }
 
 TEST_CASE("tolerance: a surface that stops just short of the box goes to it", "[arrangement]") {

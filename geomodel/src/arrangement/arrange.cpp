@@ -65,7 +65,7 @@ class Arrangement {
       apply_tolerance(complex);
     }
     fill_soup(std::move(complex));
-    diagnose_soup(surfaces_, result_);
+    diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);
   }
 
@@ -133,7 +133,8 @@ class Arrangement {
     result_.merging.vertices_merged += outcome.n_vertices_merged;
     result_.merging.vertices_inserted += outcome.n_vertices_inserted;
     result_.merging.facets_merged += outcome.n_facets_merged;
-    result_.merging.facets_collapsed += outcome.n_facets_collapsed;
+    result_.merging.facets_collapsed += outcome.vanished.size();
+    vanished_.insert(vanished_.end(), outcome.vanished.begin(), outcome.vanished.end());
   }
 
   /// A point may move once a step: the sum of the largest bounds it.
@@ -147,7 +148,7 @@ class Arrangement {
 
   Complex take(Rounded&& rounded) {
     add(rounded.displacement, result_.rounding);
-    n_collapsed_ += rounded.n_facets_collapsed;
+    vanished_.insert(vanished_.end(), rounded.vanished.begin(), rounded.vanished.end());
     return std::move(rounded.complex);
   }
 
@@ -192,8 +193,6 @@ class Arrangement {
     soup.segments = std::move(complex.segments);
     soup.isolated_points = std::move(complex.isolated_points);
     fill_kinds(soup);
-    if (n_collapsed_ > 0)
-      context_.note(LogLevel::debug, std::to_string(n_collapsed_) + " facets thinner than the doubles' spacing merged with their neighbours");
   }
 
   /// A point that is not from the input is a triple point where three surfaces meet.
@@ -222,7 +221,7 @@ class Arrangement {
   SurfaceList surfaces_;
   Ingested ingested_;
   std::optional<Box3> bounds_;  ///< of the box or the volume
-  std::size_t n_collapsed_ = 0;
+  std::vector<VanishedFacet> vanished_;
 };
 
 }  // namespace

@@ -39,6 +39,12 @@ struct Complex {
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 
+/// A facet that lost its area when its corners were rounded or brought together.
+struct VanishedFacet {
+  Index surface = no_index;
+  Vec3 place;
+};
+
 /// A well that runs to and fro along the same line gives each piece once.
 void remove_repeated_segments(Complex& complex);
 

@@ -35,6 +35,17 @@ std::string overlap_text(const Spot& spot, const std::vector<TriangulatedSurface
   return what + " over " + area_text(spot.measure) + near(spot) + "; merged";
 }
 
+/// Rounding brings together what lies a few ulps apart; the tolerance what lies nearer than it says.
+std::string merged_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces) {
+  const std::string a = name_of(surfaces, spot.surface_a);
+  const std::string what = spot.surface_a == spot.surface_b ? a + " was merged with itself" : a + " and " + name_of(surfaces, spot.surface_b) + " were merged";
+  return what + " over " + area_text(spot.measure) + near(spot) + ", where they lie too near each other to be kept apart; what lay between them is gone";
+}
+
+std::string vanished_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces) {
+  return name_of(surfaces, spot.surface_a) + ": " + std::to_string(spot.count) + " facets too thin to be kept went into their neighbours" + near(spot);
+}
+
 std::string border_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces, std::size_t n_pieces) {
   const std::string a = name_of(surfaces, spot.surface_a);
   std::string where = length_text(spot.measure);
@@ -54,6 +65,8 @@ bool is_border(const Spot& spot) { return spot.what.rfind("free border", 0) == 0
 std::string describe(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces) {
   if (spot.what == "crossing" || spot.what == "self-crossing") return crossing_text(spot, surfaces);
   if (spot.what == "overlap") return overlap_text(spot, surfaces);
+  if (spot.what == "merged") return merged_text(spot, surfaces);
+  if (spot.what == "vanished") return vanished_text(spot, surfaces);
   if (is_border(spot)) return border_text(spot, surfaces, 1);
   std::string text = name_of(surfaces, spot.surface_a) + ": " + spot.what;
   if (spot.surface_b != no_index) text.append(" ").append(name_of(surfaces, spot.surface_b));

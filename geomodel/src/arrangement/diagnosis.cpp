@@ -9,6 +9,7 @@
 
 #include "edge_buckets.hpp"
 #include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "surface_parts.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -90,24 +91,44 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
 }
 
+/// The input triangles of two origins lie in one plane exactly: where they share a facet, they did so as given.
+bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b) {
+  const auto corner = [&](const Origin& o, std::size_t k) -> const Vec3& { return surfaces[o.surface].points[surfaces[o.surface].triangles[o.triangle][k]]; };
+  for (std::size_t k = 0; k < 3; ++k)
+    if (orient3d(corner(a, 0), corner(a, 1), corner(a, 2), corner(b, k)) != Sign::zero) return false;
+  return true;
+}
+
+/// Where surfaces coincide: as given, or brought together by rounding or the tolerance.
 void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, ArrangementResult& result) {
-  std::map<SurfacePair, Spot> overlaps;
+  std::map<std::pair<SurfacePair, bool>, Spot> overlaps;
   for (Index f = 0; f < soup.facets.size(); ++f) {
     const Index begin = soup.origin_offsets[f], end = soup.origin_offsets[f + 1];
     for (Index k = begin + 1; k < end; ++k) {
       const SurfacePair pair{soup.origins[begin].surface, soup.origins[k].surface};
+      const bool is_merged = !are_coplanar(surfaces, soup.origins[begin], soup.origins[k]);
       const Triangle& t = soup.facets[f];
-      Spot& spot = overlaps[pair];
-      if (spot.count == 0) spot = {"overlap", pair.first, pair.second, 0, 0, soup.points[t[0]]};
+      Spot& spot = overlaps[{pair, is_merged}];
+      if (spot.count == 0) spot = {is_merged ? "merged" : "overlap", pair.first, pair.second, 0, 0, soup.points[t[0]]};
       ++spot.count;
       spot.measure += area(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
     }
   }
-  for (const auto& [pair, spot] : overlaps) {
+  for (const auto& [key, spot] : overlaps) {
     result.spots.push_back(spot);
-    if (surfaces[pair.second].kind == SurfaceKind::box) continue;
+    if (surfaces[spot.surface_b].kind == SurfaceKind::box) continue;
     result.warnings.push_back(describe(spot, surfaces.all()));
   }
+}
+
+void add_vanished(const std::vector<VanishedFacet>& vanished, ArrangementResult& result) {
+  std::map<Index, Spot> spots;
+  for (const VanishedFacet& v : vanished) {
+    Spot& spot = spots[v.surface];
+    if (spot.count == 0) spot = {"vanished", v.surface, no_index, 0, 0, v.place};
+    ++spot.count;
+  }
+  for (const auto& [surface, spot] : spots) result.spots.push_back(spot);
 }
 
 /// Of crossings that should not be: how much of either surface lies beyond the other, and warnings.
@@ -174,9 +195,10 @@ void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfac
   throw Error(ErrorKind::invalid_input, message, std::move(context));
 }
 
-void diagnose_soup(const SurfaceList& surfaces, ArrangementResult& result) {
+void diagnose_soup(const SurfaceList& surfaces, const std::vector<VanishedFacet>& vanished, ArrangementResult& result) {
   measure_crossings(surfaces, result);
   add_overlaps(result.soup, surfaces, result);
+  add_vanished(vanished, result);
   add_free_borders(result.soup, surfaces, result.spots);
   for (Index s = 0; s < surfaces.given.size(); ++s) {
     if (result.area_clipped_by_box[s] > 0)

@@ -16,7 +16,7 @@ void diagnose_crossings(const Complex& complex, const Contacts& contacts, const 
 /// Throws Error{invalid_input} that names the pairs and places if any input surfaces cross.
 void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces);
 
-/// Free borders and overlaps of the finished soup, and what was clipped.
-void diagnose_soup(const SurfaceList& surfaces, ArrangementResult& result);
+/// Free borders and overlaps of the finished soup, what was brought together or vanished, and what was clipped.
+void diagnose_soup(const SurfaceList& surfaces, const std::vector<VanishedFacet>& vanished, ArrangementResult& result);
 
 }  // namespace geomesh::geomodel::arrangement

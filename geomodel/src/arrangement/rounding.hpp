@@ -18,7 +18,7 @@ struct RoundingOptions {
 struct Rounded {
   Complex complex;
   Displacement displacement;
-  std::size_t n_facets_collapsed = 0;
+  std::vector<VanishedFacet> vanished;
 };
 
 /// Vertices that get equal doubles become one; facets that lose their area by that are dropped (their neighbours take their place,

@@ -176,10 +176,12 @@ class Snapper {
       std::vector<VertexIndex> all = border;
       all.insert(all.end(), in.begin(), in.end());
       const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
-      if (split)
-        for (const Triangle& piece : *split) push(out, piece, f, 1);
-      else
+      if (!split)
         push(out, t, f, 1);
+      else if (split->empty())
+        note_vanished(t, f);
+      else
+        for (const Triangle& piece : *split) push(out, piece, f, 1);
     }
     complex_.facets = std::move(out.facets);
     complex_.origins = std::move(out.origins);
@@ -187,9 +189,11 @@ class Snapper {
     outcome_.n_facets_merged = merge_equal_facets(complex_);
   }
 
+  void note_vanished(const Triangle& t, Index from) { outcome_.vanished.push_back({complex_.origins.of(from)[0].surface, point(t[0])}); }
+
   void push(Complex& out, const Triangle& t, Index from, std::uint8_t dirty) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || projection_of(point(t[0]), point(t[1]), point(t[2])).sign == Sign::zero) {
-      ++outcome_.n_facets_collapsed;
+      note_vanished(t, from);
       return;
     }
     out.facets.push_back(t);

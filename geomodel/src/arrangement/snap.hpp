@@ -19,9 +19,10 @@ struct SnapOptions {
 };
 
 struct SnapOutcome {
-  std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_collapsed = 0, n_facets_merged = 0;
+  std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
+  std::vector<VanishedFacet> vanished;
   Displacement moved;  ///< of merged vertices, and of edges and facets at vertices inserted in them
-  bool changed() const { return n_vertices_merged + n_vertices_inserted + n_facets_collapsed + n_facets_merged > 0; }
+  bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
 };
 
 /// Among the facets with active[f] and all wells' segments: vertices nearer than the distance become one (the one on more box planes,
