@@ -51,12 +51,11 @@ void DomainMesh::refresh_shape(CellIndex c) {
   changed_[c] = ++clock_;
 }
 
-std::array<VertexIndex, 3> DomainMesh::face_key(const Tetrahedron& t, unsigned i) {
-  std::array<VertexIndex, 3> k{t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
-  if (k[0] > k[1]) std::swap(k[0], k[1]);
-  if (k[1] > k[2]) std::swap(k[1], k[2]);
-  if (k[0] > k[1]) std::swap(k[0], k[1]);
-  return k;
+DomainMesh::FaceKey DomainMesh::face_key(const Tetrahedron& t, unsigned i) {
+  const VertexIndex a = t[face_vertices[i][0]], b = t[face_vertices[i][1]], c = t[face_vertices[i][2]];
+  const VertexIndex less = std::min(a, b), more = std::max(a, b), low = std::min(less, c), high = std::max(more, c);
+  const VertexIndex middle = std::max(less, std::min(more, c));
+  return {std::uint64_t{low} << 32 | middle, high};
 }
 
 void DomainMesh::link_cells() {
@@ -69,13 +68,19 @@ void DomainMesh::link_cells() {
 }
 
 void DomainMesh::collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const {
+  // Looking a neighbour up among few cells costs less than sorting a face that is inside the region.
+  constexpr std::size_t few = 24;
   for (CellIndex c : removed)
-    for (unsigned i = 0; i < 4; ++i) records.push_back({face_key(mesh_.vertices(c), i), mesh_.neighbor(c, i), tags_[c][i], true});
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef n = mesh_.neighbor(c, i);
+      if (n.valid() && removed.size() <= few && std::find(removed.begin(), removed.end(), n.cell()) != removed.end()) continue;
+      records.push_back({face_key(mesh_.vertices(c), i), n, tags_[c][i], true});
+    }
 }
 
 void DomainMesh::pair_faces(std::vector<FaceRecord>& records) {
   std::sort(records.begin(), records.end(), [](const FaceRecord& a, const FaceRecord& b) {
-    return a.key != b.key ? a.key < b.key : a.outer != b.outer ? a.outer : a.face.code < b.face.code;
+    return !(a.key == b.key) ? a.key < b.key : a.outer != b.outer ? a.outer : a.face.code < b.face.code;
   });
   for (std::size_t i = 0; i < records.size();) {
     std::size_t j = i;

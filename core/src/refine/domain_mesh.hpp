@@ -152,13 +152,20 @@ class DomainMesh {
   static std::uint64_t edge_key(VertexIndex a, VertexIndex b) {
     return a < b ? (std::uint64_t{a} << 32 | b) : (std::uint64_t{b} << 32 | a);
   }
+  /// Vertices of a face in ascending order, packed so that comparing is cheap.
+  struct FaceKey {
+    std::uint64_t low_and_middle;
+    VertexIndex high;
+    friend bool operator==(const FaceKey&, const FaceKey&) = default;
+    bool operator<(const FaceKey& o) const { return low_and_middle != o.low_and_middle ? low_and_middle < o.low_and_middle : high < o.high; }
+  };
   struct FaceRecord {
-    std::array<VertexIndex, 3> key;
+    FaceKey key;
     FaceRef face;  // outer neighbour, or the new face
     FaceTag tag;   // seen from the new side
     bool outer;
   };
-  static std::array<VertexIndex, 3> face_key(const Tetrahedron& t, unsigned i);
+  static FaceKey face_key(const Tetrahedron& t, unsigned i);
   void collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const;
   void pair_faces(std::vector<FaceRecord>& records);
 
