@@ -111,7 +111,8 @@ class InsideRefiner {
     return std::nullopt;
   }
 
-  /// Above the circumcentre of face i, so far that the new edges have the asked length, but not beyond the cell's circumcentre.
+  /// Above the circumcentre of face i, so far that the new edges have the asked length (the mean of those at their ends), but not beyond the
+  /// cell's circumcentre.
   std::optional<Vec3> ideal_apex(CellIndex c, unsigned i) {
     const Tetrahedron& t = mesh_.vertices(c);
     const VertexIndex x = t[face_vertices[i][0]], y = t[face_vertices[i][1]], z = t[face_vertices[i][2]];
@@ -122,7 +123,10 @@ class InsideRefiner {
     const double h = (tools_.size_at(x) + tools_.size_at(y) + tools_.size_at(z)) / 3, r2 = dot(offset, offset);
     if (r2 > h * h) return std::nullopt;                             // the face itself is too large
     const Vec3 base = a + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
-    const double height = std::sqrt(std::max(h * h - r2, 0.2 * h * h)), to_centre = dot(sphere_of(c).centre - base, normal);
+    const auto height_of = [&](double edge) { return std::sqrt(std::max(edge * edge - r2, 0.2 * edge * edge)); };
+    const double to_centre = dot(sphere_of(c).centre - base, normal);
+    double height = height_of(h);
+    if (to_centre > height) height = height_of(0.5 * (h + std::max(h, tools_.size.at(base + height * normal, mesh_.component(c)))));
     return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
   }
 

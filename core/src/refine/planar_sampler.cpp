@@ -97,7 +97,9 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
     const double size = size_(s.at);
     for (unsigned i = 0; i < n_directions; ++i) {
       const double c = std::cos(i * turn), d = std::sin(i * turn);
-      take(plus(s.at, distance * size, {c * s.direction.x - d * s.direction.y, d * s.direction.x + c * s.direction.y}), s.at);
+      const Vec2 direction{c * s.direction.x - d * s.direction.y, d * s.direction.x + c * s.direction.y};
+      const double reach = 0.5 * (size + std::max(size, size_(plus(s.at, distance * size, direction))));  // the mean of what both ends ask
+      take(plus(s.at, distance * reach, direction), s.at);
     }
   }
 }
