@@ -28,7 +28,7 @@ class ConformingRecovery {
   /// Facets given up, sorted.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
- private:
+ protected:  // refinement that keeps Delaunay goes on from here (refine/conforming_refiner.hpp)
   // conforming_segments.cpp
   void mark_sharp_vertices();
   void mark_sharp_facets();

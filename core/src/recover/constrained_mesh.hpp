@@ -91,6 +91,10 @@ class ConstrainedMesh {
   /// which is one of them, through faces. They stay marked until replace_by_star. O(cells tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
+  /// Takes these marks off, or puts them on the same cells again.
+  void mark_cavity(std::span<const CellIndex> cavity, bool marked) {
+    for (const CellIndex c : cavity) mesh_.flags(c) = static_cast<std::uint8_t>(marked ? mesh_.flags(c) | cavity_flag : mesh_.flags(c) & ~cavity_flag);
+  }
   bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & cavity_flag; }
   /// Replaces a cavity from find_cavity by the cells that join its boundary with x. Cells are linked by turning about the edges of the
   /// boundary inside the cavity, so that no table of faces is needed. The caller answers for positivity; new cells: last_created(). O(k).

@@ -8,7 +8,9 @@ namespace geomesh::recover {
 namespace {
 
 /// The edges and inner faces of the cavity, while its cells are marked.
-void list_lost(const ConstrainedMesh& mesh, const std::vector<CellIndex>& cavity, DelaunayInsertion& out) {
+void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
+  out.edges.clear();
+  out.faces.clear();
   for (const CellIndex c : cavity) {
     const Tetrahedron& v = mesh.cells().vertices(c);
     for (const auto& e : edge_vertices) out.edges.push_back({v[e[0]], v[e[1]]});
@@ -19,28 +21,46 @@ void list_lost(const ConstrainedMesh& mesh, const std::vector<CellIndex>& cavity
   }
 }
 
-}  // namespace
-
-void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out) {
+/// Leaves the cells marked. False: there is no place for p.
+bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::vector<CellIndex>& cavity) {
   const TetMesh& cells = mesh.cells();
-  out.vertex = no_vertex;
-  out.edges.clear();
-  out.faces.clear();
   const CellIndex first = mesh.locate(p, start);
-  if (first == no_cell) return;
+  if (first == no_cell) return false;
   for (const VertexIndex v : cells.vertices(first))
-    if (mesh.point(v) == p) return;
+    if (mesh.point(v) == p) return false;
   const auto conflicts = [&](CellIndex c) {
     if (cells.is_ghost(c)) return false;  // p lies strictly inside the box
     const auto& v = cells.vertices(c);
     return in_sphere_perturbed(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), p) == Sign::positive;
   };
-  std::vector<CellIndex> cavity;
   mesh.find_cavity(first, conflicts, cavity);
+  return true;
+}
+
+void replace_marked(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   list_lost(mesh, cavity, out);
   out.vertex = mesh.add_point(p);
   mesh.replace_by_star(cavity, out.vertex);
-  for (const CellIndex c : mesh.last_created()) GEOMESH_CHECK(mesh.positive(cells.vertices(c)));
+  for (const CellIndex c : mesh.last_created()) GEOMESH_CHECK(mesh.positive(mesh.cells().vertices(c)));
+}
+
+}  // namespace
+
+void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out) {
+  std::vector<CellIndex> cavity;
+  out.vertex = no_vertex;
+  if (mark_conflicts(mesh, p, start, cavity)) replace_marked(mesh, p, cavity, out);
+}
+
+std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start) {
+  std::vector<CellIndex> cavity;
+  if (mark_conflicts(mesh, p, start, cavity)) mesh.mark_cavity(cavity, false);
+  return cavity;
+}
+
+void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
+  mesh.mark_cavity(cavity, true);
+  replace_marked(mesh, p, cavity, out);
 }
 
 bool is_locally_delaunay(const ConstrainedMesh& mesh) {

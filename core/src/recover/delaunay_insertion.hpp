@@ -17,6 +17,11 @@ struct DelaunayInsertion {
 /// Inserts into `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
+/// The cells that p conflicts with, the one that holds p first; none where p equals a vertex or lies outside the box.
+std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
+/// Replaces the cells that p conflicts with, all of them and not none, by the star of p.
+void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out);
+
 /// Whether every finite cell that has no box vertex is Delaunay towards its neighbours: exactly, ties allowed.
 bool is_locally_delaunay(const ConstrainedMesh& mesh);
 
