@@ -99,7 +99,9 @@ class Refinement(ProgramTest):
         self.write("top.ts", level("top", 5))
         arguments = ["mesh", "top.ts", "-o", "out.vtu", "--box", "0,0,0,10,10,10"]
         self.run_program(*arguments, "--no-refine", "--size", "1", status=USAGE)
-        self.run_program(*arguments, "--mode", "conforming", "--size", "1", status=USAGE)
+        self.run_program(*arguments, "--mode", "conforming", "--size", "1", "--quality", "best", status=USAGE)
+        self.run_program(*arguments, "--mode", "conforming", "--size", "1", "--tolerance", "0.1", status=USAGE)
+        self.run_program(*arguments, "--preserve-boundary", "--size", "1", status=USAGE)
         self.run_program(*arguments, "--size", "0", status=USAGE)
         self.assert_nothing_written()
         printed = self.run_program(*arguments, "--size", "1", "--quality", "fast", "--cell-arrays", "size,aspect")
@@ -143,6 +145,25 @@ class Refinement(ProgramTest):
             quality = report["quality"]["below_8_degrees"]
             self.assertLessEqual(quality["tetrahedra"] - quality["forced"], 5, name)
             self.assertTrue(report["curves"], name)
+
+    def test_conforming_to_a_size_is_delaunay(self):
+        report, check = self.mesh_layers("{mode: conforming, size: 1.5}")
+        self.assertTrue(report["delaunay"])
+        self.assertEqual(report["recovery"]["facets_not_recovered"], [])
+        self.assertGreater(report["refinement"]["edges_within_size"], 0.99)
+        self.assertEqual(report["voronoi_dual"]["negative_areas"], report["voronoi_dual"]["negative_areas_on_border"])
+        self.assertEqual(self.region_names(check), ["lower", "upper"])
+        self.check(self.path("layers.vtu"), "--delaunay")
+        self.assertNotIn("improve", [s["name"] for s in report["stages"]])
+        constrained, _ = self.mesh_layers("{size: 1.5}")
+        self.assertNotIn("voronoi_dual", constrained)
+        self.check(self.path("layers.vtu"), "--delaunay", status=BAD_INPUT)
+
+    def test_conforming_grains(self):
+        report, check = self.refined_sample("sediment-grains", "{mode: conforming, size: {global: 40, input_edges: false}}")
+        self.assertTrue(report["delaunay"])
+        self.assertEqual(len(check["regions"]), 9)
+        self.check(self.path("sediment_grains.vtu"), "--delaunay", "--project", self.path("sample", "project.yaml"))
 
     def test_surfaces_within_a_tolerance(self):
         """The project's tolerance is what `check` judges by; a tenth of it is not met."""

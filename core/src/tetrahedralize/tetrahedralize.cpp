@@ -11,6 +11,7 @@
 #include "recover/hard_parts_first.hpp"
 #include "recover/recover.hpp"
 #include "recover/start_triangulation.hpp"
+#include "tetrahedralize/conforming_step.hpp"
 
 namespace geomesh {
 
@@ -30,13 +31,17 @@ void refuse_invalid(const PiecewiseLinearComplex& plc) {
   throw Error(ErrorKind::invalid_input, message, faults[0].context);
 }
 
+bool recover_conforming(Recovery& recovery, const RecoverOptions& options, std::vector<Index>& given_up) {
+  recover::ConformingRecovery conforming(recovery, options);
+  const bool within_budget = conforming.run();
+  given_up = conforming.facets_given_up();
+  return within_budget;
+}
+
 /// Segments (3.1), facets (3.2), what is still missing (3.3).
-void recover_constraints(Recovery& recovery, const RecoverOptions& options) {
+void recover_constraints(Recovery& recovery, const RecoverOptions& options, const ConformingStep& conform) {
   if (options.mode == MeshMode::conforming) {
-    recover::ConformingRecovery conforming(recovery, options);
-    const bool within_budget = conforming.run();
-    recovery.statistics.facets_not_recovered = conforming.facets_given_up();
-    if (!within_budget) throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
+    if (!conform(recovery, options, recovery.statistics.facets_not_recovered)) throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
   }
   recover::recover_segments(recovery);
   recover::recover_facets(recovery);
@@ -50,6 +55,7 @@ struct MeshingRun {
   const PiecewiseLinearComplex& plc;
   const TetrahedralizeOptions& options;
   const RunContext& context;
+  const ConformingStep& conform;
   DeclaredModel model{};
   RecoveryStatistics statistics{};
   DelaunayStatistics delaunay{};
@@ -87,7 +93,7 @@ struct MeshingRun {
       for (unsigned i = 0; i < attempt; ++i) mesh.random(2);
       try {
         if (begins_hard(attempt)) hard_parts.run(recovery);
-        recover_constraints(recovery, options.recover);
+        recover_constraints(recovery, options.recover, conform);
         return mesh;
       } catch (const Error& e) {
         if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
@@ -101,8 +107,8 @@ struct MeshingRun {
 };
 
 ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
-                                           std::vector<Index>& given_up) {
-  MeshingRun run{plc, options, context};
+                                           const ConformingStep& conform, std::vector<Index>& given_up) {
+  MeshingRun run{plc, options, context, conform};
   StartTriangulation start;
   {
     const StageScope stage(context, "delaunay");
@@ -134,9 +140,6 @@ ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, co
 
 }  // namespace
 
-namespace {
-
-/// Adds to facets_not_recovered each facet with a face between two cells one of which has the other's vertex in its circumsphere. Exact.
 void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh) {
   std::vector<Index>& list = mesh.recovery.facets_not_recovered;
   for (const ConstrainedTetrahedralization::Face& face : mesh.faces) {
@@ -153,7 +156,13 @@ void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-}  // namespace
+ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
+                                                        const RunContext& context, const ConformingStep& step) {
+  std::vector<Index> given_up;
+  ConstrainedTetrahedralization out = mesh_in_mode(plc, options, context, step, given_up);
+  list_facets_off_delaunay(out);
+  return out;
+}
 
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
                                              const RunContext& context) {
@@ -161,9 +170,9 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
     throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
   refuse_invalid(plc);
   std::vector<Index> given_up;
-  if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, given_up);
+  if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, recover_conforming, given_up);
   try {
-    ConstrainedTetrahedralization out = mesh_in_mode(plc, options, context, given_up);
+    ConstrainedTetrahedralization out = mesh_in_mode(plc, options, context, recover_conforming, given_up);
     list_facets_off_delaunay(out);
     return out;
   } catch (const Error& e) {
@@ -174,7 +183,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   TetrahedralizeOptions constrained = options;
   constrained.recover.mode = MeshMode::constrained;
   std::vector<Index> unused;
-  ConstrainedTetrahedralization out = mesh_in_mode(plc, constrained, context, unused);
+  ConstrainedTetrahedralization out = mesh_in_mode(plc, constrained, context, recover_conforming, unused);
   out.recovery.facets_not_recovered = given_up;
   list_facets_off_delaunay(out);
   if (out.recovery.facets_not_recovered.empty())  // the cells between them may have left Delaunay

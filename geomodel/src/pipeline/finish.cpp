@@ -44,7 +44,6 @@ std::string summarise(const QualityReport& quality) {
   return text;
 }
 
-/// Without what lies above the topography or below the floor, where the model has them.
 ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
   ConstrainedTetrahedralization core =
       tetrahedralize(model.plc.plc, model.options, recorder.context());
@@ -53,6 +52,11 @@ ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& rec
                 "the surfaces enclose nothing: there is no region to mesh. Close the surfaces, add a box (--box "
                 "x0,y0,z0,x1,y1,z1), or keep the convex hull (--hull)");
   }
+  return core;
+}
+
+/// Without what lies above the topography or below the floor, where the model has them.
+void cut_at_ends(ConstrainedTetrahedralization& core, PreparedModel& model, StageRecorder& recorder) {
   if (!core.recovery.facets_not_recovered.empty())
     warn(model.warnings, recorder.context(),
          count_words(core.recovery.facets_not_recovered.size(),
@@ -62,7 +66,25 @@ ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& rec
   for (std::string& text : warnings) warn(model.warnings, recorder.context(), std::move(text));
   model.naming.topography.clear();  // what lies beyond is gone
   model.naming.floor.clear();
-  return core;
+}
+
+/// The mesh, refined where that is asked for. In conforming mode the whole is refined, since Delaunay is a matter of the whole; else what
+/// is kept.
+RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::vector<double>& volumes_of_input) {
+  RefineResult result;
+  result.mesh = mesh_core(model, recorder);
+  const bool refine = model.refinement.refine, conforming = model.options.recover.mode == MeshMode::conforming;
+  const auto refine_now = [&] {
+    const RefineOptions options = refine_options(model, result.mesh);
+    result = refine_model(model, std::move(result.mesh), options, recorder.context());
+  };
+  if (refine && conforming) refine_now();
+  cut_at_ends(result.mesh, model, recorder);
+  if (!refine || conforming) return result;
+  if (model.refinement.honour == Honour::tolerance) volumes_of_input = component_volumes(result.mesh);
+  for (double& volume : volumes_of_input) volume /= model.z_scale.factor();
+  refine_now();
+  return result;
 }
 
 /// What follows (naming, verification, writing) is in true heights.
@@ -173,17 +195,10 @@ void make_output_folder(const OutputPlan& plan) {
 JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder) {
   JobResult result;
   Report report = begin_report(model);
-  RefineResult refined;
-  refined.mesh = mesh_core(model, recorder);
-  const bool refine = model.refinement.refine;
   std::vector<double> volumes_of_input;
-  if (refine) {
-    if (model.refinement.honour == Honour::tolerance) volumes_of_input = component_volumes(refined.mesh);
-    for (double& volume : volumes_of_input) volume /= model.z_scale;
-    const RefineOptions options = refine_options(model, refined.mesh);
-    refined = refine_model(model, std::move(refined.mesh), options, recorder.context());
-    report.refinement = refined.statistics;
-  }
+  RefineResult refined = mesh_to_size(model, recorder, volumes_of_input);
+  const bool refine = model.refinement.refine;
+  if (refine) report.refinement = refined.statistics;
   undo_z_scale(model, refined.mesh);
   const ConstrainedTetrahedralization& core = refined.mesh;
   report.core = &core;
@@ -192,6 +207,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   set_volumes_of_input(mesh, core, volumes_of_input);
   report.mesh = &mesh;
   report.quality = judge_quality(core, mesh, model, refined);
+  if (model.options.recover.mode == MeshMode::conforming) report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   result.summary = summarise(mesh);
   if (refine) result.summary.push_back(summarise(*report.quality));
   {

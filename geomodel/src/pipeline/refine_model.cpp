@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geomesh/core/quality.hpp"
+#include "geomesh/core/refine_conforming.hpp"
 #include "sets/name_regions.hpp"
 #include "sets/sums.hpp"
 
@@ -122,8 +123,12 @@ std::string contradiction(const RefinementSettings& settings, const RecoverOptio
     if (std::find(settings.cell_arrays.begin(), at, *at) != at) return "the cell array '" + *at + "' is asked for twice";
   if (!settings.refine)
     return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined" : "";
-  if (recover.mode == MeshMode::conforming)
-    return "mode conforming and refinement are not offered together yet: a refined mesh would not stay Delaunay";
+  if (recover.mode == MeshMode::conforming) {
+    if (settings.honour == Honour::tolerance) return "mode conforming keeps the input's facets: it cannot be asked with honour: tolerance";
+    if (settings.quality != QualityLevel::standard || settings.time_budget > 0)
+      return "mode conforming refines to sizes and keeps the mesh Delaunay: quality and time_budget have no meaning with it, since improving "
+             "elements moves points and flips faces";
+  }
   if (recover.preserve_boundary) return "preserve_boundary and refinement exclude each other: refinement adds points on surfaces";
   return "";
 }
@@ -149,6 +154,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
 
 RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
                           const RunContext& context) {
+  if (model.options.recover.mode == MeshMode::conforming) return refine_conforming(model.plc.plc, mesh, model.options, options, context);
   RefineResult result = refine_and_improve(model.plc.plc, std::move(mesh), options, context);
   if (result.statistics.out_of_time)
     warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");

@@ -38,6 +38,10 @@ json recovery_json(const RecoveryStatistics& r) {
           {"tetrahedra_final", r.tetrahedra_final}};
 }
 
+json voronoi_json(const VoronoiDual& d) {
+  return {{"edges", d.edges}, {"negative_areas", d.negative}, {"negative_areas_on_border", d.negative_on_border}, {"least_relative_area", d.least}};
+}
+
 /// Names of the input surfaces and box sides by row.
 std::vector<std::string> surface_names(const Report& report) {
   if (!report.surface_names.empty() || !report.mesh) return report.surface_names;
@@ -141,6 +145,7 @@ std::string to_json(const Report& report) {
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
+  if (report.voronoi_dual) root["voronoi_dual"] = voronoi_json(*report.voronoi_dual);
   root["notes"] = report.notes;
   root["warnings"] = report.warnings;
   root["files"] = report.files;

@@ -11,6 +11,7 @@
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
+#include "geomesh/core/voronoi_dual.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"
@@ -45,6 +46,7 @@ struct Report {
   std::vector<std::string> surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
+  std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
   std::vector<std::string> notes;  ///< what was found before meshing and what rules changed, with areas
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< written, relative to the report
