@@ -26,7 +26,47 @@ class Runs(ProgramTest):
             self.assertEqual(names[-1], stage)
             self.assertEqual(names, [name for name in stages if name in names])
             self.assertFalse(os.path.exists(os.path.join(folder, "faulted_layers.vtu")))
-        self.assertTrue(any(name.endswith(".vtp") for name in os.listdir(self.path("intersect"))), os.listdir(self.path("intersect")))
+        self.assertEqual(sorted(os.listdir(self.path("intersect"))), ["faulted_layers.report.json", "faulted_layers.soup.curves.vtp",
+                                                                      "faulted_layers.soup.vtp", "faulted_layers.spots.vtp"])
+
+    def test_the_soup_tells_where_everything_comes_from(self):
+        try:
+            import vtk
+        except ImportError:
+            self.skipTest("python3-vtk9 is not installed")
+
+        def load(ending):
+            reader = vtk.vtkXMLPolyDataReader()
+            reader.SetFileName(self.path("out", "salt_dome.soup" + ending))
+            reader.Update()
+            return reader.GetOutput()
+
+        def field(data, name):
+            array = data.GetFieldData().GetAbstractArray(name)
+            return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+        self.run_program(self.sample("salt-dome"), "-o", self.path("out"), "--stop-after", "intersect")
+        soup, curves = load(".vtp"), load(".curves.vtp")
+        offsets, surfaces = field(soup, "origin_offsets"), field(soup, "origin_surfaces")
+        self.assertEqual(len(offsets), soup.GetNumberOfCells() + 1)
+        self.assertEqual((offsets[0], offsets[-1]), (0, len(surfaces)))
+        self.assertEqual(len(field(soup, "origin_triangles")), len(surfaces))
+        names, kinds, cell_curve = field(curves, "curve_names"), field(curves, "curve_kinds"), curves.GetCellData().GetArray("curve")
+        surface_names = field(soup, "surface_names")
+        at_edge = {}  # curve names by the coordinates of an edge's ends
+        for c in range(curves.GetNumberOfCells()):
+            points = curves.GetCell(c).GetPoints()
+            at_edge.setdefault(frozenset(points.GetPoint(i) for i in range(2)), set()).add(names[int(cell_curve.GetValue(c))])
+        self.assertEqual({kinds[names.index(n)] for found in at_edge.values() for n in found} - {"intersection", "border", "well"}, set())
+        meeting = {}  # surfaces of the facets at an edge
+        for f in range(soup.GetNumberOfCells()):
+            points = soup.GetCell(f).GetPoints()
+            for i in range(3):
+                edge = frozenset((points.GetPoint(i), points.GetPoint((i + 1) % 3)))
+                meeting.setdefault(edge, set()).update(surface_names[int(s)] for s in surfaces[offsets[f]:offsets[f + 1]])
+        for edge, found in meeting.items():
+            if len(found) == 2:
+                self.assertIn("*".join(sorted(found)), at_edge.get(edge, set()))
 
     def test_stop_after_an_unknown_stage(self):
         self.assertIn("intersect", self.run_program(self.sample("salt-dome"), "--stop-after", "lunch", status=USAGE))

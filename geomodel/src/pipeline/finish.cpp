@@ -228,7 +228,7 @@ JobResult stop_early(PreparedModel& model, const OutputPlan& plan, const StageRe
   Report report = begin_report(model);
   make_output_folder(plan);
   if (recorder.stop_after() == "intersect")
-    for (auto& file : write_soup_vtp(model.arrangement, model.surfaces, plan.stem)) result.files.push_back(std::move(file));
+    for (auto& file : write_soup_vtp(model.arrangement, model.plc, model.surfaces, plan.stem)) result.files.push_back(std::move(file));
   write_reports(plan, report, model, recorder, result);
   result.summary.push_back("stopped after " + recorder.stop_after() + ", as asked");
   return result;

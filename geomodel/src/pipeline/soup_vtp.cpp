@@ -35,7 +35,30 @@ vtkSmartPointer<vtkPolyData> soup_data(const PolygonSoup& soup, const std::vecto
   data->GetCellData()->AddArray(
       int_array("n_origins", n, [&](std::size_t f) { return soup.origin_offsets[f + 1] - soup.origin_offsets[f]; }));
   data->GetPointData()->AddArray(int_array("kind", soup.points.size(), [&](std::size_t v) { return static_cast<int>(soup.kind[v]); }));
-  data->GetFieldData()->AddArray(string_array("surface_names", surfaces.size(), [&](std::size_t s) { return surfaces[s].name; }));
+  vtkFieldData& field = *data->GetFieldData();
+  field.AddArray(string_array("surface_names", surfaces.size(), [&](std::size_t s) { return surfaces[s].name; }));
+  field.AddArray(int_array("origin_offsets", soup.origin_offsets.size(), [&](std::size_t i) { return soup.origin_offsets[i]; }));
+  field.AddArray(int_array("origin_surfaces", soup.origins.size(), [&](std::size_t i) { return soup.origins[i].surface; }));
+  field.AddArray(int_array("origin_triangles", soup.origins.size(), [&](std::size_t i) { return soup.origins[i].triangle; }));
+  return data;
+}
+
+/// An edge on several curves is there once for each.
+vtkSmartPointer<vtkPolyData> curve_data(const ModelPlc& model) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(model.plc.points));
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<Index> curve;
+  for (std::size_t s = 0; s < model.plc.segments.size(); ++s)
+    for (const Index c : model.segment_curves[s]) {
+      lines->InsertNextCell({model.plc.segments[s].a, model.plc.segments[s].b});
+      curve.push_back(c);
+    }
+  data->SetLines(lines);
+  data->GetCellData()->AddArray(int_array("curve", curve.size(), [&](std::size_t i) { return curve[i]; }));
+  const std::vector<SoupCurve>& curves = model.curves;
+  data->GetFieldData()->AddArray(string_array("curve_names", curves.size(), [&](std::size_t i) { return curves[i].name; }));
+  data->GetFieldData()->AddArray(string_array("curve_kinds", curves.size(), [&](std::size_t i) { return curves[i].kind; }));
   return data;
 }
 
@@ -65,9 +88,10 @@ vtkSmartPointer<vtkPolyData> spot_data(const std::vector<Spot>& spots, const std
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_soup_vtp(const ArrangementResult& arrangement, const std::vector<TriangulatedSurface>& surfaces,
-                                                  const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_soup_vtp(const ArrangementResult& arrangement, const ModelPlc& plc,
+                                                  const std::vector<TriangulatedSurface>& surfaces, const std::filesystem::path& stem) {
   return {write_polydata(*soup_data(arrangement.soup, surfaces), stem.string() + ".soup.vtp"),
+          write_polydata(*curve_data(plc), stem.string() + ".soup.curves.vtp"),
           write_polydata(*spot_data(arrangement.spots, surfaces), stem.string() + ".spots.vtp")};
 }
 
