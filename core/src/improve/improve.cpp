@@ -17,23 +17,25 @@ struct Schedule {
   double target_angle;     ///< cells below (in the weighted measure) are repaired
   double insertion_angle;  ///< below this also by new points
   unsigned smoothing_steps;
+  unsigned last_passes;  ///< over the worst alone, with points closer to others
   double progress;  ///< share of the poor cells of the best pass so far to which the next must bring their number
 };
 
 Schedule schedule_of(QualityLevel level) {
   switch (level) {
     case QualityLevel::fast:
-      return {1, 2, 20, 0, 6, 0.9};
+      return {1, 2, 20, 0, 6, 0, 0.9};
     case QualityLevel::best:
-      return {4, 60, 36, 30, 20, 1.02};
+      return {4, 60, 36, 30, 20, 20, 1.02};
     default:
-      return {3, 8, 32, 26, 12, 0.9};
+      return {3, 8, 32, 26, 12, 8, 0.9};
   }
 }
 
 constexpr unsigned first_pass_with_points = 2;
 constexpr double enough_visits = 1.5;  ///< of poor cells, by the number of all, before a lack of progress ends the repair
 constexpr double worst_angle = 16;  ///< progress is measured on cells below this too
+constexpr double rescue_angle = 12, rescue_room = 0.15;
 
 struct BadCell {
   double shape;
@@ -70,9 +72,20 @@ class Improver {
       ++tools_.statistics.passes;
       idle = n == 0 ? idle + 1 : 0;
     }
+    if (schedule_.last_passes > 0) rescue_worst();
   }
 
  private:
+  /// The few cells that are still slivers may have points nearer to others than sizes ask: worse than that is a bad angle.
+  void rescue_worst() {
+    room_ = rescue_room;
+    failed_at_.clear();
+    for (unsigned k = 0; k < schedule_.last_passes && !out_of_time(); ++k) {
+      if (repair(cells_below(shape_of_angle(rescue_angle)), first_pass_with_points) == 0) break;
+      ++tools_.statistics.passes;
+    }
+  }
+
   bool out_of_time() {
     context_.check_cancelled();
     if (!(budget_ > 0)) return false;
@@ -164,8 +177,8 @@ class Improver {
 
   bool add_point(const BadCell& b) {
     for (const auto& e : edge_vertices)
-      if (split_to_improve(tools_, b.cell, b.vertices[e[0]], b.vertices[e[1]])) return true;
-    return insert_to_improve(tools_, b.cell);
+      if (split_to_improve(tools_, b.cell, b.vertices[e[0]], b.vertices[e[1]], room_)) return true;
+    return insert_to_improve(tools_, b.cell, room_);
   }
 
   Toolbox& tools_;
@@ -173,6 +186,7 @@ class Improver {
   const RunContext& context_;
   Schedule schedule_;
   double budget_;
+  double room_ = usual_room;
   std::size_t visited_ = 0;  // poor cells, over all passes
   std::vector<std::uint64_t> failed_at_;  // by cell: the mesh's clock then
   std::chrono::steady_clock::time_point start_;

@@ -39,11 +39,14 @@ bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor);
 /// flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
 
+/// A new point keeps this share of the asked size from the vertices about it: where less room is left, points only crowd.
+inline constexpr double usual_room = 0.4;
+
 /// Inserts a vertex into the cell so that the worst shape about it rises: the cavity grows over the faces that would make the
 /// worst new cells (Klingner and Shewchuk 2007, section 3.4, greedily), the place is optimised.
-bool insert_to_improve(Toolbox& tools, CellIndex c);
+bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge where that, with the new vertex at its best place, raises the worst shape about it.
-bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
+bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);
 
 /// Runs the schedule of the level. Cooperative with the time budget and the cancel token.
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context);

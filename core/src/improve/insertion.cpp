@@ -54,15 +54,12 @@ class CavityDigger {
   std::vector<CellIndex> cells_;
 };
 
-/// A new point keeps this share of the asked size from the vertices about it: where less room is left, points only crowd.
-constexpr double room_ratio = 0.4;
-
-bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
+bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, double room) {
   Index last = cavity.link[0].component;
   double h = tools.size.at(p, last);
   for (const LinkFace& f : cavity.link)
     if (f.component != last) h = std::min(h, tools.size.at(p, last = f.component));
-  const double limit = room_ratio * h * room_ratio * h;
+  const double limit = room * h * room * h;
   return std::all_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
     return std::all_of(f.vertices.begin(), f.vertices.end(),
                        [&](VertexIndex v) { return squared_distance(tools.mesh.point(v), p) >= limit; });
@@ -94,7 +91,7 @@ bool swallows_constraint(const DomainMesh& mesh, const StarCavity& cavity) {
 
 }  // namespace
 
-bool insert_to_improve(Toolbox& tools, CellIndex c) {
+bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
   DomainMesh& mesh = tools.mesh;
   const Tetrahedron& t = mesh.vertices(c);
   Vec3 p = 0.25 * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]) + mesh.point(t[3]));
@@ -108,7 +105,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c) {
     const OptimizedPlace best = optimize_place(problem, p, {20, 2});
     p = best.point;
     if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p)) continue;
-    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p)) return false;
+    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room)) return false;
     fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
     ++tools.statistics.improving_insertions;
     return true;
@@ -116,7 +113,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c) {
   return false;
 }
 
-bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
+bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room) {
   DomainMesh& mesh = tools.mesh;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
@@ -137,7 +134,8 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b)
   }
   Vec3 p = optimize_place(problem, middle, {20, 2}).point;
   if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
-  if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p) || !has_room(tools, cavity, p)) return false;
+  if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p)) return false;
+  if (!has_room(tools, cavity, p, room)) return false;
   if (moves_on_patch && !tools.guard.exact()) {
     std::vector<SurfaceFace> before_faces, after_faces;
     std::vector<CurvePiece> curves;
