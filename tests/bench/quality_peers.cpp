@@ -28,11 +28,11 @@ double children_cpu() {
 std::string run(const std::string& command, const std::string& stem, double limit_s, double& cpu_s) {
   const double before = children_cpu();
   const std::string limited = "ulimit -t " + std::to_string(static_cast<long>(limit_s)) + "; exec " + command;
-  const int status = std::system(("timeout -s KILL " + std::to_string(static_cast<long>(4 * limit_s)) + " sh -c '" + limited + "' > " +
+  const int status = std::system(("timeout -s KILL " + std::to_string(static_cast<long>(10 * limit_s)) + " sh -c '" + limited + "' > " +
                                   stem + ".log 2>&1").c_str());
   cpu_s = children_cpu() - before;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  if (cpu_s >= limit_s - 1) return "exceeds " + std::to_string(static_cast<long>(limit_s)) + " s";
+  if (cpu_s >= 0.95 * limit_s) return "exceeds " + std::to_string(static_cast<long>(limit_s)) + " s";
   if (code == 0) return "";
   return code > 128 ? "dies of signal " + std::to_string(code - 128) : "status " + std::to_string(code);
 }
@@ -216,7 +216,8 @@ Row run_gmsh(const QualityModel& model, const std::string& stem, double limit_s)
   const bool without_netgen = log_has(stem, "Netgen optimizer is not compiled in");
   if (without_netgen) row.tool = "gmsh -optimize (Netgen not compiled in)";
   measure_into(row, read_gmsh(stem + ".msh"));
-  if (row.tetrahedra == 0 || (!failure.empty() && !without_netgen)) row.tool += ": " + (failure.empty() ? std::string("no tetrahedra") : failure);
+  const char* const refusal = "Could not recover boundary mesh";
+  if (row.tetrahedra == 0) row.tool += std::string(": ") + (log_has(stem, refusal) ? refusal : failure.empty() ? "no tetrahedra" : failure.c_str());
   return row;
 }
 
