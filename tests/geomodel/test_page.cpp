@@ -118,7 +118,35 @@ TEST_CASE("the page names units, surfaces and warnings, and escapes them", "[pag
   CHECK(html.find("clipped 3 m2") != std::string::npos);
   CHECK(html.find("<td>read</td><td class=\"n\">0.25</td>") != std::string::npos);
   for (const NamedSurface& s : mesh.surfaces) CHECK(html.find(s.name) != std::string::npos);
-  CHECK(occurrences(html, "<svg ") == 5);  // three sections, two histograms
+  CHECK(occurrences(html, "<svg ") == 6 + mesh.regions.size());  // three sections, three histograms, one for each unit
   CHECK(occurrences(html, "<svg ") == occurrences(html, "</svg>"));
   CHECK(html.find("http") == std::string::npos);  // the page asks nothing of a network
+}
+
+TEST_CASE("the page tells shapes of the whole and of each unit, and why the worst elements are bad", "[page]") {
+  const ModelMesh mesh = three_layer_mesh(2);
+  Report report;
+  report.mesh = &mesh;
+  report.quality = quality_of(mesh);
+  const std::string html = to_html(report);
+  const ShapeStatistics& whole = report.quality->measured.whole;
+  CHECK(html.find("<td>whole</td><td class=\"n\">" + std::to_string(whole.n_tetrahedra) + "</td><td class=\"n\">" +
+                  page::number(whole.min_dihedral.min)) != std::string::npos);
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r)
+    CHECK(html.find("<td>" + mesh.regions[r].name + "</td><td class=\"n\">" +
+                    std::to_string(report.quality->measured.per_component[r].n_tetrahedra) + "</td>") != std::string::npos);
+  // Every element is in one bar of the first histogram (the paper's Figure 11), and each of its angles in one of the second.
+  const auto counted = [](const auto& histogram) {
+    std::size_t n = 0;
+    for (const std::size_t k : histogram) n += k;
+    return n;
+  };
+  CHECK(counted(whole.min_dihedral_histogram) == whole.n_tetrahedra);
+  CHECK(counted(whole.dihedral_histogram) == 6 * whole.n_tetrahedra);
+  CHECK(html.find("smallest dihedral angle of an element, degrees") != std::string::npos);
+  CHECK(html.find("every dihedral angle, degrees") != std::string::npos);
+  CHECK(html.find("Edges by length over the asked size") != std::string::npos);
+  CHECK(html.find("gap of 0.5 between horizon upper and horizon lower") != std::string::npos);
+  report.quality->has_sizes = false;
+  CHECK(to_html(report).find("Edges by length") == std::string::npos);
 }

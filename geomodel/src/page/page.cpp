@@ -6,6 +6,7 @@
 #include "geomesh/geomodel/writers.hpp"
 #include "page/drawing.hpp"
 #include "page/section.hpp"
+#include "page/shape_section.hpp"
 #include "page/viewer.hpp"
 #include "report/words.hpp"
 
@@ -85,29 +86,6 @@ std::string sections(const ModelMesh& mesh, const Box3& bounds) {
   return out;
 }
 
-constexpr std::size_t most_elements_shown = 10;
-
-std::string quality(const QualityReport& report, const ModelMesh& mesh) {
-  const MeshQuality& q = report.measured;
-  const auto& angles = q.whole.min_dihedral_histogram;
-  const auto& ratios = q.whole.radius_ratio_histogram;
-  std::string out = "<h2>Shape of the elements</h2>\n<p>Smallest dihedral angle " + number(q.whole.min_dihedral.min) + " degrees, largest " +
-                    number(q.whole.max_dihedral.max) + "; smallest radius ratio " + number(q.whole.radius_ratio.min) +
-                    " (1 is the regular tetrahedron). " + std::to_string(q.n_bad) + " elements are below 8 degrees, " +
-                    std::to_string(q.n_bad_forced) + " of them forced by the input.</p>\n<div class=\"row\">" +
-                    page::draw_histogram({angles.begin(), angles.end()}, 5, "smallest dihedral angle of an element, degrees") +
-                    page::draw_histogram({ratios.begin(), ratios.end()}, 0.05, "radius ratio") + "</div>\n";
-  out += "<h3>Worst elements</h3>\n<table><tr><th class=\"n\">smallest angle</th><th class=\"n\">largest</th><th>at</th><th>unit</th><th>cause</th></tr>\n";
-  for (std::size_t i = 0; i < std::min(q.worst.size(), most_elements_shown); ++i) {
-    const WorstElement& w = q.worst[i];
-    const auto region = static_cast<std::size_t>(mesh.tet_region[w.tetrahedron] - 1);
-    out += "<tr>" + cell(number(w.min_dihedral), true) + cell(number(w.max_dihedral), true) +
-           cell(number(w.place.x) + ", " + number(w.place.y) + ", " + number(w.place.z)) + cell(escape(mesh.regions[region].name)) +
-           cell(escape(report.causes[i])) + "</tr>\n";
-  }
-  return out + "</table>\n";
-}
-
 std::string warnings(const Report& report) {
   std::string out;
   for (const std::string& w : report.warnings) out += "<div class=\"warning\">" + escape(w) + "</div>\n";
@@ -145,7 +123,7 @@ std::string to_html(const Report& report) {
     out += "<p class=\"lead\">" + std::to_string(mesh.tetrahedra.size()) + " tetrahedra, " + std::to_string(mesh.points.size()) + " points, " +
            std::to_string(mesh.regions.size()) + " units</p>\n" + warnings(report) + viewer(mesh, bounds) + regions_table(mesh) +
            notes(report) + sections(mesh, bounds);
-    if (report.quality) out += quality(*report.quality, mesh);
+    if (report.quality) out += page::shape_section(*report.quality, mesh);
     out += surfaces_table(mesh);
   } else {
     out += warnings(report) + notes(report);
