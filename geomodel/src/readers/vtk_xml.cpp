@@ -6,15 +6,11 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -25,65 +21,10 @@
 #include "readers/formats.hpp"
 #include "readers/single_surface.hpp"
 #include "readers/text.hpp"
-#include "readers/vtk_xml_guard.hpp"
+#include "readers/vtk_parse.hpp"
 
 namespace geomesh::geomodel {
 namespace {
-
-/// Takes VTK's complaints, which would else go to the terminal, as long as it stands.
-class MessageWindow : public vtkOutputWindow {
- public:
-  static MessageWindow* New();
-  vtkTypeMacro(MessageWindow, vtkOutputWindow)
-  void DisplayText(const char* text) override {
-    if (text && messages.empty()) messages = text;
-  }
-  std::string messages;
-};
-vtkStandardNewMacro(MessageWindow)
-
-class WindowScope {
- public:
-  WindowScope() : before_(vtkOutputWindow::GetInstance()) {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-    vtkOutputWindow::SetInstance(window_);
-  }
-  ~WindowScope() { vtkOutputWindow::SetInstance(before_); }
-  WindowScope(const WindowScope&) = delete;
-  WindowScope& operator=(const WindowScope&) = delete;
-  const std::string& messages() const { return window_->messages; }
-
- private:
-  vtkSmartPointer<vtkOutputWindow> before_;
-  vtkNew<MessageWindow> window_;
-};
-
-/// The first telling line of a VTK message, whose own first line names a source file.
-std::string first_reason(const std::string& message) {
-  std::string_view rest = message;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = trim(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (line.empty() || line.starts_with("ERROR: In") || line.starts_with("Warning: In")) continue;
-    const std::size_t colon = line.find("): ");
-    return std::string(colon == std::string_view::npos ? line : line.substr(colon + 3));
-  }
-  return "no reason given";
-}
-
-/// The file is parsed from memory, so that a lying size in it meets the bytes that are there.
-template <class Reader>
-vtkSmartPointer<vtkPointSet> parse(const InputFile& file) {
-  if (const std::string fault = fault_of_vtk_elements(file.text(), file.bytes.size()); !fault.empty()) file.fail(fault);
-  const WindowScope window;
-  vtkNew<Reader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(file.bytes);
-  if (!survives_sizes([&] { reader->Update(); })) file.fail("sizes in it are not those of what follows: it is damaged");
-  if (!window.messages().empty()) file.fail("VTK cannot read it: " + first_reason(window.messages()));
-  return reader->GetOutput();
-}
 
 void add_points(const InputFile& file, vtkPointSet& data, SurfaceBuilder& builder) {
   const vtkIdType n = data.GetNumberOfPoints();
@@ -221,7 +162,7 @@ FileContents read_vtk_xml(const InputFile& file) {
   if (file.text().substr(file.size() - std::min<std::size_t>(file.size(), 256)).find("</VTKFile>") == std::string_view::npos) {
     file.fail("the VTK file has no </VTKFile> at its end (truncated)");
   }
-  const vtkSmartPointer<vtkPointSet> data = poly ? parse<vtkXMLPolyDataReader>(file) : parse<vtkXMLUnstructuredGridReader>(file);
+  const vtkSmartPointer<vtkPointSet> data = poly ? parse_vtk<vtkXMLPolyDataReader, vtkPointSet>(file) : parse_vtk<vtkXMLUnstructuredGridReader, vtkPointSet>(file);
   SurfaceBuilder builder(file);
   FileContents contents;
   CellCounts counts;
