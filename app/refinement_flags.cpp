@@ -6,6 +6,8 @@ namespace geomesh::app {
 void RefinementFlags::add_to(CLI::App& app) {
   const auto positive = CLI::PositiveNumber;
   app.add_option("--size", size_, "Refine: wanted edge length; less where the input's edges are shorter")->type_name("H")->check(positive);
+  app.add_option("--size-from", size_from_, "Refine: wanted edge lengths at points: lines of x y z size, or a .vti, .vtu or .vtp with an array \"size\"")
+      ->type_name("FILE")->check(CLI::ExistingFile);
   app.add_option("--quality", quality_, "Refine: how much is done for the elements' shapes")
       ->check(CLI::IsMember({"fast", "default", "best"}));
   app.add_option("--gradation", gradation_, "Refine: growth of sizes per unit of distance (0.3)")->type_name("G")->check(positive);
@@ -22,10 +24,11 @@ void RefinementFlags::add_to(CLI::App& app) {
 
 geomodel::RefinementSettings RefinementFlags::settings() const {
   geomodel::RefinementSettings s;
-  s.refine = size_ || gradation_ || curvature_ || tolerance_ || !quality_.empty();
+  s.refine = size_ || gradation_ || curvature_ || tolerance_ || !quality_.empty() || !size_from_.empty();
   s.size.base.global = size_.value_or(0);
   s.size.base.gradation = gradation_.value_or(s.size.base.gradation);
   s.size.base.curvature_angle = curvature_.value_or(0);
+  s.size.background = size_from_;
   if (tolerance_) s.honour = Honour::tolerance;
   s.tolerance = tolerance_.value_or(0);
   if (quality_ == "fast") s.quality = QualityLevel::fast;

@@ -22,7 +22,7 @@ class RefinementFlags {
  private:
   std::optional<double> size_, gradation_, curvature_, tolerance_, time_budget_;
   std::optional<std::size_t> max_elements_;
-  std::string quality_;
+  std::string quality_, size_from_;
   std::vector<std::string> cell_arrays_;
 };
 

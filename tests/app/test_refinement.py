@@ -146,6 +146,25 @@ class Refinement(ProgramTest):
             self.assertLessEqual(quality["tetrahedra"] - quality["forced"], 5, name)
             self.assertTrue(report["curves"], name)
 
+    def test_sizes_from_a_file(self):
+        """The bottom asked for finely by lines of text; then the sizes that a mesh was made with, read back from it."""
+        self.write("sizes.csv", "x,y,z,size\n" + "".join(
+            "%g,%g,%g,%g\n" % (x, y, z, 0.8 if z == 0 else 3) for x in (0, 4, 10) for y in (0, 4, 10) for z in (0, 4, 10)))
+        report, _ = self.mesh_layers("{size: {background: sizes.csv, gap_layers: none, input_edges: false}, cell_arrays: [size]}")
+        counts = {r["name"]: r["tetrahedra"] for r in report["quality"]["regions"]}
+        self.assertGreater(counts["lower"], 3 * counts["upper"])
+        self.assertGreater(report["refinement"]["edges_within_size"], 0.9)
+        os.rename(self.path("layers.vtu"), self.path("sizes.vtu"))
+        again, _ = self.mesh_layers("{size: {background: sizes.vtu, gap_layers: none, input_edges: false}}")
+        self.assertAlmostEqual(again["tetrahedra"] / report["tetrahedra"], 1, delta=0.5)
+        self.run_program("mesh", "top.ts", "-o", "out.vtu", "--box", "0,0,0,10,10,10", "--size-from", "sizes.csv")
+        self.assertGreater(self.report(self.path("out.report.json"))["tetrahedra"], 1000)
+        printed = self.run_program(self.layers("{size: {background: sises.csv}}"), status=USAGE)
+        self.assertIn("there is no file 'sises.csv'", printed)
+        self.write("sizes.csv", "0 0 0 1\n1 1 1 0\n")
+        printed = self.run_program(self.layers("{size: {background: sizes.csv}}"), status=BAD_INPUT)
+        self.assertIn("sizes.csv:2: a size above zero was expected", printed)
+
     def test_conforming_to_a_size_is_delaunay(self):
         report, check = self.mesh_layers("{mode: conforming, size: 1.5}")
         self.assertTrue(report["delaunay"])

@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/readers.hpp"
 #include "pipeline/hull.hpp"
 #include "pipeline/prepare.hpp"
+#include "sizes/size_grid.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -115,6 +116,7 @@ void make_names_unique(std::vector<TriangulatedSurface>& surfaces) {
 void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunContext& context) {
   model.options = request.options;
   model.refinement = request.refinement;
+  load_background(model.refinement.size, model.origin);
   model.naming.name_by_bodies = false;
   if (request.inputs.size() == 1 && is_plc_file(request.inputs.front())) {
     if (request.box || request.keep_hull)

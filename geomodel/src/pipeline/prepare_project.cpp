@@ -3,6 +3,7 @@
 
 #include "pipeline/prepare.hpp"
 #include "coordinates/project_inputs.hpp"
+#include "sizes/size_grid.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -87,6 +88,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   model.options = project.mesh.options;
   model.refinement = project.mesh.refinement;
   for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
+  load_background(model.refinement.size, model.origin);
   ArrangementOptions options;
   options.tolerance = project.tolerance;
   if (inputs.volume) {

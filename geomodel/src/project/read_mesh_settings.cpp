@@ -77,10 +77,19 @@ std::vector<std::string_view> surface_names(const Project& project) {
   return names;
 }
 
+void read_background(const YamlValue& value, const Project& project, NamedSizes& sizes) {
+  const auto text = value.text();
+  if (!text) return;
+  sizes.background = (project.file.parent_path() / *text).lexically_normal();
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(sizes.background, ec))
+    value.problem("there is no file '" + *text + "' (looked for as " + sizes.background.string() + ")");
+}
+
 void read_size(const YamlValue& value, const Project& project, NamedSizes& sizes) {
   if (!value.is_map()) return read_positive(value, sizes.base.global);
   const YamlMap map(value, {"global", "units", "surfaces", "curves", "near", "input_edges", "curvature", "gap_layers", "gradation",
-                            "min", "max"});
+                            "min", "max", "background"});
   if (const auto v = map.find("global")) read_positive(*v, sizes.base.global);
   if (const auto v = map.find("units")) {
     read_named(*v, {}, "unit", sizes.units);
@@ -102,6 +111,7 @@ void read_size(const YamlValue& value, const Project& project, NamedSizes& sizes
   if (const auto v = map.find("gradation")) read_positive(*v, sizes.base.gradation);
   if (const auto v = map.find("min")) read_positive(*v, sizes.base.min_size);
   if (const auto v = map.find("max")) read_positive(*v, sizes.base.max_size);
+  if (const auto v = map.find("background")) read_background(*v, project, sizes);
   if (sizes.base.max_size > 0 && sizes.base.min_size > sizes.base.max_size) value.problem("min is greater than max");
 }
 

@@ -3,6 +3,7 @@
 /// What a project or a command line asks of sizes and shapes, in the user's names (docs/meshing.md).
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct NamedSizes {
   /// By curve, by well, or by kind: `wells`, `intersections`, `borders`, `fault_tips`.
   std::map<std::string, AskedSize> curves;
   std::vector<PlaceSize> near;
+  /// Sizes at points, read into base.background before meshing (docs/meshing.md says which files); empty: none.
+  std::filesystem::path background;
 };
 
 struct RefinementSettings {
