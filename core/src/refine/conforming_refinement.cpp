@@ -84,7 +84,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   RefineResult result;
   result.size_field = [&] {
     const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
-    SizeField field = remesh::build_size_field(plc, domain, options.size, remesh::named_patches(plc, options), 0);
+    SizeField field = remesh::build_size_field(plc, domain, options, 0);
     result.statistics.estimated_elements = remesh::estimate_elements(domain, field);
     return field;
   }();
