@@ -226,6 +226,30 @@ std::string dxf_mesh() {
   return dxf(s + pair(0, "SEQEND"));
 }
 
+/// The faces in a block within a block: the inner one mirrored in x, at half the size, about a base point; the outer one turned by 90 degrees.
+/// 1/2 and quarter turns about whole numbers lose nothing.
+std::string dxf_blocks() {
+  // On the way out a point p of the inner block becomes q = (-2 (p.x - 3), 2 (p.y - 5), 2 p.z) + (10, 20, 0), then (-q.y, q.x, q.z) + at.
+  const Vec3 at{Plane::x0, Plane::y0, -1000};
+  const auto inner = [&](const Vec3& out) {
+    const Vec3 r = out - at, q{r.y, -r.x, r.z};
+    return Vec3{3 - (q.x - 10) / 2, 5 + (q.y - 20) / 2, q.z / 2};
+  };
+  const Plane plane;
+  std::string faces;
+  for (const Triangle& t : plane.triangles) {
+    faces += pair(0, "3DFACE") + pair(8, "0");  // the other way round: the mirror turns them
+    for (int k = 0; k < 4; ++k) faces += dxf_point(k, inner(plane.points[t[static_cast<std::size_t>(k == 0 ? 0 : k == 1 ? 2 : 1)]]));
+  }
+  std::string s = pair(0, "SECTION") + pair(2, "BLOCKS");
+  s += pair(0, "BLOCK") + pair(8, "0") + pair(2, "inner") + dxf_point(0, {3, 5, 0}) + faces + pair(0, "ENDBLK");
+  s += pair(0, "BLOCK") + pair(8, "0") + pair(2, "outer") + dxf_point(0, {0, 0, 0});
+  s += pair(0, "INSERT") + pair(8, "0") + pair(2, "inner") + dxf_point(0, {10, 20, 0}) + pair(41, "-2") + pair(42, "2") + pair(43, "2") + pair(0, "ENDBLK");
+  s += pair(0, "ENDSEC") + pair(0, "SECTION") + pair(2, "ENTITIES");
+  s += pair(0, "INSERT") + pair(8, "plane") + pair(2, "outer") + dxf_point(0, at) + pair(50, "90");
+  return s + pair(0, "ENDSEC") + pair(0, "EOF");
+}
+
 /// zlib with one stored block.
 std::string stored(const std::string& bytes) {
   std::string s("\x78\x01\x01", 3);
@@ -319,6 +343,7 @@ std::vector<PlaneFile> grid_plane_files() {
           {"faces.dxf", dxf_faces(), 0},
           {"polyface.dxf", dxf_polyface(), 0},
           {"mesh.dxf", dxf_mesh(), 0},
+          {"blocks.dxf", dxf_blocks(), 1e-9},
           {"a.omf", omf(), 0},
           {"along_u.omf", omf_grid(true), 0},
           {"along_v.omf", omf_grid(false), 0}};

@@ -218,6 +218,10 @@ TEST_CASE("broken surface files are refused with the place and what was expected
       {"a.ev", "# Field: 1 x\n# Field: 2 y\n# Field: 3 z\n# Field: 4 column\n# Field: 5 row\n# Grid_size: 2 x 2\n0 0 0 3 1\n", "a point has column 3"},
       {"a.dxf", "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n1\n20\n1\n30\n", "the file ends where the value of group 30"},
       {"a.dxf", "AutoCAD Binary DXF\r\n", "a binary DXF file is not read"},
+      {"a.dxf", "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nINSERT\n2\na\n10\n0\n20\n0\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+                "0\nINSERT\n2\na\n10\n0\n20\n0\n0\nENDSEC\n0\nEOF\n", "holds itself"},
+      {"a.dxf", "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nPOINT\n10\n0\n20\n0\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+                "0\nINSERT\n2\na\n10\n0\n20\n0\n70\n99999\n71\n99999\n0\nENDSEC\n0\nEOF\n", "would make more than"},
       {"a.omf", "PK\x03\x04", "OMF version 2 is not read"},
       {"a.tif", std::string("II*\0\x08\0\0\0\0\0", 10), "the TIFF file cannot be read"},
       {"a.vtp", vtk_file("PolyData", "NumberOfPolys=\"2\"", "Polys", "0 1 2 3 0 1", "4 6", ""), "cell 1 (counted from 0, of its kind) has 2 corners"},

@@ -110,17 +110,17 @@ TEST_CASE("the CRS of a GeoTIFF and the units of headers are told", "[readers][g
   CHECK(feet.point_sets.at(0).points.at(0).z == Approx(-30.48).epsilon(1e-15));
 }
 
-TEST_CASE("DXF: layers are surfaces, lines are kept, blocks are told", "[readers][grids]") {
+TEST_CASE("DXF: layers are surfaces, lines are kept, blocks that are not there are told", "[readers][grids]") {
   const std::string face = "0\n3DFACE\n8\nA\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n";
   const std::string line = "0\nLINE\n8\nL\n10\n0\n20\n0\n30\n5\n11\n1\n21\n2\n31\n3\n";
   const std::string flat = "0\nLWPOLYLINE\n8\nL\n90\n2\n70\n0\n38\n7\n10\n1\n20\n2\n10\n3\n20\n4\n";
-  const FileContents c = read_text("mixed.dxf", "0\nSECTION\n2\nENTITIES\n" + face + line + flat + "0\nINSERT\n8\n0\n2\nB\n0\nENDSEC\n0\nEOF\n");
+  const FileContents c = read_text("mixed.dxf", "0\nSECTION\n2\nENTITIES\n" + face + line + flat + "0\nINSERT\n8\n0\n2\nB\n10\n0\n20\n0\n0\nENDSEC\n0\nEOF\n");
   REQUIRE(c.surfaces.size() == 1);
   CHECK(c.surfaces[0].name == "A");
   CHECK(c.surfaces[0].triangles.size() == 1);
   REQUIRE(c.polylines.size() == 2);
   CHECK(c.polylines[1].points == std::vector<Vec3>{{1, 2, 7}, {3, 4, 7}});
-  CHECK(says(c.warnings, "blocks are not inserted"));
+  CHECK(says(c.warnings, "1 INSERT of the block 'B', which is not in the file, passed over"));
 }
 
 TEST_CASE("a GOCAD well is a path with its reference added", "[readers]") {

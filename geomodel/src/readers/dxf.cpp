@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DXF in text: 3DFACE, polyface and polygon meshes (POLYLINE with VERTEX), LINE, POLYLINE, LWPOLYLINE, POINT. One surface a layer. Blocks
-// are not inserted; what is passed over is told. $INSUNITS is told, not applied: templates fill it in at random.
+// DXF in text: 3DFACE, polyface and polygon meshes (POLYLINE with VERTEX), LINE, POLYLINE, LWPOLYLINE, POINT, and blocks of these (INSERT). One
+// surface a layer. What is passed over is told. $INSUNITS is told, not applied: templates fill it in at random.
 #include <algorithm>
 #include <cmath>
 #include <array>
 #include <map>
+#include <numbers>
 
+#include "readers/dxf_content.hpp"
 #include "readers/formats.hpp"
 #include "readers/merge_points.hpp"
 #include "readers/polygon.hpp"
@@ -65,7 +67,7 @@ class DxfReader {
         if (pair.value == "SECTION") section_named = false;
         if (pair.value == "ENDSEC") section = {};
         ended = pair.value == "EOF";
-        in_entity_ = section == "ENTITIES" && pair.value != "SECTION";
+        in_entity_ = (section == "ENTITIES" || section == "BLOCKS") && pair.value != "SECTION";
         entity_ = {pair.value, pair.line, {}};
       } else if (in_entity_) {
         entity_.pairs.push_back(pair);
@@ -79,11 +81,6 @@ class DxfReader {
   }
 
  private:
-  struct Layer {
-    std::vector<Vec3> corners;  ///< three a triangle
-    std::size_t n_lines = 0;
-  };
-
   void header_pair(const Pair& pair) {
     if (pair.code == 9) variable_ = pair.value;
     if (pair.code == 70 && variable_ == "$INSUNITS") units_ = static_cast<int>(to_integer(pair.value).value_or(0));
@@ -93,6 +90,16 @@ class DxfReader {
     const auto value = to_double(pair.value);
     if (!value || !std::isfinite(*value)) file_.fail(pair.line, "expected a finite coordinate, found " + in_quotes(pair.value));
     return *value;
+  }
+  double real(int code, double without) const {
+    for (const Pair& p : entity_.pairs)
+      if (p.code == code) return number(p);
+    return without;
+  }
+  std::string name_of_block() const {
+    for (const Pair& p : entity_.pairs)
+      if (p.code == 2) return std::string(p.value);
+    return "";
   }
   std::int64_t integer(int code, std::int64_t without) const {
     for (const Pair& p : entity_.pairs)
@@ -119,7 +126,7 @@ class DxfReader {
 
   void add_triangle(const std::string& layer, const Vec3& a, const Vec3& b, const Vec3& c) {
     if (a == b || b == c || a == c) return;
-    std::vector<Vec3>& corners = layers_[layer].corners;
+    std::vector<Vec3>& corners = target_->corners[layer];
     corners.insert(corners.end(), {a, b, c});
   }
   void add_quadrilateral(const std::string& layer, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -130,7 +137,7 @@ class DxfReader {
     if (closed && points.size() > 2) points.push_back(points.front());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 2) return;
-    lines_.push_back({layer + "__" + std::to_string(++layers_[layer].n_lines), file_.shown(), std::move(points)});
+    target_->lines.emplace_back(layer, std::move(points));
   }
 
   void finish_entity() {
@@ -146,15 +153,37 @@ class DxfReader {
     } else if (name == "LWPOLYLINE") {
       light_polyline();
     } else if (name == "POINT") {
-      points_[layer()].push_back(point(0));
+      target_->points[layer()].push_back(point(0));
     } else if (name == "POLYLINE") {
       open_polyline();
     } else if (name == "VERTEX") {
       vertex();
     } else if (name == "SEQEND") {
       if (polyline_open_) close_polyline();
+    } else if (name == "INSERT") {
+      insert();
+    } else if (name == "BLOCK") {
+      DxfBlock& block = blocks_[name_of_block()];
+      block.base = {real(10, 0), real(20, 0), real(30, 0)};
+      target_ = &block.content;
+    } else if (name == "ENDBLK") {
+      target_ = &content_;
     } else if (name != "ENDSEC" && name != "SECTION") {
-      ++passed_over_[std::string(name)];
+      ++target_->passed_over[std::string(name)];
+    }
+  }
+
+  void insert() {
+    DxfInsert insert{name_of_block(), layer(), entity_.line, point(0), {real(41, 1), real(42, 1), real(43, 1)}, real(50, 0) * std::numbers::pi / 180};
+    insert.n_columns = std::max<std::int64_t>(1, integer(70, 1));
+    insert.n_rows = std::max<std::int64_t>(1, integer(71, 1));
+    insert.column_step = real(44, 0);
+    insert.row_step = real(45, 0);
+    const bool is_upright = real(210, 0) == 0 && real(220, 0) == 0 && real(230, 1) > 0;
+    if (!is_upright) {
+      ++target_->passed_over["INSERT turned out of the plane"];
+    } else {
+      target_->inserts.push_back(std::move(insert));
     }
   }
 
@@ -227,27 +256,26 @@ class DxfReader {
   }
 
   FileContents finish() {
+    insert_blocks(file_, content_, blocks_);
     FileContents contents;
     contents.format = "DXF";
-    for (auto& [name, layer] : layers_) {
-      if (layer.corners.empty()) continue;
+    for (const auto& [name, corners] : content_.corners) {
+      if (corners.empty()) continue;
       TriangulatedSurface surface;
       surface.name = name;
       surface.file = file_.shown();
-      const std::vector<VertexIndex> row = merge_equal_points(layer.corners, surface.points);
+      const std::vector<VertexIndex> row = merge_equal_points(corners, surface.points);
       for (std::size_t i = 0; i + 2 < row.size(); i += 3) surface.triangles.push_back({row[i], row[i + 1], row[i + 2]});
       contents.surfaces.push_back(std::move(surface));
     }
-    contents.polylines = std::move(lines_);
-    for (auto& [name, points] : points_) contents.point_sets.push_back({name, file_.shown(), std::move(points)});
+    std::map<std::string, std::size_t> n_lines;
+    for (auto& [layer, points] : content_.lines)
+      contents.polylines.push_back({layer + "__" + std::to_string(++n_lines[layer]), file_.shown(), std::move(points)});
+    for (auto& [name, points] : content_.points) contents.point_sets.push_back({name, file_.shown(), std::move(points)});
     if (contents.surfaces.empty() && contents.polylines.empty() && contents.point_sets.empty()) {
       file_.fail("the surface is empty: no 3DFACE, mesh, line or point stands in the section ENTITIES");
     }
-    for (const auto& [name, n] : passed_over_) {
-      std::string text = std::to_string(n) + " " + name + " passed over";
-      if (name == "INSERT") text += ": blocks are not inserted; explode them before exporting";
-      contents.warnings.push_back(std::move(text));
-    }
+    for (const auto& [name, n] : content_.passed_over) contents.warnings.push_back(std::to_string(n) + " " + name + " passed over");
     static constexpr const char* unit_names[] = {"", "inches", "feet", "miles", "millimetres", "centimetres", "metres", "kilometres"};
     if (units_ > 0 && units_ < 8) {
       contents.notes.push_back(std::string("$INSUNITS says ") + unit_names[units_] + "; it is not applied, as templates fill it in at random: give `unit` in the project where coordinates are not metres");
@@ -264,10 +292,9 @@ class DxfReader {
   std::size_t polyline_line_ = 0;
   std::vector<Vec3> vertices_;
   std::vector<std::array<std::int64_t, 4>> faces_;
-  std::map<std::string, Layer> layers_;
-  std::map<std::string, std::vector<Vec3>> points_;
-  std::vector<Polyline> lines_;
-  std::map<std::string, std::size_t> passed_over_;
+  DxfContent content_;  ///< of ENTITIES
+  std::map<std::string, DxfBlock> blocks_;
+  DxfContent* target_ = &content_;
   std::string_view variable_;
   int units_ = 0;
 };
