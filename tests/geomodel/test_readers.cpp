@@ -224,6 +224,8 @@ TEST_CASE("broken surface files are refused with the place and what was expected
                 "0\nINSERT\n2\na\n10\n0\n20\n0\n70\n99999\n71\n99999\n0\nENDSEC\n0\nEOF\n", "would make more than"},
       {"a.omf", "PK\x03\x04", "OMF version 2 is not read"},
       {"a.tif", std::string("II*\0\x08\0\0\0\0\0", 10), "the TIFF file cannot be read"},
+      {"a.vtp", "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece NumberOfPoints=\"1\"><Points><DataArray type=\"Float64\" "
+                "NumberOfComponents=\"999999999993\" format=\"ascii\">0 0 0</DataArray></Points></Piece></PolyData></VTKFile>", "it says to hold 999999999993 items"},
       {"a.vtp", vtk_file("PolyData", "NumberOfPolys=\"2\"", "Polys", "0 1 2 3 0 1", "4 6", ""), "cell 1 (counted from 0, of its kind) has 2 corners"},
       {"a.vtu", vtk_file("UnstructuredGrid", "NumberOfCells=\"1\"", "Cells", "0 1 2", "3", "10"), "of type 10 has 3 corners"},
       {"a.vtu", vtk_file("UnstructuredGrid", "NumberOfCells=\"1\"", "Cells", "0 1 2", "3", "22"), "is of VTK's type 22, which is not read"},

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array<std::string_view, 12> known_types{"Int8",   "UInt8",  "Int16",   "UInt16",  "Int32",  "UInt32",
                                                        "Int64",  "UInt64", "Float32", "Float64", "String", "Bit"};
-constexpr std::array<std::string_view, 7> counts{"NumberOfPoints", "NumberOfCells",  "NumberOfVerts", "NumberOfLines",
-                                                 "NumberOfStrips", "NumberOfPolys", "NumberOfTuples"};
+constexpr std::array<std::string_view, 8> counts{"NumberOfPoints", "NumberOfCells", "NumberOfVerts",  "NumberOfLines",
+                                                 "NumberOfStrips", "NumberOfPolys", "NumberOfTuples", "NumberOfComponents"};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
