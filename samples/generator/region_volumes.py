@@ -79,16 +79,6 @@ class Graph:
                     kept.append(part)
         return kept
 
-    def above(self, polygons):
-        """What of the polygons lies on the high side."""
-        kept = []
-        for polygon in polygons:
-            for cell, part in self.parts(polygon):
-                part = lower_half(part, lambda p: -self.beyond(cell, p))
-                if part:
-                    kept.append(part)
-        return kept
-
 
 def in_box(polygons, low, high):
     """What of the polygons lies in the box."""
