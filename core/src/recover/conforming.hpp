@@ -6,7 +6,7 @@
 /// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
 ///   - `max_steiner_per_facet` points on one facet that meets another at less than 90 degrees or has segments that meet at less than 60,
 ///     and as many on one segment; others always end (section 3.2; Ruppert 1995), so none is given up;
-///   - 30 points for each vertex of the model, and 100,000 more, in all;
+///   - 30 points for each vertex of the model, and 3,000 more, on all such facets and segments together; and 100,000 more on the others;
 ///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096 ulps of it.
 #pragma once
 
@@ -44,6 +44,7 @@ class ConformingRecovery {
   bool is_on_segment_from(VertexIndex v, VertexIndex end) const;
   double place_on_common_sphere(const Subsegment& s, VertexIndex v) const;
   Vec3 split_place(const Subsegment& s);
+  Vec3 point_on_segment(const Subsegment& s, const Vec3& p) const;
   void give_up_segment(Index s);
 
   // conforming_facets.cpp
@@ -57,6 +58,7 @@ class ConformingRecovery {
   /// Inserts, records what was lost. no_vertex where nothing could be inserted.
   VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
   bool is_edge_of_new_star(VertexIndex a, VertexIndex b) const;
+  bool is_within_budget() const { return n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_; }
   bool too_short(const Vec3& a, const Vec3& b) const;
 
   Recovery& recovery_;
@@ -74,7 +76,7 @@ class ConformingRecovery {
 
   DelaunayInsertion insertion_;
   double min_edge_ = 0;
-  std::size_t max_points_ = 0;
+  std::size_t n_sharp_points_ = 0, n_other_points_ = 0, max_sharp_points_ = 0, max_other_points_ = 0;
   EdgeMap segment_of_ends_;                       ///< model segments
   std::priority_queue<QueuedSegment> missing_segments_;
   std::deque<Index> missing_facets_;

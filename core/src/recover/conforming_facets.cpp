@@ -92,7 +92,7 @@ std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vecto
 }  // namespace
 
 void ConformingRecovery::recover_queued_facets() {
-  while (!missing_facets_.empty() && recovery_.n_points_added < max_points_) {
+  while (!missing_facets_.empty() && is_within_budget()) {
     recovery_.context.check_cancelled();
     recover_queued_segments();
     const Index f = missing_facets_.front();
@@ -153,6 +153,7 @@ bool ConformingRecovery::insert_midpoint(Index f, VertexIndex a, VertexIndex b) 
   const VertexIndex x = insert(p, a, {VertexOrigin::on_facet, constraints_.subfacets[f].facet});
   if (x == no_vertex) return false;
   ++points_on_facet_[f];
+  ++(facet_is_sharp_[f] ? n_sharp_points_ : n_other_points_);
   constraints_.add_member(f, x);
   return true;
 }

@@ -30,7 +30,8 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   for (VertexIndex v = 0; v < mesh_.n_input(); ++v)
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(mesh_.point(v)[i]));
   min_edge_ = std::ldexp(largest, -40);
-  max_points_ = 30 * mesh_.n_input() + 100000;
+  max_sharp_points_ = 30 * mesh_.n_input() + 3000;
+  max_other_points_ = 30 * mesh_.n_input() + 100000;
   mark_sharp_vertices();
   mark_sharp_facets();
   facet_queued_.assign(constraints_.subfacets.size(), 0);
@@ -52,7 +53,7 @@ bool ConformingRecovery::run() {
   for (const Index f : missing_facets_) give_up_facet(f);
   std::sort(given_up_.begin(), given_up_.end());
   given_up_.erase(std::unique(given_up_.begin(), given_up_.end()), given_up_.end());
-  return recovery_.n_points_added < max_points_;
+  return is_within_budget();
 }
 
 bool ConformingRecovery::too_short(const Vec3& a, const Vec3& b) const { return dot(b - a, b - a) < min_edge_ * min_edge_; }
@@ -82,8 +83,8 @@ void ConformingRecovery::mark_sharp_facets() {
 }
 
 bool ConformingRecovery::is_sharp_segment(const Subsegment& s) const {
-  const ModelSegment& model = constraints_.segments[s.segment];
-  return vertex_is_sharp_[model.a] || vertex_is_sharp_[model.b] ||
+  const ModelSegment* const model = s.segment == no_index ? nullptr : &constraints_.segments[s.segment];
+  return (model && (vertex_is_sharp_[model->a] || vertex_is_sharp_[model->b])) ||
          std::any_of(s.subfacets.begin(), s.subfacets.end(), [&](Index f) { return facet_is_sharp_[f] != 0; });
 }
 
@@ -136,7 +137,7 @@ void ConformingRecovery::queue_facet(Index f) {
 }
 
 void ConformingRecovery::recover_queued_segments() {
-  while (!missing_segments_.empty() && recovery_.n_points_added < max_points_) {
+  while (!missing_segments_.empty() && is_within_budget()) {
     recovery_.context.check_cancelled();
     const Index s = missing_segments_.top().segment;
     missing_segments_.pop();
@@ -197,7 +198,7 @@ double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexInd
 Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   const Vec3 a = mesh_.point(s.a), b = mesh_.point(s.b);
   const VertexIndex v = encroaching_vertex(s);
-  if (v == no_vertex) return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y, 0.5 * a.z + 0.5 * b.z};
+  if (v == no_vertex) return point_on_segment(s, 0.5 * a + 0.5 * b);
   const double length = distance(a, b);
   double place = place_on_common_sphere(s, v);
   if (place < 0) {
@@ -207,18 +208,34 @@ Vec3 ConformingRecovery::split_place(const Subsegment& s) {
     if (2 * place < from_a && 2 * from_a < length) place = from_a;
     if (2 * (length - place) < from_b && 2 * from_b < length) place = length - from_b;
   }
-  return a + place / length * (b - a);
+  return point_on_segment(s, a + place / length * (b - a));
+}
+
+/// The point of the model's segment nearest to p, so that rounding errors do not add up from split to split.
+Vec3 ConformingRecovery::point_on_segment(const Subsegment& s, const Vec3& p) const {
+  if (s.segment == no_index) return p;
+  using Real = long double;
+  const Vec3 &a = mesh_.point(constraints_.segments[s.segment].a), &b = mesh_.point(constraints_.segments[s.segment].b);
+  Real along = 0, squared_length = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    along += (Real(p[i]) - a[i]) * (Real(b[i]) - a[i]);
+    squared_length += (Real(b[i]) - a[i]) * (Real(b[i]) - a[i]);
+  }
+  Vec3 out;
+  for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<double>(a[i] + along / squared_length * (Real(b[i]) - a[i]));
+  return out;
 }
 
 void ConformingRecovery::split_segment(Index si) {
   const Subsegment s = constraints_.subsegments[si];
   const Vec3 p = split_place(s);
   const bool is_inner = s.segment == no_index;
-  const bool over_budget = !is_inner && is_sharp_segment(s) && points_on_segment_[s.segment] >= options_.max_steiner_per_facet;
+  const bool is_sharp = is_sharp_segment(s), over_budget = !is_inner && is_sharp && points_on_segment_[s.segment] >= options_.max_steiner_per_facet;
   if (over_budget || too_short(mesh_.point(s.a), p) || too_short(mesh_.point(s.b), p)) return give_up_segment(si);
   const VertexIndex x = insert(p, s.a, {is_inner ? VertexOrigin::on_facet : VertexOrigin::on_segment, is_inner ? s.facet : s.segment});
   if (x == no_vertex) return give_up_segment(si);
   if (!is_inner) ++points_on_segment_[s.segment];
+  ++(is_sharp ? n_sharp_points_ : n_other_points_);
   ++recovery_.statistics.edges_reinserted;
   for (const Index half : constraints_.split_subsegment(si, x))
     if (!is_edge_of_new_star(constraints_.subsegments[half].a, constraints_.subsegments[half].b)) queue_segment(half);
