@@ -19,6 +19,21 @@ PiecewiseLinearComplex near_triangles(double gap, double offset) {
   return b.plc;
 }
 
+/// Two triangles `gap` apart in planes of constant z, at coordinates of 1e4, in a small box.
+PiecewiseLinearComplex parallel_triangles(double gap) {
+  PlcBuilder b;
+  b.box({9999, 9999, 9999}, {10001, 10001, 10001});
+  for (const double z : {10000.0, 10000 + gap}) b.triangle({9999.5, 9999.5, z}, {10000.5, 9999.6, z}, {10000, 10000.5, z});
+  return b.plc;
+}
+
+/// Spheres of the same triangulation, 0.2 apart.
+PiecewiseLinearComplex thin_shells(unsigned level, int n) {
+  PlcBuilder b;
+  for (int i = 0; i < n; ++i) add_shell(b, sphere({0, 0, 0}, 1 - 0.2 * i, level));
+  return b.plc;
+}
+
 PiecewiseLinearComplex nested_spheres(unsigned level, int n) {
   PlcBuilder b;
   for (int i = 0; i < n; ++i) add_shell(b, sphere({0, 0, 0}, 1.0 + i, level));
@@ -68,6 +83,46 @@ PiecewiseLinearComplex spheres_touching_along_edge() {
   inner.points = {{-2, 0, -1}, {-2, 0, 1}, {0, 1, 0}, {0, -1, 0}};
   inner.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 2}};
   add_shell(b, inner);
+  return b.plc;
+}
+
+/// Two octahedra that share a vertex, and apart from them two tetrahedra that share an edge.
+PiecewiseLinearComplex touching_solids() {
+  PlcBuilder b;
+  add_shell(b, sphere({0, 0, 0}, 1, 0));
+  add_shell(b, sphere({2, 0, 0}, 1, 0));
+  const Vec3 p{10, 0, 0}, q{10, 0, 2};
+  for (const double side : {1.0, -1.0}) {
+    const Vec3 r{10 + side, -0.5, 1}, s{10 + side, 0.5, 1};
+    b.triangle(p, q, r);
+    b.triangle(p, q, s);
+    b.triangle(p, r, s);
+    b.triangle(q, r, s);
+  }
+  return b.plc;
+}
+
+/// Two triangles that hang by an oblique inner segment of the floor and are not coplanar.
+PiecewiseLinearComplex bent_hanging_facet() {
+  PlcBuilder b;
+  const Index floor = b.box({0, 0, 0}, {4, 4, 4});
+  const Vec3 p{1, 1.5, 0}, q{3, 2.2, 0}, r{2.9, 2.1, 3}, s{1.2, 1.5, 2.5};
+  b.facet_segment(floor, p, q);
+  b.triangle(p, q, r);
+  b.triangle(p, r, s);
+  return b.plc;
+}
+
+/// A well with vertices close about it, so that it is missing at first.
+PiecewiseLinearComplex well_among_points() {
+  PlcBuilder b;
+  b.box({0, 0, 0}, {4, 4, 4});
+  b.segment({1, 1, 3.5}, {3, 2.5, 0.5}, 7);
+  b.isolated_point({2, 3, 2});
+  for (int i = 0; i < 12; ++i) {
+    const double t = (i + 0.5) / 12, angle = 2.4 * i;
+    b.isolated_point(Vec3{1, 1, 3.5} + t * Vec3{2, 1.5, -3} + Vec3{0.01 * std::cos(angle), 0.01 * std::sin(angle), 0});
+  }
   return b.plc;
 }
 
@@ -139,6 +194,11 @@ std::vector<CorpusModel> corpus_contacts() {
       {"spheres_touching_along_edge", 3, [] { return spheres_touching_along_edge(); }},
       {"hanging_facets", 1, [] { return hanging_facets(); }},
       {"wells_and_points", 1, [] { return wells_and_points(); }},
+      {"parallel_triangles_1e-7", 1, [] { return parallel_triangles(1e-7); }, false, false},
+      {"thin_shells", 3, [] { return thin_shells(3, 3); }},
+      {"touching_solids", 4, [] { return touching_solids(); }},
+      {"bent_hanging_facet", 1, [] { return bent_hanging_facet(); }},
+      {"well_among_points", 1, [] { return well_among_points(); }},
       {"polygons_with_holes", 3, [] { return polygons_with_holes(); }},
   };
 }

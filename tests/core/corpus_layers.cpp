@@ -46,6 +46,21 @@ PiecewiseLinearComplex coplanar_stack(int n, double thinnest) {
   return b.plc;
 }
 
+/// Unit boxes on top of each other, their sides cut by diagonals in turns.
+PiecewiseLinearComplex stack_of_triangles(int n) {
+  PlcBuilder b;
+  const Vec3 corner[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const auto at = [&](int k, int level) { return corner[k % 4] + Vec3{0, 0, double(level)}; };
+  for (int i = 0; i <= n; ++i) b.polygon({at(0, i), at(1, i), at(2, i), at(3, i)});
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < 4; ++k) {
+      const bool rising = (i + k) % 2 == 0;
+      b.triangle(at(k, i), at(k + 1, i), at(rising ? k + 1 : k, i + 1));
+      b.triangle(at(rising ? k : k + 1, i), at(k + 1, i + 1), at(k, i + 1));
+    }
+  return b.plc;
+}
+
 /// Sheets z = height(sheet, i, j) over a grid of n x n squares between flat top and bottom, sorted upwards; sheets may coincide
 /// over parts (they pinch out there) and share the triangles. Sides are closed by triangles between neighbouring sheets.
 template <class Height>
@@ -94,15 +109,27 @@ PiecewiseLinearComplex pinching_layers(int n, double spacing, double vertical) {
   });
 }
 
+/// Two horizons that come together along curved lines, so that the thin layer between them ends and begins again.
+PiecewiseLinearComplex pinching_horizons(int n) {
+  return layers(n, 4, 1.0 / n, [=](int s, int i, int k) {
+    const double x = double(i) / n, y = double(k) / n, middle = 0.5 + 0.05 * std::sin(5 * x) * std::cos(4 * y);
+    const double z[4] = {0, middle, middle + std::max(0.0, 0.03 * std::sin(6 * x + 2 * y)), 1};
+    return z[s];
+  });
+}
+
 }  // namespace
 
 std::vector<CorpusModel> corpus_layers() {
   return {
       {"cube_lattice_2", 8, [] { return cube_lattice(2); }},
+      {"cube_lattice_4", 64, [] { return cube_lattice(4); }},
       {"cube_lattice_5", 125, [] { return cube_lattice(5); }},
       {"cube_lattice_12", 1728, [] { return cube_lattice(12); }, true},
       {"coplanar_stack", 12, [] { return coplanar_stack(12, 1.0 / 128); }},
       {"coplanar_stack_thin", 8, [] { return coplanar_stack(8, 1e-6); }, false, false},
+      {"stack_of_triangles", 8, [] { return stack_of_triangles(8); }},
+      {"pinching_horizons", 4, [] { return pinching_horizons(16); }},
       {"pinching_layers", 4, [] { return pinching_layers(12, 1, 1); }},
       {"pinching_layers_fine", 4, [] { return pinching_layers(40, 1, 1); }, true},
       {"flat_layers", 4, [] { return pinching_layers(12, 1, 1e-4); }, false, false},

@@ -91,6 +91,22 @@ PiecewiseLinearComplex chazelle(int n, double gap) {
   return b.plc;
 }
 
+/// The same obstacle from plates: rectangles that hang in a box, n across the lines x = i of z = xy from below and n across y = i from above.
+PiecewiseLinearComplex hanging_plates(int n) {
+  PlcBuilder b;
+  const double m = n + 1, top = m * m + 1, gap = 0.01;
+  b.box({0, 0, -1}, {m, m, top});
+  for (int i = 1; i <= n; ++i) {
+    const double x = i;
+    b.polygon({{x, 0.5, -0.5}, {x, m - 0.5, -0.5}, {x, m - 0.5, x * (m - 0.5)}, {x, 0.5, x * 0.5}});
+  }
+  for (int i = 1; i <= n; ++i) {
+    const double y = i;
+    b.polygon({{0.5, y, top - 0.5}, {m - 0.5, y, top - 0.5}, {m - 0.5, y, y * (m - 0.5) + gap}, {0.5, y, y * 0.5 + gap}});
+  }
+  return b.plc;
+}
+
 /// Figure 2 of the paper: a vertex with many incident segments at small angles over a base that is not planar, the base of a
 /// solid.
 PiecewiseLinearComplex high_degree_vertex(int n) {
@@ -108,6 +124,23 @@ PiecewiseLinearComplex high_degree_vertex(int n) {
     b.triangle(rim[i], rim[k], upper[k]);
     b.triangle(rim[i], upper[k], upper[i]);
     b.triangle(upper[i], upper[k], top);
+  }
+  return b.plc;
+}
+
+/// The same with a base whose rim is higher and lower in turn and one apex above it: nearly all segments meet in two vertices.
+PiecewiseLinearComplex fan_of_segments(int n) {
+  PlcBuilder b;
+  const Vec3 centre{0, 0, 0.3}, top{0.1, -0.2, 3};
+  std::vector<Vec3> rim;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n, r = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 2.3 : 0.4;
+    rim.push_back({r * std::cos(angle), r * std::sin(angle), 0.11 * ((i * 7) % 5)});
+  }
+  for (int i = 0; i < n; ++i) {
+    const int k = (i + 1) % n;
+    b.triangle(centre, rim[k], rim[i]);
+    b.triangle(top, rim[i], rim[k]);
   }
   return b.plc;
 }
@@ -168,6 +201,28 @@ PiecewiseLinearComplex wedge(double opening, bool in_box) {
   return b.plc;
 }
 
+/// A layer of this angle that ends along a line in the side of a box, between two others; its sides and the box's are coplanar.
+PiecewiseLinearComplex layer_that_ends(double angle) {
+  PlcBuilder b;
+  const double low = 0.25, high = 0.25 + std::tan(angle);
+  const auto at = [](double x, double y, double z) { return Vec3{x, y, z}; };
+  b.polygon({at(0, 0, low), at(1, 0, low), at(1, 1, low), at(0, 1, low)});
+  b.polygon({at(0, 0, low), at(1, 0, high), at(1, 1, high), at(0, 1, low)});
+  b.polygon({at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)});
+  b.polygon({at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)});
+  b.polygon({at(0, 0, 0), at(0, 0, low), at(0, 1, low), at(0, 1, 0)});
+  b.polygon({at(0, 0, low), at(0, 0, 1), at(0, 1, 1), at(0, 1, low)});
+  b.polygon({at(1, 0, 0), at(1, 1, 0), at(1, 1, low), at(1, 0, low)});
+  b.polygon({at(1, 0, low), at(1, 1, low), at(1, 1, high), at(1, 0, high)});
+  b.polygon({at(1, 0, high), at(1, 1, high), at(1, 1, 1), at(1, 0, 1)});
+  for (const double y : {0.0, 1.0}) {
+    b.polygon({at(0, y, 0), at(1, y, 0), at(1, y, low), at(0, y, low)});
+    b.triangle(at(0, y, low), at(1, y, low), at(1, y, high));
+    b.polygon({at(0, y, low), at(1, y, high), at(1, y, 1), at(0, y, 1)});
+  }
+  return b.plc;
+}
+
 /// Many sheets through one edge at equal small angles, in a box.
 PiecewiseLinearComplex sheaf(int n, double angle) {
   PlcBuilder b;
@@ -196,7 +251,10 @@ std::vector<CorpusModel> corpus_polyhedra() {
   }
   for (int n : {2, 4, 8, 16, 32})
     models.push_back({"chazelle_" + std::to_string(n), 1, [n] { return chazelle(n, 0.01); }, n > 4});
+  for (int n : {2, 4, 8, 16, 32})
+    models.push_back({"hanging_plates_" + std::to_string(n), 1, [n] { return hanging_plates(n); }, n > 4});
   models.push_back({"high_degree_vertex", 1, [] { return high_degree_vertex(30); }});
+  models.push_back({"fan_of_segments", 1, [] { return fan_of_segments(30); }});
   models.push_back({"needle_bundle", 1, [] { return needle_bundle(30); }});
   for (double s : {0.5, 0.01}) models.push_back({"pyramids_and_block_" + number(s), 9, [s] { return pyramids_and_block(s); }});
   models.push_back(
@@ -208,6 +266,8 @@ std::vector<CorpusModel> corpus_polyhedra() {
     models.push_back({"wedge_in_box_" + name, 2, [opening] { return wedge(opening, true); }, false, opening > 1e-5});
     ++k;
   }
+  for (const auto& [name, angle] : {std::pair{"30deg", 30 * degree}, {"1deg", degree}, {"1e-4", 1e-4}, {"1e-6", 1e-6}})
+    models.push_back({std::string("layer_that_ends_") + name, 3, [angle = angle] { return layer_that_ends(angle); }, false, angle > 1e-5});
   models.push_back({"sheaf_1deg", 1, [] { return sheaf(20, degree); }});
   models.push_back({"sheaf_1e-4", 1, [] { return sheaf(20, 1e-4); }});
   return models;

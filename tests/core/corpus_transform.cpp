@@ -166,6 +166,9 @@ PointMap scaled(int power) {
 PointMap moved(const Vec3& by) {
   return [by](const Vec3& p) { return p + by; };
 }
+PointMap flattened(double by) {
+  return [by](const Vec3& p) { return Vec3{p.x, p.y, by * p.z}; };
+}
 PointMap turned() {
   const double a = 0.6180339887, b = 1.1414213562, c = 0.2718281828;
   return [=](Vec3 p) {

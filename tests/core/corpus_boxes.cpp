@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "random_models.hpp"
+#include "corpus_boxes.hpp"
 
 #include <array>
 #include <cmath>
 #include <random>
 
-namespace geomesh::fuzz {
+namespace geomesh::test {
 
 namespace {
 
@@ -78,6 +78,6 @@ class Generator {
 
 }  // namespace
 
-PiecewiseLinearComplex random_plc(std::uint64_t seed) { return Generator(seed).run(); }
+PiecewiseLinearComplex random_boxes(std::uint64_t seed) { return Generator(seed).run(); }
 
-}  // namespace geomesh::fuzz
+}  // namespace geomesh::test
