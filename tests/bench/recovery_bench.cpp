@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -87,6 +88,21 @@ std::string added_share(const std::vector<Row>& rows, const std::string& group, 
   return text;
 }
 
+/// Tetrahedra per input triangle over all inputs of these groups that were meshed.
+std::string density(const std::vector<Row>& rows, std::span<const char* const> groups, Measurement Row::*run) {
+  std::size_t tetrahedra = 0, triangles = 0;
+  for (const Row& row : rows)
+    for (const char* group : groups)
+      if (row.input.name.rfind(group, 0) == 0 && (row.*run).ok) {
+        tetrahedra += (row.*run).answer.tetrahedra;
+        triangles += row.n_triangles;
+      }
+  if (triangles == 0) return "–";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f", static_cast<double>(tetrahedra) / static_cast<double>(triangles));
+  return text;
+}
+
 std::string table(const std::vector<Row>& rows, unsigned limit) {
   std::ostringstream out;
   out << "CPU seconds on one core from the model in memory to the classified mesh / points added / tetrahedra per input "
@@ -109,6 +125,14 @@ std::string table(const std::vector<Row>& rows, unsigned limit) {
   for (const char* group : {"solids", "modelA4", "faults"})
     out << "| " << group << " | " << added_share(rows, group, &Row::constrained) << " | "
         << added_share(rows, group, &Row::preserved) << " | " << added_share(rows, group, &Row::tetgen_py) << " |\n";
+  out << "\n| tetrahedra per input triangle | constrained | boundary kept | TetGen `pY` |\n|---|---|---|---|\n";
+  const char* const groups[] = {"solids", "classic", "modelA4", "faults"};
+  const auto density_row = [&](const std::string& name, std::span<const char* const> some) {
+    out << "| " << name << " | " << density(rows, some, &Row::constrained) << " | " << density(rows, some, &Row::preserved) << " | "
+        << density(rows, some, &Row::tetgen_py) << " |\n";
+  };
+  for (const char* const& group : groups) density_row(group, {&group, 1});
+  density_row("all of these", groups);
   out << "\nFailures:\n\n";
   bool any = false;
   for (const Row& r : rows) {
