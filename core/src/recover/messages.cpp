@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "recover/excerpt.hpp"
+
 namespace geomesh::recover {
 
 namespace {
@@ -36,8 +38,9 @@ ErrorContext context_of(const Recovery& recovery, std::vector<Index> facets, std
   out.facets = std::move(facets);
   for (VertexIndex v : vertices) {
     out.places.push_back(recovery.mesh.point(v));
-    if (recovery.input_vertex[v] != no_vertex) out.vertices.push_back(recovery.input_vertex[v]);
+    if (v < recovery.input_vertex.size() && recovery.input_vertex[v] != no_vertex) out.vertices.push_back(recovery.input_vertex[v]);
   }
+  out.excerpt = excerpt_about(recovery, std::vector<VertexIndex>(vertices));
   return out;
 }
 
@@ -147,6 +150,10 @@ void Recovery::refuse_crossings() const {
   if (crossing->edge_facet != no_index) where.facets.push_back(crossing->edge_facet);
   where.vertices = {crossing->a, crossing->b};
   where.places = {plc.points[crossing->a], plc.points[crossing->b]};
+  const auto local = [&](VertexIndex row) {
+    return static_cast<VertexIndex>(std::lower_bound(input_vertex.begin(), input_vertex.end(), row) - input_vertex.begin());
+  };
+  where.excerpt = excerpt_about(*this, std::vector{local(crossing->a), local(crossing->b)});
   const std::string owner = crossing->edge_facet == no_index ? "" : " of facet " + std::to_string(crossing->edge_facet);
   throw Error(ErrorKind::invalid_input,
               "the edge from vertex " + std::to_string(crossing->a) + " to vertex " + std::to_string(crossing->b) + owner + " at " +

@@ -3,6 +3,8 @@
 /// Typed errors that carry the offending items. Thrown by any room, caught once, in app/, and mapped to an exit status.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,12 +21,23 @@ enum class ErrorKind {
   interrupted = 130,   ///< the cancel token was set
 };
 
+/// A part of an unfinished mesh and the constraints there, so that the place where meshing ended can be looked at.
+struct MeshExcerpt {
+  std::vector<Vec3> points;
+  std::vector<Tetrahedron> tetrahedra;               ///< all exactly positive
+  std::vector<Triangle> triangles;                   ///< facets and parts of facets that the mesh is to have
+  std::vector<Index> facet;                          ///< per triangle: facet of the PLC
+  std::vector<std::array<VertexIndex, 2>> segments;  ///< segments, parts of them and edges of facets that the mesh is to have
+  std::vector<VertexIndex> culprits;                 ///< vertices of the items in trouble
+};
+
 /// Places and items an error speaks of, for messages and for dumps. All lists may be empty.
 struct ErrorContext {
   std::vector<Index> facets;         ///< facets of the PLC / soup, or triangles of a surface
   std::vector<Index> segments;       ///< segments of the PLC
   std::vector<VertexIndex> vertices; ///< vertices of the PLC
   std::vector<Vec3> places;          ///< coordinates of the trouble, the most telling first
+  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< what the mesh looks like there; null where there was none yet
 };
 
 /// The one exception type of geomesh. `what()` is a sentence that a user of the program understands: what is wrong, where, what
