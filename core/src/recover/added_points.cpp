@@ -4,6 +4,7 @@
 /// hinder each other, so much of what flips could not do before can be done now.
 #include <algorithm>
 
+#include "recover/excerpt.hpp"
 #include "recover/messages.hpp"
 #include "recover/point_removal.hpp"
 
@@ -97,6 +98,7 @@ void require_untouched_boundary(const Recovery& recovery) {
     const bool on_segment = r.origin == VertexOrigin::on_segment;
     ErrorContext context;
     context.places = {recovery.mesh.point(x)};
+    context.excerpt = excerpt_about(recovery, {&x, 1});
     if (!on_segment) context.facets = {r.owner};
     if (on_segment && recovery.constraints.segments[r.owner].row != no_index) context.segments = {recovery.constraints.segments[r.owner].row};
     const ModelSegment segment = on_segment ? recovery.constraints.segments[r.owner] : ModelSegment{};
