@@ -6,6 +6,7 @@
 
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "pipeline/failed_place.hpp"
 #include "pipeline/refine_model.hpp"
 #include "pipeline/soup_vtp.hpp"
 #include "report/words.hpp"
@@ -223,6 +224,20 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   return result;
 }
 
+/// Meshing has failed at a place that can be looked at: with `--stop-after recover` it is written, else the message tells how to get it.
+[[noreturn]] void fail_with_place(const Error& error, const PreparedModel& model, const OutputPlan& plan, const StageRecorder& recorder) {
+  std::string message = error.what();
+  if (recorder.stop_after() == "recover") {
+    make_output_folder(plan);
+    message += ". The tetrahedra and constraints about the place are in";
+    for (const auto& file : write_failed_place(*error.context().excerpt, model.plc, model.arrangement.soup, model.surfaces, plan.stem))
+      message += " " + file.string();
+  } else {
+    message += ". With --stop-after recover the tetrahedra and constraints about the place are written for viewing";
+  }
+  throw Error(error.kind(), message, error.context());
+}
+
 JobResult stop_early(PreparedModel& model, const OutputPlan& plan, const StageRecorder& recorder) {
   JobResult result;
   Report report = begin_report(model);
@@ -253,6 +268,9 @@ JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder
     return mesh_and_write(model, plan, recorder);
   } catch (const StopRequested&) {
     return stop_early(model, plan, recorder);
+  } catch (const Error& error) {
+    if (!error.context().excerpt) throw;
+    fail_with_place(error, model, plan, recorder);
   }
 }
 
