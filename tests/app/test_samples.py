@@ -4,6 +4,7 @@ import json
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -122,6 +123,20 @@ class Samples(ProgramTest):
         inside = {region["name"]: region["inside"] for region in report["regions"]}
         self.assertEqual(inside["salt"], ["salt"])
         self.assertEqual(inside["chalk"], [])
+
+    def test_salt_dome_in_conforming_mode(self):
+        shutil.copytree(os.path.join(SOURCE, "samples", "salt-dome"), self.path("salt-dome"))
+        project = self.path("salt-dome", "project.yaml")
+        with open(project) as file:
+            text = file.read().replace("mode: constrained", "mode: conforming")
+        self.assertIn("mode: conforming", text)
+        self.write(project, text)
+        self.run_program(project, "-o", self.path("out"))
+        report = self.report(self.path("out", "salt_dome.report.json"))
+        self.assertEqual(report["recovery"]["facets_not_recovered"], [])
+        triangles = sum(surface["triangles"] for surface in report["input"]["surfaces"])
+        self.assertTrue(report["recovery"]["tetrahedra_final"] <= 8 * triangles, "%d triangles" % triangles)
+        self.check(self.path("out", "salt_dome.vtu"), "--project", project, "--delaunay")
 
     def test_faulted_layers(self):
         report, check = self.run_with_expected("faulted-layers")
