@@ -109,6 +109,33 @@ TEST_CASE("arrange: coplanar overlaps become facets with several origins", "[arr
   CHECK(any_contains(result.warnings, "coincide"));
 }
 
+TEST_CASE("arrange: what would take more memory than allowed is refused with the place", "[arrangement]") {
+  std::mt19937 random(1);
+  const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  std::vector<std::array<Vec3, 3>> list(60);
+  for (auto& t : list)
+    for (Vec3& p : t) p = {unit(), unit(), unit()};
+  const auto heap = triangles("heap", list);  // everything crosses everything
+  ArrangementOptions options;
+  const auto whole = arrange({heap}, {}, {}, options);
+  CHECK(whole.memory_bound > 1e8);
+  for (const std::size_t bytes : {std::size_t{10000}, whole.soup.facets.size() * 200}) {  // too little for the contacts; for the facets
+    INFO(bytes);
+    options.max_memory = bytes;
+    try {
+      arrange({heap}, {}, {}, options);
+      FAIL("it was not refused");
+    } catch (const Error& e) {
+      CHECK(e.kind() == ErrorKind::cannot_mesh);
+      REQUIRE(e.context().places.size() == 1);
+      CHECK(std::find(heap.points.begin(), heap.points.end(), e.context().places[0]) != heap.points.end());
+      CHECK(std::string(e.what()).find("of memory") != std::string::npos);
+    }
+  }
+  options.max_memory = whole.soup.facets.size() * 1000;
+  CHECK(arrange({heap}, {}, {}, options).soup.facets == whole.soup.facets);
+}
+
 TEST_CASE("arrange: repeated triangles, zero area, -0 and T-junctions", "[arrangement]") {
   const std::array<Vec3, 3> t{Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{0, 2, 0}};
   SECTION("repeated triangles merge") {

@@ -8,6 +8,7 @@
 #include "clip.hpp"
 #include "diagnosis.hpp"
 #include "geomesh/core/error.hpp"
+#include "memory_bound.hpp"
 #include "rounding.hpp"
 #include "snap.hpp"
 
@@ -38,6 +39,7 @@ class Arrangement {
         for (const Vec3& p : side.points) bounds_->add(p);
     }
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
+    result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
     result_.area_clipped_by_box = ingested_.area_outside;
@@ -45,7 +47,7 @@ class Arrangement {
 
   ArrangementResult run() {
     if (options_.tolerance > 0) apply_tolerance_to_input();
-    Contacts contacts = find_contacts(ingested_.complex, context_);
+    Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     result_.n_pairs = contacts.n_pairs;
     log_round(0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
@@ -53,11 +55,12 @@ class Arrangement {
     // A soup that grows beyond these while it is mended will not end.
     const std::size_t most_facets = 4 * complex.facets.size() + 1000, most_contacts = 4 * contacts.facets.size() + 1000;
     for (unsigned round = 1;; ++round) {
-      contacts = find_contacts(complex, context_);
+      contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
       log_round(round, complex, contacts);
       result_.n_rounding_rounds = round;
-      for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k) contacts = find_contacts(complex, context_);
+      for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
+        contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
       if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets || contacts.facets.size() > most_contacts)
         refuse(complex, contacts);
@@ -73,7 +76,7 @@ class Arrangement {
   static constexpr unsigned most_snaps = 6;  ///< in one round
 
   Complex first_round(const Contacts& contacts) {
-    Arranged arranged = arrange_round(ingested_.complex, contacts, context_);
+    Arranged arranged = arrange_round(ingested_.complex, contacts, context_, result_.memory_bound);
     std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);
     diagnose_crossings(ingested_.complex, contacts, arranged, surfaces_, bounds_, result_, crosses_itself);
     if (options_.crossings == ArrangementOptions::Crossings::refuse) refuse_crossings(result_, surfaces_);
@@ -86,7 +89,7 @@ class Arrangement {
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
-    const Arranged arranged = arrange_round(complex, contacts, context_);
+    const Arranged arranged = arrange_round(complex, contacts, context_, result_.memory_bound);
     RoundingOptions rounding{0, bounds_};
     rounding.snap = mending_distance(complex, round);
     return take(round_to_doubles(arranged, complex, rounding));

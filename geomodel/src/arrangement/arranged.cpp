@@ -9,6 +9,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "memory_bound.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -58,10 +59,11 @@ class Identification {
 
 class Round {
  public:
-  Round(const Complex& complex, const Contacts& contacts, const RunContext& context)
+  Round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes)
       : complex_(complex),
         contacts_(contacts),
         context_(context),
+        memory_(max_bytes, contacts.size() * MemoryUse::per_contact),
         result_{ExactVertices(complex.points, ExactFrame(complex.points)), {}, {}, {}, {}, {}, {}},
         identify_(result_.vertices) {}
 
@@ -182,6 +184,7 @@ class Round {
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
       if (context_.cancel && context_.cancel->load(std::memory_order_relaxed)) return;
       pieces_[k] = triangulate_cluster(complex_, result_.vertices, cluster_input(k));
+      memory_.take(pieces_[k].facets.size(), MemoryUse::per_facet, complex_.points[complex_.facets[members_[cluster_begin_[k]].second][0]]);
     });
   }
 
@@ -249,6 +252,7 @@ class Round {
   const Complex& complex_;
   const Contacts& contacts_;
   const RunContext& context_;
+  MemoryUse memory_;
   Arranged result_;
   Identification identify_;
   std::vector<Index> active_;
@@ -266,8 +270,8 @@ void ExactVertices::append(std::vector<ExactPoint>&& points, std::vector<Vec3>&&
   made_rounded_.insert(made_rounded_.end(), rounded.begin(), rounded.end());
 }
 
-Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context) {
-  return Round(complex, contacts, context).run();
+Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes) {
+  return Round(complex, contacts, context, max_bytes).run();
 }
 
 }  // namespace geomesh::geomodel::arrangement

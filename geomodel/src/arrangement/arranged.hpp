@@ -43,7 +43,8 @@ struct Arranged {
   std::vector<std::array<Index, 2>> contact_ends;
 };
 
-Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context);
+/// Throws Error{cannot_mesh} where it would take more than `max_bytes`.
+Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes = no_memory_bound);
 
 /// Facets that overlap in their plane, with all contacts on them, split into pieces.
 struct ClusterPieces {

@@ -7,6 +7,7 @@
 #include "bvh.hpp"
 #include "charts.hpp"
 #include "contacts.hpp"
+#include "memory_bound.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -29,14 +30,29 @@ std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& fac
   return boxes;
 }
 
+/// What a search works on and how much of it.
+struct Limits {
+  const Complex& complex;
+  const RunContext& context;
+  MemoryUse& memory;
+};
+
 /// Runs body(i, out) for i in [0, n) in fixed chunks and joins what they found in the order of the chunks.
 template <typename Body>
-void collect(std::size_t n, std::size_t chunk, Contacts& all, const RunContext& context, Body&& body) {
+void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limits, Body&& body) {
+  const auto& [complex, context, memory] = limits;
+  const auto place_of = [&complex = complex](const Contacts& c) {
+    return c.facets.empty() ? Vec3{} : complex.points[complex.facets[c.facets.back().facet][0]];
+  };
   const std::size_t n_chunks = (n + chunk - 1) / chunk;
   std::vector<Contacts> found(n_chunks);
   tbb::parallel_for(std::size_t{0}, n_chunks, [&](std::size_t c) {
     if (context.cancel && context.cancel->load(std::memory_order_relaxed)) return;
-    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, n); ++i) body(i, found[c]);
+    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, n); ++i) {
+      const std::size_t before = found[c].size();
+      body(i, found[c]);
+      if (found[c].size() > before) memory.take(found[c].size() - before, MemoryUse::per_contact, place_of(found[c]));
+    }
   });
   context.check_cancelled();
   for (const Contacts& part : found) all.append(part);
@@ -59,12 +75,13 @@ std::vector<Index> facets_to_test(const Complex& complex) {
   return result;
 }
 
-void find_facet_contacts(const Complex& complex, Contacts& all, const RunContext& context) {
+void find_facet_contacts(const Limits& limits, Contacts& all) {
+  const Complex& complex = limits.complex;
   const std::vector<Index> tested = facets_to_test(complex);
   std::vector<Index> charts;
   if (tested.size() == complex.facets.size()) charts = find_charts(complex);
   const BoxTree tree(boxes_of(complex, tested), charts);
-  collect(tree.n_leaves(), 128, all, context, [&](std::size_t leaf, Contacts& out) {
+  collect(tree.n_leaves(), 128, all, limits, [&](std::size_t leaf, Contacts& out) {
     tree.pairs_of_leaf(leaf, [&](Index i, Index j) {
       const Index a = std::min(tested[i], tested[j]), b = std::max(tested[i], tested[j]);
       if (!complex.dirty_facet[a] && !complex.dirty_facet[b]) return;
@@ -74,7 +91,8 @@ void find_facet_contacts(const Complex& complex, Contacts& all, const RunContext
   });
 }
 
-void find_well_contacts(const Complex& complex, Contacts& all, const RunContext& context) {
+void find_well_contacts(const Limits& limits, Contacts& all) {
+  const Complex& complex = limits.complex;
   if (complex.segments.empty() && complex.isolated_points.empty()) return;
   std::vector<Index> facets(complex.facets.size());
   for (Index f = 0; f < facets.size(); ++f) facets[f] = f;
@@ -82,7 +100,7 @@ void find_well_contacts(const Complex& complex, Contacts& all, const RunContext&
   std::vector<Box3> segment_boxes;
   for (Index s = 0; s < complex.segments.size(); ++s) segment_boxes.push_back(box_of_segment(complex, s));
   const BoxTree segment_tree(segment_boxes);
-  collect(complex.segments.size(), 64, all, context, [&](std::size_t i, Contacts& out) {
+  collect(complex.segments.size(), 64, all, limits, [&](std::size_t i, Contacts& out) {
     const auto s = static_cast<Index>(i);
     facet_tree.boxes_meeting(segment_boxes[s], [&](Index f) {
       if (complex.dirty_segment[s] || complex.dirty_facet[f]) segment_facet_contact(complex, s, f, out);
@@ -91,7 +109,7 @@ void find_well_contacts(const Complex& complex, Contacts& all, const RunContext&
       if (s < t && (complex.dirty_segment[s] || complex.dirty_segment[t])) segment_segment_contact(complex, s, t, out);
     });
   });
-  collect(complex.isolated_points.size(), 64, all, context, [&](std::size_t i, Contacts& out) {
+  collect(complex.isolated_points.size(), 64, all, limits, [&](std::size_t i, Contacts& out) {
     const VertexIndex v = complex.isolated_points[i].v;
     Box3 place;
     place.add(complex.points[v]);
@@ -108,10 +126,12 @@ void sort_unique(std::vector<T>& items) {
 
 }  // namespace
 
-Contacts find_contacts(const Complex& complex, const RunContext& context) {
+Contacts find_contacts(const Complex& complex, const RunContext& context, std::size_t max_bytes) {
   Contacts all;
-  find_facet_contacts(complex, all, context);
-  find_well_contacts(complex, all, context);
+  MemoryUse memory(max_bytes);
+  const Limits limits{complex, context, memory};
+  find_facet_contacts(limits, all);
+  find_well_contacts(limits, all);
   sort_unique(all.facets);
   sort_unique(all.segments);
   sort_unique(all.overlaps);

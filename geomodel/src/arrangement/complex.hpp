@@ -12,6 +12,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
+inline constexpr std::size_t no_memory_bound = ~std::size_t{0};
+
 using Origin = PolygonSoup::Origin;
 
 /// Lists of origins, one for each facet, back to back.

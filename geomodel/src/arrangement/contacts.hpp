@@ -60,6 +60,7 @@ struct Contacts {
   std::vector<Overlap> overlaps;
   std::size_t n_pairs = 0;
   bool empty() const { return facets.empty() && segments.empty() && overlaps.empty(); }
+  std::size_t size() const { return facets.size() + segments.size() + overlaps.size(); }
   void append(const Contacts& more);
 };
 
@@ -69,7 +70,8 @@ void segment_segment_contact(const Complex& complex, Index a, Index b, Contacts&
 void point_facet_contact(const Complex& complex, VertexIndex point, Index facet, Contacts& out);
 void point_segment_contact(const Complex& complex, VertexIndex point, Index segment, Contacts& out);
 
-/// All contacts in which something dirty takes part, other than shared vertices and edges; sorted. Near-linear, parallel.
-Contacts find_contacts(const Complex& complex, const RunContext& context);
+/// All contacts in which something dirty takes part, other than shared vertices and edges; sorted. Near-linear, parallel. Throws
+/// Error{cannot_mesh} where they would take more than `max_bytes`.
+Contacts find_contacts(const Complex& complex, const RunContext& context, std::size_t max_bytes = no_memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -103,6 +103,7 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
   root["intersection"] = {{"pairs_tested", a.n_pairs},
                           {"pairs_crossing", a.n_crossing_pairs},
                           {"rounding_rounds", a.n_rounding_rounds},
+                          {"memory_bound", a.memory_bound},
                           {"facets", a.soup.facets.size()},
                           {"points", a.soup.points.size()},
                           {"spots", spots_json(a.spots, names)}};

@@ -80,6 +80,9 @@ struct ArrangementOptions {
   /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of crossings all the
   /// same. At least 1024 ulps of the largest coordinate where it is not 0.
   double tolerance = 0;
+  /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is needed it ends with
+  /// Error{cannot_mesh} and the place.
+  std::size_t max_memory = 0;
 };
 
 struct Displacement {
@@ -103,6 +106,7 @@ struct ArrangementResult {
   std::vector<Spot> spots;
   std::vector<std::string> warnings;
   std::size_t n_pairs = 0, n_crossing_pairs = 0, n_rounding_rounds = 0;
+  std::size_t memory_bound = 0;  ///< bytes it might take
 };
 
 /// Throws Error{invalid_input} where crossings are refused (names the pairs and places) or coordinates are not finite;
