@@ -28,8 +28,9 @@ class Refinement(ProgramTest):
         check = self.check(self.path("layers.vtu"), "--project", project)
         return self.report(self.path("layers.report.json")), check
 
-    def refined_sample(self, name, mesh):
-        """A copy of a sample with other keys under `mesh`, meshed and checked; the report and the check's."""
+    def refined_sample(self, name, mesh, kept=True):
+        """A copy of a sample with other keys under `mesh`, meshed and checked, where surfaces are kept against the project; the report and the
+        check's."""
         folder = self.path("sample")
         shutil.copytree(os.path.join(SOURCE, "samples", name), folder, ignore=shutil.ignore_patterns("out"))
         project = os.path.join(folder, "project.yaml")
@@ -41,7 +42,7 @@ class Refinement(ProgramTest):
             file.write(text)
         self.run_program(project, "-o", self.folder)
         mesh = next(self.path(f) for f in os.listdir(self.folder) if f.endswith(".vtu"))
-        return self.report(mesh[:-4] + ".report.json"), self.check(mesh, "--project", project)
+        return self.report(mesh[:-4] + ".report.json"), self.check(mesh, *(["--project", project] if kept else []))
 
     def test_a_global_size(self):
         report, check = self.mesh_layers("{size: 1}")
@@ -117,6 +118,33 @@ class Refinement(ProgramTest):
         self.assertLess(quality["max_dihedral"], 150)
         self.assertGreater(quality["whole"]["share_above_24_85"], 0.985)
         self.assertGreater(report["refinement"]["edges_within_size"], 0.9)
+
+    def test_best_on_irregular_grains(self):
+        """Surfaces free within 0.2 % of a grain's 200 micrometres: no element below 24.85 degrees, none above 145."""
+        tolerance = 0.4
+        report, check = self.refined_sample("sediment-grains", "{refine: default, quality: best, honour: tolerance, tolerance: %g}" % tolerance,
+                                            kept=False)
+        self.assertEqual(len(check["regions"]), 9)
+        quality = report["quality"]
+        self.assertGreater(quality["min_dihedral"], 24.85)
+        self.assertLess(quality["max_dihedral"], 145)
+        self.assertLessEqual(report["refinement"]["deviation_result_to_input"], tolerance)
+        self.assertLessEqual(report["refinement"]["deviation_input_to_result"], tolerance)
+        self.assertGreater(report["refinement"]["edges_within_size"], 0.9)
+
+    def test_edges_have_the_sizes_asked(self):
+        """Nine edges in ten between half and twice what was asked, whatever asks."""
+        for name, mesh in (("sediment-grains", "{size: {global: 40, surfaces: {grain_1: 12}}}"),
+                           ("wells", "{size: {global: 300, curves: {wells: 40}, units: {reservoir: 120}}}"),
+                           ("depth-in-feet", "{size: {global: 300, units: {gas: 120}, gap_layers: 2}}")):
+            shutil.rmtree(self.path("sample"), ignore_errors=True)
+            for file in os.listdir(self.folder):
+                if os.path.isfile(self.path(file)):
+                    os.remove(self.path(file))
+            report, _ = self.refined_sample(name, mesh)
+            self.assertGreater(report["refinement"]["edges_within_size"], 0.9, name)
+            histogram = report["quality"]["whole"]["edge_size_histogram"]
+            self.assertGreater(sum(histogram[2:6]), 0.9 * sum(histogram), name)
 
     def test_salt_dome(self):
         report, check = self.refined_sample("salt-dome", "{size: {input_edges: false, global: 700, gap_layers: none}}")

@@ -44,7 +44,7 @@ class SizeFieldBuilder {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   /// Where short edges stand among long ones, as where curves cross the sides of triangles: nobody asked for the short ones, so sizes grow as
   /// fast from there as shapes allow.
-  static constexpr double uneven_ratio = 0.5, uneven_gradation = 0.6;
+  static constexpr double uneven_ratio = 0.5, uneven_gradation = 0.6, few_shortest = 3;
 
   void ask(VertexIndex v, double size) {
     if (size > 0) at_vertex_[v] = std::min(at_vertex_[v], size);
@@ -62,7 +62,7 @@ class SizeFieldBuilder {
       }
   }
 
-  /// At each vertex on a surface the harmonic mean of the lengths of the constrained edges there: in an even triangulation their
+  /// At each vertex on a surface or curve the harmonic mean of the lengths of the constrained edges there: in an even triangulation their
   /// mean; near a few short edges among long ones a few times the short ones, which is what elements of good shape need there. Edges
   /// between pieces of one input triangle are nobody's wish.
   void add_input_edges() {
@@ -75,13 +75,16 @@ class SizeFieldBuilder {
       for (unsigned k = 0; k < 3; ++k)
         uses.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), merged_[facet]});
     });
+    for (const auto& [a, b] : mesh_.curve_edges()) uses.push_back({a, b, no_index});
     std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return std::tuple(x.a, x.b, x.facet) < std::tuple(y.a, y.b, y.facet); });
     std::vector<double> inverse(mesh_.n_vertices(), 0), sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
     shortest_.assign(mesh_.n_vertices(), infinity);
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b;) ++j;
-      if (j - i == 2 && uses[i].facet == uses[i + 1].facet) continue;
-      const double l = distance(mesh_.point(uses[i].a), mesh_.point(uses[i].b)), n = static_cast<double>(j - i);
+      const bool is_curve = uses[j - 1].facet == no_index;
+      const std::size_t n_faces = j - i - is_curve;
+      if (!is_curve && n_faces == 2 && uses[i].facet == uses[i + 1].facet) continue;
+      const double l = distance(mesh_.point(uses[i].a), mesh_.point(uses[i].b)), n = static_cast<double>(std::max(n_faces, std::size_t{1}));
       for (const VertexIndex v : {uses[i].a, uses[i].b}) inverse[v] += n / l, sum[v] += n * l, count[v] += n, shortest_[v] = std::min(shortest_[v], l);
     }
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
@@ -91,7 +94,7 @@ class SizeFieldBuilder {
         ask(v, harmonic);
       } else {
         ask(v, mean);
-        sources_.push_back({mesh_.point(v), harmonic, 0, std::max(options_.gradation, uneven_gradation)});
+        sources_.push_back({mesh_.point(v), std::min(harmonic, few_shortest * shortest_[v]), 0, std::max(options_.gradation, uneven_gradation)});
       }
     }
   }
