@@ -65,29 +65,35 @@ void write_poly(const PiecewiseLinearComplex& plc, const std::string& path) {
   const ConstrainedTetrahedralization mesh = has_holes ? tetrahedralize(plc) : ConstrainedTetrahedralization{};
   std::vector<Vec3> points = plc.points;
   std::map<VertexIndex, VertexIndex> added;  // points of `mesh` that are not in the PLC
-  std::vector<std::pair<Index, std::vector<VertexIndex>>> polygons;
+  std::vector<std::pair<Index, std::vector<std::vector<VertexIndex>>>> facets;  // marker, polygons and inner segments
   const auto row_of = [&](VertexIndex v) {
     if (mesh.input_vertex[v] != no_vertex) return mesh.input_vertex[v];
     const auto [it, is_new] = added.try_emplace(v, static_cast<VertexIndex>(points.size()));
     if (is_new) points.push_back(mesh.points[v]);
     return it->second;
   };
-  for (Index f = 0; f < plc.n_facets(); ++f)
-    if (plc.n_loops(f) == 1) polygons.push_back({f, {plc.outer_loop(f).begin(), plc.outer_loop(f).end()}});
+  std::vector<std::vector<std::vector<VertexIndex>>> inner(plc.n_facets());
+  for (const auto& s : plc.facet_segments) inner[s.facet].push_back({s.a, s.b});
+  for (Index f = 0; f < plc.n_facets(); ++f) {
+    if (plc.n_loops(f) > 1) continue;
+    inner[f].emplace(inner[f].begin(), plc.outer_loop(f).begin(), plc.outer_loop(f).end());
+    facets.push_back({f, std::move(inner[f])});
+  }
   for (const auto& face : mesh.faces)
     if (plc.n_loops(face.facet) > 1)
-      polygons.push_back({face.facet, {row_of(face.vertices[0]), row_of(face.vertices[1]), row_of(face.vertices[2])}});
-  for (const auto& s : plc.facet_segments)
-    if (plc.n_loops(s.facet) == 1) polygons.push_back({s.facet, {s.a, s.b}});
+      facets.push_back({face.facet, {{row_of(face.vertices[0]), row_of(face.vertices[1]), row_of(face.vertices[2])}}});
   std::ofstream out(path);
   out.precision(17);
   out << points.size() << " 3 0 0\n";
   for (std::size_t v = 0; v < points.size(); ++v) out << v << ' ' << points[v].x << ' ' << points[v].y << ' ' << points[v].z << '\n';
-  out << polygons.size() << " 1\n";
-  for (const auto& [facet, vertices] : polygons) {
-    out << "1 0 " << facet + 1 << '\n' << vertices.size();
-    for (const VertexIndex v : vertices) out << ' ' << v;
-    out << '\n';
+  out << facets.size() << " 1\n";
+  for (const auto& [facet, polygons] : facets) {
+    out << polygons.size() << " 0 " << facet + 1 << '\n';
+    for (const auto& vertices : polygons) {
+      out << vertices.size();
+      for (const VertexIndex v : vertices) out << ' ' << v;
+      out << '\n';
+    }
   }
   out << "0\n0\n";
 }

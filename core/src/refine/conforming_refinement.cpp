@@ -128,7 +128,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   result.statistics.passes = counts.rounds;
   result.statistics.edges_within_size = share_within_size(result.mesh, result.size_field);
   if (counts.too_large > 0)
-    context.note(LogLevel::info, std::to_string(counts.too_large) + " elements stay larger or more pointed than asked: the input's small angles leave no room");
+    context.note(LogLevel::info, std::to_string(counts.too_large) + " elements stay larger or more pointed than asked: a point for them would be too near to others");
   return result;
 }
 
