@@ -111,9 +111,13 @@ class FacetRecovery {
     }
     return !(left && right);
   }
-  /// Whether the vertex lies in the triangle of the corners, its border included.
+  /// Whether the vertex lies in the triangle of the corners, its border included, or in the polygon where the trace is exact: no added point
+  /// bends it.
   bool holds(VertexIndex v) const {
     if (mesh_.orient(plane_[0], plane_[1], plane_[2], v) != Sign::zero) return false;
+    const std::vector<VertexIndex> members = members_of(recovery_.constraints, subfacet_);
+    const auto is_input = [&](VertexIndex u) { return u < mesh_.n_input(); };
+    if (is_input(v) && !has_been_split_ && std::all_of(members.begin(), members.end(), is_input)) return true;
     const Vec3 normal = sides_.normal();
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -154,6 +158,7 @@ class FacetRecovery {
         recovery_.count_added_point();
         sides_.add_member(x);
         is_plain_ = false;
+        has_been_split_ = true;
         return true;
       }
       mesh_.drop_last_point();
@@ -181,6 +186,7 @@ class FacetRecovery {
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
   bool is_plain_ = true;  ///< a triangle to which no point has been added
+  bool has_been_split_ = false;  ///< got a point here
 };
 
 }  // namespace
