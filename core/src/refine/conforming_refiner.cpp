@@ -41,7 +41,7 @@ bool ConformingRefiner::refine() {
 }
 
 void ConformingRefiner::recover_what_was_lost() {
-  max_points_ = recovery_.n_points_added + 30 * mesh_.n_input() + 3000;
+  renew_budget();
   recover_queued_facets();
   for (const Index f : missing_facets_) give_up_facet(f);
   missing_facets_.clear();
