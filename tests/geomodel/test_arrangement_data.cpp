@@ -7,6 +7,7 @@
 #include <map>
 
 #include "arrangement_inputs.hpp"
+#include "corpus_run.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "require_sound.hpp"
@@ -47,6 +48,14 @@ ArrangementResult require_good(const std::vector<TriangulatedSurface>& surfaces,
     INFO(surfaces[s].name);
     CHECK(area_of(result.soup, s) + result.area_clipped_by_box[s] == Approx(area_of(surfaces[s])).epsilon(1e-9));
   }
+  return result;
+}
+
+/// Good, and meshed in constrained mode with the boundary kept, which is judged exactly.
+ArrangementResult require_good_and_meshed(const std::vector<TriangulatedSurface>& surfaces, const std::optional<Box3>& box) {
+  constexpr double time_limit = 120;
+  ArrangementResult result = require_good(surfaces, box);
+  CHECK(test::run_and_judge(complex_of(result.soup), test::preserving_mode(), time_limit).trouble == "");
   return result;
 }
 
@@ -92,31 +101,31 @@ TEST_CASE("arrange: Claudius in its boxes", "[arrangement][data]") {
   if (!is_there("claudius")) return;
   const auto horizons = load_all_ts(data / "claudius/claudius_delaunay.ts");
   REQUIRE(horizons.size() == 4);
-  require_good(horizons, Box3{{549500, 7820100, -11010}, {550850, 7821750, -8400}});
-  require_good(horizons, Box3{{548800, 7816600, -11010}, {552500, 7822000, -8400}});
+  require_good_and_meshed(horizons, Box3{{549500, 7820100, -11010}, {550850, 7821750, -8400}});
+  require_good_and_meshed(horizons, Box3{{548800, 7816600, -11010}, {552500, 7822000, -8400}});
 }
 
 TEST_CASE("arrange: solids", "[arrangement][data]") {
   if (!is_there("solids")) return;
-  require_good({load_obj(data / "solids/Gravgen.obj")}, std::nullopt);
-  require_good({load_obj(data / "solids/two_spheres.obj")}, std::nullopt);
-  require_good({load_obj(data / "solids/sphere1.obj"), load_obj(data / "solids/sphere2.obj")}, std::nullopt);
+  require_good({load_obj(data / "solids/Gravgen.obj")}, std::nullopt);  // meshed by test_recover_soups.cpp
+  require_good_and_meshed({load_obj(data / "solids/two_spheres.obj")}, std::nullopt);
+  require_good_and_meshed({load_obj(data / "solids/sphere1.obj"), load_obj(data / "solids/sphere2.obj")}, std::nullopt);
   const auto soup = load_stl(data / "solids/soup.stl");
   REQUIRE(soup.triangles.size() == 100);
-  require_good({soup}, wide_box({soup}));
+  require_good_and_meshed({soup}, wide_box({soup}));
   const auto bunny = load_obj(data / "solids/bunny25k.obj");
   const auto cow = moved(load_obj(data / "solids/cow25k.obj"), [&, box = wide_box({bunny})](const Vec3& p) {
     const double c = std::cos(0.7), s = std::sin(0.7), scale = 0.8 * (box.max.x - box.min.x);
     return 0.5 * (box.min + box.max) + scale * Vec3{c * p.x - s * p.z, p.y, s * p.x + c * p.z};
   });
-  CHECK(require_good({bunny, cow}, std::nullopt).n_crossing_pairs > 100);
+  CHECK(require_good_and_meshed({bunny, cow}, std::nullopt).n_crossing_pairs > 100);
 }
 
 TEST_CASE("arrange: a hundred grains in a box", "[arrangement][data]") {
   if (!is_there("grains")) return;
   const auto grains = folder("grains", ".obj");
   REQUIRE(grains.size() == 100);
-  const auto result = require_good(grains, wide_box(grains));
+  const auto result = require_good_and_meshed(grains, wide_box(grains));
   CHECK(result.soup.facets.size() == 100 * 320 + 12);
 }
 
