@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geomesh/core/predicates.hpp"
-#include "refine/closest_point.hpp"
+#include "search/closest_point.hpp"
 
 namespace geomesh {
 
@@ -26,7 +26,7 @@ class CrossingSearch {
     collect();
     const std::size_t axis = longest_axis();
     std::stable_sort(edges_.begin(), edges_.end(), [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; });
-    const remesh::ClosestPointTrees tree = tree_of_triangles();
+    const search::ClosestPointTrees tree = tree_of_triangles();
     std::optional<PlcCrossing> best;
     for (const Item& e : edges_) {
       tree.for_each_in(e.box, 0, [&](const auto& found) {
@@ -59,8 +59,8 @@ class CrossingSearch {
     }
     for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
   }
-  remesh::ClosestPointTrees tree_of_triangles() const {
-    std::vector<remesh::ClosestPointTrees::Item> items;
+  search::ClosestPointTrees tree_of_triangles() const {
+    std::vector<search::ClosestPointTrees::Item> items;
     for (const Item& t : triangles_) items.push_back({{point(t.a), point(t.b), point(t.c)}, 0, static_cast<Index>(items.size())});
     return {std::move(items), 1};
   }

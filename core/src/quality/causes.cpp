@@ -6,7 +6,7 @@
 
 #include "geomesh/core/simplex_mesh.hpp"
 #include "quality/shape.hpp"
-#include "refine/closest_point.hpp"
+#include "search/closest_point.hpp"
 
 namespace geomesh {
 
@@ -32,7 +32,7 @@ double distance_between_segments(const Vec3& a, const Vec3& b, const Vec3& c, co
   double low = 0, high = 1;
   const auto at = [&](double t) {
     const Vec3 p = a + t * (b - a);
-    return remesh::distance(p, remesh::closest_on_segment(p, c, d));
+    return remesh::distance(p, search::closest_on_segment(p, c, d));
   };
   for (unsigned k = 0; k < 60; ++k) {  // the distance is convex in t
     const double u = low + (high - low) / 3, v = high - (high - low) / 3;
@@ -168,7 +168,7 @@ bool CauseFinder::explain_by_gap(WorstElement& w) const {
   for (unsigned i = 0; i < 4; ++i) {
     const auto& f = face_vertices[i];
     if (apart({t[i]}, {t[f[0]], t[f[1]], t[f[2]]}))
-      found(remesh::distance(p(i), remesh::closest_on_triangle(p(i), p(f[0]), p(f[1]), p(f[2]))), t[i], t[f[0]]);
+      found(remesh::distance(p(i), search::closest_on_triangle(p(i), p(f[0]), p(f[1]), p(f[2]))), t[i], t[f[0]]);
   }
   for (unsigned e = 0; e < 3; ++e) {
     const auto [i, j] = edge_vertices[e];

@@ -19,7 +19,7 @@ struct Members {
     double least = std::numeric_limits<double>::infinity();
     for (const Index f : facets) {
       const auto t = plc.outer_loop(f);
-      const double d = squared_distance(p, closest_on_triangle(p, plc.points[t[0]], plc.points[t[1]], plc.points[t[2]]));
+      const double d = squared_distance(p, search::closest_on_triangle(p, plc.points[t[0]], plc.points[t[1]], plc.points[t[2]]));
       if (d < least) least = d, best = f;
     }
     return best;

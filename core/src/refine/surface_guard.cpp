@@ -61,7 +61,7 @@ double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFa
   double best = std::numeric_limits<double>::infinity();
   for (const SurfaceFace& f : faces) {
     if (f.patch != patch) continue;
-    best = std::min(best, distance(p, closest_on_triangle(p, f.corners[0], f.corners[1], f.corners[2])));
+    best = std::min(best, distance(p, search::closest_on_triangle(p, f.corners[0], f.corners[1], f.corners[2])));
     if (best <= limit) break;
   }
   return best;
@@ -76,7 +76,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex&
     return;
   }
   for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
-  std::vector<ClosestPointTrees::Item> faces, samples, pieces;
+  std::vector<search::ClosestPointTrees::Item> faces, samples, pieces;
   for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
     const Index patch = mesh.patch_of_facet(facet);
     faces.push_back({p, patch, facet});
@@ -84,9 +84,9 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex&
   });
   for (const auto& [a, b] : mesh.curve_edges())
     pieces.push_back({{mesh.point(a), mesh.point(b), mesh.point(b)}, mesh.curve_of(a, b), no_index});
-  patches_ = ClosestPointTrees(std::move(faces), mesh.n_patches());
-  samples_ = ClosestPointTrees(std::move(samples), mesh.n_patches());
-  curves_ = ClosestPointTrees(std::move(pieces), mesh.n_curve_classes());
+  patches_ = search::ClosestPointTrees(std::move(faces), mesh.n_patches());
+  samples_ = search::ClosestPointTrees(std::move(samples), mesh.n_patches());
+  curves_ = search::ClosestPointTrees(std::move(pieces), mesh.n_curve_classes());
 }
 
 /// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than rounding.
@@ -155,7 +155,7 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
           box.add(p + Vec3{tolerance_, tolerance_, tolerance_});
         }
     bool near = true;
-    samples_.for_each_in(box, patch, [&](const ClosestPointTrees::Item& s) {
+    samples_.for_each_in(box, patch, [&](const search::ClosestPointTrees::Item& s) {
       const Vec3& p = s.corners[0];
       if (!near || !(distance_to_faces(p, patch, before, tolerance_) <= tolerance_)) return;  // covered by others
       near = distance_to_faces(p, patch, after, tolerance_) <= tolerance_ ||
@@ -176,7 +176,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
       const Vec3 p = curves_.closest((1 - t) * c.a + t * c.b, c.curve).point;
       double best = std::numeric_limits<double>::infinity();
       for (const CurvePiece& d : after)
-        if (d.curve == c.curve) best = std::min(best, distance(p, closest_on_segment(p, d.a, d.b)));
+        if (d.curve == c.curve) best = std::min(best, distance(p, search::closest_on_segment(p, d.a, d.b)));
       if (!(best <= tolerance_)) return false;
     }
   return true;
@@ -201,13 +201,13 @@ std::pair<double, double> SurfaceGuard::deviation(const DomainMesh& mesh) const 
     d.second = d.first;
     return d;
   }
-  std::vector<ClosestPointTrees::Item> faces;
+  std::vector<search::ClosestPointTrees::Item> faces;
   for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
     const Index patch = mesh.patch_of_facet(facet);
     for (const Vec3& s : triangle_samples(p[0], p[1], p[2])) d.first = std::max(d.first, patches_.closest(s, patch).distance);
     faces.push_back({p, patch, facet});
   });
-  const ClosestPointTrees now(std::move(faces), mesh.n_patches());
+  const search::ClosestPointTrees now(std::move(faces), mesh.n_patches());
   for (const auto& s : samples_.items()) d.second = std::max(d.second, now.closest(s.corners[0], s.group).distance);
   return d;
 }

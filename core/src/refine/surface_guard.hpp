@@ -15,7 +15,7 @@
 
 #include "geomesh/core/refine.hpp"
 #include "refine/cavity.hpp"
-#include "refine/closest_point.hpp"
+#include "search/closest_point.hpp"
 
 namespace geomesh::remesh {
 
@@ -69,8 +69,8 @@ class SurfaceGuard {
   Honour honour_ = Honour::exact;
   double tolerance_ = 0;                          // what samples are held to
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
-  ClosestPointTrees patches_, curves_;
-  ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
+  search::ClosestPointTrees patches_, curves_;
+  search::ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
 };
 
 /// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.

@@ -11,7 +11,7 @@
 
 #include "geomesh/core/geometry.hpp"
 
-namespace geomesh::remesh {
+namespace geomesh::search {
 
 /// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5). The corners may be equal in
 /// pairs.
@@ -72,4 +72,4 @@ class ClosestPointTrees {
   std::vector<Index> roots_;
 };
 
-}  // namespace geomesh::remesh
+}  // namespace geomesh::search

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "refine/closest_point.hpp"
+#include "search/closest_point.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace geomesh::remesh {
+namespace geomesh::search {
 
 namespace {
 
@@ -108,4 +108,4 @@ ClosestPoint ClosestPointTrees::closest(const Vec3& p, Index group, double limit
   return best;
 }
 
-}  // namespace geomesh::remesh
+}  // namespace geomesh::search
