@@ -106,7 +106,6 @@ class RegionFiller {
     std::vector<Tetrahedron> out;
     for (std::uint32_t i = 0; i < cells_.size(); ++i)
       if (solver_.is_true(i)) out.push_back(global(cells_[i]));
-    if (!has_segments(out)) return std::nullopt;
     return out;
   }
 
@@ -248,8 +247,21 @@ class RegionFiller {
       }
       if (!is_boundary) state_inner(f);
     }
+    return state_segments();
+  }
+  /// Each segment is an edge of some cell.
+  bool state_segments() {
+    for (const auto& s : region_.segments) {
+      const VertexMask ends = bit(local(s[0])) | bit(local(s[1]));
+      clause_.clear();
+      for (std::uint32_t c = 0; c < cells_.size(); ++c)
+        if (std::popcount(vertices_of(cells_[c]) & ends) == 2) clause_.push_back(Literal(c, false));
+      if (clause_.empty()) return false;
+      solver_.add_clause(clause_);
+    }
     return true;
   }
+  static VertexMask vertices_of(const Cell& c) { return bit(c[0]) | bit(c[1]) | bit(c[2]) | bit(c[3]); }
   void prefer_kept() {
     std::vector<Tetrahedron> kept;
     for (Tetrahedron t : region_.kept) {
@@ -283,15 +295,6 @@ class RegionFiller {
       solver_.add_choice(cells, is_face);
     }
   }
-  /// Segments that end in the region's inside or cross it in coplanar faces are not asked for by the formula.
-  bool has_segments(const std::vector<Tetrahedron>& cells) const {
-    std::vector<std::array<VertexIndex, 2>> edges;
-    for (const Tetrahedron& t : cells)
-      for (const auto& e : edge_vertices) edges.push_back({std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]])});
-    sort_unique(edges);
-    return std::includes(edges.begin(), edges.end(), region_.segments.begin(), region_.segments.end());
-  }
-
   const Constraints& constraints_;
   const Region& region_;
   std::size_t n_;
