@@ -26,6 +26,8 @@ struct Recovery {
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   std::vector<Index> hard_segments{}, hard_facets{};  ///< model segments and facets that flips and cavities did not recover
+  /// No point is added on a segment nearer to another of its points: 64 ulps of the largest coordinate. What would need it is begun again.
+  double least_spacing = 0;
   unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
 
   /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a valid model hardly

@@ -118,6 +118,10 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   LineCrossings line;
   walk_line(mesh, a, b, line);
   refuse_contradictions(recovery, s, line);
+  const auto is_crowded = [&](const Vec3& p) {
+    const double least = recovery.least_spacing * recovery.least_spacing;
+    return dot(p - pa, p - pa) < least || dot(p - pb, p - pb) < least;
+  };
   std::vector<std::pair<double, std::size_t>> order;
   std::vector<Vec3> places;
   std::vector<double> parameters;
@@ -125,7 +129,7 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   for (std::size_t i = 0; i < line.crossings.size(); ++i) {
     const double t = placed_parameter(parameters[i], recovery.attempt);
     places.push_back(on_segment(pa, pb, t));
-    if (t > least_part && t < 1 - least_part) order.emplace_back(-clearance(mesh, line.crossings[i], places[i], pa, pb), i);
+    if (t > least_part && t < 1 - least_part && !is_crowded(places[i])) order.emplace_back(-clearance(mesh, line.crossings[i], places[i], pa, pb), i);
   }
   std::sort(order.begin(), order.end());
   VertexIndex x = no_vertex;
@@ -134,7 +138,7 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
         try_point(recovery, places[i], crossed_cells(mesh, line.crossings[i]), x))
       return x;
   for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
-    if (try_point(recovery, on_segment(pa, pb, t), {mesh.cell_of(a)}, x)) return x;
+    if (!is_crowded(on_segment(pa, pb, t)) && try_point(recovery, on_segment(pa, pb, t), {mesh.cell_of(a)}, x)) return x;
   return no_vertex;
 }
 

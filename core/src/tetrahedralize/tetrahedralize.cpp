@@ -2,6 +2,8 @@
 #include "geomesh/core/tetrahedralize.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "classify/classify.hpp"
@@ -50,6 +52,13 @@ void recover_constraints(Recovery& recovery, const RecoverOptions& options, cons
   recover::validate_recovered(recovery);
 }
 
+double ulp_of_largest(const std::vector<Vec3>& points) {
+  double largest = 0;
+  for (const Vec3& p : points)
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(p[i]));
+  return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+}
+
 /// One model on its way to a mesh.
 struct MeshingRun {
   const PiecewiseLinearComplex& plc;
@@ -90,6 +99,7 @@ struct MeshingRun {
       ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model.input_vertex.size());
       Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc, crossings};
       recovery.attempt = attempt;
+      recovery.least_spacing = 64 * ulp_of_largest(plc.points);
       for (unsigned i = 0; i < attempt; ++i) mesh.random(2);
       try {
         if (begins_hard(attempt)) hard_parts.run(recovery);
