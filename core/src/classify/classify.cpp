@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "recover/flood.hpp"
+
 namespace geomesh::classify {
 
 namespace {
@@ -39,19 +41,7 @@ class Classifier {
   const TetMesh& cells() const { return mesh_.cells(); }
 
   void flood(CellIndex start, Index label) {
-    std::vector<CellIndex> stack{start};
-    label_[start] = label;
-    while (!stack.empty()) {
-      const CellIndex c = stack.back();
-      stack.pop_back();
-      for (unsigned i = 0; i < 4; ++i) {
-        if (mesh_.is_locked(FaceRef(c, i))) continue;
-        const CellIndex n = cells().neighbor_cell(c, i);
-        if (label_[n] != unvisited) continue;
-        label_[n] = label;
-        stack.push_back(n);
-      }
-    }
+    recover::flood_cells(cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
   }
   void flood_outside() {
     for (std::size_t k = 0; k < 8; ++k) {

@@ -92,9 +92,9 @@ std::vector<VertexIndex> segment_neighbors(Recovery& recovery, VertexIndex x) {
 }
 
 void require_untouched_boundary(const Recovery& recovery) {
-  for (VertexIndex x = static_cast<VertexIndex>(recovery.mesh.n_input() + 8); x < recovery.mesh.points().size(); ++x) {
+  for (VertexIndex x = first_added(recovery); x < recovery.mesh.points().size(); ++x) {
+    if (!is_on_boundary(recovery, x)) continue;
     const VertexRecord& r = recovery.constraints.vertices[x];
-    if (!recovery.mesh.in_mesh(x) || r.origin == VertexOrigin::inside) continue;
     const bool on_segment = r.origin == VertexOrigin::on_segment;
     ErrorContext context;
     context.places = {recovery.mesh.point(x)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "recover/crossing.hpp"
+#include "recover/sort_unique.hpp"
 
 namespace geomesh::recover {
 
@@ -11,12 +12,6 @@ namespace {
 
 using Edge = std::array<VertexIndex, 2>;
 Edge edge_key(VertexIndex a, VertexIndex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
-
-template <class T>
-void sort_unique(std::vector<T>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 }  // namespace
 

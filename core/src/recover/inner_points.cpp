@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "recover/cavity_retriangulation.hpp"
+#include "recover/flood.hpp"
 #include "recover/point_removal.hpp"
 #include "recover/region_filling.hpp"
 
@@ -52,20 +53,10 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
 
 /// Cells that no locked face parts from the box: what is there is left out in the end.
 std::vector<std::uint8_t> cells_outside(const ConstrainedMesh& mesh) {
-  const TetMesh& cells = mesh.cells();
-  std::vector<std::uint8_t> out(cells.n_slots(), 0);
-  std::vector<CellIndex> stack{mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()))};
-  out[stack[0]] = 1;
-  while (!stack.empty()) {
-    const CellIndex c = stack.back();
-    stack.pop_back();
-    for (unsigned i = 0; i < 4; ++i) {
-      const CellIndex n = cells.neighbor_cell(c, i);
-      if (out[n] || mesh.is_locked(FaceRef(c, i))) continue;
-      out[n] = 1;
-      stack.push_back(n);
-    }
-  }
+  constexpr std::uint8_t inside = 0, outside = 1;
+  std::vector<std::uint8_t> out(mesh.cells().n_slots(), inside);
+  const CellIndex at_box = mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()));
+  flood_cells(mesh.cells(), at_box, out, inside, outside, [&](FaceRef f) { return !mesh.is_locked(f); });
   return out;
 }
 

@@ -6,16 +6,11 @@
 
 #include "recover/sat_solver.hpp"
 #include "recover/side_masks.hpp"
+#include "recover/sort_unique.hpp"
 
 namespace geomesh::recover {
 
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 template <class T>
 bool contains(const std::vector<T>& sorted, const T& value) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "quality/shape.hpp"
+#include "recover/flood.hpp"
 #include "refine/circumcentre.hpp"
 
 namespace geomesh::remesh {
@@ -62,18 +63,7 @@ Index ConformingRefiner::facet_of(CellIndex c, unsigned face) const {
 
 void ConformingRefiner::flood(CellIndex start, Index label) {
   if (label_[start] != unlabelled) return;
-  std::vector<CellIndex> stack{start};
-  label_[start] = label;
-  while (!stack.empty()) {
-    const CellIndex c = stack.back();
-    stack.pop_back();
-    for (unsigned i = 0; i < 4; ++i) {
-      const CellIndex n = mesh_.cells().neighbor_cell(c, i);
-      if (label_[n] != unlabelled || facet_of(c, i) != no_index) continue;
-      label_[n] = label;
-      stack.push_back(n);
-    }
-  }
+  recover::flood_cells(mesh_.cells(), start, label_, unlabelled, label, [&](FaceRef f) { return facet_of(f.cell(), f.face()) == no_index; });
 }
 
 /// Each cell's component, from the sides of the facets whose components are known; cells outside and in holes have none. Returns how many
