@@ -26,12 +26,18 @@ std::vector<Kernel::Point_3> converted(std::span<const Vec3> points) {
   return r;
 }
 
+Answer answer_of(std::size_t tetrahedra) {
+  Answer out;
+  out.tetrahedra = tetrahedra;
+  return out;
+}
+
 template <class Triangulation>
 Answer run_cgal(std::span<const Vec3> points) {
   const auto input = converted(points);
   Triangulation triangulation(input.begin(), input.end());
   if (triangulation.dimension() < 3) throw std::runtime_error("dimension " + std::to_string(triangulation.dimension()));
-  return {triangulation.number_of_finite_cells(), 0, 0, 0};
+  return answer_of(triangulation.number_of_finite_cells());
 }
 
 }  // namespace
@@ -42,7 +48,11 @@ Answer run_geomesh(std::span<const Vec3> points, const DelaunayOptions& options,
   const auto result = delaunay_tetrahedralization(points, options, context);
   std::size_t finite = 0;
   for (CellIndex c = 0; c < result.mesh.n_slots(); ++c) finite += result.mesh.is_live(c) && !result.mesh.is_ghost(c);
-  return {finite, result.statistics.exact_calls, result.statistics.walk_steps, result.statistics.points_deferred};
+  Answer out = answer_of(finite);
+  out.exact_calls = result.statistics.exact_calls;
+  out.walk_steps = result.statistics.walk_steps;
+  out.deferred = result.statistics.points_deferred;
+  return out;
 }
 
 Answer run_cgal_compact(std::span<const Vec3> points) { return run_cgal<Compact>(points); }
@@ -57,7 +67,7 @@ Answer run_cgal_parallel(std::span<const Vec3> points, unsigned threads) {
   Parallel::Lock_data_structure locks(box, 50);
   Parallel triangulation(input.begin(), input.end(), &locks);
   if (triangulation.dimension() < 3) throw std::runtime_error("dimension " + std::to_string(triangulation.dimension()));
-  return {triangulation.number_of_finite_cells(), 0, 0, 0};
+  return answer_of(triangulation.number_of_finite_cells());
 }
 
 Answer run_tetgen(std::span<const Vec3> points) {
@@ -72,7 +82,7 @@ Answer run_tetgen(std::span<const Vec3> points) {
   } catch (int code) {
     throw std::runtime_error("TetGen ended with code " + std::to_string(code));
   }
-  return {static_cast<std::size_t>(out.numberoftetrahedra), 0, 0, 0};
+  return answer_of(static_cast<std::size_t>(out.numberoftetrahedra));
 }
 
 }  // namespace geomesh::bench

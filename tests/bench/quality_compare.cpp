@@ -136,7 +136,7 @@ void compare_peers(const CompareOptions& options) {
     }
     verdicts.push_back({model.name, judge(ours[0], peers[0]), judge(ours[1], peers[1]), judge_speed(ours[1], peers[1]), within});
   }
-  std::printf("\n| model | all four better than tetgen | all four better than gmsh | no slower than gmsh | the same with surfaces within 0.1 % |\n|---|---|---|---|---|\n");
+  std::printf("\n| model | all four better than tetgen | all four better than gmsh | no slower than gmsh | the same with surfaces within 0.1 %% |\n|---|---|---|---|---|\n");
   for (const Verdict& v : verdicts)
     std::printf("| %s | %s | %s | %s | %s |\n", v.model.c_str(), v.tetgen.c_str(), v.gmsh.c_str(), v.speed.c_str(), v.within.c_str());
   std::filesystem::remove_all(folder);

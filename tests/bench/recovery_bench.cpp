@@ -103,7 +103,7 @@ std::string density(const std::vector<Row>& rows, std::span<const char* const> g
   return text;
 }
 
-std::string table(const std::vector<Row>& rows, unsigned limit) {
+std::string table(const std::vector<Row>& rows) {
   std::ostringstream out;
   out << "CPU seconds on one core from the model in memory to the classified mesh / points added / tetrahedra per input "
          "triangle.\n\n"
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
     std::cerr << input.name << std::endl;
     rows.push_back(run(input, limit));
   }
-  const std::string text = table(rows, limit);
+  const std::string text = table(rows);
   std::cout << text;
   if (!markdown.empty()) replace_section(markdown, text);
 }
