@@ -177,3 +177,20 @@ TEST_CASE("Flips towards Delaunay leave no flippable face and keep the volume", 
   CHECK(flip_towards_delaunay(bench.tools, {}) == 0);
   CHECK(bench.volume() == Approx(before));
 }
+
+TEST_CASE("Smoothing all vertices on two threads is smoothing them one by one", "[improve]") {
+  for (const double tolerance : {0.0, 0.02}) {
+    Model model = two_boxes(6);
+    disturb_inside(model, 11);
+    Bench one(model, tolerance), two(model, tolerance);
+    const SmoothRule rule{6, 1, true, 0.3};
+    for (VertexIndex v = 0; v < one.mesh.n_vertices(); ++v) smooth_vertex(one.tools, v, rule);
+    smooth_all(two.tools, rule, 2, [] { return false; });
+    CHECK(one.statistics.smoothing_moves > 0);
+    CHECK(two.statistics.smoothing_moves == one.statistics.smoothing_moves);
+    CHECK(two.mesh.validate() == "");
+    std::size_t different = 0;
+    for (VertexIndex v = 0; v < one.mesh.n_vertices(); ++v) different += !(one.mesh.point(v) == two.mesh.point(v));
+    CHECK(different == 0);
+  }
+}

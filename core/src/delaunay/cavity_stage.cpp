@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "delaunay/parallel.hpp"
+#include "parallel.hpp"
 #include "delaunay/spatial_order.hpp"
 
 namespace geomesh {

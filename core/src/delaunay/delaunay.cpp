@@ -9,7 +9,7 @@
 
 #include "delaunay/cavity_stage.hpp"
 #include "delaunay/flip_insertion.hpp"
-#include "delaunay/parallel.hpp"
+#include "parallel.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "delaunay/twins.hpp"
 #include "geomesh/core/predicates.hpp"

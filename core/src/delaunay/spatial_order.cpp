@@ -6,7 +6,7 @@
 #include <bit>
 #include <utility>
 
-#include "delaunay/parallel.hpp"
+#include "parallel.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 

@@ -114,10 +114,7 @@ class Improver {
     for (const BadCell& b : cells_below(shape_of_angle(40)))
       if (unchanged(b)) flip(b.cell);
     const SmoothRule rule{schedule_.smoothing_steps / 2, shape_of_angle(25), true, shape_of_angle(35)};
-    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
-      if (v % 1024 == 0 && out_of_time()) return;
-      if (mesh_.kind(v) != VertexKind::dead) smooth_vertex(tools_, v, rule);
-    }
+    smooth_all(tools_, rule, context_.threads, [this] { return out_of_time(); });
   }
 
   bool flip(CellIndex c) {
@@ -154,7 +151,7 @@ class Improver {
   }
   void remember_failure(CellIndex c) {
     if (c >= failed_at_.size()) failed_at_.resize(mesh_.n_slots() + mesh_.n_slots() / 8 + 1, 0);
-    failed_at_[c] = mesh_.clock();
+    failed_at_[c] = mesh_.tick();
   }
 
   bool repair_cell(const BadCell& b, unsigned pass) {
@@ -188,7 +185,7 @@ class Improver {
   double budget_;
   double room_ = usual_room;
   std::size_t visited_ = 0;  // poor cells, over all passes
-  std::vector<std::uint64_t> failed_at_;  // by cell: the mesh's clock then
+  std::vector<std::uint64_t> failed_at_;  // by cell: the mesh's time then; 0: never
   std::chrono::steady_clock::time_point start_;
 };
 

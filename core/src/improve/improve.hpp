@@ -3,6 +3,8 @@
 /// Operations that raise the worst shape about a place, and the schedules that run them.
 #pragma once
 
+#include <functional>
+
 #include "geomesh/core/run_context.hpp"
 #include "improve/star_optimizer.hpp"
 #include "refine/operations.hpp"
@@ -19,6 +21,15 @@ struct SmoothRule {
 /// Moves v (within its patch, along its curve) where that raises the worst shape about it: the paper's smart smoothing, with the
 /// optimal place as well as the centroid. Returns whether it moved.
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
+
+/// The same with scratch of its own, for vertices that are smoothed at once: allowed beside others where no two of them share an edge and
+/// sizes are looked up by none. The move is not counted in the statistics.
+bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
+
+/// Smooths all vertices that may move, each after its neighbours of lower index, on as many threads as given (0: all cores). The
+/// result is that of one thread in ascending order, in every byte. Ends early where `out_of_time` says so (asked now and then, from
+/// one thread). O(n).
+void smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads, const std::function<bool()>& out_of_time);
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980; Shewchuk
 /// 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"): 3-2, 4-4 and n-to-m

@@ -11,14 +11,14 @@ namespace {
 
 class Smoother {
  public:
-  Smoother(Toolbox& tools, VertexIndex v)
-      : tools_(tools), mesh_(tools.mesh), cavity_(tools.work.cavity), v_(v), old_(tools.mesh.point(v)) {}
+  Smoother(Toolbox& tools, VertexIndex v, Workspace& work)
+      : tools_(tools), mesh_(tools.mesh), work_(work), cavity_(work.cavity), v_(v), old_(tools.mesh.point(v)) {}
 
   bool run(const SmoothRule& rule) {
     const VertexKind kind = mesh_.kind(v_);
     if (kind == VertexKind::corner || kind == VertexKind::dead || (kind == VertexKind::curve && tools_.guard.exact()))
       return false;
-    gather_star(mesh_, v_, tools_.work.marks, cavity_);
+    gather_star(mesh_, v_, work_.marks, cavity_);
     const double before = removed_shape(mesh_, cavity_);
     if (before >= rule.good_enough && !rule.regularize) return false;
     problem_.set_link(mesh_, cavity_);
@@ -28,7 +28,7 @@ class Smoother {
 
   bool run_on_surface(double floor) {
     if (mesh_.kind(v_) != VertexKind::surface) return false;
-    gather_star(mesh_, v_, tools_.work.marks, cavity_);
+    gather_star(mesh_, v_, work_.marks, cavity_);
     problem_.set_link(mesh_, cavity_);
     const double needed = std::min(removed_shape(mesh_, cavity_), floor), before = worst_face(old_);
     const Vec3 centre = surface_centroid();
@@ -118,7 +118,6 @@ class Smoother {
     mesh_.move_vertex(v_, p);
     for (const CellIndex c : cavity_.cells) mesh_.refresh_shape(c);
     tools_.forget_size(v_);
-    ++tools_.statistics.smoothing_moves;
     return true;
   }
 
@@ -133,16 +132,30 @@ class Smoother {
 
   Toolbox& tools_;
   DomainMesh& mesh_;
+  Workspace& work_;
   StarCavity& cavity_;
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
 };
 
+bool counted(Toolbox& tools, bool moved) {
+  tools.statistics.smoothing_moves += moved;
+  return moved;
+}
+
 }  // namespace
 
-bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor) { return Smoother(tools, v).run_on_surface(floor); }
+bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor) {
+  return counted(tools, Smoother(tools, v, tools.work).run_on_surface(floor));
+}
 
-bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) { return Smoother(tools, v).run(rule); }
+bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) {
+  return counted(tools, Smoother(tools, v, tools.work).run(rule));
+}
+
+bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {
+  return Smoother(tools, v, work).run(rule);
+}
 
 }  // namespace geomesh::remesh

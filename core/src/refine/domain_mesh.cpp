@@ -48,7 +48,7 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
 void DomainMesh::refresh_shape(CellIndex c) {
   const Tetrahedron& t = mesh_.vertices(c);
   shape_[c] = shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
-  changed_[c] = ++clock_;
+  changed_[c] = clock_;
 }
 
 DomainMesh::FaceKey DomainMesh::face_key(const Tetrahedron& t, unsigned i) {

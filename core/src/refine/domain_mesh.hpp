@@ -109,9 +109,10 @@ class DomainMesh {
   /// Cached shape of a live cell.
   double shape_of(CellIndex c) const { return shape_[c]; }
   void refresh_shape(CellIndex c);
-  /// When the cell was made or one of its vertices moved, on a clock that counts such events.
+  /// The mesh's time when the cell was made or one of its vertices moved.
   std::uint64_t changed_at(CellIndex c) const { return changed_[c]; }
-  std::uint64_t clock() const { return clock_; }
+  /// Ends a moment and returns it: changes after the call are later than it, those before are not. Above 0.
+  std::uint64_t tick() { return clock_++; }
   bool has_neighbor(CellIndex c, unsigned face) const { return mesh_.neighbor(c, face).valid(); }
 
   /// Exchanges the removed cells for the added ones, which must fill the same region and be positive. Faces on the region's
@@ -179,7 +180,7 @@ class DomainMesh {
   std::vector<std::array<FaceTag, 4>> tags_;
   std::vector<double> shape_;
   std::vector<std::uint64_t> changed_;
-  std::uint64_t clock_ = 0;
+  std::uint64_t clock_ = 1;
 
   std::vector<Index> facet_patch_;
   std::vector<CurveClass> curve_classes_;
