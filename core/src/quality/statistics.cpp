@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <compare>
-#include <limits>
 #include <numeric>
 
 #include "geomesh/core/quality.hpp"
-#include "geomesh/core/simplex_mesh.hpp"
+#include "parallel.hpp"
 #include "quality/causes.hpp"
-#include "quality/shape.hpp"
+#include "quality/edge_lengths.hpp"
 
 namespace geomesh {
 
@@ -28,106 +25,113 @@ Distribution distribution(std::vector<double>& values) {
   return d;
 }
 
+/// Of N equal ones from 0 to `top`.
 template <std::size_t N>
-void count(std::array<std::size_t, N>& histogram, double value, double top) {
+std::size_t bin_of(double value, double top) {
   const double bin = value / top * static_cast<double>(N);
-  ++histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(N) - 1))];
+  return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(N) - 1));
 }
 
-struct TetrahedronAngles {
-  double least = 0, largest = 0;
+/// Shapes of all tetrahedra, an array for each measure.
+struct ShapeTable {
+  explicit ShapeTable(std::size_t n)
+      : min_dihedral(n), max_dihedral(n), radius_ratio(n), aspect(n), mean_ratio(n), volume(n), solid_angle(n), dihedral_bin(n) {}
+
+  std::vector<double> min_dihedral, max_dihedral, radius_ratio, aspect, mean_ratio, volume;
+  std::vector<std::array<double, 4>> solid_angle;
+  std::vector<std::array<std::uint8_t, 6>> dihedral_bin;
 };
 
-TetrahedronShape shape_of(std::span<const Vec3> points, const Tetrahedron& t) {
-  return tetrahedron_shape(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
+ShapeTable measure_all(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, unsigned threads) {
+  ShapeTable table(tetrahedra.size());
+  for_each_index(tetrahedra.size(), threads, [&](std::size_t i) {
+    const Tetrahedron& t = tetrahedra[i];
+    const TetrahedronShape s = tetrahedron_shape(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
+    table.min_dihedral[i] = s.min_dihedral;
+    table.max_dihedral[i] = s.max_dihedral;
+    table.radius_ratio[i] = s.radius_ratio;
+    table.aspect[i] = s.aspect;
+    table.mean_ratio[i] = s.mean_ratio;
+    table.volume[i] = s.volume;
+    table.solid_angle[i] = s.solid_angle;
+    for (unsigned e = 0; e < 6; ++e) table.dihedral_bin[i][e] = static_cast<std::uint8_t>(bin_of<36>(s.dihedral[e], 180));
+  });
+  return table;
 }
 
-/// An edge with a component that it is in.
-struct SizedEdge {
-  VertexIndex a, b;
-  Index component;
-  auto operator<=>(const SizedEdge&) const = default;
-};
-
-/// Gathers shapes one by one, then makes the statistics.
-class Accumulator {
- public:
-  void add(const TetrahedronShape& s, const Tetrahedron& t, Index component) {
-    ++out_.n_tetrahedra;
-    out_.volume += s.volume;
-    for (const double a : s.dihedral) count(out_.dihedral_histogram, a, 180);
-    count(out_.min_dihedral_histogram, s.min_dihedral, 90);
-    count(out_.radius_ratio_histogram, s.radius_ratio, 1);
-    below_10_ += s.min_dihedral < 10;
-    above_ += s.min_dihedral > 24.85;
-    min_dihedral_.push_back(s.min_dihedral);
-    max_dihedral_.push_back(s.max_dihedral);
-    solid_.insert(solid_.end(), s.solid_angle.begin(), s.solid_angle.end());
-    radius_ratio_.push_back(s.radius_ratio);
-    aspect_.push_back(s.aspect);
-    mean_ratio_.push_back(s.mean_ratio);
-    for (const auto& e : edge_vertices) edges_.push_back({std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]]), component});
+/// Statistics of the tetrahedra in `rows`, but for those of edges.
+ShapeStatistics summarize(const ShapeTable& table, std::span<const Index> rows) {
+  ShapeStatistics out;
+  if (rows.empty()) return out;
+  out.n_tetrahedra = rows.size();
+  std::size_t below_10 = 0, above_24_85 = 0;
+  for (const Index t : rows) {
+    out.volume += table.volume[t];
+    for (const std::uint8_t bin : table.dihedral_bin[t]) ++out.dihedral_histogram[bin];
+    ++out.min_dihedral_histogram[bin_of<18>(table.min_dihedral[t], 90)];
+    ++out.radius_ratio_histogram[bin_of<20>(table.radius_ratio[t], 1)];
+    below_10 += table.min_dihedral[t] < 10;
+    above_24_85 += table.min_dihedral[t] > 24.85;
   }
+  out.share_below_10 = static_cast<double>(below_10) / static_cast<double>(rows.size());
+  out.share_above_24_85 = static_cast<double>(above_24_85) / static_cast<double>(rows.size());
+  std::vector<double> values;
+  const auto of = [&](const std::vector<double>& measure) {
+    values.clear();
+    for (const Index t : rows) values.push_back(measure[t]);
+    return distribution(values);
+  };
+  out.min_dihedral = of(table.min_dihedral);
+  out.max_dihedral = of(table.max_dihedral);
+  out.radius_ratio = of(table.radius_ratio);
+  out.aspect = of(table.aspect);
+  out.mean_ratio = of(table.mean_ratio);
+  values.clear();
+  for (const Index t : rows) values.insert(values.end(), table.solid_angle[t].begin(), table.solid_angle[t].end());
+  out.solid_angle = distribution(values);
+  return out;
+}
 
-  ShapeStatistics finish(std::span<const Vec3> points, const SizeField* size) {
-    if (out_.n_tetrahedra > 0) {
-      out_.share_below_10 = static_cast<double>(below_10_) / static_cast<double>(out_.n_tetrahedra);
-      out_.share_above_24_85 = static_cast<double>(above_) / static_cast<double>(out_.n_tetrahedra);
-    }
-    out_.min_dihedral = distribution(min_dihedral_);
-    out_.max_dihedral = distribution(max_dihedral_);
-    out_.solid_angle = distribution(solid_);
-    out_.radius_ratio = distribution(radius_ratio_);
-    out_.aspect = distribution(aspect_);
-    out_.mean_ratio = distribution(mean_ratio_);
-    measure_edges(points, size);
-    return out_;
-  }
+/// Rows of tetrahedra by group, each in ascending order; the first list is that of all.
+std::vector<std::vector<Index>> rows_by_group(std::span<const Index> group, std::size_t n_groups) {
+  std::vector<std::vector<Index>> rows(1 + n_groups);
+  for (std::size_t t = 0; t < group.size(); ++t)
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1} + group[t]}) rows[k].push_back(static_cast<Index>(t));
+  return rows;
+}
 
- private:
-  /// The size asked of an edge is the least that is asked at its middle in the components that it is in.
-  void measure_edges(std::span<const Vec3> points, const SizeField* size) {
-    std::sort(edges_.begin(), edges_.end());
-    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-    std::vector<double> lengths;
-    for (std::size_t i = 0, j; i < edges_.size(); i = j) {
-      const SizedEdge& e = edges_[i];
-      lengths.push_back(remesh::distance(points[e.a], points[e.b]));
-      double asked = std::numeric_limits<double>::infinity();
-      for (j = i; j < edges_.size() && edges_[j].a == e.a && edges_[j].b == e.b; ++j)
-        if (size) asked = std::min(asked, size->at(0.5 * (points[e.a] + points[e.b]), edges_[j].component));
-      if (!size) continue;
-      // Bins: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above.
-      constexpr std::array<double, 7> bounds{0.25, 0.5, 0.70710678118654752, 1, 1.4142135623730951, 2, 4};
-      const auto bin = std::upper_bound(bounds.begin(), bounds.end(), lengths.back() / asked) - bounds.begin();
-      ++out_.edge_size_histogram[static_cast<std::size_t>(bin)];
-    }
-    out_.edge_length = distribution(lengths);
-  }
-
-  ShapeStatistics out_;
-  std::size_t below_10_ = 0, above_ = 0;
-  std::vector<double> min_dihedral_, max_dihedral_, solid_, radius_ratio_, aspect_, mean_ratio_;
-  std::vector<SizedEdge> edges_;
-};
+/// Of the whole, then of each group.
+std::vector<ShapeStatistics> summarize_all(const ShapeTable& table, std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
+                                           const CellParts& parts, const SizeField* size, unsigned threads) {
+  const std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
+  std::vector<EdgeLengths> edges = measure_edges(points, tetrahedra, parts, size, threads);
+  std::vector<ShapeStatistics> out(rows.size());
+  for_each_task(rows.size(), threads, [&](std::size_t k) {
+    out[k] = summarize(table, rows[k]);
+    out[k].edge_length = distribution(edges[k].length);
+    out[k].edge_size_histogram = edges[k].by_size;
+  });
+  return out;
+}
 
 }  // namespace
 
 ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
-  Accumulator all;
-  for (const Tetrahedron& t : tetrahedra) all.add(shape_of(points, t), t, no_index);
-  return all.finish(points, nullptr);
+  const unsigned threads = thread_count(0);
+  const std::vector<Index> component(tetrahedra.size(), no_index), group(tetrahedra.size(), 0);
+  return summarize_all(measure_all(points, tetrahedra, threads), points, tetrahedra, {component, group, 1}, nullptr, threads).front();
 }
 
 namespace {
 
 /// Elements below the bad angle, and the worst whatever they are up to the number that is to be listed; the worst first.
 std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
-                                         const std::vector<TetrahedronAngles>& angles) {
-  std::vector<Index> order(angles.size());
+                                         const ShapeTable& shapes) {
+  const std::vector<double>& least = shapes.min_dihedral;
+  std::vector<Index> order(least.size());
   std::iota(order.begin(), order.end(), Index{0});
-  const auto first_good = std::partition(order.begin(), order.end(), [&](Index t) { return angles[t].least < options.bad_angle; });
-  const auto worse = [&](Index a, Index b) { return angles[a].least != angles[b].least ? angles[a].least < angles[b].least : a < b; };
+  const auto first_good = std::partition(order.begin(), order.end(), [&](Index t) { return least[t] < options.bad_angle; });
+  const auto worse = [&](Index a, Index b) { return least[a] != least[b] ? least[a] < least[b] : a < b; };
   const auto n_bad = static_cast<std::size_t>(first_good - order.begin());
   const std::size_t n = std::max(n_bad, std::min(options.min_worst, order.size()));
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end(), worse);
@@ -136,8 +140,8 @@ std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& me
     const Tetrahedron& v = mesh.tetrahedra[order[i]];
     WorstElement w;
     w.tetrahedron = order[i];
-    w.min_dihedral = angles[order[i]].least;
-    w.max_dihedral = angles[order[i]].largest;
+    w.min_dihedral = least[order[i]];
+    w.max_dihedral = shapes.max_dihedral[order[i]];
     w.place = 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
     worst.push_back(w);
   }
@@ -149,20 +153,15 @@ std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& me
 MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options) {
   MeshQuality q;
-  Accumulator all;
-  const bool grouped = !options.group.empty();
-  std::vector<Accumulator> parts(grouped ? options.n_groups : mesh.n_components);
-  std::vector<TetrahedronAngles> angles(mesh.tetrahedra.size());
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const TetrahedronShape s = shape_of(mesh.points, mesh.tetrahedra[t]);
-    angles[t] = {s.min_dihedral, s.max_dihedral};
-    all.add(s, mesh.tetrahedra[t], mesh.component[t]);
-    parts[grouped ? options.group[t] : mesh.component[t]].add(s, mesh.tetrahedra[t], mesh.component[t]);
-  }
-  q.whole = all.finish(mesh.points, options.size);
-  for (Accumulator& part : parts) q.per_component.push_back(part.finish(mesh.points, options.size));
+  const unsigned threads = thread_count(options.threads);
+  const ShapeTable shapes = measure_all(mesh.points, mesh.tetrahedra, threads);
+  const CellParts parts = options.group.empty() ? CellParts{mesh.component, mesh.component, mesh.n_components}
+                                                : CellParts{mesh.component, options.group, options.n_groups};
+  q.per_component = summarize_all(shapes, mesh.points, mesh.tetrahedra, parts, options.size, threads);
+  q.whole = q.per_component.front();
+  q.per_component.erase(q.per_component.begin());
 
-  q.worst = worst_elements(mesh, options, angles);
+  q.worst = worst_elements(mesh, options, shapes);
   if (q.worst.empty()) return q;
   CauseFinder causes(plc, mesh, options);
   for (WorstElement& w : q.worst) {

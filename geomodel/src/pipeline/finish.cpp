@@ -103,8 +103,7 @@ void undo_z_scale(PreparedModel& model, ConstrainedTetrahedralization& core) {
 }
 
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays, PreparedModel& model,
-                          StageRecorder& recorder) {
-  StageScope stage(recorder.context(), "verify");
+                          const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
   ModelMesh mesh = name_model(core, model.arrangement.soup, model.plc, model.surfaces, model.points, model.naming, model.warnings);
   for (std::size_t i = known; i < model.warnings.size(); ++i) recorder.context().note(LogLevel::warning, model.warnings[i]);
@@ -127,12 +126,13 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
 
 /// `core` has the tetrahedra of `mesh`, in the same order; `refined` tells what the model was refined to, where it was.
 QualityReport judge_quality(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const PreparedModel& model,
-                            const RefineResult& refined) {
+                            const RefineResult& refined, unsigned threads) {
   const SizeField* const size = model.refinement.refine ? &refined.size_field : nullptr;
   constexpr std::size_t n_listed = 10;
   QualityOptions options;
   options.min_worst = n_listed;
   options.size = size;
+  options.threads = threads;
   if (model.refinement.refine) options.facet_patch = refined.kept_patch;
   for (const std::int32_t region : mesh.tet_region) options.group.push_back(static_cast<Index>(region - 1));
   options.n_groups = mesh.regions.size();
@@ -204,11 +204,15 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   const ConstrainedTetrahedralization& core = refined.mesh;
   report.core = &core;
   const SizeField* const size = refine ? &refined.size_field : nullptr;
-  ModelMesh mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
-  set_volumes_of_input(mesh, core, volumes_of_input);
+  ModelMesh mesh;
+  {
+    StageScope stage(recorder.context(), "verify");
+    mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
+    set_volumes_of_input(mesh, core, volumes_of_input);
+    report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
+    if (model.options.recover.mode == MeshMode::conforming) report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
+  }
   report.mesh = &mesh;
-  report.quality = judge_quality(core, mesh, model, refined);
-  if (model.options.recover.mode == MeshMode::conforming) report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   result.summary = summarise(mesh);
   if (refine) result.summary.push_back(summarise(*report.quality));
   {

@@ -80,6 +80,7 @@ struct QualityOptions {
   /// Per tetrahedron, what statistics are parted by, with `n_groups`; empty: components.
   std::vector<Index> group;
   std::size_t n_groups = 0;
+  unsigned threads = 0;  ///< 0: all cores; without influence on the result
 };
 
 struct MeshQuality {
