@@ -26,9 +26,9 @@ bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 /// sizes are looked up by none. The move is not counted in the statistics.
 bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
 
-/// Smooths all vertices that may move, each after its neighbours of lower index, on as many threads as given (0: all cores). The
-/// result is that of one thread in ascending order, in every byte. Ends early where `out_of_time` says so (asked now and then, from
-/// one thread). O(n).
+/// Smooths all vertices that may move, on as many threads as given (0: all cores): block by block, then what lies between blocks. The
+/// blocks do not depend on the threads, and so neither does the result. Ends early where `out_of_time` says so, which is asked now and
+/// then, by one thread at a time. O(n log n).
 void smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads, const std::function<bool()>& out_of_time);
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980; Shewchuk

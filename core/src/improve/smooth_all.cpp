@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 
 #include "improve/improve.hpp"
 #include "parallel.hpp"
@@ -12,85 +13,108 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr std::size_t vertices_between_looks = 1024;  ///< at the clock
-constexpr std::size_t task_size = 16;
+constexpr unsigned n_halvings = 3;
+constexpr std::size_t least_to_part = 4096;  ///< vertices; fewer are one block
 
-bool may_move(const DomainMesh& mesh, VertexIndex v) {
-  return mesh.kind(v) != VertexKind::dead && mesh.kind(v) != VertexKind::corner;
-}
-
-/// Vertices that may move, in groups: no two of a group share an edge, and of two that share an edge the one of lower index is in the
-/// earlier group. So group after group, each in any order, is the same as one by one in ascending order.
-class IndependentGroups {
+/// The vertices that may move, parted in space into blocks, and those between blocks. No vertex in a block shares a cell with a vertex
+/// that may move and is in none or in another block: so blocks can be smoothed at once. Each in ascending order.
+class Blocks {
  public:
-  IndependentGroups(const DomainMesh& mesh, Workspace& work) {
-    std::vector<std::uint32_t> group(mesh.n_vertices(), 0);
-    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) {
-      if (!may_move(mesh, v)) continue;
-      group[v] = 1 + latest_before(mesh, v, group, work);
-      if (group[v] >= first_.size()) first_.resize(group[v] + 1, 0);
-      ++first_[group[v]];
-    }
-    sort_by(group);
+  explicit Blocks(const DomainMesh& mesh) : mesh_(mesh), block_(mesh.n_vertices(), fixed) {
+    std::vector<VertexIndex> movable;
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+      if (mesh.kind(v) != VertexKind::dead && mesh.kind(v) != VertexKind::corner) movable.push_back(v);
+    halve(movable, movable.size() < least_to_part ? 0 : n_halvings);
+    part_from_neighbours();
+    parts_.resize(n_blocks_);
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+      if (block_[v] == shared)
+        between_.push_back(v);
+      else if (block_[v] != fixed)
+        parts_[block_[v]].push_back(v);
   }
-  std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
-  std::span<const VertexIndex> operator[](std::size_t k) const {
-    return std::span(vertices_).subspan(first_[k], first_[k + 1] - first_[k]);
-  }
+  const std::vector<std::vector<VertexIndex>>& parts() const { return parts_; }
+  const std::vector<VertexIndex>& between() const { return between_; }
 
  private:
-  static std::uint32_t latest_before(const DomainMesh& mesh, VertexIndex v, const std::vector<std::uint32_t>& group, Workspace& work) {
-    std::uint32_t latest = 0;
-    mesh.star(v, work.marks, work.cells);
-    for (const CellIndex c : work.cells)
-      for (const VertexIndex u : mesh.vertices(c))
-        if (u < v) latest = std::max(latest, group[u]);
-    return latest;
+  static constexpr std::uint8_t fixed = 255, shared = 254;
+
+  /// By the median of the widest coordinate, again and again.
+  void halve(std::span<VertexIndex> vertices, unsigned times) {
+    if (times == 0) {
+      for (const VertexIndex v : vertices) block_[v] = n_blocks_;
+      ++n_blocks_;
+      return;
+    }
+    const unsigned axis = widest_axis(vertices);
+    const auto middle = vertices.begin() + static_cast<std::ptrdiff_t>(vertices.size() / 2);
+    std::nth_element(vertices.begin(), middle, vertices.end(), [&](VertexIndex u, VertexIndex v) {
+      const double x = mesh_.point(u)[axis], y = mesh_.point(v)[axis];
+      return x != y ? x < y : u < v;
+    });
+    halve({vertices.begin(), middle}, times - 1);
+    halve({middle, vertices.end()}, times - 1);
   }
-  /// Counting sort; first_ holds the number in each group before, and where each begins afterwards.
-  void sort_by(const std::vector<std::uint32_t>& group) {
-    std::size_t begin = 0;
-    for (std::size_t& n : first_) begin += std::exchange(n, begin);
-    vertices_.resize(begin);
-    std::vector<std::size_t> next = first_;
-    for (VertexIndex v = 0; v < group.size(); ++v)
-      if (group[v] > 0) vertices_[next[group[v]]++] = v;
-    if (!first_.empty()) first_.erase(first_.begin()), first_.push_back(begin);
+  unsigned widest_axis(std::span<const VertexIndex> vertices) const {
+    Vec3 low = mesh_.point(vertices[0]), high = low;
+    for (const VertexIndex v : vertices)
+      for (unsigned i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], mesh_.point(v)[i]);
+        high[i] = std::max(high[i], mesh_.point(v)[i]);
+      }
+    unsigned axis = 0;
+    for (unsigned i = 1; i < 3; ++i)
+      if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
+    return axis;
   }
 
-  std::vector<std::size_t> first_;
-  std::vector<VertexIndex> vertices_;
+  void part_from_neighbours() {
+    std::vector<std::uint8_t> beside_other(block_.size(), false);
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
+      if (!mesh_.is_live(c)) continue;
+      std::uint8_t first = fixed;
+      bool mixed = false;
+      for (const VertexIndex v : mesh_.vertices(c)) {
+        if (block_[v] == fixed) continue;
+        if (first == fixed) first = block_[v];
+        mixed |= block_[v] != first;
+      }
+      if (!mixed) continue;
+      for (const VertexIndex v : mesh_.vertices(c)) beside_other[v] = true;
+    }
+    for (VertexIndex v = 0; v < block_.size(); ++v)
+      if (beside_other[v] && block_[v] != fixed) block_[v] = shared;
+  }
+
+  const DomainMesh& mesh_;
+  std::vector<std::uint8_t> block_;
+  std::uint8_t n_blocks_ = 0;
+  std::vector<std::vector<VertexIndex>> parts_;
+  std::vector<VertexIndex> between_;
 };
-
-void smooth_one_by_one(Toolbox& tools, const SmoothRule& rule, const std::function<bool()>& out_of_time) {
-  for (VertexIndex v = 0; v < tools.mesh.n_vertices(); ++v) {
-    if (v % vertices_between_looks == 0 && out_of_time()) return;
-    if (may_move(tools.mesh, v)) smooth_vertex(tools, v, rule);
-  }
-}
 
 }  // namespace
 
 void smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads, const std::function<bool()>& out_of_time) {
-  threads = thread_count(threads);
-  if (threads == 1) return smooth_one_by_one(tools, rule, out_of_time);
-  const IndependentGroups groups(tools.mesh, tools.work);
-  tbb::enumerable_thread_specific<Workspace> scratch;
+  const Blocks blocks(tools.mesh);
   std::atomic<std::size_t> moved = 0;
-  std::size_t since_look = vertices_between_looks;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::span<const VertexIndex> group = groups[g];
-    if ((since_look += group.size()) >= vertices_between_looks) {
-      if (out_of_time()) break;
-      since_look = 0;
+  std::atomic<bool> ended = false;
+  std::mutex looking;
+  tbb::enumerable_thread_specific<Workspace> scratch;
+  const auto smooth = [&](const std::vector<VertexIndex>& vertices) {
+    Workspace& work = scratch.local();
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < vertices.size() && !ended; ++k) {
+      if (k % vertices_between_looks == 0) {
+        const std::lock_guard lock(looking);
+        if (out_of_time()) ended = true;
+      }
+      n += smooth_beside_others(tools, vertices[k], rule, work);
     }
-    for_each_task((group.size() + task_size - 1) / task_size, threads, [&](std::size_t k) {
-      Workspace& work = scratch.local();
-      std::size_t n = 0;
-      for (const VertexIndex v : group.subspan(k * task_size, std::min(task_size, group.size() - k * task_size)))
-        n += smooth_beside_others(tools, v, rule, work);
-      moved += n;
-    });
-  }
+    moved += n;
+  };
+  for_each_task(blocks.parts().size(), thread_count(threads), [&](std::size_t k) { smooth(blocks.parts()[k]); });
+  smooth(blocks.between());
   tools.statistics.smoothing_moves += moved;
 }
 
