@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "parallel.hpp"
@@ -54,6 +56,8 @@ class HilbertPlaces {
     scale_ = extent_ > 0 ? 0x0.fffffffp0 * static_cast<double>(std::uint32_t{1} << levels) / extent_ : 0;
   }
   bool single_place() const { return !(extent_ > 0); }
+  const Vec3& low() const { return low_; }
+  double extent() const { return extent_; }
   std::uint64_t operator()(const Vec3& p) const {
     const auto x = static_cast<std::uint32_t>((p.x - low_.x) * scale_), y = static_cast<std::uint32_t>((p.y - low_.y) * scale_),
                z = static_cast<std::uint32_t>((p.z - low_.z) * scale_);
@@ -76,16 +80,24 @@ class HilbertPlaces {
 /// About 2^6 cells of the curve a point.
 int levels_for(std::size_t n) { return std::clamp((static_cast<int>(std::bit_width(n)) + 2) / 3 + 2, 3, 11); }
 
-/// A well mixed hash of the coordinates (-0 as 0).
-std::uint64_t coordinate_hash(const Vec3& p) {
-  std::uint64_t h = 0x9E3779B97F4A7C15ull;
-  for (const double x : {p.x, p.y, p.z}) {
-    h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0xBF58476D1CE4E5B9ull;
-    h ^= h >> 32;
+/// A well mixed hash of the coordinates from the low corner of the points' box, in a power of two near its extent (-0 as 0).
+class CoordinateHash {
+ public:
+  CoordinateHash(const Vec3& low, double extent) : low_(low), scale_(extent > 0 ? std::ldexp(1.0, -std::ilogb(extent)) : 1) {}
+  std::uint64_t operator()(const Vec3& p) const {
+    std::uint64_t h = 0x9E3779B97F4A7C15ull;
+    for (std::size_t i = 0; i < 3; ++i) {
+      h = (h ^ std::bit_cast<std::uint64_t>((p[i] - low_[i]) * scale_ + 0.0)) * 0xBF58476D1CE4E5B9ull;
+      h ^= h >> 32;
+    }
+    h *= 0x94D049BB133111EBull;
+    return h ^ h >> 29;
   }
-  h *= 0x94D049BB133111EBull;
-  return h ^ h >> 29;
-}
+
+ private:
+  Vec3 low_;
+  double scale_;
+};
 
 // An item is a key in the high bits and a position below 2^28 in the low ones.
 constexpr int index_bits = 28;
@@ -163,9 +175,10 @@ SpatialOrder spatial_order(std::span<const Vec3> points, std::span<std::uint64_t
   for (std::size_t i = 0; i < points.size(); ++i) result.order[i] = static_cast<VertexIndex>(i);
   const int levels = levels_for(points.size());
   const HilbertPlaces place(points, result.order, levels);
+  const CoordinateHash hash(place.low(), place.extent());
   for_each_index(n, threads, [&](std::size_t i) {
     const auto zeros =
-        static_cast<unsigned>(std::countr_zero(coordinate_hash(points[i]) | std::uint64_t{1} << 3 * (n_rounds - 1)) / 3);
+        static_cast<unsigned>(std::countr_zero(hash(points[i]) | std::uint64_t{1} << 3 * (n_rounds - 1)) / 3);
     const std::uint64_t round = n_rounds - 1 - zeros;
     items[i] = (round << 3 * levels | place(points[i])) << index_bits | i;
   });
@@ -181,6 +194,13 @@ SpatialOrder spatial_order(std::span<const Vec3> points, std::span<std::uint64_t
     if (j - i > 1) refine_run(points, std::span(result.order).subspan(i, j - i));
   }
   return result;
+}
+
+std::vector<VertexIndex> hilbert_order(std::span<const Vec3> points) {
+  std::vector<VertexIndex> order(points.size());
+  std::iota(order.begin(), order.end(), VertexIndex{0});
+  refine_run(points, order);
+  return order;
 }
 
 }  // namespace geomesh
