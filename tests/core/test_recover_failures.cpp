@@ -59,3 +59,47 @@ TEST_CASE("where the boundary cannot be kept recovery ends with the place and th
 TEST_CASE("where segments cross recovery ends with the place and the cells there", "[recover]") {
   check_failure(in_ulps("hanging_plates_2", 16), constrained_mode(), ErrorKind::invalid_input);
 }
+namespace {
+
+/// What an error about crossing segments names is part of the model as it was given, in its numbers and its frame.
+void check_terms(const PiecewiseLinearComplex& plc, const Error& e) {
+  const ErrorContext& c = e.context();
+  const std::string words = e.what();
+  REQUIRE(c.vertices.size() == c.places.size());
+  for (std::size_t i = 0; i < c.vertices.size(); ++i) {
+    CHECK(plc.points[c.vertices[i]] == c.places[i]);
+    CHECK(words.find("vertex " + std::to_string(c.vertices[i]) + " at ") != std::string::npos);
+  }
+  CHECK(!c.facets.empty());
+  for (const Index f : c.facets) {
+    CHECK(std::any_of(c.vertices.begin(), c.vertices.end(), [&](VertexIndex v) { return std::ranges::count(plc.outer_loop(f), v) > 0; }));
+    CHECK(words.find(std::to_string(f)) != std::string::npos);
+  }
+  REQUIRE(c.excerpt);
+  check_excerpt(*c.excerpt);
+  for (std::size_t i = 0; i < c.excerpt->triangles.size(); ++i) {
+    std::array<Vec3, 3> triangle, facet;
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = c.excerpt->points[c.excerpt->triangles[i][k]];
+      facet[k] = plc.points[plc.outer_loop(c.excerpt->facet[i])[k]];
+    }
+    const auto start = std::find(facet.begin(), facet.end(), triangle[0]);
+    REQUIRE(start != facet.end());
+    std::rotate(facet.begin(), start, facet.end());
+    CHECK(triangle == facet);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("errors and what they show are in the model's own numbers and frame", "[recover][metamorphic]") {
+  const PiecewiseLinearComplex plc = in_ulps("hanging_plates_2", 16);
+  for (const PiecewiseLinearComplex& image : {plc, mapped(plc, mirrored(), -1), mapped(plc, axes_permuted()), shuffled(plc, 3)}) {
+    try {
+      tetrahedralize(image);
+      FAIL("crossing segments were meshed");
+    } catch (const Error& e) {
+      check_terms(image, e);
+    }
+  }
+}

@@ -103,7 +103,7 @@ void require_untouched_boundary(const Recovery& recovery) {
     if (on_segment && recovery.constraints.segments[r.owner].row != no_index) context.segments = {recovery.constraints.segments[r.owner].row};
     const ModelSegment segment = on_segment ? recovery.constraints.segments[r.owner] : ModelSegment{};
     throw Error(ErrorKind::cannot_mesh,
-                (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b) : "facet " + std::to_string(r.owner)) +
+                (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b) : "facet " + std::to_string(recovery.names.facet[r.owner])) +
                     " cannot be kept free of added points: mesh it without preserve_boundary",
                 std::move(context));
   }

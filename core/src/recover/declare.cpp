@@ -12,7 +12,7 @@ namespace {
 
 class Declarer {
  public:
-  Declarer(const PiecewiseLinearComplex& plc, const RunContext& context) : plc_(plc), context_(context) {}
+  Declarer(const PiecewiseLinearComplex& plc, const ModelNames& names, const RunContext& context) : plc_(plc), names_(names), context_(context) {}
 
   DeclaredModel run() {
     out_.n_facets = plc_.n_facets();
@@ -101,7 +101,7 @@ class Declarer {
     const Triangle v{local_[t[0]], local_[t[1]], local_[t[2]]};
     const Index other = out_.constraints.subfacet_of(v[0], v[1], v[2]);
     if (other != no_index)
-      fail(f, {"it overlaps facet " + std::to_string(out_.constraints.subfacets[other].facet), {t[0], t[1], t[2]}});
+      fail(f, {"it overlaps facet " + std::to_string(names_.facet[out_.constraints.subfacets[other].facet]), {t[0], t[1], t[2]}});
     out_.constraints.add_subfacet(v, f);
   }
   /// The border as directed edges of the draft that are segments, so that the loops' own orientation does not matter.
@@ -127,10 +127,11 @@ class Declarer {
     context.facets = {f};
     context.vertices = fault.vertices;
     for (VertexIndex v : fault.vertices) context.places.push_back(plc_.points[v]);
-    throw Error(ErrorKind::invalid_input, "facet " + std::to_string(f) + " is not valid: " + fault.message, std::move(context));
+    throw Error(ErrorKind::invalid_input, "facet " + std::to_string(names_.facet[f]) + " is not valid: " + fault.message, std::move(context));
   }
 
   const PiecewiseLinearComplex& plc_;
+  const ModelNames& names_;
   const RunContext& context_;
   DeclaredModel out_;
   std::vector<VertexIndex> local_;
@@ -141,6 +142,8 @@ class Declarer {
 
 }  // namespace
 
-DeclaredModel declare_constraints(const PiecewiseLinearComplex& plc, const RunContext& context) { return Declarer(plc, context).run(); }
+DeclaredModel declare_constraints(const PiecewiseLinearComplex& plc, const ModelNames& names, const RunContext& context) {
+  return Declarer(plc, names, context).run();
+}
 
 }  // namespace geomesh::recover

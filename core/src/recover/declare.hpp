@@ -5,6 +5,7 @@
 
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/run_context.hpp"
+#include "plc/model_names.hpp"
 #include "recover/constraints.hpp"
 
 namespace geomesh::recover {
@@ -18,7 +19,7 @@ struct DeclaredModel {
 };
 
 /// Polygons become the triangles of their draft. Facets that are not exactly planar are noted in the log with their deviation. Throws
-/// Error{invalid_input} for polygons that cannot be triangulated.
-DeclaredModel declare_constraints(const PiecewiseLinearComplex& plc, const RunContext& context);
+/// Error{invalid_input} for polygons that cannot be triangulated, in words that use `names`.
+DeclaredModel declare_constraints(const PiecewiseLinearComplex& plc, const ModelNames& names, const RunContext& context);
 
 }  // namespace geomesh::recover

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "delaunay/sorted_cells.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "recover/messages.hpp"
 #include "recover/star_insertion.hpp"
@@ -97,7 +98,7 @@ TetMesh HardPartsFirst::triangulate(const std::vector<Vec3>& points, const Delau
       if (v != infinite_vertex) v = row[v];
     mesh.set_vertices(c, vertices);
   }
-  return mesh;
+  return with_sorted_cells(mesh, static_cast<VertexIndex>(points.size()));
 }
 
 void HardPartsFirst::run(Recovery& recovery) const {

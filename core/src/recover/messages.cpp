@@ -10,13 +10,16 @@ namespace geomesh::recover {
 
 namespace {
 
-std::string coordinates(const Vec3& p) {
+std::string coordinates(const Recovery& recovery, const Vec3& place) {
+  const Vec3 p = recovery.names.frame.leave(place);
   char text[100];
   std::snprintf(text, sizeof text, "(%.17g, %.17g, %.17g)", p.x, p.y, p.z);
   return text;
 }
 
-std::string list(const std::vector<Index>& facets) {
+std::string list(const Recovery& recovery, std::vector<Index> facets) {
+  for (Index& f : facets) f = recovery.names.facet[f];
+  std::sort(facets.begin(), facets.end());
   std::string out = facets.size() == 1 ? "facet " : "facets ";
   for (std::size_t i = 0; i < facets.size() && i < 8; ++i) out += (i ? ", " : "") + std::to_string(facets[i]);
   return out;
@@ -59,7 +62,7 @@ bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vert
 
 std::string describe_vertex(const Recovery& recovery, VertexIndex v) {
   const VertexIndex row = v < recovery.input_vertex.size() ? recovery.input_vertex[v] : no_vertex;
-  return (row != no_vertex ? "vertex " + std::to_string(row) : "an added vertex") + " at " + coordinates(recovery.mesh.point(v));
+  return (row != no_vertex ? "vertex " + std::to_string(recovery.names.vertex[row]) : "an added vertex") + " at " + coordinates(recovery, recovery.mesh.point(v));
 }
 
 std::string describe_edge(const Recovery& recovery, VertexIndex a, VertexIndex b) {
@@ -68,7 +71,7 @@ std::string describe_edge(const Recovery& recovery, VertexIndex a, VertexIndex b
 
 std::string describe_subfacet(const Recovery& recovery, Index subfacet) {
   const Subfacet& f = recovery.constraints.subfacets[subfacet];
-  return "facet " + std::to_string(f.facet) + " (" + describe_vertex(recovery, f.vertices[0]) + ", " +
+  return "facet " + std::to_string(recovery.names.facet[f.facet]) + " (" + describe_vertex(recovery, f.vertices[0]) + ", " +
          describe_vertex(recovery, f.vertices[1]) + ", " + describe_vertex(recovery, f.vertices[2]) + ")";
 }
 
@@ -84,7 +87,7 @@ void fail_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subse
   const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
   throw Error(kind,
               describe_vertex(recovery, v) + " lies on the segment " + describe_edge(recovery, s.a, s.b) +
-                  (facets.empty() ? "" : " of " + list(facets)) + " without being declared part of it" + advice(kind),
+                  (facets.empty() ? "" : " of " + list(recovery, facets)) + " without being declared part of it" + advice(kind),
               context_of(recovery, facets, {v, s.a, s.b}));
 }
 
@@ -95,7 +98,7 @@ void fail_segments_cross(const Recovery& recovery, Index si, Index ti) {
   const std::vector<Index> facets = join(facets_of_subsegment(recovery, si), facets_of_subsegment(recovery, ti));
   throw Error(kind,
               "the segments " + describe_edge(recovery, s.a, s.b) + " and " + describe_edge(recovery, t.a, t.b) + " cross" +
-                  (facets.empty() ? "" : " (" + list(facets) + ")") + advice(kind),
+                  (facets.empty() ? "" : " (" + list(recovery, facets) + ")") + advice(kind),
               context_of(recovery, facets, {s.a, s.b, t.a, t.b}));
 }
 
@@ -114,7 +117,7 @@ void fail_segment_pierces_facet(const Recovery& recovery, Index subsegment, Inde
   const ErrorKind kind = kind_for(recovery, {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]});
   const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
   throw Error(kind,
-              "the segment " + describe_edge(recovery, s.a, s.b) + (facets.empty() ? "" : " of " + list(facets)) + " pierces " +
+              "the segment " + describe_edge(recovery, s.a, s.b) + (facets.empty() ? "" : " of " + list(recovery, facets)) + " pierces " +
                   describe_subfacet(recovery, subfacet) + advice(kind),
               context_of(recovery, join({f.facet}, facets), {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]}));
 }
@@ -123,7 +126,7 @@ void fail_segment_not_recovered(const Recovery& recovery, Index subsegment) {
   const Subsegment& s = recovery.constraints.subsegments[subsegment];
   const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
   throw Error(ErrorKind::cannot_mesh,
-              "the segment " + describe_edge(recovery, s.a, s.b) + (facets.empty() ? "" : " of " + list(facets)) +
+              "the segment " + describe_edge(recovery, s.a, s.b) + (facets.empty() ? "" : " of " + list(recovery, facets)) +
                   " cannot be recovered: no double near it makes positive cells" + advice(ErrorKind::cannot_mesh),
               context_of(recovery, facets, {s.a, s.b}));
 }
@@ -154,10 +157,10 @@ void Recovery::refuse_crossings() const {
     return static_cast<VertexIndex>(std::lower_bound(input_vertex.begin(), input_vertex.end(), row) - input_vertex.begin());
   };
   where.excerpt = excerpt_about(*this, std::vector{local(crossing->a), local(crossing->b)});
-  const std::string owner = crossing->edge_facet == no_index ? "" : " of facet " + std::to_string(crossing->edge_facet);
+  const std::string owner = crossing->edge_facet == no_index ? "" : " of facet " + std::to_string(names.facet[crossing->edge_facet]);
   throw Error(ErrorKind::invalid_input,
-              "the edge from vertex " + std::to_string(crossing->a) + " to vertex " + std::to_string(crossing->b) + owner + " at " +
-                  coordinates(plc.points[crossing->a]) + " meets facet " + std::to_string(crossing->facet) +
+              "the edge from vertex " + std::to_string(names.vertex[crossing->a]) + " to vertex " + std::to_string(names.vertex[crossing->b]) + owner + " at " +
+                  coordinates(*this, plc.points[crossing->a]) + " meets facet " + std::to_string(names.facet[crossing->facet]) +
                   " outside shared vertices and edges" + advice(ErrorKind::invalid_input),
               std::move(where));
 }

@@ -8,6 +8,7 @@
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "plc/find_crossing.hpp"
+#include "plc/model_names.hpp"
 #include "recover/constrained_mesh.hpp"
 #include "recover/constraints.hpp"
 #include "recover/edge_removal.hpp"
@@ -20,9 +21,10 @@ struct Recovery {
   Constraints& constraints;
   RecoveryStatistics& statistics;
   const RunContext& context;
-  /// Row in plc.points per vertex (no_vertex where added), for messages.
+  /// Row in plc.points per vertex (no_vertex where added).
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
+  const ModelNames& names;  ///< for the words of messages; their data name the items of `plc`
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   std::vector<Index> hard_segments{}, hard_facets{};  ///< model segments and facets that flips and cavities did not recover

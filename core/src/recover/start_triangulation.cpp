@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delaunay/sorted_cells.hpp"
 #include "recover/recover.hpp"
 
 namespace geomesh::recover {
@@ -97,8 +98,8 @@ class StartSearch {
 
 }  // namespace
 
-StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, DeclaredModel& model, const DelaunayOptions& options,
-                                     const RunContext& context, bool may_scale, unsigned attempt) {
+StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
+                                     const DelaunayOptions& options, const RunContext& context, bool may_scale, unsigned attempt) {
   StartTriangulation out;
   out.points = vertices_with_box(plc, model);
   model.constraints.vertices.resize(out.points.size());
@@ -111,7 +112,7 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, Declared
     ConstrainedMesh mesh(delaunay.mesh, out.points, model.input_vertex.size());
     RecoveryStatistics unused;
     CrossingsOf crossings(plc);
-    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, crossings};
+    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, names, crossings};
     out.missing_facets = count_missing_subfacets(recovery);
   }
   std::array<int, 3> exponents{0, 0, 0};
@@ -122,7 +123,7 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, Declared
     missing = count_missing(delaunay.mesh, model.constraints);
   }
   if (may_scale && missing > 20 && 10 * missing > model.constraints.subsegments.size()) search.climb(delaunay, missing, exponents);
-  out.mesh = std::move(delaunay.mesh);
+  out.mesh = with_sorted_cells(delaunay.mesh, static_cast<VertexIndex>(out.points.size()));
   return out;
 }
 

@@ -23,7 +23,7 @@ struct StartTriangulation {
 
 /// Searches the scales by hill climbing, one axis after the other, where `may_scale` and more than one segment in ten is missing. Later
 /// attempts start from another scale, so that cells as flat as rounding allows are others.
-StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, DeclaredModel& model, const DelaunayOptions& options,
-                                     const RunContext& context, bool may_scale, unsigned attempt = 0);
+StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
+                                     const DelaunayOptions& options, const RunContext& context, bool may_scale, unsigned attempt = 0);
 
 }  // namespace geomesh::recover

@@ -19,6 +19,7 @@ namespace {
 /// Points of recovery that a facet may take while it is refined: its parts are then many, and each may lose faces once.
 constexpr std::size_t steiner_per_refined_facet = 2000;
 
+/// Per facet of the caller's model.
 remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh) {
   remesh::FacetComponents components(plc.n_facets(), {no_index, no_index});
   std::vector<std::uint8_t> seen(plc.n_facets(), 0);
@@ -32,6 +33,16 @@ remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, cons
       else if (known[side] != here[side])
         known[side] = no_index;
     seen[face.facet] = 1;
+  }
+  return components;
+}
+
+/// Per facet as recovery has it.
+remesh::FacetComponents in_terms_of(const ModelNames& names, const remesh::FacetComponents& callers) {
+  remesh::FacetComponents components;
+  for (Index f = 0; f < names.facet.size(); ++f) {
+    components.push_back(callers[names.facet[f]]);
+    if (names.swaps_sides(f)) std::swap(components.back()[0], components.back()[1]);
   }
   return components;
 }
@@ -101,7 +112,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   const auto step = [&](recover::Recovery& recovery, const RecoverOptions& recover, std::vector<Index>& given_up) {
     RecoverOptions refined = recover;
     refined.max_steiner_per_facet = std::max(refined.max_steiner_per_facet, steiner_per_refined_facet);
-    remesh::ConformingRefiner refiner(recovery, refined, result.size_field, facet_components(plc, mesh), options.max_elements);
+    remesh::ConformingRefiner refiner(recovery, refined, result.size_field, in_terms_of(recovery.names, facet_components(plc, mesh)), options.max_elements);
     const bool within_budget = refiner.run();
     is_too_large = within_budget && !refiner.refine();
     counts = refiner.counts();

@@ -30,6 +30,7 @@ class ConformingRefiner : public recover::ConformingRecovery {
   static constexpr double max_radius_to_edge = 2;
   static constexpr double min_spacing = 0.45;
 
+  /// `components` per facet of recovery.plc; `size` in the caller's frame and components.
   ConformingRefiner(recover::Recovery& recovery, const RecoverOptions& options, const SizeField& size, FacetComponents components,
                     std::size_t max_cells);
 
@@ -61,7 +62,7 @@ class ConformingRefiner : public recover::ConformingRecovery {
   std::size_t label_cells();
   void flood(CellIndex start, Index label);
   bool wants_point(CellIndex c, Vec3& centre) const;
-  double size_at(const Vec3& p, Index component) const { return size_.at(p, component); }
+  double size_at(const Vec3& p, Index component) const { return size_.at(recovery_.names.frame.leave(p), component); }
   double size_on_facet(const Vec3& p, Index facet) const;
   Index facet_of(CellIndex c, unsigned face) const;
 

@@ -13,6 +13,7 @@
 #include "recover/hard_parts_first.hpp"
 #include "recover/recover.hpp"
 #include "recover/start_triangulation.hpp"
+#include "tetrahedralize/canonical_form.hpp"
 #include "tetrahedralize/conforming_step.hpp"
 
 namespace geomesh {
@@ -59,9 +60,10 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
   return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
 }
 
-/// One model on its way to a mesh.
+/// One model, in canonical form, on its way to a mesh.
 struct MeshingRun {
   const PiecewiseLinearComplex& plc;
+  const ModelNames& names;
   const TetrahedralizeOptions& options;
   const RunContext& context;
   const ConformingStep& conform;
@@ -71,10 +73,10 @@ struct MeshingRun {
   HardPartsFirst hard_parts{};
 
   StartTriangulation start(unsigned attempt = 0) {
-    model = recover::declare_constraints(plc, context);
+    model = recover::declare_constraints(plc, names, context);
     if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
     const bool may_scale = options.recover.mode == MeshMode::constrained && !begins_hard(attempt);
-    StartTriangulation out = recover::triangulate_start(plc, model, options.delaunay, context, may_scale, attempt);
+    StartTriangulation out = recover::triangulate_start(plc, names, model, options.delaunay, context, may_scale, attempt);
     if (begins_hard(attempt)) out.mesh = hard_parts.triangulate(out.points, options.delaunay, context);
     statistics = {};
     statistics.facets_total = plc.n_facets();
@@ -97,7 +99,7 @@ struct MeshingRun {
     for (unsigned attempt = 0;; ++attempt) {
       StartTriangulation from = attempt == 0 ? std::move(first) : start(attempt);
       ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model.input_vertex.size());
-      Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc, crossings};
+      Recovery recovery{mesh, model.constraints, statistics, context, model.input_vertex, plc, names, crossings};
       recovery.attempt = attempt;
       recovery.least_spacing = 64 * ulp_of_largest(plc.points);
       for (unsigned i = 0; i < attempt; ++i) mesh.random(2);
@@ -116,27 +118,15 @@ struct MeshingRun {
   }
 };
 
-ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
-                                           const ConformingStep& conform, std::vector<Index>& given_up) {
-  MeshingRun run{plc, options, context, conform};
-  StartTriangulation start;
-  {
-    const StageScope stage(context, "delaunay");
-    start = run.start();
-  }
+ConstrainedTetrahedralization recover_and_classify(MeshingRun& run, StartTriangulation start) {
   std::optional<ConstrainedMesh> mesh;
   {
-    const StageScope stage(context, "recover");
-    try {
-      mesh = run.recover(std::move(start));
-    } catch (const Error&) {
-      given_up = run.statistics.facets_not_recovered;
-      throw;
-    }
+    const StageScope stage(run.context, "recover");
+    mesh = run.recover(std::move(start));
   }
-  const StageScope stage(context, "classify");
-  ConstrainedTetrahedralization out = classify::classify(*mesh, run.model, plc, context);
-  out.delaunay = options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(*mesh);
+  const StageScope stage(run.context, "classify");
+  ConstrainedTetrahedralization out = classify::classify(*mesh, run.model, run.plc, run.context);
+  out.delaunay = run.options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(*mesh);
   out.recovery = run.statistics;
   out.recovery.tetrahedra_final = out.tetrahedra.size();
   for (VertexOrigin origin : out.origin) {
@@ -146,6 +136,22 @@ ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, co
   }
   out.delaunay_statistics = run.delaunay;
   return out;
+}
+
+/// Sets `given_up` where it throws.
+ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
+                                           const ConformingStep& conform, std::vector<Index>& given_up) {
+  std::optional<StageScope> delaunay_stage(std::in_place, context, "delaunay");
+  const CanonicalForm form = canonical_form(plc);
+  MeshingRun run{form.plc, form.names, options, context, conform};
+  try {
+    StartTriangulation start = run.start();
+    delaunay_stage.reset();
+    return in_callers_terms(recover_and_classify(run, std::move(start)), form.names, plc);
+  } catch (const Error& e) {
+    given_up = facets_in_callers_terms(std::move(run.statistics.facets_not_recovered), form.names);
+    throw in_callers_terms(e, form.names);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// How the items of the model that is being meshed are called by the caller, who gave it in another frame and order
+/// (tetrahedralize/canonical_form.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh {
+
+/// A frame reached by permuting axes and turning some round: exact in doubles.
+struct AxisFrame {
+  std::array<std::uint8_t, 3> axis{0, 1, 2};  ///< axis i here is the caller's axis[i] ...
+  std::array<double, 3> direction{1, 1, 1};   ///< ... times this, 1 or -1
+
+  /// From the caller's frame; -0 becomes 0.
+  Vec3 enter(const Vec3& p) const { return {direction[0] * p[axis[0]] + 0.0, direction[1] * p[axis[1]] + 0.0, direction[2] * p[axis[2]] + 0.0}; }
+  /// Back to the caller's frame; -0 becomes 0.
+  Vec3 leave(const Vec3& p) const {
+    Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[axis[i]] = direction[i] * p[i] + 0.0;
+    return out;
+  }
+  /// Whether a positive tetrahedron is a negative one here.
+  bool mirrors() const {
+    const bool is_odd = (axis[0] + 1) % 3 != axis[1];
+    return is_odd != (direction[0] * direction[1] * direction[2] < 0);
+  }
+};
+
+/// Per item of the model, the caller's row.
+struct ModelNames {
+  AxisFrame frame;
+  std::vector<VertexIndex> vertex;
+  std::vector<Index> facet;
+  std::vector<Index> segment;
+  std::vector<std::uint8_t> facet_is_reversed;    ///< its outer loop runs against the caller's
+  std::vector<std::uint8_t> segment_is_reversed;  ///< its ends are those of the caller's, the other way round
+
+  /// Whether what lies above facet f here (as its loop runs here, in the frame here) lies below the caller's.
+  bool swaps_sides(Index f) const { return (facet_is_reversed[f] != 0) != frame.mirrors(); }
+};
+
+}  // namespace geomesh
