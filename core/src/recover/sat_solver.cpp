@@ -42,6 +42,22 @@ std::uint32_t SatSolver::new_variable(bool preferred) {
   return v;
 }
 
+void SatSolver::reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals) {
+  for (std::vector<std::int8_t>* v : {&values_, &phase_}) v->reserve(n_variables);
+  for (std::vector<std::uint32_t>* v : {&level_of_, &reason_, &first_choice_, &first_flag_, &heap_}) v->reserve(n_variables);
+  activity_.reserve(n_variables);
+  seen_.reserve(n_variables);
+  heap_place_.reserve(n_variables);
+  trail_.reserve(n_variables);
+  first_watch_.reserve(2 * n_variables);
+  clauses_.reserve(n_clauses);
+  watches_.reserve(2 * n_clauses);
+  literals_.reserve(n_literals);
+  choices_.reserve(n_clauses);
+  chosen_.reserve(n_literals);
+  occurrences_.reserve(n_literals + n_clauses);
+}
+
 void SatSolver::add_clause(std::span<const Literal> literals) {
   if (literals.empty()) {
     contradictory_ = true;

@@ -42,6 +42,8 @@ class SatSolver {
 
   /// `preferred`: the value tried first. Variables are decided in the order of their making until conflicts say otherwise.
   std::uint32_t new_variable(bool preferred = false);
+  /// Makes room: for clauses and choices with that many literals in all each.
+  void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer(std::uint32_t variable, bool value) { phase_[variable] = value ? 1 : 0; }
   std::size_t n_variables() const { return values_.size(); }
 

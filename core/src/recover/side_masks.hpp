@@ -25,21 +25,54 @@ constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[
 class SideMasks {
  public:
   static constexpr std::size_t max_vertices = 64;
+  /// Vertices v for which (t, v) is positive, and those for which it is negative.
+  using Masks = std::pair<VertexMask, VertexMask>;
+
+  // Rows of increasing triples are sums of binomial coefficients (the combinatorial number system).
+  static constexpr std::size_t n_triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
+  static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) { return n_triples(k) + j * (j - 1) / 2 + i; }
+  /// Puts the vertices in increasing order; whether that is an odd permutation.
+  static bool sort(LocalTriangle& t) {
+    bool odd = false;
+    for (const auto& [i, j] : {std::pair{0u, 1u}, std::pair{1u, 2u}, std::pair{0u, 1u}})
+      if (t[i] > t[j]) {
+        std::swap(t[i], t[j]);
+        odd = !odd;
+      }
+    return odd;
+  }
 
   /// `vertices`: at most max_vertices, in the mesh's numbering.
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
-      : mesh_(mesh), vertices_(vertices), row_(triples(vertices.size()), 0) {}
+      : mesh_(mesh), vertices_(vertices), row_(n_triples(vertices.size()), 0) {}
 
   /// For those who will ask for most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with what they share taken out of the loops.
   void decide_all() {
     const std::size_t n = vertices_.size();
-    known_.assign(triples(n), {0, 0});
+    known_.assign(n_triples(n), {0, 0});
     for (std::size_t row = 0; row < row_.size(); ++row) row_[row] = static_cast<std::uint32_t>(row + 1);
     for (std::size_t l = 3; l < n; ++l)
       for (std::size_t k = 2; k < l; ++k)
         for (std::size_t j = 1; j < k; ++j) decide_below(j, k, l);
   }
 
+  /// @name Of increasing triples, after decide_all
+  /// @{
+  const Masks& of_row(std::size_t row) const { return known_[row]; }
+  const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
+  /// @}
+
+  Masks sides(const LocalTriangle& t) {
+    LocalTriangle s = t;
+    const bool odd = sort(s);
+    std::uint32_t& row = row_[row_of(s[0], s[1], s[2])];
+    if (row == 0) {
+      known_.push_back(decide(s));
+      row = static_cast<std::uint32_t>(known_.size());
+    }
+    const Masks& m = known_[row - 1];
+    return odd ? Masks{m.second, m.first} : m;
+  }
   /// Vertices v for which (t, v) is positive.
   VertexMask above(const LocalTriangle& t) { return sides(t).first; }
   /// Vertices v for which (t, v) is negative.
@@ -51,31 +84,6 @@ class SideMasks {
   }
 
  private:
-  using Masks = std::pair<VertexMask, VertexMask>;
-  // Rows of increasing triples are sums of binomial coefficients (the combinatorial number system).
-  static constexpr std::size_t pairs(std::size_t n) { return n * (n - 1) / 2; }
-  static constexpr std::size_t triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
-  static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) { return triples(k) + pairs(j) + i; }
-
-  Masks sides(const LocalTriangle& t) {
-    LocalTriangle s = t;
-    bool odd = false;
-    const auto order = [&](unsigned i, unsigned j) {
-      if (s[i] <= s[j]) return;
-      std::swap(s[i], s[j]);
-      odd = !odd;
-    };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-    std::uint32_t& row = row_[row_of(s[0], s[1], s[2])];
-    if (row == 0) {
-      known_.push_back(decide(s));
-      row = static_cast<std::uint32_t>(known_.size());
-    }
-    const Masks& m = known_[row - 1];
-    return odd ? Masks{m.second, m.first} : m;
-  }
   Masks decide(const LocalTriangle& t) const {
     Masks out{0, 0};
     for (LocalVertex v = 0; v < vertices_.size(); ++v) {
