@@ -60,6 +60,8 @@ class Validator {
     }
   }
   void check_loop(Index f, std::span<const VertexIndex> loop) {
+    const bool is_triangle = loop.size() == 3 && loop[0] != loop[1] && loop[1] != loop[2] && loop[2] != loop[0];
+    if (is_triangle && std::all_of(loop.begin(), loop.end(), [&](VertexIndex v) { return in_range(v); })) return;
     const std::string name = "facet " + std::to_string(f);
     for (VertexIndex v : loop)
       if (!in_range(v)) return fault(name + " names vertex " + std::to_string(v) + ", which does not exist", {{f}, {}, {}, {}});
@@ -87,11 +89,13 @@ class Validator {
       if (!in_range(v)) fault("isolated vertex " + std::to_string(v) + " does not exist", {});
   }
 
-  void check_repeated_triangles() {
-    struct Entry {
-      Triangle key;
-      Index facet;
-    };
+  struct Entry {
+    Triangle key;  ///< sorted
+    Index facet;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+  /// Facets that are triangles, by their least vertex: those of v in rows begin[v] to begin[v + 1].
+  std::vector<Entry> triangles_by_vertex(std::vector<std::size_t>& begin) const {
     std::vector<Entry> entries;
     for (Index f = 0; f < plc_.n_facets(); ++f) {
       if (plc_.n_loops(f) != 1 || plc_.outer_loop(f).size() != 3) continue;
@@ -100,7 +104,18 @@ class Validator {
       std::sort(key.begin(), key.end());
       entries.push_back({key, f});
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.facet < b.facet; });
+    begin.assign(plc_.points.size() + 1, 0);
+    for (const Entry& e : entries) ++begin[e.key[0] + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Entry> out(entries.size());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (const Entry& e : entries) out[next[e.key[0]]++] = e;
+    return out;
+  }
+  void check_repeated_triangles() {
+    std::vector<std::size_t> begin;
+    std::vector<Entry> entries = triangles_by_vertex(begin);
+    for (VertexIndex v = 0; v < plc_.points.size(); ++v) std::sort(entries.data() + begin[v], entries.data() + begin[v + 1]);
     for (std::size_t i = 1; i < entries.size(); ++i)
       if (entries[i - 1].key == entries[i].key)
         fault("facets " + std::to_string(entries[i - 1].facet) + " and " + std::to_string(entries[i].facet) + " are the same triangle",
