@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "recover/flood.hpp"
+#include "recover/presence.hpp"
 
 namespace geomesh::classify {
 
@@ -18,7 +19,7 @@ constexpr Index unvisited = no_index, outside = no_index - 1, dropped = no_index
 
 class Classifier {
  public:
-  Classifier(ConstrainedMesh& mesh, const DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
+  Classifier(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
       : mesh_(mesh), model_(model), plc_(plc), context_(context), label_(mesh.cells().n_slots(), unvisited) {}
 
   ConstrainedTetrahedralization run() {
@@ -65,10 +66,7 @@ class Classifier {
     std::stable_sort(subfacets_.begin(), subfacets_.end(), [&](Index a, Index b) {
       return model_.constraints.subfacets[a].facet < model_.constraints.subfacets[b].facet;
     });
-    for (Index f : subfacets_) {
-      const Triangle& t = model_.constraints.subfacets[f].vertices;
-      above_.push_back(mesh_.find_face(t[0], t[1], t[2]));
-    }
+    for (Index f : subfacets_) above_.push_back(recover::face_of_subfacet(mesh_, model_.constraints, f));
   }
   void number_components() {
     Index next = 0;
@@ -135,23 +133,29 @@ class Classifier {
     }
   }
   void emit_edges() {
+    if (model_.segment_of_row.empty()) return;
     const auto& constraints = model_.constraints;
-    std::vector<std::vector<const Subsegment*>> parts(constraints.segments.size());
-    for (const Subsegment& s : constraints.subsegments)
-      if (s.live && s.segment != no_index && constraints.segments[s.segment].row != no_index) parts[s.segment].push_back(&s);
+    std::vector<std::vector<Index>> parts(constraints.segments.size());
+    for (Index i = 0; i < constraints.subsegments.size(); ++i) {
+      const Subsegment& s = constraints.subsegments[i];
+      if (s.live && s.segment != no_index && constraints.segments[s.segment].row != no_index) parts[s.segment].push_back(i);
+    }
     for (Index row = 0; row < model_.segment_of_row.size(); ++row)
-      for (const Subsegment* s : parts[model_.segment_of_row[row]])
-        if (point_[s->a] != no_vertex && point_[s->b] != no_vertex && is_kept_edge(*s)) out_.edges.push_back({point_[s->a], point_[s->b], row});
+      for (const Index i : parts[model_.segment_of_row[row]]) {
+        const Subsegment& s = constraints.subsegments[i];
+        if (point_[s.a] != no_vertex && point_[s.b] != no_vertex && is_kept_edge(i)) out_.edges.push_back({point_[s.a], point_[s.b], row});
+      }
   }
   /// Some cell about the edge is kept; both ends may be though none is.
-  bool is_kept_edge(const Subsegment& s) const {
+  bool is_kept_edge(Index subsegment) const {
+    const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;
-    mesh_.ring(mesh_.find_edge(s.a, s.b), s.a, s.b, ring);
+    mesh_.ring(recover::cell_of_subsegment(mesh_, model_.constraints, subsegment), s.a, s.b, ring);
     return std::any_of(ring.cells.begin(), ring.cells.end(), [&](CellIndex c) { return kept(c); });
   }
 
   ConstrainedMesh& mesh_;
-  const DeclaredModel& model_;
+  DeclaredModel& model_;
   const PiecewiseLinearComplex& plc_;
   const RunContext& context_;
   std::vector<Index> label_;
@@ -164,7 +168,7 @@ class Classifier {
 
 }  // namespace
 
-ConstrainedTetrahedralization classify(ConstrainedMesh& mesh, const DeclaredModel& model, const PiecewiseLinearComplex& plc,
+ConstrainedTetrahedralization classify(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc,
                                        const RunContext& context) {
   return Classifier(mesh, model, plc, context).run();
 }

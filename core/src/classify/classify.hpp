@@ -12,7 +12,7 @@ namespace geomesh::classify {
 
 /// Components of the recovered mesh between its locked faces, numbered, seeded, without the outside, as ConstrainedTetrahedralization
 /// documents. Throws Error{cannot_mesh} where nothing is enclosed, Error{invalid_input} for a hole seed on a facet.
-ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, const recover::DeclaredModel& model,
+ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, recover::DeclaredModel& model,
                                        const PiecewiseLinearComplex& plc, const RunContext& context);
 
 }  // namespace geomesh::classify

@@ -206,7 +206,7 @@ class PointRemoval {
         if (fan && take(s, std::move(*fan), cavity.cells())) return true;
       }
     }
-    auto filling = cavity.fill({400, 4});
+    auto filling = cavity.fill({100});
     if (filling && take(s, std::move(*filling), cavity.cells())) return true;
     if (by_regions_ && fill_by_region(s)) return true;
     return !s.wraps_round() && fill_about_moved_point(s);
@@ -253,13 +253,15 @@ class PointRemoval {
       for (VertexIndex v : t) reach = std::max(reach, std::fabs(dot(mesh_.point(v) - origin, direction)));
     const VertexIndex moved = mesh_.add_point(origin);
     constraints_.vertices.resize(mesh_.points().size(), {VertexOrigin::inside, no_index});
-    for (const unsigned max_growths : {0u, 12u})
+    for (const unsigned max_growths : {0u, 12u}) {
+      if (max_growths > 0 && !cavity.is_valid()) break;
       for (double step = reach / 2; step > reach * 1e-15; step /= max_growths == 0 ? 2 : 8) {
         mesh_.move_point(moved, origin + step * direction);
         Cavity trial = cavity;
         auto fan = trial.star_from(moved, max_growths);
         if (fan && take(s, std::move(*fan), trial.cells())) return true;
       }
+    }
     mesh_.drop_last_point();
     constraints_.vertices.pop_back();
     return false;

@@ -10,8 +10,8 @@ namespace geomesh::recover {
 
 namespace {
 
-using Edge = std::array<VertexIndex, 2>;
-Edge edge_key(VertexIndex a, VertexIndex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+/// The same for both directions of an edge.
+std::uint64_t edge_key(VertexIndex a, VertexIndex b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void Cavity::add_cell(CellIndex c) {
 
 bool Cavity::is_valid() const {
   const TetMesh& cells = recovery_.mesh.cells();
-  std::vector<Edge> kept;
+  std::vector<std::uint64_t> kept;
   std::vector<VertexIndex> vertices;
   for (const Side& s : boundary_)
     for (unsigned i = 0; i < 3; ++i) {
@@ -91,9 +91,22 @@ bool Cavity::may_grow_over(const Side& side) const {
 bool Cavity::grow_over(FaceRef face) {
   const std::vector<Side> before = boundary_;
   add_cell(recovery_.mesh.cells().mirror(face).cell());
-  if (is_valid()) return true;
+  if (!swallows_constraint(before)) return true;
   boundary_ = before;
   cells_.pop_back();
+  return false;
+}
+
+/// Whether the last cell took a vertex or a subsegment of the boundary as it was before inside. Only what it took of that can be.
+bool Cavity::swallows_constraint(const std::vector<Side>& before) const {
+  const CellIndex last = cells_.back();
+  for (const Side& side : before) {
+    if (!side.inner.valid() || recovery_.mesh.cells().mirror(side.inner).cell() != last || recovery_.mesh.is_locked(side.inner)) continue;
+    for (unsigned i = 0; i < 3; ++i) {
+      const VertexIndex a = side.triangle[i], b = side.triangle[(i + 1) % 3];
+      if (!has_edge(a, b) && (neighbors(a).empty() || neighbors(b).empty() || recovery_.constraints.is_subsegment(a, b))) return true;
+    }
+  }
   return false;
 }
 
@@ -113,17 +126,8 @@ std::optional<std::vector<Tetrahedron>> Cavity::star_from(VertexIndex y, unsigne
   }
 }
 
-std::optional<std::vector<Tetrahedron>> Cavity::fill(const CavityEffort& effort) {
-  std::vector<unsigned> obstructions;
-  for (unsigned growth = 0;; ++growth) {
-    auto filling = fill_polyhedron(recovery_.mesh, recovery_.constraints, boundary(), {effort.max_faces, effort.max_nodes}, &obstructions);
-    if (filling || growth >= effort.max_growths || boundary_.size() > effort.max_faces) return filling;
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < boundary_.size(); ++i)
-      if (obstructions[i] > 0 && may_grow_over(boundary_[i])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return obstructions[i] > obstructions[j]; });
-    if (std::none_of(order.begin(), order.end(), [&](std::size_t i) { return grow_over(boundary_[i].inner); })) return std::nullopt;
-  }
+std::optional<std::vector<Tetrahedron>> Cavity::fill(const CavityEffort& effort) const {
+  return fill_polyhedron(recovery_.mesh, recovery_.constraints, boundary(), {effort.max_faces, effort.max_nodes});
 }
 
 namespace {

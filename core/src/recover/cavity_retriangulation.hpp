@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Recovery without points by emptying a cavity and filling it again, with the constraint as a sheet in it (the cavities of Shewchuk 2002
-/// and of Si and Gaertner 2011, filled by search instead of by gift wrapping, as the mesh is not Delaunay any more). A cavity that cannot
-/// be filled grows over the face at which the search ended most often, and is tried again.
+/// and of Si and Gaertner 2011, filled by search instead of by gift wrapping, as the mesh is not Delaunay any more).
 #pragma once
 
 #include "recover/polyhedron_filling.hpp"
@@ -12,8 +11,7 @@ namespace geomesh::recover {
 
 /// How hard a cavity is tried.
 struct CavityEffort {
-  std::size_t max_nodes = 200;   ///< of one search
-  unsigned max_growths = 0;      ///< cells by which a cavity may grow
+  std::size_t max_nodes = 200;
   std::size_t max_faces = 90;
 };
 
@@ -36,10 +34,9 @@ class Cavity {
   /// Vertices joined with v by an edge of the boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
-  /// All of the boundary joined with y, a point that no cell has yet, growing the cavity over faces that y does not see.
+  /// All of the boundary joined with y, a point that no cell has yet, growing the cavity, which is valid then, over faces that y does not see.
   std::optional<std::vector<Tetrahedron>> star_from(VertexIndex y, unsigned max_growths);
-  /// A filling, growing the cavity where that helps; none: the cavity is as it grew.
-  std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort);
+  std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;
 
  private:
   struct Side {
@@ -49,6 +46,7 @@ class Cavity {
 
   bool may_grow_over(const Side& side) const;
   bool grow_over(FaceRef face);
+  bool swallows_constraint(const std::vector<Side>& before) const;
   void add_cell(CellIndex c);
   bool contains(CellIndex c) const { return std::find(cells_.begin(), cells_.end(), c) != cells_.end(); }
 

@@ -8,6 +8,7 @@
 #include "plc/planar_triangulation.hpp"
 #include "recover/conforming.hpp"
 #include "recover/facet_trace.hpp"
+#include "recover/presence.hpp"
 
 namespace geomesh::recover {
 
@@ -109,12 +110,11 @@ void ConformingRecovery::recover_queued_facets() {
 bool ConformingRecovery::register_if_present(Index f) {
   const Triangle& t = constraints_.subfacets[f].vertices;
   if (!constraints_.is_piece(f)) {
-    if (!mesh_.find_face(t[0], t[1], t[2]).valid()) return false;
+    if (!face_of_subfacet(mesh_, constraints_, f).valid()) return false;
     facet_of_face_.insert({t[0], t[1], t[2]}, f);
     return true;
   }
-  const FacetPiece& piece = constraints_.piece_of(f);
-  const FacetTrace trace = trace_facet(mesh_, FacetSides(mesh_, t, piece.members), piece.border);
+  const FacetTrace trace = trace_piece(mesh_, constraints_, f);
   if (trace.status != FacetTrace::Status::complete) return false;
   for (const Triangle& face : trace.faces) facet_of_face_.insert({face[0], face[1], face[2]}, f);
   return true;

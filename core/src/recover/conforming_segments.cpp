@@ -6,6 +6,7 @@
 
 #include "recover/conforming.hpp"
 #include "recover/crossing.hpp"
+#include "recover/presence.hpp"
 
 namespace geomesh::recover {
 
@@ -32,6 +33,7 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   min_edge_ = std::ldexp(largest, -40);
   max_sharp_points_ = 30 * mesh_.n_input() + 3000;
   max_other_points_ = 30 * mesh_.n_input() + 100000;
+  recovery_.expected_points_per_vertex = 4;
   mark_sharp_vertices();
   mark_sharp_facets();
   facet_queued_.assign(constraints_.subfacets.size(), 0);
@@ -44,7 +46,7 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
 
 bool ConformingRecovery::run() {
   for (Index s = 0; s < constraints_.subsegments.size(); ++s)
-    if (mesh_.find_edge(constraints_.subsegments[s].a, constraints_.subsegments[s].b) == no_cell) queue_segment(s);
+    if (cell_of_subsegment(mesh_, constraints_, s) == no_cell) queue_segment(s);
   recover_queued_segments();
   recovery_.statistics.missing_facets_initial = count_missing_subfacets(recovery_);
   for (Index f = 0; f < constraints_.subfacets.size(); ++f)
@@ -74,12 +76,16 @@ void ConformingRecovery::mark_sharp_vertices() {
 /// Those that meet another facet at less than 90 degrees, or have a sharp vertex.
 void ConformingRecovery::mark_sharp_facets() {
   facet_is_sharp_.assign(constraints_.subfacets.size(), 0);
-  for (const Subsegment& s : constraints_.subsegments)
-    for (const Index f : s.subfacets) {
-      if (vertex_is_sharp_[s.a] || vertex_is_sharp_[s.b]) facet_is_sharp_[f] = 1;
-      for (const Index g : s.subfacets)
-        if (g != f && !facet_is_sharp_[f]) facet_is_sharp_[f] = is_sharp(inwards(s, f), inwards(s, g), 0);
+  std::vector<Vec3> inner;  // of the facets about a subsegment: into which direction each goes
+  for (const Subsegment& s : constraints_.subsegments) {
+    inner.clear();
+    for (const Index f : s.subfacets) inner.push_back(inwards(s, f));
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      std::uint8_t& is_marked = facet_is_sharp_[s.subfacets[i]];
+      if (vertex_is_sharp_[s.a] || vertex_is_sharp_[s.b]) is_marked = 1;
+      for (std::size_t j = 0; j < inner.size() && !is_marked; ++j) is_marked = j != i && is_sharp(inner[i], inner[j], 0);
     }
+  }
 }
 
 bool ConformingRecovery::is_sharp_segment(const Subsegment& s) const {
@@ -93,10 +99,9 @@ Vec3 ConformingRecovery::inwards(const Subsegment& s, Index f) const {
   const Triangle& t = constraints_.subfacets[f].vertices;
   const Vec3& o = mesh_.point(t[0]);
   const Vec3 normal = cross(mesh_.point(t[1]) - o, mesh_.point(t[2]) - o);
-  std::vector<DirectedEdge> border{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}};
-  if (constraints_.is_piece(f)) border = constraints_.piece_of(f).border;
+  const std::array<DirectedEdge, 3> sides{{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}};
   Vec3 along;
-  for (const DirectedEdge& e : border)
+  for (const DirectedEdge& e : constraints_.is_piece(f) ? std::span<const DirectedEdge>(constraints_.piece_of(f).border) : std::span<const DirectedEdge>(sides))
     if ((e[0] == s.a && e[1] == s.b) || (e[0] == s.b && e[1] == s.a)) along = along + (mesh_.point(e[1]) - mesh_.point(e[0]));
   return cross(normal, along);
 }
@@ -142,7 +147,7 @@ void ConformingRecovery::recover_queued_segments() {
     const Index s = missing_segments_.top().segment;
     missing_segments_.pop();
     const Subsegment& sub = constraints_.subsegments[s];
-    if (!sub.live || mesh_.find_edge(sub.a, sub.b) != no_cell) continue;
+    if (!sub.live || cell_of_subsegment(mesh_, constraints_, s) != no_cell) continue;
     if (sub.segment != no_index && segment_is_given_up_[sub.segment]) continue;
     split_segment(s);
   }

@@ -2,6 +2,7 @@
 #include "recover/constrained_mesh.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace geomesh::recover {
 
@@ -88,20 +89,26 @@ std::vector<VertexIndex> ConstrainedMesh::neighbors(VertexIndex v) {
   return out;
 }
 
+unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b, WalkDice& dice) const {
+  const unsigned i = mesh_.index_of(c, a);
+  const auto& v = mesh_.vertices(c);
+  unsigned exit = 4, outside = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const unsigned r = face_vertices[i][k], p = face_vertices[i][(k + 1) % 3], q = face_vertices[i][(k + 2) % 3];
+    if (orient(a, v[p], v[q], b) != Sign::positive) continue;
+    if (++outside == 1 || dice(outside) == 0) exit = r;
+  }
+  return exit;
+}
+
 CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
   // A walk in the star of a towards b; a star is small, so a walk that has not arrived soon gives way to a search of it.
   CellIndex c = cell_of_[a];
+  WalkDice dice(a, b);
   for (unsigned step = 0; step < 24; ++step) {
     if (mesh_.has_vertex(c, b)) return c;
     if (mesh_.is_ghost(c)) break;
-    const unsigned i = mesh_.index_of(c, a);
-    const auto& v = mesh_.vertices(c);
-    unsigned exit = 4, outside = 0;
-    for (unsigned k = 0; k < 3; ++k) {
-      const unsigned r = face_vertices[i][k], p = face_vertices[i][(k + 1) % 3], q = face_vertices[i][(k + 2) % 3];
-      if (orient(a, v[p], v[q], b) != Sign::positive) continue;
-      if (random(++outside) == 0) exit = r;
-    }
+    const unsigned exit = exit_towards(c, a, b, dice);
     if (exit == 4) return no_cell;
     c = mesh_.neighbor_cell(c, exit);
   }
@@ -148,7 +155,10 @@ FaceRef ConstrainedMesh::face_in_cell(CellIndex cell, VertexIndex a, VertexIndex
 
 FaceRef ConstrainedMesh::find_face(VertexIndex a, VertexIndex b, VertexIndex c) {
   const CellIndex start = find_edge(a, b);
-  if (start == no_cell) return {};
+  return start == no_cell ? FaceRef{} : find_face_about(start, a, b, c);
+}
+
+FaceRef ConstrainedMesh::find_face_about(CellIndex start, VertexIndex a, VertexIndex b, VertexIndex c) const {
   CellIndex cell = start;
   VertexIndex pivot = mesh_.vertex(cell, even_completion[mesh_.index_of(cell, a)][mesh_.index_of(cell, b)][0]);
   do {
@@ -192,17 +202,17 @@ CellIndex ConstrainedMesh::locate(const Vec3& p, CellIndex start) {
 
 void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra) {
   if (journal_depth_ > 0) {
-    journal_.emplace_back();
-    for (CellIndex c : old_cells) journal_.back().removed.push_back(mesh_.vertices(c));
+    journal_.push_back({journal_removed_.size(), journal_created_.size()});
+    for (CellIndex c : old_cells) journal_removed_.push_back(mesh_.vertices(c));
   }
   for (CellIndex c : old_cells) mesh_.flags(c) |= cavity_flag;
-  links_.clear();
+  await_faces(4 * (old_cells.size() + tetrahedra.size()));
   inner_locks_.clear();
   for (CellIndex c : old_cells)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = mesh_.neighbor(c, i);
       if (!(mesh_.flags(outer.cell()) & cavity_flag)) {
-        links_.push_back({sorted_face(mesh_, FaceRef(c, i)), outer});
+        link_or_wait(outer);
       } else if (is_locked(outer)) {
         inner_locks_.push_back(sorted_face(mesh_, outer));
       }
@@ -212,24 +222,43 @@ void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<co
   for (const Tetrahedron& t : tetrahedra) {
     const CellIndex c = mesh_.add_cell(t);
     created_.push_back(c);
-    for (unsigned i = 0; i < 4; ++i) links_.push_back({sorted_face(mesh_, FaceRef(c, i)), FaceRef(c, i)});
+    if (journal_depth_ > 0) journal_created_.push_back({t, c});
+    for (unsigned i = 0; i < 4; ++i) link_or_wait(FaceRef(c, i));
     for (VertexIndex v : t) cell_of_[v] = c;
   }
-  link_created();
-  if (journal_depth_ > 0) journal_.back().created.assign(tetrahedra.begin(), tetrahedra.end());
+  GEOMESH_CHECK(n_waiting_ == 0);
 }
 
-void ConstrainedMesh::link_created() {
-  std::sort(links_.begin(), links_.end(), [](const LinkEntry& a, const LinkEntry& b) {
-    return a.key != b.key ? a.key < b.key : a.face.code < b.face.code;
-  });
-  GEOMESH_CHECK(links_.size() % 2 == 0);
-  for (std::size_t i = 0; i < links_.size(); i += 2) {
-    GEOMESH_CHECK(links_[i].key == links_[i + 1].key);
-    const FaceRef f = links_[i].face, g = links_[i + 1].face;
+/// Before the first of at most `n_faces` calls of link_or_wait.
+void ConstrainedMesh::await_faces(std::size_t n_faces) {
+  const std::size_t size = std::bit_ceil(n_faces + 1);
+  if (waiting_.size() < size) waiting_.resize(size);
+  std::fill(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size), WaitingFace{});
+  waiting_mask_ = size - 1;
+  n_waiting_ = 0;
+}
+
+/// Links the face with the one of the same vertices that waits, or lets it wait for that one. Which waits where changes nothing.
+void ConstrainedMesh::link_or_wait(FaceRef f) {
+  const Triangle key = sorted_face(mesh_, f);
+  std::uint64_t hash = (key[0] * 0x9E3779B97F4A7C15ull) ^ (key[1] * 0xD6E8FEB86659FD93ull) ^ (key[2] * 0xC2B2AE3D27D4EB4Full);
+  hash ^= hash >> 32;
+  for (std::size_t i = hash & waiting_mask_;; i = (i + 1) & waiting_mask_) {
+    WaitingFace& slot = waiting_[i];
+    if (!slot.face.valid()) {
+      slot = {key, f, false};
+      ++n_waiting_;
+      return;
+    }
+    if (slot.key[0] != key[0] || slot.key[1] != key[1] || slot.key[2] != key[2]) continue;
+    const FaceRef g = slot.face;
+    GEOMESH_CHECK(!slot.is_linked);
     mesh_.link(f, g);
-    const bool was_inside = std::find(inner_locks_.begin(), inner_locks_.end(), links_[i].key) != inner_locks_.end();
+    slot.is_linked = true;
+    --n_waiting_;
+    const bool was_inside = !inner_locks_.empty() && std::find(inner_locks_.begin(), inner_locks_.end(), key) != inner_locks_.end();
     if (is_locked(f) || is_locked(g) || was_inside) lock(f);
+    return;
   }
 }
 
@@ -283,7 +312,10 @@ std::size_t ConstrainedMesh::mark() {
 }
 
 void ConstrainedMesh::keep() {
-  if (--journal_depth_ == 0) journal_.clear();
+  if (--journal_depth_ > 0) return;
+  journal_.clear();
+  journal_removed_.clear();
+  journal_created_.clear();
 }
 
 void ConstrainedMesh::roll_back(std::size_t mark) {
@@ -291,12 +323,17 @@ void ConstrainedMesh::roll_back(std::size_t mark) {
   journal_depth_ = 0;
   std::vector<CellIndex> cells;
   while (journal_.size() > mark) {
-    const JournalEntry entry = std::move(journal_.back());
+    const JournalEntry entry = journal_.back();
     journal_.pop_back();
     cells.clear();
-    // By vertices, as slots are reused: a positive cell (a,b,c,d) is the one above its face a,b,c.
-    for (const Tetrahedron& t : entry.created) cells.push_back(find_face(t[0], t[1], t[2]).cell());
-    replace(cells, entry.removed);
+    for (std::size_t i = entry.created; i < journal_created_.size(); ++i) {
+      // Slots are reused, so it may have come back to another; a positive cell (a,b,c,d) is the one above its face a,b,c.
+      const auto& [t, slot] = journal_created_[i];
+      cells.push_back(mesh_.vertices(slot) == t ? slot : find_face(t[0], t[1], t[2]).cell());
+    }
+    replace(cells, std::span(journal_removed_).subspan(entry.removed));
+    journal_created_.resize(entry.created);
+    journal_removed_.resize(entry.removed);
   }
   journal_depth_ = depth;
   keep();

@@ -37,10 +37,30 @@ inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1
                                                           {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
                                                           {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
 
+/// Deterministic choices of a walk's direction. They depend on where it starts and ends alone, not on walks before it, so that looking
+/// something up changes nothing.
+class WalkDice {
+ public:
+  WalkDice(VertexIndex a, VertexIndex b) : state_(a * 0x9E3779B9u + b) {}
+  unsigned operator()(unsigned n) {
+    state_ = state_ * 1664525u + 1013904223u;
+    return (state_ >> 16) % n;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
 class ConstrainedMesh {
  public:
   /// `n_input` vertices of the model come first, then the eight of the box.
   ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input);
+
+  /// Gives the cells and the points back; nothing may be asked of the mesh afterwards.
+  void release(TetMesh& cells, std::vector<Vec3>& points) {
+    cells = std::move(mesh_);
+    points = std::move(points_);
+  }
 
   const TetMesh& cells() const { return mesh_; }
   const std::vector<Vec3>& points() const { return points_; }
@@ -72,12 +92,23 @@ class ConstrainedMesh {
   std::vector<VertexIndex> neighbors(VertexIndex v);
   /// A cell with both vertices, or no_cell. Walks about a towards b, so a must be in the mesh; exact.
   CellIndex find_edge(VertexIndex a, VertexIndex b);
+  /// Looks into the cell `hint` first, which may be any, a dead one or no_cell too.
+  CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
+    const bool is_there = hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);
+    return is_there ? hint : find_edge(a, b);
+  }
   /// The cells about edge a-b, `cell` being one. False where a ghost is among them.
   bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
   /// The face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
   FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
+  /// As find_face, where `cell` has a and b. O(cells about a-b).
+  FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
   /// As find_face, for one given cell with all three.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
+
+  /// For a walk in the star of a towards b: a face of cell c, which has a, beyond whose plane b lies; of several one by `dice`. 4 where c's cone
+  /// about a has b.
+  unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, WalkDice& dice) const;
 
   /// A finite cell that has p inside or on its boundary, walking from `start` (of a ghost: from beside it); no_cell where p is outside the box. Exact.
   CellIndex locate(const Vec3& p, CellIndex start);
@@ -106,23 +137,30 @@ class ConstrainedMesh {
   /// Ends what mark() began, keeping the changes.
   void keep();
 
-  /// Deterministic source of direction choices in walks.
+  /// Deterministic source of choices.
   unsigned random(unsigned n) {
     seed_ = seed_ * 1664525u + 1013904223u;
     return (seed_ >> 16) % n;
   }
 
  private:
-  struct JournalEntry {
-    std::vector<Tetrahedron> created;
-    std::vector<Tetrahedron> removed;
+  struct CreatedCell {
+    Tetrahedron vertices;
+    CellIndex slot;  ///< that it had then
   };
-  struct LinkEntry {
+  /// What each replacement removed and created begins at these rows.
+  struct JournalEntry {
+    std::size_t removed, created;
+  };
+  /// A face that waits for its other cell, or has found it; free where `face` is invalid.
+  struct WaitingFace {
     Triangle key;
     FaceRef face;
+    bool is_linked;
   };
 
-  void link_created();
+  void await_faces(std::size_t n_faces);
+  void link_or_wait(FaceRef f);
   FaceRef boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const;
 
   TetMesh mesh_;
@@ -130,11 +168,14 @@ class ConstrainedMesh {
   std::vector<CellIndex> cell_of_;
   std::size_t n_input_;
   std::vector<JournalEntry> journal_;
+  std::vector<Tetrahedron> journal_removed_;
+  std::vector<CreatedCell> journal_created_;
   std::size_t journal_depth_ = 0;
   std::vector<CellIndex> created_;
   std::vector<FaceRef> star_faces_;       ///< per created cell of a star: the old cell's face under it
   std::vector<CellIndex> tested_;         ///< of a search for a cavity: cells outside it
-  std::vector<LinkEntry> links_;
+  std::vector<WaitingFace> waiting_;  ///< open addressing, a power of two
+  std::size_t waiting_mask_ = 0, n_waiting_ = 0;
   std::vector<Triangle> inner_locks_;  ///< locked faces between two of the old cells
   std::vector<std::uint32_t> visited_;
   std::uint32_t epoch_ = 0;

@@ -16,7 +16,7 @@ void Constraints::reserve(std::size_t n_subsegments, std::size_t n_subfacets) {
 
 Index Constraints::add_subsegment(VertexIndex a, VertexIndex b, Index segment, Index facet) {
   const Index s = static_cast<Index>(subsegments.size());
-  subsegments.push_back({a, b, segment, facet, true, {}});
+  subsegments.push_back({.a = a, .b = b, .segment = segment, .facet = facet, .live = true, .subfacets = {}, .seen_in = no_cell});
   subsegment_map_.insert({a, b}, s);
   split_map_.erase({a, b});
   return s;
@@ -25,7 +25,7 @@ Index Constraints::add_subsegment(VertexIndex a, VertexIndex b, Index segment, I
 Index Constraints::add_subfacet(const Triangle& t, Index facet) {
   GEOMESH_CHECK(subfacet_of(t[0], t[1], t[2]) == no_index);
   const Index f = static_cast<Index>(subfacets.size());
-  subfacets.push_back({t, facet, true});
+  subfacets.push_back({.vertices = t, .facet = facet, .live = true, .piece = no_index, .seen_in = no_cell});
   subfacet_map_.insert({t[0], t[1], t[2]}, f);
   for (unsigned i = 0; i < 3; ++i) {
     Index s = subsegment_of(t[i], t[(i + 1) % 3]);
@@ -37,7 +37,7 @@ Index Constraints::add_subfacet(const Triangle& t, Index facet) {
 
 Index Constraints::add_piece(const Triangle& plane, FacetPiece piece, Index facet) {
   const Index f = static_cast<Index>(subfacets.size());
-  subfacets.push_back({plane, facet, true, static_cast<Index>(pieces_.size())});
+  subfacets.push_back({.vertices = plane, .facet = facet, .live = true, .piece = static_cast<Index>(pieces_.size()), .seen_in = no_cell});
   for (const DirectedEdge& e : piece.border) subsegments[subsegment_of(e[0], e[1])].subfacets.push_back(f);
   pieces_.push_back(std::move(piece));
   return f;
@@ -70,7 +70,7 @@ void Constraints::make_piece(Index f) {
   const Triangle t = subfacets[f].vertices;
   subfacet_map_.erase({t[0], t[1], t[2]});
   subfacets[f].piece = static_cast<Index>(pieces_.size());
-  pieces_.push_back({{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}, {t[0], t[1], t[2]}});
+  pieces_.push_back({.border = {{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}, .members = {t[0], t[1], t[2]}});
 }
 
 std::array<Index, 2> Constraints::split_subsegment(Index s, VertexIndex x) {
@@ -82,6 +82,7 @@ std::array<Index, 2> Constraints::split_subsegment(Index s, VertexIndex x) {
     make_piece(f);
     FacetPiece& piece = pieces_[subfacets[f].piece];
     piece.members.push_back(x);
+    piece.seen.clear();
     for (std::size_t i = 0; i < piece.border.size(); ++i) {
       const DirectedEdge e = piece.border[i];
       if (!(e == DirectedEdge{old.a, old.b} || e == DirectedEdge{old.b, old.a})) continue;

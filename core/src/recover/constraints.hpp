@@ -13,6 +13,7 @@
 
 #include "geomesh/core/geometry.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
 #include "recover/flat_map.hpp"
 
 namespace geomesh::recover {
@@ -23,6 +24,7 @@ struct Subsegment {
   Index facet = no_index;    ///< for an edge inside a facet: that facet
   bool live = true;
   std::vector<Index> subfacets;
+  CellIndex seen_in = no_cell;  ///< a cell that once had it (presence.hpp)
 };
 
 using DirectedEdge = std::array<VertexIndex, 2>;
@@ -33,6 +35,7 @@ struct Subfacet {
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
+  CellIndex seen_in = no_cell;  ///< a cell that once had it for a face (presence.hpp)
 };
 
 /// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle whose border has got
@@ -40,6 +43,8 @@ struct Subfacet {
 struct FacetPiece {
   std::vector<DirectedEdge> border;    ///< the facet lies on the left, seen from above; an inner segment stands in both directions
   std::vector<VertexIndex> members;    ///< all vertices, border and inside
+  std::vector<Triangle> seen{};        ///< faces that once covered it (presence.hpp)
+  std::vector<CellIndex> seen_in{};    ///< cells that had them
 };
 
 /// A segment of the model: a facet border or one that the caller lists.
@@ -85,12 +90,20 @@ class Constraints {
   /// A part of a facet by its border; its edges are subsegments already.
   Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
+  /// For presence.hpp.
+  void remember(Index subfacet, const std::vector<Triangle>& faces, const std::vector<CellIndex>& cells) {
+    pieces_[subfacets[subfacet].piece].seen = faces;
+    pieces_[subfacets[subfacet].piece].seen_in = cells;
+  }
   bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
 
   /// Makes a triangle a piece, as its first added point does.
   void make_piece(Index subfacet);
   /// Declares x to lie inside piece f.
-  void add_member(Index f, VertexIndex x) { pieces_[subfacets[f].piece].members.push_back(x); }
+  void add_member(Index f, VertexIndex x) {
+    pieces_[subfacets[f].piece].members.push_back(x);
+    pieces_[subfacets[f].piece].seen.clear();
+  }
 
   /// Splits subsegment s at vertex x: a-x and x-b. The subfacets about it become pieces with x on their border.
   std::array<Index, 2> split_subsegment(Index s, VertexIndex x);

@@ -31,20 +31,14 @@ Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b) {
   Crossing out;
   const TetMesh& cells = mesh.cells();
   CellIndex c = mesh.cell_of(a);
+  WalkDice dice(a, b);
   for (unsigned step = 0; step < 24 && !cells.is_ghost(c); ++step) {
     if (cells.has_vertex(c, b)) {
       out.cell = c;
       return out;
     }
     if (crossing_in_cell(mesh, c, a, b, out)) return out;
-    const unsigned i = cells.index_of(c, a);
-    const auto& v = cells.vertices(c);
-    unsigned exit = 4, outside = 0;
-    for (unsigned k = 0; k < 3; ++k) {
-      const unsigned r = face_vertices[i][k], p = face_vertices[i][(k + 1) % 3], q = face_vertices[i][(k + 2) % 3];
-      if (mesh.orient(a, v[p], v[q], b) != Sign::positive) continue;
-      if (mesh.random(++outside) == 0) exit = r;
-    }
+    const unsigned exit = mesh.exit_towards(c, a, b, dice);
     if (exit == 4) break;
     c = cells.neighbor_cell(c, exit);
   }

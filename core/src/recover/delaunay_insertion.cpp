@@ -7,17 +7,24 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The edges and inner faces of the cavity, while its cells are marked.
+/// Edges of a tetrahedron, each with the two vertices that it does not have.
+constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+
+/// The edges, but most of those that stay, and the inner faces of the cavity, while its cells are marked.
 void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   out.edges.clear();
   out.faces.clear();
   for (const CellIndex c : cavity) {
     const Tetrahedron& v = mesh.cells().vertices(c);
-    for (const auto& e : edge_vertices) out.edges.push_back({v[e[0]], v[e[1]]});
+    std::array<bool, 4> is_inner;
     for (unsigned f = 0; f < 4; ++f) {
       const CellIndex n = mesh.cells().neighbor_cell(c, f);
-      if (n < c && mesh.is_in_cavity(n)) out.faces.push_back({v[face_vertices[f][0]], v[face_vertices[f][1]], v[face_vertices[f][2]]});
+      is_inner[f] = mesh.is_in_cavity(n);
+      if (n < c && is_inner[f]) out.faces.push_back({v[face_vertices[f][0]], v[face_vertices[f][1]], v[face_vertices[f][2]]});
     }
+    // An edge lies in the two faces opposite the other vertices: if one is of the boundary, so is the edge, and it stays.
+    for (const auto& [i, j, k, l] : edges_and_others)
+      if (is_inner[k] && is_inner[l]) out.edges.push_back({v[i], v[j]});
   }
 }
 
@@ -74,7 +81,7 @@ bool is_locally_delaunay(const ConstrainedMesh& mesh) {
     const auto& v = cells.vertices(c);
     for (unsigned f = 0; f < 4; ++f) {
       const FaceRef g = cells.neighbor(c, f);
-      if (!counts(g.cell())) continue;
+      if (g.cell() < c || !counts(g.cell())) continue;  // one side of a face tells
       const VertexIndex d = cells.vertex(g.cell(), g.face());
       if (in_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), mesh.point(d)) == Sign::positive) return false;
     }

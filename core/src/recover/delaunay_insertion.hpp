@@ -10,7 +10,7 @@ namespace geomesh::recover {
 
 struct DelaunayInsertion {
   VertexIndex vertex = no_vertex;             ///< no_vertex where the point equals a vertex or lies outside the box
-  std::vector<std::array<VertexIndex, 2>> edges;  ///< of the cells that conflicted; some more than once, some still there
+  std::vector<std::array<VertexIndex, 2>> edges;  ///< all that are gone, and some that are still there; some more than once
   std::vector<Triangle> faces;                ///< that are gone: between two cells that conflicted
 };
 

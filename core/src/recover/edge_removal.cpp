@@ -59,9 +59,11 @@ class RingTriangulation {
 
 }  // namespace
 
-bool EdgeRemover::remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule, unsigned budget) {
+bool EdgeRemover::remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule, unsigned budget, CellIndex hint) {
   budget_ = budget;
-  return remove_at(p, q, depth, rule, no_vertex);
+  rule_ = rule;
+  if (rings_.size() <= depth) rings_.resize(depth + 1);
+  return remove_at(p, q, hint, depth, no_vertex);
 }
 
 bool EdgeRemover::is_fixed(const EdgeRing& ring) const {
@@ -72,47 +74,47 @@ bool EdgeRemover::is_fixed(const EdgeRing& ring) const {
   return false;
 }
 
-bool EdgeRemover::replace_ring(const EdgeRing& ring, const EdgeRule* rule, VertexIndex ear) {
+bool EdgeRemover::replace_ring(const EdgeRing& ring, VertexIndex ear) {
   if (ring.ring.size() > max_ring) return false;
-  RingTriangulation triangulation(mesh_, constraints_, ring, rule, ear);
+  RingTriangulation triangulation(mesh_, constraints_, ring, rule_, ear);
   if (!triangulation.solve()) return false;
-  std::vector<Tetrahedron> cells;
-  triangulation.tetrahedra(cells);
-  mesh_.replace(ring.cells, cells);
+  filling_.clear();
+  triangulation.tetrahedra(filling_);
+  mesh_.replace(ring.cells, filling_);
   return true;
 }
 
-bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth, const EdgeRule* rule) {
+bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   const std::size_t n = ring.ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     // v leaves the ring where edge u-w pierces the triangle p, q, v; of the edges at v only one that u-w passes by stands in the way.
     const VertexIndex u = ring.ring[(i + n - 1) % n], v = ring.ring[i], w = ring.ring[(i + 1) % n];
     const bool beside_p = mesh_.orient(u, w, v, ring.p) != Sign::positive;
     const bool beside_q = mesh_.orient(u, w, ring.q, v) != Sign::positive;
-    if (beside_p && remove_at(ring.p, v, depth, rule, ring.q)) return true;
-    if (beside_q && remove_at(ring.q, v, depth, rule, ring.p)) return true;
+    if (beside_p && remove_at(ring.p, v, ring.cells[i], depth, ring.q)) return true;
+    if (beside_q && remove_at(ring.q, v, ring.cells[i], depth, ring.p)) return true;
   }
   return false;
 }
 
-bool EdgeRemover::remove_at(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule, VertexIndex ear) {
+bool EdgeRemover::remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear) {
   if (budget_ == 0) return false;
   --budget_;
   if (constraints_.is_subsegment(p, q)) return false;
   const std::size_t mark = mesh_.mark();
-  EdgeRing ring;
+  EdgeRing& ring = rings_[depth];
   for (std::size_t round = 0; round < max_ring; ++round) {
-    const CellIndex cell = mesh_.find_edge(p, q);
+    const CellIndex cell = mesh_.find_edge(p, q, hint);
     if (cell == no_cell) {
       mesh_.keep();
       return true;
     }
     if (!mesh_.ring(cell, p, q, ring) || is_fixed(ring)) break;
-    if (replace_ring(ring, rule, ear)) {
+    if (replace_ring(ring, ear)) {
       mesh_.keep();
       return true;
     }
-    if (depth == 0 || ring.ring.size() <= 3 || !shrink_ring(ring, depth - 1, rule)) break;
+    if (depth == 0 || ring.ring.size() <= 3 || !shrink_ring(ring, depth - 1)) break;
   }
   mesh_.roll_back(mark);
   return false;

@@ -23,8 +23,8 @@ class EdgeRemover {
   EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints) : mesh_(mesh), constraints_(constraints) {}
 
   /// Removes edge p-q, with `depth` levels of recursion. Refuses subsegments and edges of locked faces. False: the mesh is as before
-  /// (up to slot numbers). `rule` may be null. `budget` bounds the edges tried in this call.
-  bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr, unsigned budget = 2000);
+  /// (up to slot numbers). `rule` may be null. `budget` bounds the edges tried in this call. `hint`: see ConstrainedMesh::find_edge.
+  bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr, unsigned budget = 2000, CellIndex hint = no_cell);
 
   /// 2-3 flip of a face: false where it is locked or a new cell would not be positive.
   bool flip_face(FaceRef f);
@@ -32,14 +32,17 @@ class EdgeRemover {
   static constexpr std::size_t max_ring = 24;
 
  private:
-  bool remove_at(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule, VertexIndex ear);
-  bool replace_ring(const EdgeRing& ring, const EdgeRule* rule, VertexIndex ear);
+  bool remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear);
+  bool replace_ring(const EdgeRing& ring, VertexIndex ear);
   bool is_fixed(const EdgeRing& ring) const;
-  bool shrink_ring(const EdgeRing& ring, unsigned depth, const EdgeRule* rule);
+  bool shrink_ring(const EdgeRing& ring, unsigned depth);
 
   ConstrainedMesh& mesh_;
   const Constraints& constraints_;
+  const EdgeRule* rule_ = nullptr;
   unsigned budget_ = 0;
+  std::vector<EdgeRing> rings_;  ///< of the edge in work at each depth
+  std::vector<Tetrahedron> filling_;
 };
 
 }  // namespace geomesh::recover

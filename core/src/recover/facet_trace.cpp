@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace geomesh::recover {
 
@@ -12,13 +11,18 @@ namespace {
 class Tracer {
  public:
   Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)
-      : mesh_(mesh), sides_(sides), front_(border), border_(border.begin(), border.end()) {}
+      : mesh_(mesh), sides_(sides), border_list_(border) {
+    for (const DirectedEdge& e : border) {
+      front_.push_back({e, no_cell});
+      border_.insert(e);
+    }
+  }
 
   FacetTrace run() {
     while (!front_.empty() && out_.status != FacetTrace::Status::touched) {
-      const auto [p, q] = front_.back();
+      const FrontEdge next = front_.back();
       front_.pop_back();
-      advance(p, q);
+      advance(next.edge[0], next.edge[1], next.cell);
     }
     if (out_.status == FacetTrace::Status::complete && !out_.piercing.empty()) out_.status = FacetTrace::Status::pierced;
     if (out_.status == FacetTrace::Status::complete && !covers_once()) out_.status = FacetTrace::Status::unclear;
@@ -26,15 +30,24 @@ class Tracer {
   }
 
  private:
+  /// An edge whose left side is still to be looked at, and a cell that has it (no_cell: not known).
+  struct FrontEdge {
+    DirectedEdge edge;
+    CellIndex cell;
+  };
+
   /// The faces' border is the subfacet's: each directed edge is the border's or cancels with its reverse, and none stands twice.
   bool covers_once() const {
-    std::set<DirectedEdge> edges;
+    DirectedEdgeSet edges;
     for (const Triangle& t : out_.faces)
       for (unsigned i = 0; i < 3; ++i)
-        if (!edges.insert({t[i], t[(i + 1) % 3]}).second) return false;
-    for (const DirectedEdge& e : border_)
-      if (!edges.count(e)) return false;
-    return std::all_of(edges.begin(), edges.end(), [&](const DirectedEdge& e) { return border_.count(e) || edges.count({e[1], e[0]}); });
+        if (!edges.insert({t[i], t[(i + 1) % 3]})) return false;
+    for (const DirectedEdge& e : border_list_)
+      if (!edges.contains(e)) return false;
+    for (const Triangle& t : out_.faces)
+      for (unsigned i = 0; i < 3; ++i)
+        if (!border_.contains({t[i], t[(i + 1) % 3]}) && !edges.contains({t[(i + 1) % 3], t[i]})) return false;
+    return true;
   }
 
   void fail(FacetTrace::Status status, VertexIndex culprit = no_vertex) {
@@ -44,10 +57,9 @@ class Tracer {
   }
 
   /// What lies to the left of p->q, seen from above: a face of the facet, or a cell that the facet cuts.
-  void advance(VertexIndex p, VertexIndex q) {
-    if (done_.count({p, q})) return;
-    done_.insert({p, q});
-    const CellIndex cell = mesh_.find_edge(p, q);
+  void advance(VertexIndex p, VertexIndex q, CellIndex hint) {
+    if (!done_.insert({p, q})) return;
+    const CellIndex cell = mesh_.find_edge(p, q, hint);
     if (cell == no_cell || !mesh_.ring(cell, p, q, ring_)) return fail(FacetTrace::Status::unclear);
     const std::size_t n = ring_.ring.size();
     // A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them) the first one is
@@ -56,7 +68,7 @@ class Tracer {
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i];
       if (sides_.is_member(u) && !sides_.is_member(ring_.ring[(i + n - 1) % n]) && leftness(p, q, mesh_.point(u)) > clearly_left)
-        return accept(p, q, u);
+        return accept(p, q, i);
     }
     // Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so on the left. Where
     // rounding bends the faces about an added point several may do so: the one clearest on the left is taken.
@@ -76,7 +88,7 @@ class Tracer {
     for (std::size_t i = 0; i < n; ++i)
       if (sides_.is_member(ring_.ring[i]) && (thin == n || leftness(p, q, mesh_.point(ring_.ring[i])) > leftness(p, q, mesh_.point(ring_.ring[thin]))))
         thin = i;
-    if (thin < n) return accept(p, q, ring_.ring[thin]);
+    if (thin < n) return accept(p, q, thin);
     // A vertex in the plane that is no member: it lies in the facet, for an edge of the mesh would cross the border else.
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i];
@@ -99,14 +111,17 @@ class Tracer {
     return ha == hb ? b : b + hb / (hb - ha) * (a - b);
   }
 
-  void accept(VertexIndex p, VertexIndex q, VertexIndex v) {
+  /// The face of p, q and vertex i of the ring about them.
+  void accept(VertexIndex p, VertexIndex q, std::size_t i) {
+    const VertexIndex v = ring_.ring[i];
+    const CellIndex cell = ring_.cells[i];
     out_.faces.push_back({p, q, v});
+    out_.cells.push_back(cell);
     done_.insert({q, v});
     done_.insert({v, p});
     for (const DirectedEdge e : {DirectedEdge{v, q}, DirectedEdge{p, v}})
-      if (!done_.count(e) && !is_border(e[1], e[0])) front_.push_back(e);
+      if (!done_.contains(e) && !border_.contains({e[1], e[0]})) front_.push_back({e, cell});
   }
-  bool is_border(VertexIndex a, VertexIndex b) const { return border_.count({a, b}) > 0; }
 
   void pierce(VertexIndex below, VertexIndex above) {
     std::vector<PiercingEdge> queue;
@@ -131,7 +146,7 @@ class Tracer {
     if (side < 0) add(u, e.above, queue);
   }
   void add(VertexIndex below, VertexIndex above, std::vector<PiercingEdge>& queue) {
-    if (!seen_.insert({below, above}).second) return;
+    if (!seen_.insert({below, above})) return;
     queue.push_back({below, above});
     out_.piercing.push_back({below, above});
   }
@@ -139,10 +154,10 @@ class Tracer {
   ConstrainedMesh& mesh_;
   const FacetSides& sides_;
   FacetTrace out_;
-  std::vector<DirectedEdge> front_;
-  std::set<DirectedEdge> border_;
-  std::set<DirectedEdge> done_;
-  std::set<PiercingEdge> seen_;
+  std::vector<FrontEdge> front_;
+  const std::vector<DirectedEdge>& border_list_;
+  DirectedEdgeSet border_, done_;
+  DirectedEdgeSet seen_;  ///< piercing edges, from below
   EdgeRing ring_;
 };
 

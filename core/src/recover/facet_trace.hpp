@@ -29,6 +29,7 @@ struct FacetTrace {
   };
   Status status = Status::complete;
   std::vector<Triangle> faces;          ///< in the orientation of the subfacet
+  std::vector<CellIndex> cells;         ///< for each of these a cell that has it
   std::vector<PiercingEdge> piercing;   ///< in the order found, each once
   VertexIndex culprit = no_vertex;
 };

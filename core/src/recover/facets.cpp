@@ -8,6 +8,7 @@
 #include "recover/cavity_retriangulation.hpp"
 #include "recover/facet_trace.hpp"
 #include "recover/messages.hpp"
+#include "recover/presence.hpp"
 #include "recover/recover.hpp"
 #include "recover/star_insertion.hpp"
 
@@ -38,7 +39,13 @@ class FacetRecovery {
     is_plain_ = !recovery.constraints.is_piece(subfacet);
   }
 
-  bool is_present() { return trace_facet(mesh_, sides_, border_).status == FacetTrace::Status::complete; }
+  /// Locks a piece that faces cover. False: none do.
+  bool as_it_is() {
+    const FacetTrace trace = trace_piece(mesh_, recovery_.constraints, subfacet_);
+    if (trace.status != FacetTrace::Status::complete) return false;
+    commit(trace);
+    return true;
+  }
 
   bool by_flips(unsigned depth) {
     EdgeRemover remover(mesh_, recovery_.constraints);
@@ -173,10 +180,14 @@ class FacetRecovery {
       // A face of another facet: rounding has folded two that meet at a very small angle onto each other.
       for (const Triangle& t : trace.faces)
         if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index) fail_facet_not_recovered(recovery_, subfacet_);
-      for (const Triangle& t : trace.faces) constraints.add_subfacet(t, facet);
+      for (std::size_t i = 0; i < trace.faces.size(); ++i)
+        constraints.subfacets[constraints.add_subfacet(trace.faces[i], facet)].seen_in = trace.cells[i];
       constraints.remove_subfacet(subfacet_);
     }
-    for (const Triangle& t : trace.faces) mesh_.lock(mesh_.find_face(t[0], t[1], t[2]));
+    for (std::size_t i = 0; i < trace.faces.size(); ++i) {
+      const Triangle& t = trace.faces[i];
+      mesh_.lock(mesh_.face_in_cell(trace.cells[i], t[0], t[1], t[2]));
+    }
   }
 
   Recovery& recovery_;
@@ -193,11 +204,6 @@ class FacetRecovery {
 
 namespace {
 
-FaceRef face_of(Recovery& recovery, Index subfacet) {
-  const Triangle& t = recovery.constraints.subfacets[subfacet].vertices;
-  return recovery.mesh.find_face(t[0], t[1], t[2]);
-}
-
 /// Some may come to the mesh later (hard_parts_first.hpp).
 bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   const auto in_mesh = [&](VertexIndex v) { return recovery.mesh.in_mesh(v); };
@@ -207,7 +213,9 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
 }
 
 bool is_present(Recovery& recovery, Index subfacet) {
-  return recovery.constraints.is_piece(subfacet) ? FacetRecovery(recovery, subfacet).is_present() : face_of(recovery, subfacet).valid();
+  if (recovery.constraints.is_piece(subfacet))
+    return trace_piece(recovery.mesh, recovery.constraints, subfacet).status == FacetTrace::Status::complete;
+  return face_of_subfacet(recovery.mesh, recovery.constraints, subfacet).valid();
 }
 
 }  // namespace
@@ -226,14 +234,10 @@ void recover_facets(Recovery& recovery) {
   for (Index f = 0; f < n_subfacets; ++f) {
     if (!constraints.subfacets[f].live || !has_all_vertices(recovery, f)) continue;
     if (constraints.is_piece(f)) {
-      if (FacetRecovery(recovery, f).is_present()) {
-        FacetRecovery(recovery, f).by_flips(0);
-      } else {
-        missing.push_back(f);
-      }
+      if (!FacetRecovery(recovery, f).as_it_is()) missing.push_back(f);
       continue;
     }
-    const FaceRef face = face_of(recovery, f);
+    const FaceRef face = face_of_subfacet(recovery.mesh, constraints, f);
     if (face.valid()) {
       recovery.mesh.lock(face);
     } else {

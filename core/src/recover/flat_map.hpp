@@ -73,6 +73,45 @@ class SimplexMap {
   std::size_t n_used_ = 0;
 };
 
+/// Set of edges with a direction. Open addressing as above; never iterated either.
+class DirectedEdgeSet {
+ public:
+  using Edge = std::array<VertexIndex, 2>;
+
+  bool contains(const Edge& e) const { return !slots_.empty() && slots_[place_of(pack(e))] != empty; }
+  /// Whether it was not there.
+  bool insert(const Edge& e) {
+    if (2 * (n_ + 1) > slots_.size()) grow();
+    const std::size_t i = place_of(pack(e));
+    if (slots_[i] != empty) return false;
+    slots_[i] = pack(e);
+    ++n_;
+    return true;
+  }
+  std::size_t size() const { return n_; }
+
+ private:
+  static constexpr std::uint64_t empty = ~std::uint64_t{0};
+
+  static std::uint64_t pack(const Edge& e) { return std::uint64_t{e[0]} << 32 | e[1]; }
+  std::size_t place_of(std::uint64_t key) const {
+    std::uint64_t h = key * 0xD6E8FEB86659FD93ull;
+    h ^= h >> 32;
+    std::size_t i = h & (slots_.size() - 1);
+    while (slots_[i] != empty && slots_[i] != key) i = (i + 1) & (slots_.size() - 1);
+    return i;
+  }
+  void grow() {
+    std::vector<std::uint64_t> old(std::max<std::size_t>(32, 2 * slots_.size()), empty);
+    old.swap(slots_);
+    for (const std::uint64_t key : old)
+      if (key != empty) slots_[place_of(key)] = key;
+  }
+
+  std::vector<std::uint64_t> slots_;
+  std::size_t n_ = 0;
+};
+
 using EdgeMap = SimplexMap<2>;
 using FaceMap = SimplexMap<3>;
 

@@ -140,7 +140,8 @@ void fail_facet_not_recovered(const Recovery& recovery, Index subfacet) {
 }
 
 void Recovery::count_added_point() {
-  if (++n_points_added == 300 + input_vertex.size() / 20) refuse_crossings();
+  const double expected = 300 + expected_points_per_vertex * static_cast<double>(input_vertex.size());
+  if (++n_points_added == static_cast<std::size_t>(expected)) refuse_crossings();
 }
 
 bool Recovery::has_crossings() const { return crossings.first().has_value(); }

@@ -11,13 +11,11 @@ namespace geomesh::recover {
 
 namespace {
 
-constexpr std::uint32_t no_row = 0xFFFFFFFFu;
-
 LocalTriangle reversed(const LocalTriangle& t) { return {t[0], t[2], t[1]}; }
-/// Equal for the three rotations of a triangle.
-std::uint32_t key_of(const LocalTriangle& t) {
-  const unsigned i = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
-  return std::uint32_t{t[i]} << 16 | std::uint32_t{t[(i + 1) % 3]} << 8 | t[(i + 2) % 3];
+/// Equal for the three rotations of a triangle; that of the reversed one differs in the last bit.
+std::uint32_t key_of(LocalTriangle t) {
+  const bool odd = SideMasks::sort(t);
+  return static_cast<std::uint32_t>(2 * SideMasks::row_of(t[0], t[1], t[2]) + (odd ? 1 : 0));
 }
 /// The three faces of the cell (t, v) beside t, as seen from inside it.
 std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
@@ -28,21 +26,20 @@ std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
 struct OpenFace {
   LocalTriangle v{};
   std::uint32_t key = 0;
+  SideMasks::Masks sides{};       ///< vertices above it, below it
   VertexMask candidates = 0;      ///< vertices it may be joined with
+  int n_candidates = 0;
   bool is_filtered = false;       ///< candidates have been tried against all open faces at this node
-  std::uint32_t origin = no_row;  ///< row in the boundary
 };
 
 class Filler {
  public:
   Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary, const FillingLimits& limits)
-      : mesh_(mesh), constraints_(constraints), limits_(limits), vertices_(vertices_of(boundary)), sides_(mesh, vertices_), obstructions_(boundary.size(), 0) {
+      : mesh_(mesh), constraints_(constraints), limits_(limits), vertices_(vertices_of(boundary)), sides_(mesh, vertices_),
+        n_open_(2 * SideMasks::n_triples(vertices_.size()), 0) {
     levels_.reserve(limits.max_faces + 4);
     levels_.emplace_back();
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
-      const Triangle& t = boundary[i];
-      open(levels_[0], {local(t[0]), local(t[1]), local(t[2])}, static_cast<std::uint32_t>(i));
-    }
+    for (const Triangle& t : boundary) open(levels_[0], {local(t[0]), local(t[1]), local(t[2])});
   }
 
   static std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary) {
@@ -54,7 +51,6 @@ class Filler {
   }
 
   bool run() { return solve(0); }
-  const std::vector<unsigned>& obstructions() const { return obstructions_; }
   std::vector<Tetrahedron> cells() const {
     std::vector<Tetrahedron> out;
     for (const auto& c : cells_) out.push_back({vertices_[c[0]], vertices_[c[1]], vertices_[c[2]], vertices_[c[3]]});
@@ -67,25 +63,28 @@ class Filler {
   LocalVertex local(VertexIndex v) const {
     return static_cast<LocalVertex>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
   }
-  void open(Front& front, const LocalTriangle& t, std::uint32_t origin) { front.push_back({t, key_of(t), sides_.above(t), false, origin}); }
+  void open(Front& front, const LocalTriangle& t) {
+    const SideMasks::Masks sides = sides_.sides(t);
+    front.push_back({t, key_of(t), sides, sides.first, std::popcount(sides.first), false});
+    ++n_open_[front.back().key];
+    changes_.push_back({front.back().key, true});
+  }
 
   bool solve(std::size_t depth) {
     if (levels_[depth].empty()) return true;
     const std::size_t row = hardest_face(levels_[depth]);
     const OpenFace face = levels_[depth][row];
-    if (face.candidates == 0) {
-      if (face.origin != no_row) obstructions_[face.origin] += 4;
-      return false;
-    }
+    if (face.candidates == 0) return false;
     std::array<LocalVertex, SideMasks::max_vertices> order;
     const std::size_t n = sort_by_sphere(face, order);
     if (levels_.size() < depth + 2) levels_.resize(depth + 2);
     for (std::size_t i = 0; i < n; ++i) {
       if (++n_nodes_ > limits_.max_nodes) return false;
       levels_[depth + 1] = levels_[depth];
+      const std::size_t mark = changes_.size();
       place(levels_[depth + 1], face.v, order[i]);
       if (solve(depth + 1)) return true;
-      cells_.pop_back();
+      take_back(mark);
     }
     return false;
   }
@@ -98,14 +97,14 @@ class Filler {
     for (unsigned look = 0; look < max_looks; ++look) {
       best = 0;
       for (std::size_t i = 1; i < front.size(); ++i)
-        if (std::popcount(front[i].candidates) < std::popcount(front[best].candidates)) best = i;
+        if (front[i].n_candidates < front[best].n_candidates) best = i;
       if (front[best].is_filtered) return best;
       filter(front, front[best]);
       if (front[best].candidates == 0) return best;
     }
     std::size_t filtered = front.size();
     for (std::size_t i = 0; i < front.size(); ++i)
-      if (front[i].is_filtered && (filtered == front.size() || std::popcount(front[i].candidates) < std::popcount(front[filtered].candidates)))
+      if (front[i].is_filtered && (filtered == front.size() || front[i].n_candidates < front[filtered].n_candidates))
         filtered = i;
     return filtered;
   }
@@ -115,6 +114,7 @@ class Filler {
       const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
       if (!fits(front, face.v, v)) face.candidates &= ~bit(v);
     }
+    face.n_candidates = std::popcount(face.candidates);
     face.is_filtered = true;
   }
 
@@ -146,9 +146,10 @@ class Filler {
     const auto side = side_faces(t, v);
     unsigned n_closed = 0;
     for (const LocalTriangle& s : side) {
-      if (find(front, key_of(s)) < front.size()) {
+      const std::uint32_t key = key_of(s);
+      if (n_open_[key] > 0) {
         ++n_closed;
-      } else if (find(front, key_of(reversed(s))) < front.size()) {
+      } else if (n_open_[key ^ 1u] > 0) {
         return false;
       }
     }
@@ -176,9 +177,8 @@ class Filler {
     for (const OpenFace& h : front) {
       const VertexMask m = mask_of(h.v);
       if (!(inner[0] & m) || !(inner[1] & m) || !(inner[2] & m) || !(inner[3] & m)) continue;
-      if (!(sides_.above(h.v) & cell) || !(sides_.below(h.v) & cell)) continue;
+      if (!(h.sides.first & cell) || !(h.sides.second & cell)) continue;
       if (!crosses(t, v, side, h)) continue;
-      if (h.origin != no_row) ++obstructions_[h.origin];
       return true;
     }
     return false;
@@ -192,7 +192,9 @@ class Filler {
     return false;
   }
 
-  static void close(Front& front, std::size_t row) {
+  void close(Front& front, std::size_t row) {
+    --n_open_[front[row].key];
+    changes_.push_back({front[row].key, false});
     front[row] = front.back();
     front.pop_back();
   }
@@ -203,11 +205,21 @@ class Filler {
       if (row < front.size()) {
         close(front, row);
       } else {
-        open(front, reversed(s), no_row);
+        open(front, reversed(s));
       }
     }
     cells_.push_back({t[0], t[1], t[2], v});
   }
+  /// Undoes in n_open_ and cells_ what place() did.
+  void take_back(std::size_t mark) {
+    for (; changes_.size() > mark; changes_.pop_back()) n_open_[changes_.back().key] += changes_.back().is_opening ? -1 : 1;
+    cells_.pop_back();
+  }
+
+  struct Change {
+    std::uint32_t key;
+    bool is_opening;
+  };
 
   const ConstrainedMesh& mesh_;
   const Constraints& constraints_;
@@ -215,8 +227,9 @@ class Filler {
   std::vector<VertexIndex> vertices_;
   SideMasks sides_;
   std::vector<Front> levels_;  ///< the open faces at each depth of the search
+  std::vector<std::int8_t> n_open_;  ///< by key: open faces of the level in work
+  std::vector<Change> changes_;      ///< of n_open_
   std::vector<std::array<LocalVertex, 4>> cells_;
-  std::vector<unsigned> obstructions_;
   std::size_t n_nodes_ = 0;
 };
 
@@ -236,14 +249,10 @@ std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, co
 }
 
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
-                                                        std::span<const Triangle> boundary, const FillingLimits& limits,
-                                                        std::vector<unsigned>* obstructions) {
-  if (obstructions) obstructions->assign(boundary.size(), 0);
+                                                        std::span<const Triangle> boundary, const FillingLimits& limits) {
   if (boundary.size() > limits.max_faces || Filler::vertices_of(boundary).size() > SideMasks::max_vertices) return std::nullopt;
   Filler filler(mesh, constraints, boundary, limits);
-  const bool is_filled = filler.run();
-  if (obstructions) *obstructions = filler.obstructions();
-  if (!is_filled) return std::nullopt;
+  if (!filler.run()) return std::nullopt;
   return filler.cells();
 }
 

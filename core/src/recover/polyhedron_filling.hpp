@@ -23,11 +23,9 @@ struct FillingLimits {
 };
 
 /// `boundary`: triangles counter-clockwise seen from inside. A triangle may stand in it in both orientations (a sheet that hangs inside);
-/// it is a face of the filling then. Polyhedra of more than 64 vertices are refused. Where there is no filling and `obstructions` is given, it
-/// tells for each triangle of the boundary how often the search ended there for want of a vertex to join it with.
+/// it is a face of the filling then. Polyhedra of more than 64 vertices are refused.
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
-                                                        std::span<const Triangle> boundary, const FillingLimits& limits = {},
-                                                        std::vector<unsigned>* obstructions = nullptr);
+                                                        std::span<const Triangle> boundary, const FillingLimits& limits = {});
 
 /// All of `boundary` joined with v, where every triangle without v is seen from it exactly.
 std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary, VertexIndex v);

@@ -27,6 +27,7 @@ struct Recovery {
   const ModelNames& names;  ///< for the words of messages; their data name the items of `plc`
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
+  double expected_points_per_vertex = 0.25;  ///< more of them, and 300, cast doubt on the model
   std::vector<Index> hard_segments{}, hard_facets{};  ///< model segments and facets that flips and cavities did not recover
   /// No point is added on a segment nearer to another of its points: 64 ulps of the largest coordinate. What would need it is begun again.
   double least_spacing = 0;

@@ -15,7 +15,7 @@ constexpr unsigned budget(unsigned depth) { return depth == 0 ? 1 : depth == 1 ?
 /// Removes the simplex crossed, or a neighbour that stands in the way of its removal.
 bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& crossing, unsigned depth) {
   ConstrainedMesh& mesh = recovery.mesh;
-  if (crossing.kind == CrossingKind::edge) return remover.remove(crossing.v[0], crossing.v[1], depth, nullptr, budget(depth));
+  if (crossing.kind == CrossingKind::edge) return remover.remove(crossing.v[0], crossing.v[1], depth, nullptr, budget(depth), crossing.cell);
   if (remover.flip_face(crossing.face)) return true;
   const FaceRef beyond = mesh.cells().mirror(crossing.face);
   const VertexIndex a = mesh.cells().vertex(crossing.cell, crossing.face.face());
@@ -24,7 +24,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
   for (unsigned k = 0; k < 3; ++k) {
     const VertexIndex p = v[k], q = v[(k + 1) % 3];
     if (mesh.orient(p, q, d, a) == Sign::positive) continue;
-    if (remover.remove(p, q, depth, nullptr, budget(depth))) return true;
+    if (remover.remove(p, q, depth, nullptr, budget(depth), crossing.cell)) return true;
   }
   return false;
 }

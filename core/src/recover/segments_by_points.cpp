@@ -7,6 +7,7 @@
 #include "recover/cavity_retriangulation.hpp"
 #include "recover/crossing.hpp"
 #include "recover/messages.hpp"
+#include "recover/presence.hpp"
 #include "recover/recover.hpp"
 #include "recover/star_insertion.hpp"
 
@@ -147,11 +148,23 @@ struct Missing {
   unsigned halvings;
 };
 
-/// More points than this on one subsegment only crowd: each removes a crossing, but flips that gave way to it may have made others.
-std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
+std::size_t n_crossings(ConstrainedMesh& mesh, const Subsegment& s) {
   LineCrossings line;
   walk_line(mesh, s.a, s.b, line);
-  return 100 + 4 * line.crossings.size();
+  return line.crossings.size();
+}
+
+/// More points than this on one subsegment only crowd: each removes a crossing, but flips that gave way to it may have made others.
+std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) { return 100 + 4 * n_crossings(mesh, s); }
+
+/// Deep flips may bring back what points have removed, so beyond a few halvings points alone step on, which ends. And lines that cross much
+/// they clear hardly ever, at ten times the cost.
+bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, unsigned halvings) {
+  constexpr std::size_t max_crossings = 20;
+  constexpr unsigned few = 6, many = 12;
+  if (halvings >= many) return false;
+  const unsigned deepest = n_crossings(recovery.mesh, s) > max_crossings ? 1 : 2;
+  return recover_segment_by_flips(recovery, s.a, s.b, halvings < few ? deepest : 0);
 }
 
 /// Throws Error{cannot_mesh} where no point can be placed or `most_points` do not suffice.
@@ -166,11 +179,7 @@ void recover_by_points(Recovery& recovery, Missing first) {
     stack.pop_back();
     if (!constraints.subsegments[item.subsegment].live) continue;
     const Subsegment s = constraints.subsegments[item.subsegment];
-    // Deep flips may bring back what points have removed; beyond a few halvings points alone step on, which ends.
-    const unsigned depth = item.halvings < 6 ? 2 : 0;
-    if (mesh.find_edge(s.a, s.b) != no_cell) continue;
-    if (item.halvings < 12 && recover_segment_by_flips(recovery, s.a, s.b, depth)) continue;
-    if (item.halvings < 12 && recover_segment_by_cavity(recovery, s.a, s.b, {200})) continue;
+    if (mesh.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery, s, item.halvings)) continue;
     const VertexIndex x = insert_on_segment(recovery, item.subsegment);
     if (x == no_vertex || points_left-- == 0) fail_segment_not_recovered(recovery, item.subsegment);
     recovery.count_added_point();
@@ -188,16 +197,18 @@ void recover_by_points(Recovery& recovery, Missing first) {
 namespace {
 
 /// Whether the subsegment could be an edge but is none. Its ends may come to the mesh later (hard_parts_first.hpp).
-bool is_missing(ConstrainedMesh& mesh, const Subsegment& s) {
-  return s.live && mesh.in_mesh(s.a) && mesh.in_mesh(s.b) && mesh.find_edge(s.a, s.b) == no_cell;
+bool is_missing(Recovery& recovery, Index subsegment) {
+  const Subsegment& s = recovery.constraints.subsegments[subsegment];
+  return s.live && recovery.mesh.in_mesh(s.a) && recovery.mesh.in_mesh(s.b) &&
+         cell_of_subsegment(recovery.mesh, recovery.constraints, subsegment) == no_cell;
 }
 
 }  // namespace
 
 std::size_t count_missing_subsegments(Recovery& recovery) {
   std::size_t n = 0;
-  for (const Subsegment& s : recovery.constraints.subsegments)
-    if (is_missing(recovery.mesh, s)) ++n;
+  for (Index s = 0; s < recovery.constraints.subsegments.size(); ++s)
+    if (is_missing(recovery, s)) ++n;
   return n;
 }
 
@@ -205,7 +216,7 @@ void recover_segments(Recovery& recovery) {
   Constraints& constraints = recovery.constraints;
   std::vector<Index> missing;
   for (Index s = 0; s < constraints.subsegments.size(); ++s)
-    if (is_missing(recovery.mesh, constraints.subsegments[s])) missing.push_back(s);
+    if (is_missing(recovery, s)) missing.push_back(s);
   std::size_t n_missing_before = missing.size();
   for (std::size_t i = missing.size(); recovery.attempt > 0 && i > 1; --i) std::swap(missing[i - 1], missing[recovery.mesh.random(static_cast<unsigned>(i))]);
   for (unsigned depth : {0u, 1u}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "delaunay/sorted_cells.hpp"
+#include "recover/presence.hpp"
 #include "recover/recover.hpp"
 
 namespace geomesh::recover {
@@ -38,43 +39,40 @@ std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
   return n;
 }
 
-/// Subsegments that are no edges of the mesh, found by one pass over the cells.
-std::size_t count_missing(const TetMesh& cells, const Constraints& constraints) {
-  std::vector<std::uint8_t> present(constraints.subsegments.size(), 0);
-  for (CellIndex c = 0; c < cells.n_slots(); ++c) {
-    if (!cells.is_live(c)) continue;
-    for (const auto& e : edge_vertices) {
-      const Index s = constraints.subsegment_of(cells.vertex(c, e[0]), cells.vertex(c, e[1]));
-      if (s != no_index) present[s] = 1;
-    }
-  }
-  return static_cast<std::size_t>(std::count(present.begin(), present.end(), 0));
-}
+/// A triangulation of all vertices, and where the subsegments are in it.
+struct Candidate {
+  TetMesh cells;
+  std::vector<CellIndex> subsegments;  ///< of each one a cell, no_cell where it is missing
+  DelaunayStatistics statistics;
+
+  std::size_t n_missing() const { return static_cast<std::size_t>(std::count(subsegments.begin(), subsegments.end(), no_cell)); }
+};
 
 class StartSearch {
  public:
   StartSearch(const std::vector<Vec3>& points, const Constraints& constraints, const DelaunayOptions& options, const RunContext& context)
       : points_(points), constraints_(constraints), options_(options), context_(context) {}
 
-  DelaunayTetrahedralization triangulate(const std::array<int, 3>& exponents) const {
+  Candidate triangulate(const std::array<int, 3>& exponents) const {
     std::vector<Vec3> scaled = points_;
     for (Vec3& p : scaled)
       for (std::size_t i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], exponents[i]);
-    return delaunay_tetrahedralization(scaled, options_, context_);
+    DelaunayTetrahedralization delaunay = delaunay_tetrahedralization(scaled, options_, context_);
+    TetMesh cells = with_sorted_cells(delaunay.mesh, static_cast<VertexIndex>(points_.size()));
+    std::vector<CellIndex> subsegments = cells_of_subsegments(cells, constraints_);
+    return {std::move(cells), std::move(subsegments), delaunay.statistics};
   }
 
   /// Improves `best` while a step of one axis saves a twentieth of what is missing.
-  void climb(DelaunayTetrahedralization& best, std::size_t missing, std::array<int, 3> exponents) const {
+  void climb(Candidate& best, std::array<int, 3> exponents) const {
     for (const std::size_t axis : axes_by_extent()) {
       for (int step = 0; step < 12; ++step) {
         std::array<int, 3> trial = exponents;
         ++trial[axis];
-        DelaunayTetrahedralization candidate = triangulate(trial);
-        const std::size_t n = count_missing(candidate.mesh, constraints_);
-        if (20 * n > 19 * missing) break;
-        missing = n;
+        Candidate candidate = triangulate(trial);
+        if (20 * candidate.n_missing() > 19 * best.n_missing()) break;
         exponents = trial;
-        best.mesh = std::move(candidate.mesh);
+        best = std::move(candidate);
       }
     }
   }
@@ -96,6 +94,23 @@ class StartSearch {
   const RunContext& context_;
 };
 
+void remember(const Candidate& candidate, Constraints& constraints) {
+  for (Index s = 0; s < constraints.subsegments.size(); ++s) constraints.subsegments[s].seen_in = candidate.subsegments[s];
+}
+
+/// `points` as they were afterwards.
+std::size_t count_missing_facets(Candidate& candidate, std::vector<Vec3>& points, const PiecewiseLinearComplex& plc, const ModelNames& names,
+                                 DeclaredModel& model, const RunContext& context) {
+  remember(candidate, model.constraints);
+  ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), model.input_vertex.size());
+  RecoveryStatistics unused;
+  CrossingsOf crossings(plc);
+  Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, names, crossings};
+  const std::size_t n = count_missing_subfacets(recovery);
+  mesh.release(candidate.cells, points);
+  return n;
+}
+
 }  // namespace
 
 StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
@@ -104,26 +119,19 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const Mo
   out.points = vertices_with_box(plc, model);
   model.constraints.vertices.resize(out.points.size());
   const StartSearch search(out.points, model.constraints, options, context);
-  DelaunayTetrahedralization delaunay = search.triangulate({0, 0, 0});
-  out.statistics = delaunay.statistics;
-  out.tetrahedra = count_model_cells(delaunay.mesh, model.input_vertex.size());
-  out.missing_edges = count_missing(delaunay.mesh, model.constraints);
-  {
-    ConstrainedMesh mesh(delaunay.mesh, out.points, model.input_vertex.size());
-    RecoveryStatistics unused;
-    CrossingsOf crossings(plc);
-    Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, names, crossings};
-    out.missing_facets = count_missing_subfacets(recovery);
-  }
+  Candidate best = search.triangulate({0, 0, 0});
+  out.statistics = best.statistics;
+  out.tetrahedra = count_model_cells(best.cells, model.input_vertex.size());
+  out.missing_edges = best.n_missing();
+  out.missing_facets = count_missing_facets(best, out.points, plc, names, model, context);
   std::array<int, 3> exponents{0, 0, 0};
-  std::size_t missing = out.missing_edges;
   if (may_scale && attempt > 0) {
     exponents[attempt % 3] = static_cast<int>(1 + attempt / 3);
-    delaunay.mesh = search.triangulate(exponents).mesh;
-    missing = count_missing(delaunay.mesh, model.constraints);
+    best = search.triangulate(exponents);
   }
-  if (may_scale && missing > 20 && 10 * missing > model.constraints.subsegments.size()) search.climb(delaunay, missing, exponents);
-  out.mesh = with_sorted_cells(delaunay.mesh, static_cast<VertexIndex>(out.points.size()));
+  if (may_scale && best.n_missing() > 20 && 10 * best.n_missing() > model.constraints.subsegments.size()) search.climb(best, exponents);
+  remember(best, model.constraints);
+  out.mesh = std::move(best.cells);
   return out;
 }
 

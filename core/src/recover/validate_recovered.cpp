@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "recover/presence.hpp"
 #include "recover/recover.hpp"
 
 namespace geomesh::recover {
@@ -15,11 +16,12 @@ void validate_recovered(Recovery& recovery) {
     }
     if (!cells.is_ghost(c)) GEOMESH_CHECK(mesh.positive(cells.vertices(c)));
   }
-  for (const Subsegment& s : recovery.constraints.subsegments)
-    if (s.live) GEOMESH_CHECK(mesh.find_edge(s.a, s.b) != no_cell);
-  for (const Subfacet& f : recovery.constraints.subfacets) {
-    if (!f.live) continue;
-    const FaceRef face = mesh.find_face(f.vertices[0], f.vertices[1], f.vertices[2]);
+  Constraints& constraints = recovery.constraints;
+  for (Index s = 0; s < constraints.subsegments.size(); ++s)
+    if (constraints.subsegments[s].live) GEOMESH_CHECK(cell_of_subsegment(mesh, constraints, s) != no_cell);
+  for (Index f = 0; f < constraints.subfacets.size(); ++f) {
+    if (!constraints.subfacets[f].live) continue;
+    const FaceRef face = face_of_subfacet(mesh, constraints, f);
     GEOMESH_CHECK(face.valid() && mesh.is_locked(face));
   }
 }
