@@ -6,6 +6,7 @@
 
 #include "geomesh/core/quality.hpp"
 #include "quality/shape.hpp"
+#include "quality/soup_star.hpp"
 #include "refine_models.hpp"
 
 using namespace geomesh;
@@ -146,25 +147,120 @@ TEST_CASE("A sliver that nothing forces is listed first and as free", "[quality]
   CHECK(q.n_bad_forced < q.n_bad);
 }
 
-TEST_CASE("An element across a gap thinner than a quarter of the size is told so", "[quality]") {
-  // Two facets that share no vertex, 0.01 apart, and an element between them.
+namespace {
+
+/// Points and faces by facet, for what looks at the input's parts alone.
+ConstrainedTetrahedralization faces_of(std::vector<Vec3> points, const std::vector<std::pair<Triangle, Index>>& faces) {
+  ConstrainedTetrahedralization mesh;
+  mesh.input_vertex.assign(points.size(), no_vertex);
+  mesh.points = std::move(points);
+  for (const auto& [t, facet] : faces) mesh.faces.push_back({t, facet, no_index, no_index});
+  return mesh;
+}
+
+/// One element, every facet a triangle of its own, sizes of 1 asked everywhere.
+Model one_element(std::vector<Vec3> points, const Tetrahedron& cell, const std::vector<Triangle>& facets) {
   Model m;
-  m.plc.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}, {2, 0.3, 0.01}, {0.3, 2, 0.01}};
-  m.mesh.points = m.plc.points;
-  m.mesh.input_vertex = {0, 1, 2, 3, 4, 5};
-  m.mesh.origin.assign(6, VertexOrigin::input);
-  m.mesh.tetrahedra = {{0, 1, 2, 3}};
+  m.plc.points = m.mesh.points = std::move(points);
+  for (VertexIndex v = 0; v < m.plc.points.size(); ++v) m.mesh.input_vertex.push_back(v);
+  m.mesh.origin.assign(m.plc.points.size(), VertexOrigin::input);
+  m.mesh.tetrahedra = {cell};
   m.mesh.component = {0};
   m.mesh.n_components = 1;
-  m.mesh.faces.push_back({{0, 1, 2}, m.plc.add_triangle({0, 1, 2}), no_index, 0});
-  m.mesh.faces.push_back({{3, 4, 5}, m.plc.add_triangle({3, 4, 5}), no_index, no_index});
+  for (const Triangle& t : facets) m.mesh.faces.push_back({t, m.plc.add_triangle(t), no_index, no_index});
+  return m;
+}
+
+SizeField uniform(double size) {
   SizeField::Limits limits;
-  limits.global = 1;
-  const SizeField size({}, limits);
-  QualityOptions options;
-  options.size = &size;
+  limits.global = size;
+  return SizeField({}, limits);
+}
+
+WorstElement explained(const Model& m, const QualityOptions& options) {
   const MeshQuality q = measure_quality(m.plc, m.mesh, options);
   REQUIRE(q.worst.size() == 1);
-  CHECK(q.worst[0].cause == ShapeCause::thin_gap);
-  CHECK(q.worst[0].gap == Approx(0.01));
+  return q.worst[0];
+}
+
+Model two_plates() {  // 0.01 apart, an element between them
+  return one_element({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}, {2, 0.3, 0.01}, {0.3, 2, 0.01}}, {0, 1, 2, 3}, {{0, 1, 2}, {3, 4, 5}});
+}
+
+}  // namespace
+
+TEST_CASE("How a facet is cut into faces makes no angle of the input", "[quality]") {
+  // A facet of 90 degrees in two faces, of 3 and 87 degrees, and another that stands on it.
+  const auto mesh = faces_of({{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}, {0, 1, 0}, {0, 0, -1}}, {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}, {{0, 4, 1}, 1}});
+  CHECK(SoupStars(mesh, {}).least_angle(0).degrees == Approx(90));
+  // As facets of their own their sides do meet at 2.9 degrees.
+  auto cut = mesh;
+  cut.faces[1].facet = 2;
+  CHECK(SoupStars(cut, {}).least_angle(0).degrees == Approx(std::atan(0.05) * 180 / std::acos(-1.0)));
+  // Facets that are kept as one count as one.
+  const std::vector<Index> patch{0, 1, 0};
+  CHECK(SoupStars(cut, patch).least_angle(0).degrees == Approx(90));
+}
+
+TEST_CASE("A side meets a facet, and a listed segment meets one, at the angle between them", "[quality]") {
+  const double pi = std::acos(-1.0), t = 20 * pi / 180;
+  const Vec3 side{std::cos(t), std::sin(t) * std::cos(t), std::sin(t) * std::sin(t)};  // 20 degrees from x in a plane tilted by 20 degrees about x
+  const auto mesh = faces_of({{0, 0, 0}, {1, 0, 0}, side, {0, 1, 0}}, {{{0, 1, 2}, 0}, {{0, 3, 1}, 1}});
+  CHECK(SoupStars(mesh, {}).least_angle(0).degrees == Approx(std::asin(std::sin(t) * std::sin(t)) * 180 / pi));
+  auto listed = faces_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.1}}, {{{0, 1, 2}, 0}});
+  CHECK(SoupStars(listed, {}).least_angle(0).degrees == Approx(90));
+  listed.edges.push_back({0, 3, 7});
+  const MeetingAngle least = SoupStars(listed, {}).least_angle(0);
+  CHECK(least.degrees == Approx(std::atan(0.1 / std::sqrt(2.0)) * 180 / pi));
+  CHECK(least.segment_a == 7);
+  CHECK(least.facet_b == 0);
+}
+
+TEST_CASE("A gap is compared with the size that was asked, and the tolerance says whether it could be closed", "[quality]") {
+  const Model m = two_plates();
+  const SizeField one = uniform(1), small = uniform(0.03);
+  QualityOptions options;
+  options.size = &small;
+  CHECK(explained(m, options).cause == ShapeCause::free);
+  options.asked = &one;
+  const WorstElement w = explained(m, options);
+  CHECK(w.cause == ShapeCause::thin_gap);
+  CHECK(w.gap == Approx(0.01));
+  CHECK(((w.facet_a == 0 && w.facet_b == 1) || (w.facet_a == 1 && w.facet_b == 0)));
+  options.tolerance = 0.004;
+  CHECK(explained(m, options).cause == ShapeCause::thin_gap);
+  options.tolerance = 0.006;
+  CHECK(explained(m, options).cause == ShapeCause::free);
+}
+
+TEST_CASE("Surfaces on one wall have a gap between them, a hollow of one surface has none", "[quality]") {
+  const SizeField one = uniform(1);
+  QualityOptions options;
+  options.size = &one;
+  // Two plates 0.01 apart that end on the wall y = 0: vertices 0, 1 and 3 are on it.
+  const Model on_wall = one_element({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.01}, {1.5, 0, 0.01}, {0.5, 1, 0.01}, {0.5, 0, -1}}, {0, 1, 2, 3},
+                                    {{0, 1, 2}, {3, 4, 5}, {0, 6, 1}, {0, 3, 1}, {3, 4, 1}});
+  CHECK(explained(on_wall, options).cause != ShapeCause::free);
+  // Four points of the bowl z = 0.02 (x^2 + y^2), their facets about them, the element inside the bowl.
+  const auto at = [](double x, double y) { return Vec3{x, y, 0.02 * (x * x + y * y)}; };
+  const Model bowl = one_element({at(-1, 0), at(1, 0), at(0, -1.1), at(0, 1.1), at(-2, 1), at(-2, -1), at(2, -1), at(2, 1), at(1, -2), at(-1, -2), at(1, 2), at(-1, 2)},
+                                 {0, 1, 3, 2}, {{0, 4, 5}, {1, 6, 7}, {2, 9, 8}, {3, 10, 11}});
+  CHECK(orient3d(bowl.mesh.points[0], bowl.mesh.points[1], bowl.mesh.points[3], bowl.mesh.points[2]) == Sign::positive);
+  CHECK(explained(bowl, options).min_dihedral < 8);
+  CHECK(explained(bowl, options).cause == ShapeCause::free);
+}
+
+TEST_CASE("A vertex of the input near the side of a facet leaves a gap", "[quality]") {
+  // The end 3 of a segment, 0.05 beside the side 0-1 of a facet; the element has the edge between them and no other vertex on the input.
+  Model m = one_element({{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0.05, 0}, {0, 0.05, -1}, {0, 0, 0}, {0.6, 0.4, 0.05}, {-0.6, 0.4, 0.05}}, {3, 5, 6, 7},
+                        {{0, 5, 3}, {5, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  for (auto& f : m.mesh.faces) f.facet = 0;
+  m.mesh.edges.push_back({3, 4, 0});
+  const SizeField one = uniform(1);
+  QualityOptions options;
+  options.size = &one;
+  options.bad_angle = 90;
+  const WorstElement w = explained(m, options);
+  CHECK(w.cause == ShapeCause::thin_gap);
+  CHECK(w.gap == Approx(0.05));
 }

@@ -23,13 +23,21 @@ class SizeFieldBuilder {
         sources_(options.size.sources),
         at_vertex_(mesh.n_vertices(), infinity) {}
 
-  SizeField run() {
+  SizeFields run() {
     add_input_edges();
     visit_faces();
     add_curve_sizes();
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
       if (at_vertex_[v] < infinity) sources_.push_back({mesh_.point(v), at_vertex_[v], 0});
+    SizeFields fields;
+    fields.without_gaps = SizeField(sources_, limits());
     if (options_.gap_layers > 0) add_gaps();
+    fields.all = SizeField(std::move(sources_), limits());
+    return fields;
+  }
+
+ private:
+  SizeField::Limits limits() const {
     SizeField::Limits limits;
     if (options_.global > 0) limits.global = options_.global;
     if (options_.max_size > 0) limits.max_size = options_.max_size;
@@ -37,10 +45,9 @@ class SizeFieldBuilder {
     limits.gradation = options_.gradation;
     limits.component_size = options_.component_size;
     limits.background = options_.background;
-    return SizeField(std::move(sources_), std::move(limits));
+    return limits;
   }
 
- private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   /// Where short edges stand among long ones, as where curves cross the sides of triangles: nobody asked for the short ones, so sizes grow as
   /// fast from there as shapes allow.
@@ -238,7 +245,7 @@ class SizeFieldBuilder {
 
 }  // namespace
 
-SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance) {
+SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance) {
   return SizeFieldBuilder(plc, mesh, options, tolerance).run();
 }
 

@@ -93,12 +93,13 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   require_sizes_alone(options);
   if (mesh.recovery.facets_not_recovered.size() == plc.n_facets()) return refine_constrained_instead(plc, meshing, options, context);
   RefineResult result;
-  result.size_field = [&] {
+  {
     const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
-    SizeField field = remesh::build_size_field(plc, domain, options, 0);
-    result.statistics.estimated_elements = remesh::estimate_elements(domain, field);
-    return field;
-  }();
+    remesh::SizeFields sizes = remesh::build_size_field(plc, domain, options, 0);
+    result.statistics.estimated_elements = remesh::estimate_elements(domain, sizes.all);
+    result.size_field = std::move(sizes.all);
+    result.asked = std::move(sizes.without_gaps);
+  }
   const auto estimate = std::to_string(static_cast<long long>(result.statistics.estimated_elements));
   context.note(LogLevel::info, "about " + estimate + " elements to come");
   if (result.statistics.estimated_elements > static_cast<double>(options.max_elements))

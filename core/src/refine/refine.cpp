@@ -115,7 +115,7 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
   check_options(plc, options);
   const DomainMesh domain = remesh::import_domain(plc, mesh, options);
   return remesh::estimate_elements(
-      domain, remesh::build_size_field(plc, domain, options, size_tolerance(options)));
+      domain, remesh::build_size_field(plc, domain, options, size_tolerance(options)).all);
 }
 
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
@@ -123,8 +123,9 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   check_options(plc, options);
   RefineResult result;
   DomainMesh mesh = remesh::import_domain(plc, input, options);
-  result.size_field =
-      remesh::build_size_field(plc, mesh, options, size_tolerance(options));
+  remesh::SizeFields sizes = remesh::build_size_field(plc, mesh, options, size_tolerance(options));
+  result.size_field = std::move(sizes.all);
+  result.asked = std::move(sizes.without_gaps);
   if (options.refine) announce_estimate(mesh, options, context, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");

@@ -9,8 +9,11 @@
 namespace geomesh::remesh {
 
 /// Sizes asked: from the options, the input's edges, curvature (and a tolerance that limits it; 0: none) and gaps, on the mesh as
-/// it was given.
-SizeField build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance);
+/// it was given; and the same without gaps.
+struct SizeFields {
+  SizeField all, without_gaps;
+};
+SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance);
 
 /// Gives each face the facet of its patch that is nearest to it, oriented as it is.
 void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);

@@ -25,6 +25,15 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return dd > 0 ? a + std::clamp(dot(p - a, d) / dd, 0.0, 1.0) * d : a;
 }
 
+std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = d - c, w = a - c;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w), det = uu * vv - uv * uv;
+  // On the first line nearest to the second (anywhere where they are parallel), then back and forth within the ends.
+  const double s = det > 0 ? std::clamp((uv * vw - vv * uw) / det, 0.0, 1.0) : 0.0;
+  const Vec3 q = closest_on_segment(a + s * u, c, d), p = closest_on_segment(q, a, b);
+  return {p, closest_on_segment(p, c, d)};
+}
+
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, n = cross(ab, ac);
   if (!(dot(n, n) > 0)) {

@@ -17,6 +17,8 @@ namespace geomesh::search {
 /// pairs.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
+/// Nearest points of the segments ab and cd, which may be points (Ericson 2005, section 5.1.9).
+std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();

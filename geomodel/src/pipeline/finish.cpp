@@ -133,7 +133,11 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
   options.min_worst = n_listed;
   options.size = size;
   options.threads = threads;
-  if (model.refinement.refine) options.facet_patch = refined.kept_patch;
+  if (model.refinement.refine) {
+    options.asked = &refined.asked;
+    options.facet_patch = refined.kept_patch;
+    options.tolerance = model.refinement.honour == Honour::tolerance ? model.refinement.tolerance : 0;
+  }
   for (const std::int32_t region : mesh.tet_region) options.group.push_back(static_cast<Index>(region - 1));
   options.n_groups = mesh.regions.size();
   QualityReport report{measure_quality(model.plc.plc, core, options), {}, size != nullptr};

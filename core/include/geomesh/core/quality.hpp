@@ -54,7 +54,7 @@ struct ShapeStatistics {
 enum class ShapeCause {
   free,         ///< nothing forces it
   input_angle,  ///< it has a vertex at which two facets or segments of the input meet at less than `forcing_angle`
-  thin_gap,     ///< it spans a gap thinner than a quarter of the asked size
+  thin_gap,     ///< it spans a gap thinner than a quarter of the asked size that the tolerance forbids to close
 };
 
 struct WorstElement {
@@ -73,7 +73,9 @@ struct QualityOptions {
   std::size_t min_worst = 0;    ///< at least this many (where there are as many elements) ...
   std::size_t max_worst = 100;  ///< ... and at most this many
   double forcing_angle = 16;    ///< degrees
-  const SizeField* size = nullptr;
+  const SizeField* size = nullptr;   ///< what edges are compared with
+  const SizeField* asked = nullptr;  ///< what gaps are compared with: sizes asked but for those that gaps ask for; null: `size`
+  double tolerance = 0;              ///< by which surfaces may move: a gap of up to twice of it could be closed, and forces nothing
   /// Per facet of the PLC, where surfaces were remeshed: what lies between facets of one patch is no longer the input's.
   /// Empty: every facet is kept.
   std::vector<Index> facet_patch;

@@ -79,6 +79,7 @@ struct RefineResult {
   ConstrainedTetrahedralization mesh;
   RefineStatistics statistics;
   SizeField size_field;
+  SizeField asked;  ///< the same without what gaps ask for: what QualityOptions::asked takes
   std::vector<Index> kept_patch;  ///< per facet of the PLC: facets of one number were kept as one; what QualityOptions::facet_patch asks for
 };
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Whether an element spans a gap between parts of the input, and how wide the gap is there.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "quality/soup_star.hpp"
+#include "search/closest_point.hpp"
+
+namespace geomesh {
+
+struct Gap {
+  double width = std::numeric_limits<double>::infinity();
+  Index facet_a = no_index, facet_b = no_index;      ///< on either side,
+  Index segment_a = no_index, segment_b = no_index;  ///< or listed segments
+};
+
+/// An element spans a gap between two parts of the input where it has a vertex on each and the parts face each other across it: their local
+/// feature size. Parts are facets, segments (sides of facets and listed ones) and vertices of the input. They face each other where
+///   - the shortest way from the vertex on the one to the other is within 60 degrees of the normals of facets, on the side of each on
+///     which the element lies, and at 60 degrees at least to segments;
+///   - facets and segments are parallel but for 16 degrees: parts that converge faster meet at an angle, which is a cause of its own.
+/// So an element over the hollow of one curved surface spans none.
+class GapFinder {
+ public:
+  /// `angle` in degrees: from there on parts are not parallel. `fixed_vertices`: whether vertices of the input are parts by themselves, as
+  /// where no surface may move. O(n log n) in the faces of the mesh.
+  GapFinder(const SoupStars& stars, double angle, bool fixed_vertices);
+
+  /// The narrowest gap wider than `above` that the element spans; of infinite width where it spans none. O(k^2 log n) in the faces at its
+  /// vertices.
+  Gap narrowest(Index tetrahedron, double above) const;
+
+ private:
+  /// From a vertex to the nearest point of a part at another.
+  struct Way {
+    VertexIndex from, to;
+    Vec3 inside;  ///< a point of the element
+  };
+  void to_facets(const Way& way, double above, Gap& best) const;
+  void to_segments(const Way& way, double above, Gap& best) const;
+  void to_vertex(const Way& way, double above, Gap& best) const;
+  bool leaves_facet(const Way& way, const Vec3& step, const Vec3& opposite_normal, Gap& found) const;
+  bool leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel, Gap& found) const;
+  bool is_fixed(VertexIndex v) const;
+  bool has_side(VertexIndex v, VertexIndex other) const;
+  Vec3 normal_towards(Index face, const Vec3& inside) const;
+  bool is_on(VertexIndex v, Index patch) const;
+
+  const SoupStars& stars_;
+  const ConstrainedTetrahedralization& mesh_;
+  search::ClosestPointTrees patches_;
+  double cosine_, sine_;  // of the angle
+  bool fixed_vertices_;
+};
+
+}  // namespace geomesh
