@@ -2,6 +2,7 @@
 #include "improve/improve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "quality/shape.hpp"
@@ -35,7 +36,8 @@ Schedule schedule_of(QualityLevel level) {
 constexpr unsigned first_pass_with_points = 2;
 constexpr double enough_visits = 1.5;  ///< of poor cells, by the number of all, before a lack of progress ends the repair
 constexpr double worst_angle = 16;  ///< progress is measured on cells below this too
-constexpr double rescue_angle = 12, rescue_room = 0.15;
+constexpr double rescue_angle = 12;
+constexpr std::array rescue_rooms{0.15, 0.03};
 
 struct BadCell {
   double shape;
@@ -78,11 +80,13 @@ class Improver {
  private:
   /// The few cells that are still slivers may have points nearer to others than sizes ask: worse than that is a bad angle.
   void rescue_worst() {
-    room_ = rescue_room;
-    failed_at_.clear();
-    for (unsigned k = 0; k < schedule_.last_passes && !out_of_time(); ++k) {
-      if (repair(cells_below(shape_of_angle(rescue_angle)), first_pass_with_points) == 0) break;
-      ++tools_.statistics.passes;
+    for (const double room : rescue_rooms) {
+      room_ = room;
+      failed_at_.clear();
+      for (unsigned k = 0; k < schedule_.last_passes && !out_of_time(); ++k) {
+        if (repair(cells_below(shape_of_angle(rescue_angle)), first_pass_with_points) == 0) break;
+        ++tools_.statistics.passes;
+      }
     }
   }
 

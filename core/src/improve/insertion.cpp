@@ -3,10 +3,13 @@
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
+#include "search/closest_point.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
+
+constexpr double thin_gap = 0.25;  ///< of the asked size
 
 /// Grows a cavity about a cell, one cell at a time over the border face that makes the worst new cell.
 class CavityDigger {
@@ -66,6 +69,35 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
   });
 }
 
+/// Whether p is between two surfaces less than a quarter of the size apart: points there only make more flat elements. Looks at the faces of
+/// the cavity's cells and of their neighbours.
+bool is_in_thin_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
+  const DomainMesh& mesh = tools.mesh;
+  const double limit = thin_gap * tools.size.at(p, cavity.link[0].component);
+  std::vector<Vec3> ways;  // to surfaces
+  const auto closes_gap = [&](CellIndex c, unsigned i) {
+    const Tetrahedron& t = mesh.vertices(c);
+    const auto& f = face_vertices[i];
+    const Vec3 way = search::closest_on_triangle(p, mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]])) - p;
+    const double l = length(way);
+    if (!(l < limit)) return false;
+    const bool closes = std::any_of(ways.begin(), ways.end(), [&](const Vec3& w) { return dot(way, w) < 0 && l + length(w) < limit; });
+    ways.push_back(way);
+    return closes;
+  };
+  for (const CellIndex c : cavity.cells)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (mesh.tag(c, i).constrained()) {
+        if (closes_gap(c, i)) return true;
+        continue;
+      }
+      const CellIndex beside = mesh.topology().neighbor(c, i).cell();
+      for (unsigned k = 0; k < 4; ++k)
+        if (mesh.tag(beside, k).constrained() && closes_gap(beside, k)) return true;
+    }
+  return false;
+}
+
 /// No vertex, curve edge or constrained face may be inside the cavity (its cells are of one component already).
 bool swallows_constraint(const DomainMesh& mesh, const StarCavity& cavity) {
   const auto on_link = [&](VertexIndex a, VertexIndex b) {
@@ -105,7 +137,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
     const OptimizedPlace best = optimize_place(problem, p, {20, 2});
     p = best.point;
     if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p)) continue;
-    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room)) return false;
+    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_in_thin_gap(tools, cavity, p)) return false;
     fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
     ++tools.statistics.improving_insertions;
     return true;
@@ -135,7 +167,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
   Vec3 p = optimize_place(problem, middle, {20, 2}).point;
   if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
   if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p)) return false;
-  if (!has_room(tools, cavity, p, room)) return false;
+  if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_in_thin_gap(tools, cavity, p))) return false;
   if (moves_on_patch && !tools.guard.exact()) {
     std::vector<SurfaceFace> before_faces, after_faces;
     std::vector<CurvePiece> curves;
