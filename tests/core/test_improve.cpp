@@ -167,6 +167,42 @@ TEST_CASE("Flips, smoothing and improving insertions raise the worst shape about
   }
 }
 
+TEST_CASE("Raising the mean keeps the mesh valid and the worst shape, and raises the mean worth", "[improve]") {
+  for (const double tolerance : {0.0, 0.05}) {
+    Model model = ball_in_box(4);
+    disturb_inside(model, 11);
+    Bench bench(std::move(model), tolerance);
+    const double volume = bench.volume();
+    const auto worst_and_mean = [&] {
+      std::pair<double, double> r{1, 0};
+      for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
+        if (bench.mesh.is_live(c)) r.first = std::min(r.first, bench.mesh.shape_of(c)), r.second += MeanGoal::worth(bench.mesh.shape_of(c));
+      r.second /= static_cast<double>(bench.mesh.n_cells());
+      return r;
+    };
+    const auto before = worst_and_mean();
+    raise_mean(bench.tools, 0, 6, {});
+    const auto loose = worst_and_mean();
+    REQUIRE(bench.mesh.validate() == "");
+    CHECK(loose.second > before.second + 0.01);
+    CHECK(loose.first > before.first * (1 - 1e-6));
+    CHECK(bench.volume() == Approx(volume).epsilon(tolerance > 0 ? 1e-1 : 1e-12));
+    CHECK(bench.statistics.edge_removals > 0);
+    CHECK(bench.statistics.face_removals > 0);
+    CHECK(bench.statistics.smoothing_moves > 0);
+    CHECK(bench.guard.deviation(bench.mesh).first <= std::max(tolerance, 1e-14));
+  }
+}
+
+TEST_CASE("What a shape counts falls faster below that of slivers, without a jump", "[improve]") {
+  const double s = MeanGoal::sliver_shape;
+  CHECK(MeanGoal::worth(0.5) == 0.5);
+  CHECK(MeanGoal::worth(s) == s);
+  CHECK(MeanGoal::worth(s - 0.01) == Approx(s - 0.01 * MeanGoal::sliver_weight));
+  CHECK(MeanGoal{0.3, 0.5}.least_after(0.4) == 0.3);
+  CHECK(MeanGoal{0.3, 0.5}.least_after(0.2) == Approx(0.2));
+}
+
 TEST_CASE("Flips towards Delaunay leave no flippable face and keep the volume", "[improve]") {
   Model model = two_boxes(3);
   disturb_inside(model, 5);
@@ -183,7 +219,7 @@ TEST_CASE("Smoothing all vertices depends on no number of threads, and moves wha
     Model model = two_boxes(9);
     disturb_inside(model, 11);
     Bench one(model, tolerance), two(model, tolerance), by_one(model, tolerance);
-    const SmoothRule rule{6, 1, true, 0.3};
+    const SmoothRule rule{6, 1, SmoothGoal::regular, 0.3};
     const auto go_on = [] { return false; };
     smooth_all(one.tools, rule, 1, go_on);
     smooth_all(two.tools, rule, 2, go_on);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
@@ -35,11 +36,39 @@ class PolygonTriangulation {
     return n_ < 3 ? 1 : best_[0][n_ - 1];
   }
 
+  /// Largest sum of worths, each less the mean, of a triangulation that the goal allows where the worst was `before`; minus infinity where
+  /// there is none.
+  double solve(const MeanGoal& goal, double before) {
+    const double floor = goal.least_after(before), mean = goal.mean;
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = 0;
+    for (std::size_t span = 2; span < n_; ++span)
+      for (std::size_t i = 0; i + span < n_; ++i) {
+        const std::size_t j = i + span;
+        best_[i][j] = none;
+        apex_[i][j] = 0;
+        for (std::size_t k = i + 1; k < j; ++k) {
+          const double rest = best_[i][k] + best_[k][j];
+          if (!(rest + 2 - 2 * mean > best_[i][j])) continue;
+          const auto [upper, lower] = shapes_on(i, k, j);
+          if (!(upper > floor && lower > floor)) continue;
+          const double q = rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) - 2 * mean;
+          if (q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
+        }
+      }
+    return n_ < 3 ? 0 : best_[0][n_ - 1];
+  }
+
   void append_cells(Index component, std::vector<NewCell>& cells) const {
     if (n_ >= 3) append(0, n_ - 1, component, cells);
   }
 
  private:
+  std::array<double, 2> shapes_on(std::size_t i, std::size_t j, std::size_t k) const {
+    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
+    return {shape(x, y, z, mesh_.point(b_)), shape(z, y, x, mesh_.point(a_))};
+  }
+
   double triangle_shape(std::size_t i, std::size_t j, std::size_t k, double enough) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
     const double upper = shape(x, y, z, mesh_.point(b_));
@@ -74,6 +103,11 @@ class EdgeRemoval {
     return attempt(c);
   }
 
+  bool attempt(CellIndex c, const MeanGoal& goal) {
+    goal_ = &goal;
+    return attempt(c);
+  }
+
   bool attempt(CellIndex c) {
     if (mesh_.curve_of(a_, b_) != no_index) return false;
     auto& cells = tools_.work.cells;
@@ -81,6 +115,7 @@ class EdgeRemoval {
     if (cells.size() > max_ring || cells.size() < 2) return false;
     faces_ = constrained_faces_of_ring(mesh_, cells, tools_.work.ring, closed_);
     for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
+    if (goal_ && (faces_.n > 0 || before_ > goal_->mean)) return false;
     tools_.work.added.clear();
     if (faces_.n == 0 ? for_surface_ || !remove_inside() : !remove_on_surface()) return false;
     const bool positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
@@ -94,6 +129,12 @@ class EdgeRemoval {
   }
 
  private:
+  double sum_before() const {
+    double sum = 0;
+    for (const CellIndex k : tools_.work.cells) sum += MeanGoal::worth(mesh_.shape_of(k)) - goal_->mean;
+    return sum;
+  }
+
   double needed() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
 
   /// Whether the angles opposite the edge in its two faces sum to more than half a turn (and a little, so that ties stay).
@@ -112,7 +153,7 @@ class EdgeRemoval {
 
   bool solve_side(const std::vector<VertexIndex>& polygon, Index component) {
     PolygonTriangulation t(mesh_, a_, b_, polygon);
-    if (!(t.solve(needed()) > needed())) return false;
+    if (goal_ ? !(t.solve(*goal_, before_) > sum_before() + MeanGoal::least_gain) : !(t.solve(needed()) > needed())) return false;
     t.append_cells(component, tools_.work.added);
     return true;
   }
@@ -181,12 +222,16 @@ class EdgeRemoval {
   bool closed_ = true;
   EdgeFaces faces_;
   double before_ = 1, floor_ = 0;
+  const MeanGoal* goal_ = nullptr;
   bool for_surface_ = false;
 };
 
 }  // namespace
 
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) { return EdgeRemoval(tools, a, b).attempt(c); }
+bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal) {
+  return EdgeRemoval(tools, a, b).attempt(c, goal);
+}
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
   return EdgeRemoval(tools, a, b).attempt_for_surface(c, floor);
 }

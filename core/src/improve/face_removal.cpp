@@ -1,31 +1,75 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
 
 namespace geomesh::remesh {
 
-bool remove_face(Toolbox& tools, CellIndex c, unsigned i) {
-  DomainMesh& mesh = tools.mesh;
-  if (mesh.tag(c, i).constrained()) return false;
-  const FaceRef mirror = mesh.topology().neighbor(c, i);
-  const Tetrahedron& t = mesh.vertices(c);
-  const VertexIndex top = t[i], bottom = mesh.vertices(mirror.cell())[mirror.face()];
-  const Triangle f{t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
-  const double before = std::min(mesh.shape_of(c), mesh.shape_of(mirror.cell())), needed = before * (1 + 1e-6) + 1e-12;
-  const Vec3 &p = mesh.point(top), &q = mesh.point(bottom);
-  for (unsigned k = 0; k < 3; ++k) {
-    const Vec3 &x = mesh.point(f[k]), &y = mesh.point(f[(k + 1) % 3]);
-    if (!(shape(x, y, q, p) > needed) || !is_positive(x, y, q, p)) return false;
+namespace {
+
+class FaceRemoval {
+ public:
+  FaceRemoval(Toolbox& tools, CellIndex c, unsigned i) : tools_(tools), mesh_(tools.mesh), removed_{c, no_cell}, i_(i) {}
+
+  bool attempt() {
+    if (mesh_.tag(removed_[0], i_).constrained()) return false;
+    find_cells();
+    const double worst = std::min(mesh_.shape_of(removed_[0]), mesh_.shape_of(removed_[1]));
+    return worth_of_new(worst * (1 + 1e-6) + 1e-12).has_value() && replace();
   }
-  auto& added = tools.work.added;
-  added.clear();
-  for (unsigned k = 0; k < 3; ++k) added.push_back({{f[k], f[(k + 1) % 3], bottom, top}, mesh.component(c), {}});
-  const std::array<CellIndex, 2> removed{c, mirror.cell()};
-  mesh.replace(removed, added, tools.work.created);
-  ++tools.statistics.face_removals;
-  return true;
-}
+
+  bool attempt(const MeanGoal& goal) {
+    if (mesh_.tag(removed_[0], i_).constrained()) return false;
+    find_cells();
+    const double s = mesh_.shape_of(removed_[0]), t = mesh_.shape_of(removed_[1]);
+    const auto sum = worth_of_new(goal.least_after(std::min(s, t)));
+    return sum && *sum - 3 * goal.mean > MeanGoal::worth(s) + MeanGoal::worth(t) - 2 * goal.mean + MeanGoal::least_gain && replace();
+  }
+
+ private:
+  void find_cells() {
+    const FaceRef mirror = mesh_.topology().neighbor(removed_[0], i_);
+    removed_[1] = mirror.cell();
+    const Tetrahedron& t = mesh_.vertices(removed_[0]);
+    top_ = t[i_], bottom_ = mesh_.vertices(mirror.cell())[mirror.face()];
+    face_ = {t[face_vertices[i_][0]], t[face_vertices[i_][1]], t[face_vertices[i_][2]]};
+  }
+
+  /// Sum of the worths of the three new cells; nothing where one is not above `needed` or not positive.
+  std::optional<double> worth_of_new(double needed) const {
+    const Vec3 &p = mesh_.point(top_), &q = mesh_.point(bottom_);
+    double sum = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const Vec3 &x = mesh_.point(face_[k]), &y = mesh_.point(face_[(k + 1) % 3]);
+      const double s = shape(x, y, q, p);
+      if (!(s > needed) || !is_positive(x, y, q, p)) return std::nullopt;
+      sum += MeanGoal::worth(s);
+    }
+    return sum;
+  }
+
+  bool replace() {
+    auto& added = tools_.work.added;
+    added.clear();
+    for (unsigned k = 0; k < 3; ++k) added.push_back({{face_[k], face_[(k + 1) % 3], bottom_, top_}, mesh_.component(removed_[0]), {}});
+    mesh_.replace(removed_, added, tools_.work.created);
+    ++tools_.statistics.face_removals;
+    return true;
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  std::array<CellIndex, 2> removed_;
+  unsigned i_;
+  VertexIndex top_ = no_vertex, bottom_ = no_vertex;
+  Triangle face_{};
+};
+
+}  // namespace
+
+bool remove_face(Toolbox& tools, CellIndex c, unsigned i) { return FaceRemoval(tools, c, i).attempt(); }
+bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal) { return FaceRemoval(tools, c, i).attempt(goal); }
 
 }  // namespace geomesh::remesh

@@ -13,23 +13,24 @@ namespace {
 
 /// What a level does, pass by pass.
 struct Schedule {
-  unsigned regularizing_passes;  ///< smoothing of all vertices with flips between
+  unsigned even_passes;  ///< flips and moves that raise the mean
   unsigned repair_passes;
   double target_angle;     ///< cells below (in the weighted measure) are repaired
   double insertion_angle;  ///< below this also by new points
   unsigned smoothing_steps;
+  double least_rise;     ///< of the worst shape about a vertex that moves in repair, as a factor: less is hardly worth its time
   unsigned last_passes;  ///< over the worst alone, with points closer to others
-  double progress;  ///< share of the poor cells of the best pass so far to which the next must bring their number
+  double progress;       ///< share of the poor cells of the best pass so far to which the next must bring their number
 };
 
 Schedule schedule_of(QualityLevel level) {
   switch (level) {
     case QualityLevel::fast:
-      return {1, 2, 20, 0, 6, 0, 0.9};
+      return {1, 2, 20, 0, 6, 1.05, 0, 0.9};
     case QualityLevel::best:
-      return {4, 60, 36, 30, 20, 20, 1.02};
+      return {4, 60, 36, 30, 20, 1.0005, 20, 1.02};
     default:
-      return {3, 8, 32, 26, 12, 8, 0.9};
+      return {2, 8, 32, 26, 12, 1.03, 8, 0.9};
   }
 }
 
@@ -38,6 +39,10 @@ constexpr double enough_visits = 1.5;  ///< of poor cells, by the number of all,
 constexpr double worst_angle = 16;  ///< progress is measured on cells below this too
 constexpr double rescue_angle = 12;
 constexpr std::array rescue_rooms{0.15, 0.03};
+/// Slivers that are more than this share of all cells are forced by the surfaces: then the worst alone are rescued, with points however near.
+constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
+constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
+constexpr double many_poor = 0.1;
 
 struct BadCell {
   double shape;
@@ -52,11 +57,12 @@ class Improver {
         mesh_(tools.mesh),
         context_(context),
         schedule_(schedule_of(options.quality)),
+        may_add_points_(options.size_surfaces || options.honour != Honour::exact),
         budget_(options.time_budget),
         start_(std::chrono::steady_clock::now()) {}
 
   void run() {
-    for (unsigned k = 0; k < schedule_.regularizing_passes && !out_of_time(); ++k) regularize();
+    for (unsigned k = 0; k < schedule_.even_passes && !out_of_time(); ++k) even_out();
     std::size_t idle = 0, fewest = mesh_.n_cells(), fewest_worst = mesh_.n_cells();
     for (unsigned k = 0; k < schedule_.repair_passes && idle < 2 && !out_of_time(); ++k) {
       const std::vector<BadCell> bad = cells_below(shape_of_angle(schedule_.target_angle));
@@ -66,7 +72,8 @@ class Improver {
         return static_cast<double>(now) <= schedule_.progress * static_cast<double>(least);
       };
       const bool costly = static_cast<double>(visited_) > enough_visits * static_cast<double>(mesh_.n_cells());
-      if (costly && k > first_pass_with_points && !falls(bad.size(), fewest) && !falls(worst, fewest_worst)) break;
+      const bool all_tried = k > (may_add_points_ ? first_pass_with_points : 0);
+      if (costly && all_tried && !falls(bad.size(), fewest) && !falls(worst, fewest_worst)) break;
       fewest = std::min(fewest, bad.size());
       fewest_worst = std::min(fewest_worst, worst);
       context_.report(k, schedule_.repair_passes);
@@ -75,19 +82,45 @@ class Improver {
       idle = n == 0 ? idle + 1 : 0;
     }
     if (schedule_.last_passes > 0) rescue_worst();
+    if (is_poor_altogether())
+      for (unsigned k = 0; k < schedule_.even_passes && !out_of_time(); ++k) even_out();
   }
 
  private:
   /// The few cells that are still slivers may have points nearer to others than sizes ask: worse than that is a bad angle.
   void rescue_worst() {
+    may_add_points_ = true;
     for (const double room : rescue_rooms) {
-      room_ = room;
-      failed_at_.clear();
+      for (Attempt& a : tried_) a.what = std::min(a.what, Tried::collapse);
       for (unsigned k = 0; k < schedule_.last_passes && !out_of_time(); ++k) {
-        if (repair(cells_below(shape_of_angle(rescue_angle)), first_pass_with_points) == 0) break;
+        if (rescue_pass(room) == 0) break;
         ++tools_.statistics.passes;
       }
     }
+  }
+  std::size_t rescue_pass(double room) {
+    std::vector<BadCell> worst = cells_below(shape_of_angle(rescue_angle));
+    const double n_cells = static_cast<double>(mesh_.n_cells());
+    const bool are_forced = static_cast<double>(worst.size()) > few_slivers * n_cells;
+    if (are_forced) worst.resize(static_cast<std::size_t>(forced_rescue_share * n_cells));
+    room_ = are_forced ? forced_rescue_room : room;
+    return repair(worst, first_pass_with_points);
+  }
+
+  /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what it exchanged about those
+  /// is arbitrary but for the worst. A few of the cells may get worse for the many.
+  void even_out() {
+    std::vector<double> shapes;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c)) shapes.push_back(mesh_.shape_of(c));
+    const auto at = shapes.begin() + static_cast<std::ptrdiff_t>(evening_floor_share * static_cast<double>(shapes.size()));
+    std::nth_element(shapes.begin(), at, shapes.end());
+    raise_mean(tools_, std::min(*at, shape_of_angle(evening_floor_angle)), schedule_.smoothing_steps / 2, context_);
+  }
+
+  bool is_poor_altogether() const {
+    const std::size_t n = cells_below(shape_of_angle(schedule_.target_angle)).size();
+    return static_cast<double>(n) > many_poor * static_cast<double>(mesh_.n_cells());
   }
 
   bool out_of_time() {
@@ -112,15 +145,6 @@ class Improver {
   }
   bool unchanged(const BadCell& b) const { return mesh_.is_live(b.cell) && mesh_.vertices(b.cell) == b.vertices; }
 
-  /// Flips where cells are poor, then every vertex towards a more even place: raises the mean, which worst-first repair leaves
-  /// alone.
-  void regularize() {
-    for (const BadCell& b : cells_below(shape_of_angle(40)))
-      if (unchanged(b)) flip(b.cell);
-    const SmoothRule rule{schedule_.smoothing_steps / 2, shape_of_angle(25), true, shape_of_angle(35)};
-    smooth_all(tools_, rule, context_.threads, [this] { return out_of_time(); });
-  }
-
   bool flip(CellIndex c) {
     const Tetrahedron t = mesh_.vertices(c);
     for (const auto& e : edge_vertices)
@@ -134,38 +158,53 @@ class Improver {
     std::size_t n = 0;
     for (const BadCell& b : bad) {
       if (++visited_ % 64 == 0 && out_of_time()) break;
-      if (!unchanged(b) || known_hopeless(b.cell)) continue;
-      if (repair_cell(b, pass))
-        ++n;
-      else if (pass >= first_pass_with_points)
-        remember_failure(b.cell);
+      if (unchanged(b) && repair_cell(b, pass)) ++n;
     }
     return n;
   }
 
-  /// Everything was tried in vain, and nothing about the cell has changed since.
-  bool known_hopeless(CellIndex c) {
-    if (c >= failed_at_.size() || failed_at_[c] == 0) return false;
-    for (const VertexIndex v : mesh_.vertices(c)) {
-      mesh_.star(v, tools_.work.marks, tools_.work.cells);
-      for (const CellIndex k : tools_.work.cells)
-        if (mesh_.changed_at(k) > failed_at_[c]) return false;
-    }
-    return true;
+  /// How much of a repair was tried in vain about a cell, each including what is before it.
+  enum class Tried : std::uint8_t { nothing, flips_and_moves, collapse, points };
+
+  /// What is known to fail: nothing about the cell has changed since.
+  Tried tried_at(CellIndex c) const {
+    if (c >= tried_.size()) return Tried::nothing;
+    const auto& t = mesh_.vertices(c);
+    const bool changed = std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return mesh_.changed_at(v) > tried_[c].when; });
+    return changed ? Tried::nothing : tried_[c].what;
   }
-  void remember_failure(CellIndex c) {
-    if (c >= failed_at_.size()) failed_at_.resize(mesh_.n_slots() + mesh_.n_slots() / 8 + 1, 0);
-    failed_at_[c] = mesh_.tick();
+  void remember(CellIndex c, Tried what) {
+    if (c >= tried_.size()) tried_.resize(mesh_.n_slots() + mesh_.n_slots() / 8 + 1);
+    tried_[c] = {mesh_.tick(), what};
   }
 
   bool repair_cell(const BadCell& b, unsigned pass) {
-    if (flip(b.cell)) return true;
-    const SmoothRule rule{schedule_.smoothing_steps, shape_of_angle(schedule_.target_angle + 4), false, 0};
-    bool moved = false;
-    for (const VertexIndex v : b.vertices) moved |= smooth_vertex(tools_, v, rule);
-    if (moved || pass == 0) return moved;
-    if (collapse(b)) return true;
-    return pass >= first_pass_with_points && b.shape < shape_of_angle(schedule_.insertion_angle) && add_point(b);
+    const Tried tried = tried_at(b.cell);
+    if (tried < Tried::flips_and_moves) {
+      if (flip(b.cell)) return true;
+      bool moved = false;
+      for (const VertexIndex v : b.vertices) moved |= smooth(v);
+      if (moved) return true;
+      remember(b.cell, Tried::flips_and_moves);
+    }
+    if (pass == 0) return false;
+    if (tried < Tried::collapse) {
+      if (collapse(b)) return true;
+      remember(b.cell, Tried::collapse);
+    }
+    if (!may_add_points_ || pass < first_pass_with_points || tried == Tried::points) return false;
+    if (b.shape < shape_of_angle(schedule_.insertion_angle) && add_point(b)) return true;
+    remember(b.cell, Tried::points);
+    return false;
+  }
+
+  /// Not again where the last attempt was in vain and nothing about the vertex has changed since.
+  bool smooth(VertexIndex v) {
+    if (v >= smoothed_.size()) smoothed_.resize(mesh_.n_vertices() + mesh_.n_vertices() / 8 + 1, 0);
+    if (smoothed_[v] >= mesh_.changed_at(v)) return false;
+    if (smooth_vertex(tools_, v, {schedule_.smoothing_steps, shape_of_angle(schedule_.target_angle + 4), SmoothGoal::worst, 0, schedule_.least_rise})) return true;
+    smoothed_[v] = mesh_.tick();
+    return false;
   }
 
   bool collapse(const BadCell& b) {
@@ -186,10 +225,16 @@ class Improver {
   DomainMesh& mesh_;
   const RunContext& context_;
   Schedule schedule_;
+  bool may_add_points_;
   double budget_;
   double room_ = usual_room;
   std::size_t visited_ = 0;  // poor cells, over all passes
-  std::vector<std::uint64_t> failed_at_;  // by cell: the mesh's time then; 0: never
+  struct Attempt {
+    std::uint64_t when = 0;  ///< the mesh's time
+    Tried what = Tried::nothing;
+  };
+  std::vector<Attempt> tried_;           // by cell
+  std::vector<std::uint64_t> smoothed_;  // by vertex: when moving it was last in vain
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -11,11 +11,30 @@
 
 namespace geomesh::remesh {
 
+enum class SmoothGoal {
+  worst,         ///< the worst shape about the vertex rises
+  regular,       ///< before that the ODT place or the centroid, where the worst shape does not fall below `floor` and what it was
+  mean,          ///< the sum of their worths (MeanGoal) rises, the worst of them does not fall below `floor` and what it was
+};
+
 struct SmoothRule {
   unsigned max_steps = 12;
-  double good_enough = 2;   ///< vertices whose worst shape is above are optimised no further
-  bool regularize = false;  ///< also take the ODT place or the centroid where the worst shape does not fall below `floor`
+  double good_enough = 2;  ///< vertices whose worst shape is above are optimised no further
+  SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
+  double least_rise = 1.0005;  ///< of the worst shape, as a factor
+};
+
+/// For flips that raise the mean worth of the mesh's cells: over those exchanged, however many they become, the sum of what their worths are
+/// above `mean` must rise, and no shape fall below `floor` and the worst that was there.
+struct MeanGoal {
+  double floor, mean;
+  static constexpr double least_gain = 1e-6;
+  static constexpr double sliver_shape = 0.2079, sliver_weight = 5;  ///< below 12 degrees
+  /// What a cell counts by its shape: slivers more, so that few come for the good of many.
+  static double worth(double shape) { return shape < sliver_shape ? sliver_weight * shape - (sliver_weight - 1) * sliver_shape : shape; }
+  static double slope_of_worth(double shape) { return shape < sliver_shape ? sliver_weight : 1; }
+  double least_after(double worst_before) const { return worst_before > floor ? floor : (1 - 1e-9) * worst_before; }
 };
 
 /// Moves v (within its patch, along its curve) where that raises the worst shape about it: the paper's smart smoothing, with the
@@ -49,6 +68,13 @@ bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor);
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite: the 2-3
 /// flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
+
+bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
+bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal);
+
+/// One pass of flips, edges in the inside alone, and one of moves that raise the mean worth of shapes (MeanGoal); none falls below `floor`
+/// and what was worst about the place. Worst-first repair leaves what is merely mediocre alone.
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context);
 
 /// A new point keeps this share of the asked size from the vertices about it: where less room is left, points only crowd.
 inline constexpr double usual_room = 0.4;

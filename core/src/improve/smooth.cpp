@@ -20,10 +20,11 @@ class Smoother {
       return false;
     gather_star(mesh_, v_, work_.marks, cavity_);
     const double before = removed_shape(mesh_, cavity_);
-    if (before >= rule.good_enough && !rule.regularize) return false;
+    if (before >= rule.good_enough && rule.goal == SmoothGoal::worst) return false;
     problem_.set_link(mesh_, cavity_);
     if (!set_freedom()) return false;
-    return (rule.regularize && try_regular(before, rule.floor)) || (before < rule.good_enough && try_optimal(before, rule));
+    if (rule.goal == SmoothGoal::mean) return try_mean(before, rule);
+    return (rule.goal == SmoothGoal::regular && try_regular(before, rule.floor)) || (before < rule.good_enough && try_optimal(before, rule));
   }
 
   bool run_on_surface(double floor) {
@@ -85,6 +86,12 @@ class Smoother {
     return false;
   }
 
+  bool try_mean(double before, const SmoothRule& rule) {
+    const double needed = std::min((1 - 1e-9) * before, rule.floor);
+    const Vec3 p = project(optimize_mean(problem_, old_, needed, rule.max_steps));
+    return problem_.shape_at(p, needed) > needed && place(p);
+  }
+
   Vec3 surface_centroid() const {
     if (!cavity_.curves.empty()) return 0.5 * (mesh_.point(cavity_.curves[0].a) + mesh_.point(cavity_.curves[1].a));
     Vec3 sum;
@@ -99,15 +106,16 @@ class Smoother {
   }
 
   bool try_optimal(double before, const SmoothRule& rule) {
-    OptimizedPlace best = optimize_place(problem_, old_, {rule.max_steps, rule.good_enough});
+    const OptimizeLimits limits{rule.max_steps, rule.good_enough, std::sqrt(rule.least_rise)};
+    OptimizedPlace best = optimize_place(problem_, old_, limits);
     if (mesh_.kind(v_) == VertexKind::inside && best.shape < rule.good_enough) {
-      const OptimizedPlace other = optimize_place(problem_, link_centroid(problem_), {rule.max_steps, rule.good_enough});
+      const OptimizedPlace other = optimize_place(problem_, link_centroid(problem_), limits);
       if (other.shape > best.shape) best = other;
     }
     // On a curved patch the tolerance may allow part of the way only.
     for (const double t : {1.0, 0.5, 0.25}) {
       const Vec3 p = project(old_ + t * (best.point - old_));
-      if (problem_.shape_at(p, before) > before * 1.0005 && place(p)) return true;
+      if (problem_.shape_at(p, before) > before * rule.least_rise && place(p)) return true;
       if (mesh_.kind(v_) == VertexKind::inside) break;
     }
     return false;

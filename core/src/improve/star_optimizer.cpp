@@ -4,21 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quality/shape.hpp"
-#include "refine/operations.hpp"
+#include "improve/improve.hpp"
 
 namespace geomesh::remesh {
 
 void StarProblem::set_link(const DomainMesh& mesh, const StarCavity& cavity) {
   link.clear();
   for (const LinkFace& f : cavity.link)
-    link.push_back({mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2])});
+    link.emplace_back(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]));
 }
 
 double StarProblem::shape_at(const Vec3& p, double enough) const {
   double worst = 1;
-  for (const auto& f : link) {
-    worst = std::min(worst, shape(f[0], f[1], f[2], p));
+  for (const ShapeBase& f : link) {
+    worst = std::min(worst, shape(f, p));
     if (worst <= enough) break;
   }
   return worst;
@@ -57,9 +56,11 @@ Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
 /// Gradients, constrained, of the terms below `limit`.
 void active_gradients(const StarProblem& problem, const Vec3& p, double limit, std::vector<Vec3>& g) {
   g.clear();
-  for (const auto& f : problem.link) {
-    const detail::ShapeFrame frame(f[0], f[1], f[2], p);
-    const ShapeTerms t = shape_terms(frame, f[0], f[1], f[2]);
+  for (const ShapeBase& base : problem.link) {
+    if (shape(base, p) > limit) continue;
+    const auto& [a, b, c] = base.corner;
+    const detail::ShapeFrame frame(a, b, c, p);
+    const ShapeTerms t = shape_terms(frame, a, b, c);
     for (unsigned k = 0; k < 6; ++k)
       if (t.value[k] <= limit) g.push_back(problem.constrain(shape_gradient(frame, k, t.value[k])));
   }
@@ -67,8 +68,8 @@ void active_gradients(const StarProblem& problem, const Vec3& p, double limit, s
 
 double shortest_reach(const StarProblem& problem, const Vec3& p) {
   double d = std::numeric_limits<double>::infinity();
-  for (const auto& f : problem.link)
-    for (const Vec3& q : f) d = std::min(d, squared_distance(p, q));
+  for (const ShapeBase& f : problem.link)
+    for (const Vec3& q : f.corner) d = std::min(d, squared_distance(p, q));
   return std::sqrt(d);
 }
 
@@ -90,7 +91,7 @@ OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, con
     for (unsigned trial = 0; trial < 6 && reach > least_reach; ++trial) {
       const Vec3 p = best.point + (reach / slope) * direction;
       const double s = problem.shape_at(p, best.shape);
-      if (s > best.shape * 1.0005) {
+      if (s > best.shape * limits.least_rise) {
         best = {p, s};
         moved = true;
         break;
@@ -103,12 +104,60 @@ OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, con
   return best;
 }
 
+namespace {
+
+/// Sum of the worths of the cells about p; minus infinity where one is not above `floor`.
+double sum_of_worths(const StarProblem& problem, const Vec3& p, double floor) {
+  double sum = 0;
+  for (const ShapeBase& base : problem.link) {
+    const double s = shape(base, p);
+    if (!(s > floor)) return -std::numeric_limits<double>::infinity();
+    sum += MeanGoal::worth(s);
+  }
+  return sum;
+}
+
+Vec3 gradient_of_sum(const StarProblem& problem, const Vec3& p) {
+  Vec3 g;
+  for (const ShapeBase& base : problem.link) {
+    const auto& [a, b, c] = base.corner;
+    const detail::ShapeFrame frame(a, b, c, p);
+    const ShapeTerms t = shape_terms(frame, a, b, c);
+    const auto k = static_cast<unsigned>(std::min_element(t.value.begin(), t.value.end()) - t.value.begin());
+    g = g + MeanGoal::slope_of_worth(t.value[k]) * shape_gradient(frame, k, t.value[k]);
+  }
+  return problem.constrain(g);
+}
+
+}  // namespace
+
+Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps) {
+  constexpr double least_gain = 1e-3;
+  Vec3 best = start;
+  double sum = sum_of_worths(problem, start, floor), reach = 0.3 * shortest_reach(problem, start);
+  const double least_reach = 0.02 * reach;
+  for (unsigned step = 0; step < max_steps; ++step) {
+    const Vec3 g = gradient_of_sum(problem, best);
+    const double slope = length(g);
+    if (!(slope * reach > 1e-6)) break;
+    bool moved = false;
+    for (; !moved && reach > least_reach; reach *= 0.4) {
+      const Vec3 p = best + (reach / slope) * g;
+      const double s = sum_of_worths(problem, p, floor);
+      if (s > sum + least_gain) best = p, sum = s, moved = true;
+    }
+    if (!moved) break;
+    reach *= 2;
+  }
+  return best;
+}
+
 Vec3 link_centroid(const StarProblem& problem) {
   Vec3 sum;
   double weight = 0;
-  for (const auto& f : problem.link) {
-    const double area = length(cross(f[1] - f[0], f[2] - f[0]));
-    sum = sum + (area / 3) * (f[0] + f[1] + f[2]);
+  for (const ShapeBase& f : problem.link) {
+    const double area = length(f.normal);
+    sum = sum + (area / 3) * (f.corner[0] + f.corner[1] + f.corner[2]);
     weight += area;
   }
   return weight > 0 ? (1 / weight) * sum : sum;
@@ -117,9 +166,9 @@ Vec3 link_centroid(const StarProblem& problem) {
 Vec3 odt_place(const StarProblem& problem, const Vec3& p) {
   Vec3 sum;
   double weight = 0;
-  for (const auto& f : problem.link) {
-    const double volume = dot(cross(f[1] - f[0], f[2] - f[0]), p - f[0]);
-    const Vec3 centre = circumsphere(f[0], f[1], f[2], p).centre;
+  for (const ShapeBase& f : problem.link) {
+    const double volume = dot(f.normal, p - f.corner[0]);
+    const Vec3 centre = circumsphere(f.corner[0], f.corner[1], f.corner[2], p).centre;
     if (!(volume > 0) || !(dot(centre, centre) < std::numeric_limits<double>::infinity())) continue;
     sum = sum + volume * centre;
     weight += volume;

@@ -9,12 +9,13 @@
 #include <optional>
 #include <vector>
 
+#include "quality/shape.hpp"
 #include "refine/cavity.hpp"
 
 namespace geomesh::remesh {
 
 struct StarProblem {
-  std::vector<std::array<Vec3, 3>> link;  ///< (l0, l1, l2, p) positive for an admissible p
+  std::vector<ShapeBase> link;  ///< (corners, p) positive for an admissible p
   enum class Freedom { space, plane, line } freedom = Freedom::space;
   Vec3 direction;  ///< plane: its normal; line: its direction; of length one
 
@@ -25,7 +26,8 @@ struct StarProblem {
 
 struct OptimizeLimits {
   unsigned max_steps = 12;
-  double good_enough = 2;  ///< stops once the worst shape is above this
+  double good_enough = 2;      ///< stops once the worst shape is above this
+  double least_rise = 1.0005;  ///< a step that raises the worst shape by less (as a factor) is none
 };
 
 struct OptimizedPlace {
@@ -35,6 +37,9 @@ struct OptimizedPlace {
 
 /// The start need not be admissible: a shape at most 0 is climbed as far as the gradients of positive terms lead.
 OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits = {});
+
+/// Climbs the sum of the worths (MeanGoal) of all cells about the vertex by its gradient, from a start where all are above `floor` and no further than that.
+Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps);
 
 /// Centroid of the link weighted by the areas of its faces.
 Vec3 link_centroid(const StarProblem& problem);

@@ -8,6 +8,7 @@
 /// between the faces with normals m and n (of length twice the area) is det |e| / (|m| |n|).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,11 +29,7 @@ inline double shape_of_angle(double degrees) { return std::sin(degrees * 3.14159
 /// The six weighted sines of a tetrahedron (a, b, c, p), with what their gradients with respect to p need.
 struct ShapeTerms {
   std::array<double, 6> value;  ///< edges pa, pb, pc, ab, bc, ca; all negative where the tetrahedron is not positive
-  double worst() const {
-    double w = value[0];
-    for (unsigned i = 1; i < 6; ++i) w = value[i] < w ? value[i] : w;
-    return w;
-  }
+  double worst() const { return *std::min_element(value.begin(), value.end()); }
 };
 
 namespace detail {
@@ -69,10 +66,34 @@ inline ShapeTerms shape_terms(const detail::ShapeFrame& f, const Vec3& a, const 
        weighted(d * length(a - c) / (f.lb * f.lp), dot(f.nb, f.np))}};
 }
 
-/// The measure: in (0, 0.95] for positive tetrahedra, at most zero for others.
-inline double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  return shape_terms(detail::ShapeFrame(a, b, c, p), a, b, c).worst();
+/// A face with what all tetrahedra over it have in common: for many places of one apex.
+struct ShapeBase {
+  std::array<Vec3, 3> corner;
+  Vec3 normal;                    ///< inward, of length twice the area
+  double inverse;                 ///< of the normal's square
+  std::array<double, 3> squared;  ///< lengths of the edges ab, bc, ca
+  ShapeBase(const Vec3& a, const Vec3& b, const Vec3& c)
+      : corner{a, b, c},
+        normal(cross(b - a, c - a)),
+        inverse(1 / dot(normal, normal)),
+        squared{squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)} {}
+};
+
+/// The measure: in (0, 0.95] for positive tetrahedra, at most zero for others. As the least of shape_terms but for rounding: squares are
+/// compared, so that one root is enough.
+inline double shape(const ShapeBase& base, const Vec3& p) {
+  const Vec3 a = base.corner[0] - p, b = base.corner[1] - p, c = base.corner[2] - p;
+  const Vec3 na = cross(b, c), nb = cross(c, a), nc = cross(a, b);
+  const double det = -dot(a, na);
+  if (!(det > 0)) return det;
+  const auto weighted = [](double square, double cosine) { return cosine < 0 ? obtuse_weight * obtuse_weight * square : square; };
+  const double ia = 1 / dot(na, na), ib = 1 / dot(nb, nb), ic = 1 / dot(nc, nc), ip = base.inverse;
+  const double pa = weighted(dot(a, a) * ib * ic, -dot(nb, nc)), pb = weighted(dot(b, b) * ia * ic, -dot(na, nc));
+  const double pc = weighted(dot(c, c) * ia * ib, -dot(na, nb)), ab = weighted(base.squared[0] * ic * ip, dot(nc, base.normal));
+  const double bc = weighted(base.squared[1] * ia * ip, dot(na, base.normal)), ca = weighted(base.squared[2] * ib * ip, dot(nb, base.normal));
+  return det * std::sqrt(std::min({pa, pb, pc, ab, bc, ca}));
 }
+inline double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) { return shape(ShapeBase(a, b, c), p); }
 
 /// Gradient with respect to p of term k, whose value is given. Of log(sine): each factor contributes its own logarithmic
 /// derivative.

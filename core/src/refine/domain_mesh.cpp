@@ -2,6 +2,7 @@
 #include "refine/domain_mesh.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
 #include "geomesh/core/predicates.hpp"
@@ -14,6 +15,7 @@ VertexIndex DomainMesh::add_vertex(const Vec3& p, VertexKind kind, Index support
   kinds_.push_back(kind);
   supports_.push_back(support);
   incident_.push_back(no_cell);
+  changed_.push_back(0);
   return static_cast<VertexIndex>(points_.size() - 1);
 }
 
@@ -22,11 +24,11 @@ void DomainMesh::reserve(std::size_t n_vertices, std::size_t n_cells) {
   kinds_.reserve(n_vertices);
   supports_.reserve(n_vertices);
   incident_.reserve(n_vertices);
+  changed_.reserve(n_vertices);
   mesh_.reserve(n_cells);
   component_.reserve(n_cells);
   tags_.reserve(n_cells);
   shape_.reserve(n_cells);
-  changed_.reserve(n_cells);
 }
 
 CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
@@ -35,7 +37,6 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
     component_.push_back(component);
     tags_.emplace_back();
     shape_.push_back(0);
-    changed_.push_back(0);
   } else {
     component_[c] = component;
     tags_[c] = {};
@@ -48,7 +49,8 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
 void DomainMesh::refresh_shape(CellIndex c) {
   const Tetrahedron& t = mesh_.vertices(c);
   shape_[c] = shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
-  changed_[c] = clock_;
+  // Blocks that are smoothed at once may share vertices that do not move.
+  for (const VertexIndex v : t) std::atomic_ref(changed_[v]).store(clock_, std::memory_order_relaxed);
 }
 
 DomainMesh::FaceKey DomainMesh::face_key(const Tetrahedron& t, unsigned i) {

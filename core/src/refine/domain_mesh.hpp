@@ -109,8 +109,8 @@ class DomainMesh {
   /// Cached shape of a live cell.
   double shape_of(CellIndex c) const { return shape_[c]; }
   void refresh_shape(CellIndex c);
-  /// The mesh's time when the cell was made or one of its vertices moved.
-  std::uint64_t changed_at(CellIndex c) const { return changed_[c]; }
+  /// The mesh's time when a cell with the vertex was last made, or one of the vertices of such a cell moved.
+  std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
   /// Ends a moment and returns it: changes after the call are later than it, those before are not. Above 0.
   std::uint64_t tick() { return clock_++; }
   bool has_neighbor(CellIndex c, unsigned face) const { return mesh_.neighbor(c, face).valid(); }
@@ -174,12 +174,12 @@ class DomainMesh {
   std::vector<VertexKind> kinds_;
   std::vector<Index> supports_;
   std::vector<CellIndex> incident_;
+  std::vector<std::uint64_t> changed_;
 
   TetMesh mesh_;
   std::vector<Index> component_;
   std::vector<std::array<FaceTag, 4>> tags_;
   std::vector<double> shape_;
-  std::vector<std::uint64_t> changed_;
   std::uint64_t clock_ = 1;
 
   std::vector<Index> facet_patch_;

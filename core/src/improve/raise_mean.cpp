@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "improve/improve.hpp"
+#include "quality/shape.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+class MeanRaiser {
+ public:
+  MeanRaiser(Toolbox& tools, double floor) : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()} {}
+
+  void run(unsigned smoothing_steps, const RunContext& context) {
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
+      if (v % 256 == 0) context.check_cancelled();
+      if (mesh_.kind(v) != VertexKind::dead) flip_about(v);
+    }
+    SmoothRule rule;
+    rule.max_steps = smoothing_steps;
+    rule.goal = SmoothGoal::mean;
+    rule.floor = goal_.floor;
+    smooth_all(tools_, rule, context.threads, [&] {
+      context.check_cancelled();
+      return false;
+    });
+  }
+
+ private:
+  double mean_worth() const {
+    double sum = 0;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c)) sum += MeanGoal::worth(mesh_.shape_of(c));
+    return sum / static_cast<double>(mesh_.n_cells());
+  }
+
+  bool has_edge(CellIndex c, VertexIndex a, VertexIndex b) const {
+    return mesh_.is_live(c) && mesh_.topology().has_vertex(c, a) && mesh_.topology().has_vertex(c, b);
+  }
+
+  /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
+  void flip_about(VertexIndex v) {
+    mesh_.star(v, tools_.work.marks, star_);
+    edges_.clear();
+    for (const CellIndex c : star_)
+      for (const VertexIndex w : mesh_.vertices(c))
+        if (w > v) edges_.push_back({w, c});
+    std::sort(edges_.begin(), edges_.end());
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const auto [w, c] = edges_[k];
+      if ((k == 0 || edges_[k - 1].first != w) && has_edge(c, v, w)) remove_edge_for_mean(tools_, c, v, w, goal_);
+    }
+    for (const CellIndex c : star_)
+      if (mesh_.is_live(c) && mesh_.topology().has_vertex(c, v)) remove_face_for_mean(tools_, c, mesh_.topology().index_of(c, v), goal_);
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  MeanGoal goal_;
+  std::vector<CellIndex> star_;
+  std::vector<std::pair<VertexIndex, CellIndex>> edges_;
+};
+
+}  // namespace
+
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context) {
+  MeanRaiser(tools, floor).run(smoothing_steps, context);
+}
+
+}  // namespace geomesh::remesh
