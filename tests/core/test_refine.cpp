@@ -43,6 +43,25 @@ TEST_CASE("Refinement of two regions keeps domain, facets and input points", "[r
   }
 }
 
+TEST_CASE("Where surfaces are not sized only the inside gets points for sizes", "[refine]") {
+  const Model model = two_boxes(4);
+  RefineOptions options;
+  options.size.global = 0.05;
+  const std::size_t on_surfaces = refine_and_improve(model.plc, model.mesh, options).mesh.faces.size();
+  options.size_surfaces = false;
+  const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+  require_same_domain(model, r);
+  CHECK(r.statistics.points_on_curves + r.statistics.points_on_surfaces == 0);
+  CHECK(r.statistics.points_inside > 100);
+  CHECK(r.mesh.faces.size() < model.mesh.faces.size() + model.mesh.faces.size() / 5);  // a few for the worst elements
+  CHECK(on_surfaces > 3 * r.mesh.faces.size());
+  CHECK(r.statistics.deviation_result_to_input < 1e-14);
+  options.size.global = 0;  // by the longest edges about each vertex, growing inwards
+  const RefineResult coarse = refine_and_improve(model.plc, model.mesh, options);
+  require_same_domain(model, coarse);
+  CHECK(coarse.mesh.tetrahedra.size() < r.mesh.tetrahedra.size() / 2);
+}
+
 TEST_CASE("Improvement alone adds no size and never lowers the worst shape", "[refine]") {
   Model model = two_boxes(3);
   disturb_inside(model, 7);

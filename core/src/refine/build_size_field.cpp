@@ -16,6 +16,7 @@ class SizeFieldBuilder {
  public:
   SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance)
       : tolerance_(tolerance),
+        by_longest_edges_(options.honour == Honour::exact && !options.size_surfaces),
         mesh_(mesh),
         options_(options.size),
         patch_(named_patches(plc, options)),
@@ -86,18 +87,21 @@ class SizeFieldBuilder {
     std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return std::tuple(x.a, x.b, x.facet) < std::tuple(y.a, y.b, y.facet); });
     std::vector<double> inverse(mesh_.n_vertices(), 0), sum(mesh_.n_vertices(), 0), count(mesh_.n_vertices(), 0);
     shortest_.assign(mesh_.n_vertices(), infinity);
+    longest_.assign(mesh_.n_vertices(), 0);
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b;) ++j;
       const bool is_curve = uses[j - 1].facet == no_index;
       const std::size_t n_faces = j - i - is_curve;
       if (!is_curve && n_faces == 2 && uses[i].facet == uses[i + 1].facet) continue;
       const double l = distance(mesh_.point(uses[i].a), mesh_.point(uses[i].b)), n = static_cast<double>(std::max(n_faces, std::size_t{1}));
-      for (const VertexIndex v : {uses[i].a, uses[i].b}) inverse[v] += n / l, sum[v] += n * l, count[v] += n, shortest_[v] = std::min(shortest_[v], l);
+      for (const VertexIndex v : {uses[i].a, uses[i].b}) inverse[v] += n / l, sum[v] += n * l, count[v] += n, shortest_[v] = std::min(shortest_[v], l), longest_[v] = std::max(longest_[v], l);
     }
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
       if (!options_.from_input_edges || !(count[v] > 0)) continue;
       const double harmonic = count[v] / inverse[v], mean = sum[v] / count[v];
-      if (harmonic >= uneven_ratio * mean) {
+      if (by_longest_edges_) {
+        ask(v, longest_[v]);
+      } else if (harmonic >= uneven_ratio * mean) {
         ask(v, harmonic);
       } else {
         ask(v, mean);
@@ -234,13 +238,14 @@ class SizeFieldBuilder {
   }
 
   double tolerance_;  // of surfaces; 0 where they are kept exactly
+  bool by_longest_edges_;  // not by means of edges
   const DomainMesh& mesh_;
   const SizeOptions& options_;
   std::vector<Index> patch_;   // by facet
   std::vector<Index> merged_;  // by facet: equal for pieces of one input triangle
   std::vector<SizeSource> sources_;
   std::vector<double> at_vertex_;
-  std::vector<double> shortest_;  // input edge at a vertex
+  std::vector<double> shortest_, longest_;  // input edge at a vertex
 };
 
 }  // namespace

@@ -62,7 +62,15 @@ double share_of_edges_within_size(Toolbox& tools) {
   return edges.empty() ? 1 : static_cast<double>(within) / static_cast<double>(edges.size());
 }
 
+bool sizes_surfaces(const RefineOptions& o) { return o.size_surfaces || o.honour == Honour::tolerance; }
+
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
+  if (!sizes_surfaces(options)) {
+    remesh::flip_towards_delaunay(tools, context);
+    remesh::refine_inside(tools, options.max_elements, context);
+    remesh::collapse_short_edges(tools, true, context);
+    return;
+  }
   if (options.honour == Honour::tolerance) remesh::regularize_surfaces(tools, context);
   remesh::collapse_short_edges(tools, false, context);
   remesh::split_long_edges(tools, true, options.max_elements, context);
@@ -95,7 +103,8 @@ void announce_estimate(const DomainMesh& mesh, const RefineOptions& options, con
 bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& mesh,
                         const RunContext& context, RefineResult& result) {
   const remesh::MergedFacets merged = remesh::merge_pieces(plc, options.facet_parent);
-  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, mesh, result.size_field, context);
+  const SizeField none({}, {});
+  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, mesh, options.size_surfaces ? result.size_field : none, context);
   const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
   const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
   const bool is_merged = merged.plc.n_facets() < plc.n_facets();

@@ -52,6 +52,10 @@ struct RefineOptions {
   Honour honour = Honour::exact;
   double tolerance = 0;  ///< Honour::tolerance: largest distance between input and result, in model units
   QualityLevel quality = QualityLevel::standard;
+  /// Honour::exact: false puts no points on surfaces and curves for their sizes, and has only the inside follow the sizes asked, which near a
+  /// vertex of a surface are those of the longest edge there; a few points may still go onto surfaces where the worst elements need them.
+  /// For surfaces full of short edges that are to be kept with few elements.
+  bool size_surfaces = true;
   bool refine = true;              ///< false: improve only, no points for size
   std::vector<Index> facet_patch;  ///< per facet of the PLC; empty: facets with equal provenance rows are one patch
   /// Honour::exact: per facet of the PLC the input triangle that it is a piece of (any number that only its pieces have), no_index: none.
