@@ -3,6 +3,7 @@
 
 #include "geomesh/geomodel/project.hpp"
 #include "pipeline/prepare.hpp"
+#include "pipeline/refine_model.hpp"
 #include "quality_models.hpp"
 
 namespace geomesh::bench {
@@ -11,6 +12,7 @@ namespace {
 QualityModel prepared(const std::string& name, geomodel::PreparedModel& model) {
   QualityModel q;
   q.name = name;
+  q.facet_parent = geomodel::facet_parents(model);
   q.plc = std::move(model.plc.plc);
   q.sizes_from_edges = false;
   return q;

@@ -9,6 +9,8 @@
 #include <random>
 #include <sstream>
 
+#include "refine/merge_pieces.hpp"
+
 namespace geomesh::bench {
 
 namespace {
@@ -91,6 +93,8 @@ void add_gridded_box(QualityModel& model, const Vec3& low, const Vec3& high, int
 }
 
 }  // namespace
+
+PiecewiseLinearComplex QualityModel::merged() const { return remesh::merge_pieces(plc, facet_parent).plc; }
 
 QualityModel grains(double roughness, unsigned seed) {
   QualityModel model;

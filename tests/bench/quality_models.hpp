@@ -13,9 +13,12 @@ namespace geomesh::bench {
 struct QualityModel {
   std::string name;
   PiecewiseLinearComplex plc;  ///< empty where the data are absent
-  /// Surfaces made for meshing ask for sizes by their own edges; seams of intersected ones are full of needles, and one size is
-  /// asked for the whole model instead.
+  /// Surfaces made for meshing ask for sizes by their own edges; seams of intersected ones are full of needles: where those surfaces are kept
+  /// they get no points for sizes, and where they are remeshed one size is asked for the whole model.
   bool sizes_from_edges = true;
+  std::vector<Index> facet_parent = {};  ///< RefineOptions::facet_parent; empty where nothing was intersected
+  /// The same surfaces for programs that know no parents: pieces of one triangle merged.
+  PiecewiseLinearComplex merged() const;
 };
 
 /// Eight grains of 320 triangles on a 2 x 2 x 2 lattice in a box whose sides are gridded at the grains' edge length: nine

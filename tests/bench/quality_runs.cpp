@@ -21,7 +21,7 @@ void print_row(const std::string& model, const Row& r) {
   if (r.tetrahedra == 0)
     std::printf("| %s | %s | – | – | – | – | – | – | – | %.2f |\n", model.c_str(), r.tool.c_str(), r.cpu_s);
   else
-    std::printf("| %s | %s | %zu | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f | %.2f |\n", model.c_str(), r.tool.c_str(), r.tetrahedra,
+    std::printf("| %s | %s | %zu | %.4f | %.2f | %.2f | %.2f | %.3f | %.3f | %.2f |\n", model.c_str(), r.tool.c_str(), r.tetrahedra,
                 s.least, s.largest, s.first_percentile, s.mean_of_least, 100 * s.share_below_10, 100 * s.share_above_24_85, r.cpu_s);
   std::fflush(stdout);
 }

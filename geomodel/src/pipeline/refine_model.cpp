@@ -88,7 +88,17 @@ std::vector<AskedSize> segment_sizes(const PreparedModel& model) {
   return sizes;
 }
 
-/// Per facet of the PLC that is a piece of input triangles a number that only pieces of the same triangles have; no_index for polygons.
+double cell_value(const std::string& name, const TetrahedronShape& s) {
+  if (name == "min_dihedral") return s.min_dihedral;
+  if (name == "max_dihedral") return s.max_dihedral;
+  if (name == "radius_ratio") return s.radius_ratio;
+  if (name == "mean_ratio") return s.mean_ratio;
+  if (name == "aspect") return s.aspect;
+  throw InternalError("no cell array is called " + name);
+}
+
+}  // namespace
+
 std::vector<Index> facet_parents(const PreparedModel& model) {
   std::map<std::vector<std::pair<Index, Index>>, Index> number;
   std::vector<Index> parents;
@@ -100,17 +110,6 @@ std::vector<Index> facet_parents(const PreparedModel& model) {
   }
   return parents;
 }
-
-double cell_value(const std::string& name, const TetrahedronShape& s) {
-  if (name == "min_dihedral") return s.min_dihedral;
-  if (name == "max_dihedral") return s.max_dihedral;
-  if (name == "radius_ratio") return s.radius_ratio;
-  if (name == "mean_ratio") return s.mean_ratio;
-  if (name == "aspect") return s.aspect;
-  throw InternalError("no cell array is called " + name);
-}
-
-}  // namespace
 
 const std::vector<std::string>& known_cell_arrays() {
   static const std::vector<std::string> names{"size", "min_dihedral", "max_dihedral", "radius_ratio", "mean_ratio", "aspect"};

@@ -7,6 +7,9 @@
 
 namespace geomesh::geomodel {
 
+/// Per facet of the PLC that is a piece of input triangles a number that only pieces of the same triangles have; no_index for polygons.
+std::vector<Index> facet_parents(const PreparedModel& model);
+
 /// What the settings ask of the core for this model. Throws Error{usage} where a name is none of the model's units, surfaces or curves.
 RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrahedralization& mesh);
 
