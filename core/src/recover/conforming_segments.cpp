@@ -33,7 +33,7 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   min_edge_ = std::ldexp(largest, -40);
   max_sharp_points_ = 30 * mesh_.n_input() + 3000;
   max_other_points_ = 30 * mesh_.n_input() + 100000;
-  recovery_.expected_points_per_vertex = 4;
+  recovery_.expected_points_per_vertex = 10;
   mark_sharp_vertices();
   mark_sharp_facets();
   facet_queued_.assign(constraints_.subfacets.size(), 0);

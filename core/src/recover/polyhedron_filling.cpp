@@ -235,7 +235,8 @@ class Filler {
 
 }  // namespace
 
-std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary, VertexIndex v) {
+std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary,
+                                                 VertexIndex v) {
   std::vector<Tetrahedron> out;
   for (const Triangle& t : boundary) {
     if (t[0] == v || t[1] == v || t[2] == v) continue;

@@ -7,10 +7,13 @@
 #include "delaunay/sorted_cells.hpp"
 #include "recover/presence.hpp"
 #include "recover/recover.hpp"
+#include "recover/scale_forecast.hpp"
 
 namespace geomesh::recover {
 
 namespace {
+
+constexpr std::size_t n_box_corners = 8;
 
 /// The model's vertices and the eight corners of a box that encloses them at a distance, so that the hull of the mesh is never touched
 /// by recovery and the box disturbs the model's Delaunay cells little.
@@ -23,7 +26,7 @@ std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const Dec
   }
   const double extent = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
   const double margin = std::ldexp(1.0, std::ilogb(extent > 0 ? extent : 1.0) + 4);
-  for (unsigned corner = 0; corner < 8; ++corner)
+  for (unsigned corner = 0; corner < n_box_corners; ++corner)
     points.push_back({corner & 1 ? box.max.x + margin : box.min.x - margin, corner & 2 ? box.max.y + margin : box.min.y - margin,
                       corner & 4 ? box.max.z + margin : box.min.z - margin});
   return points;
@@ -63,21 +66,31 @@ class StartSearch {
     return {std::move(cells), std::move(subsegments), delaunay.statistics};
   }
 
-  /// Improves `best` while a step of one axis saves a twentieth of what is missing.
+  /// Improves `best` while a step of one axis saves a twentieth of what is missing. What the forecast gives no hope for is not triangulated.
   void climb(Candidate& best, std::array<int, 3> exponents) const {
+    ScaleForecast forecast = forecast_from(best);
     for (const std::size_t axis : axes_by_extent()) {
       for (int step = 0; step < 12; ++step) {
         std::array<int, 3> trial = exponents;
         ++trial[axis];
+        if (20 * forecast.n_missing(trial) > 19 * forecast.n_missing(exponents)) break;
         Candidate candidate = triangulate(trial);
         if (20 * candidate.n_missing() > 19 * best.n_missing()) break;
         exponents = trial;
         best = std::move(candidate);
+        forecast = forecast_from(best);
       }
     }
   }
 
  private:
+  ScaleForecast forecast_from(Candidate& candidate) const {
+    std::vector<Vec3> points = points_;
+    ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), points_.size() - n_box_corners);
+    ScaleForecast out(mesh, constraints_, candidate.subsegments);
+    mesh.release(candidate.cells, points);
+    return out;
+  }
   /// The two axes along which segments extend least, the least first.
   std::array<std::size_t, 2> axes_by_extent() const {
     Vec3 sum;
