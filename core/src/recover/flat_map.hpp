@@ -88,7 +88,6 @@ class DirectedEdgeSet {
     ++n_;
     return true;
   }
-  std::size_t size() const { return n_; }
 
  private:
   static constexpr std::uint64_t empty = ~std::uint64_t{0};
