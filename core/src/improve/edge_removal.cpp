@@ -122,7 +122,7 @@ class EdgeRemoval {
       return is_positive(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
                          mesh_.point(n.vertices[3]));
     });
-    if (!positive) return false;
+    if (!positive || (!for_surface_ && adds_bad_cells())) return false;
     mesh_.replace(cells, tools_.work.added, tools_.work.created);
     ++tools_.statistics.edge_removals;
     return true;
@@ -146,6 +146,17 @@ class EdgeRemoval {
     return cosine(x) + cosine(y) < -1e-3;
   }
 
+  /// As for stars: see cavity.hpp.
+  bool adds_bad_cells() const {
+    const double bad = shape_of_angle(bad_angle);
+    if (before_ >= bad) return false;
+    const auto n_before = std::count_if(tools_.work.cells.begin(), tools_.work.cells.end(), [&](CellIndex c) { return mesh_.shape_of(c) < bad; });
+    const auto n_after = std::count_if(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
+      return shape(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]), mesh_.point(n.vertices[3])) < bad;
+    });
+    return n_after > n_before;
+  }
+
   bool remove_inside() {
     if (!closed_ || tools_.work.ring.size() < 3) return false;
     return solve_side(tools_.work.ring, mesh_.component(tools_.work.cells[0]));
@@ -167,7 +178,7 @@ class EdgeRemoval {
     const VertexIndex x = ring[s], y = ring[t];
     if (!closed_ && (s != 0 || t + 1 != ring.size())) return false;
     if (for_surface_ && !surface_asks(x, y)) return false;
-    if (joined_on_surface(x, y) || !guard_allows(patch, x, y)) return false;
+    if (joined_on_surface(x, y)) return false;
     const std::vector<VertexIndex> side(ring.begin() + static_cast<std::ptrdiff_t>(s),
                                         ring.begin() + static_cast<std::ptrdiff_t>(t) + 1);
     if (!solve_side(side, mesh_.component(cells[s]))) return false;
@@ -178,6 +189,7 @@ class EdgeRemoval {
       if (side.size() < 3 && other.size() < 3) return false;
       if (!solve_side(other, mesh_.component(cells[t]))) return false;
     }
+    if (!guard_allows(patch, x, y)) return false;  // the dearest test is the last
     const FaceTag tag = faces_.tag[0];
     for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
       tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));

@@ -122,7 +122,7 @@ class Smoother {
   }
 
   bool place(const Vec3& p) {
-    if (p == old_ || !star_is_positive(mesh_, cavity_, p) || !guard_allows(p)) return false;
+    if (p == old_ || !star_is_positive(mesh_, cavity_, p) || adds_bad_cells(mesh_, cavity_, p) || !guard_allows(p)) return false;
     mesh_.move_vertex(v_, p);
     for (const CellIndex c : cavity_.cells) mesh_.refresh_shape(c);
     tools_.forget_size(v_);

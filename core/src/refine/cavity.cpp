@@ -192,6 +192,15 @@ double removed_shape(const DomainMesh& mesh, const StarCavity& cavity) {
   return worst;
 }
 
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
+  const double bad = shape_of_angle(bad_angle);
+  std::size_t room = 0;
+  for (const CellIndex c : cavity.cells) room += mesh.shape_of(c) < bad;
+  return std::any_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
+    return shape(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]), p) < bad && room-- == 0;
+  });
+}
+
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work) {
   work.added.clear();
   for (const LinkFace& f : cavity.link) {
