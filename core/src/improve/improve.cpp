@@ -73,7 +73,7 @@ class Improver {
       };
       const bool costly = static_cast<double>(visited_) > enough_visits * static_cast<double>(mesh_.n_cells());
       const bool all_tried = k > (may_add_points_ ? first_pass_with_points : 0);
-      if (costly && all_tried && !falls(bad.size(), fewest) && !falls(worst, fewest_worst)) break;
+      if ((costly || !may_add_points_) && all_tried && !falls(bad.size(), fewest) && !falls(worst, fewest_worst)) break;
       fewest = std::min(fewest, bad.size());
       fewest_worst = std::min(fewest_worst, worst);
       context_.report(k, schedule_.repair_passes);
@@ -83,7 +83,7 @@ class Improver {
     }
     if (schedule_.last_passes > 0) rescue_worst();
     if (is_poor_altogether())
-      for (unsigned k = 0; k < schedule_.even_passes && !out_of_time(); ++k) even_out();
+      for (unsigned k = 0; k <= schedule_.even_passes && !out_of_time(); ++k) even_out();
   }
 
  private:

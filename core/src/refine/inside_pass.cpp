@@ -23,6 +23,8 @@ class InsideRefiner {
   std::size_t run(const RunContext& context) {
     std::vector<CellIndex> large;
     for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c)) measure(c);
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
       if (mesh_.is_live(c) && is_large(c)) large.push_back(c);
     std::size_t total = 0;
     while (!large.empty()) {
@@ -41,10 +43,12 @@ class InsideRefiner {
     const Tetrahedron& t = mesh_.vertices(c);
     return circumsphere(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), mesh_.point(t[3]));
   }
-  bool is_large(CellIndex c) {
-    const double r = sphere_of(c).radius;
-    return !(r <= large_ratio * tools_.size_of_cell(c));
+  /// To be called for each cell that is made.
+  void measure(CellIndex c) {
+    if (c >= large_.size()) large_.resize(mesh_.n_slots() + mesh_.n_slots() / 4, false);
+    large_[c] = !(sphere_of(c).radius <= large_ratio * tools_.size_of_cell(c));
   }
+  bool is_large(CellIndex c) const { return large_[c]; }
 
   /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception.
   void order_by_size(std::vector<CellIndex>& cells) {
@@ -76,6 +80,7 @@ class InsideRefiner {
         continue;
       }
       ++n;
+      for (const CellIndex made : tools_.work.created) measure(made);
       changes_.note(mesh_, tools_.work.created);
       if (mesh_.n_cells() > max_cells_)
         throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells_) +
@@ -96,24 +101,35 @@ class InsideRefiner {
     return refused[c];
   }
 
+  /// Nearer to a corner of the cell than any size at its corners would allow: told without asking for the size at p.
+  bool crowds_corner(const Vec3& p, CellIndex c) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    double h = std::numeric_limits<double>::infinity();
+    for (const VertexIndex v : t) h = std::min(h, tools_.size_at(v));
+    const double limit = spacing_ratio * spacing_ratio * h * h;
+    return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
+  }
+
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
+    if (crowds_corner(p, c)) return std::nullopt;
     const double h = tools_.size.at(p, mesh_.component(c));
     return insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3});
   }
 
   std::optional<VertexIndex> insert_on_front(CellIndex c) {
+    const Vec3 centre = sphere_of(c).centre;
     for (unsigned i = 0; i < 4; ++i) {
       const bool constrained = mesh_.tag(c, i).constrained();
       if (!constrained && is_large(mesh_.topology().neighbor_cell(c, i))) continue;
-      if (const auto p = ideal_apex(c, i))
+      if (const auto p = ideal_apex(c, i, centre))
         if (const auto v = insert(*p, c)) return v;
     }
     return std::nullopt;
   }
 
-  /// Above the circumcentre of face i, so far that the new edges have the asked length (the mean of those at their ends), but not beyond the
+  /// `centre` of the cell's circumsphere. Above the circumcentre of face i, so far that the new edges have the asked length (the mean of those at their ends), but not beyond the
   /// cell's circumcentre.
-  std::optional<Vec3> ideal_apex(CellIndex c, unsigned i) {
+  std::optional<Vec3> ideal_apex(CellIndex c, unsigned i, const Vec3& centre) {
     const Tetrahedron& t = mesh_.vertices(c);
     const VertexIndex x = t[face_vertices[i][0]], y = t[face_vertices[i][1]], z = t[face_vertices[i][2]];
     const Vec3 &a = mesh_.point(x), u = mesh_.point(y) - a, v = mesh_.point(z) - a, n = cross(u, v);
@@ -124,9 +140,9 @@ class InsideRefiner {
     if (r2 > h * h) return std::nullopt;                             // the face itself is too large
     const Vec3 base = a + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
     const auto height_of = [&](double edge) { return std::sqrt(std::max(edge * edge - r2, 0.2 * edge * edge)); };
-    const double to_centre = dot(sphere_of(c).centre - base, normal);
+    const double to_centre = dot(centre - base, normal);
     double height = height_of(h);
-    if (to_centre > height) height = height_of(0.5 * (h + std::max(h, tools_.size.at(base + height * normal, mesh_.component(c)))));
+    if (to_centre > height && !crowds_corner(base + height * normal, c)) height = height_of(0.5 * (h + std::max(h, tools_.size.at(base + height * normal, mesh_.component(c)))));
     return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
   }
 
@@ -150,6 +166,7 @@ class InsideRefiner {
   DomainMesh& mesh_;
   std::size_t max_cells_;
   ChangeStamps changes_;
+  std::vector<bool> large_;  // by cell: its circumradius over the asked size is
   std::array<std::vector<unsigned>, 2> refused_;
 };
 

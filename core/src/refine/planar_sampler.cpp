@@ -9,8 +9,6 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr double spacing_ratio = 0.75;  // no two points nearer than this share of the asked size
-
 Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
 double squared_distance(const Vec2& a, const Vec2& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
 int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }

@@ -11,9 +11,10 @@
 
 namespace geomesh::remesh {
 
-/// Advances from the border inwards; a point is taken where none is nearer than 0.75 of the size asked there.
+/// Advances from the border inwards; a point is taken where none is nearer than `spacing_ratio` of the size asked there.
 class PlanarSampler {
  public:
+  static constexpr double spacing_ratio = 0.75;
   using Size = std::function<double(const Vec2&)>;
   /// Loops with vertices at about the asked distances, the outer one turning left, holes turning right.
   PlanarSampler(const std::vector<std::vector<Vec2>>& loops, Size size);

@@ -104,10 +104,20 @@ class SurfaceSampler {
     return h;
   }
 
+  /// At a point of the model; remembered where sizes do not depend on the facet.
+  double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
+    if (!size_.limits().component_size.empty()) return size_at(plc_.points[v], facets);
+    if (vertex_size_.empty()) vertex_size_.assign(plc_.points.size(), -1);
+    if (vertex_size_[v] < 0) vertex_size_[v] = size_.at(plc_.points[v]);
+    return vertex_size_[v];
+  }
+
   /// Equal shares of the integral of 1 / size along the edge.
   void cut(const Edge& edge, EdgeParts& parts) {
+    constexpr double surely_one = 1.2;  // by the sizes at the ends; half a share more would make two
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
+    if (l < surely_one * std::min(size_at_vertex(edge[0], parts.facets), size_at_vertex(edge[1], parts.facets))) return;
     std::vector<std::array<double, 2>> passed{{0, 0}};  // parameter, integral
     while (passed.back()[0] < 1) {
       const auto [t, sum] = passed.back();
@@ -154,6 +164,7 @@ class SurfaceSampler {
         for_each_piece(loop[i], loop[(i + 1) % loop.size()], [&](VertexIndex a, VertexIndex) { fine.push_back(a); });
     }
     out_.plc.add_polygon(loops, plc_.facet_provenance[f]);
+    if (is_full(f, loops)) return;
     const auto frame = frame_of(plc_, plc_.outer_loop(f));
     if (!frame) return;
     std::vector<std::vector<Vec2>> flat;
@@ -172,6 +183,23 @@ class SurfaceSampler {
     }
   }
 
+  /// A triangle that got no points on its sides and of which no place is far enough from its corners: the farthest is at most 1 / sqrt 3 of the
+  /// longest side.
+  bool is_full(Index f, const std::vector<std::vector<VertexIndex>>& loops) {
+    if (loops.size() > 1 || loops[0].size() != 3) return false;
+    const std::array<Index, 1> facet{f};
+    const std::vector<VertexIndex>& t = loops[0];
+    const std::vector<Vec3>& p = out_.plc.points;
+    if (std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return v >= plc_.points.size(); })) return false;
+    double longest = 0, least = size_at((1.0 / 3) * (p[t[0]] + p[t[1]] + p[t[2]]), facet);
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, squared_distance(p[t[k]], p[t[(k + 1) % 3]]));
+      least = std::min(least, size_at_vertex(t[k], facet));
+    }
+    const double free = PlanarSampler::spacing_ratio * least;
+    return longest / 3 < free * free;
+  }
+
   static bool turns_left(const std::vector<Vec2>& ring) {
     double area = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -186,6 +214,7 @@ class SurfaceSampler {
   std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<VertexIndex>> inner_;
+  std::vector<double> vertex_size_;  // negative: not asked for yet
   SampledComplex out_;
 };
 

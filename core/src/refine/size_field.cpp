@@ -12,18 +12,20 @@ namespace {
 
 constexpr Index leaf_size = 8;
 
-double distance_to(const Box3& b, const Vec3& p) {
+double squared_distance_to(const Box3& b, const Vec3& p) {
   double s = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double d = std::max({b.min[i] - p[i], p[i] - b.max[i], 0.0});
     s += d * d;
   }
-  return std::sqrt(s);
+  return s;
 }
 
-double value_at(const SizeSource& s, const Vec3& p) {
-  const Vec3 d = p - s.point;
-  return s.size + s.gradation * std::max(0.0, std::sqrt(dot(d, d)) - s.radius);
+/// Whether something of this size, radius and gradation at this distance or farther asks for `bound` or more; no root is taken.
+bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
+  if (size >= bound) return true;
+  const double reach = radius + (bound - size) / gradation;  // within it, less is asked
+  return squared_distance >= reach * reach;
 }
 
 }  // namespace
@@ -33,7 +35,24 @@ SizeField::SizeField(std::vector<SizeSource> sources, Limits limits) : limits_(s
   std::erase_if(sources_, [&](const SizeSource& s) { return !(s.size > 0) || s.size >= limits_.max_size; });
   for (SizeSource& s : sources_)
     if (!(s.gradation > 0)) s.gradation = limits_.gradation;
-  if (!sources_.empty()) build(0, static_cast<Index>(sources_.size()));
+  if (sources_.empty()) return;
+  build(0, static_cast<Index>(sources_.size()));
+  if (drop_redundant()) {
+    nodes_.clear();
+    build(0, static_cast<Index>(sources_.size()));
+  }
+}
+
+/// A source without a radius at whose place another asks for less never asks for the least where none grows faster than it.
+bool SizeField::drop_redundant() {
+  double steepest = 0;
+  for (const SizeSource& s : sources_) steepest = std::max(steepest, s.gradation);
+  std::vector<SizeSource> kept;
+  for (const SizeSource& s : sources_)
+    if (s.radius > 0 || s.gradation < steepest || !(least_over_sources(s.point, s.size) < s.size)) kept.push_back(s);
+  const bool dropped = kept.size() < sources_.size();
+  sources_ = std::move(kept);
+  return dropped;
 }
 
 Index SizeField::build(Index first, Index last) {
@@ -66,20 +85,32 @@ Index SizeField::build(Index first, Index last) {
 
 double SizeField::least_over_sources(const Vec3& p, double bound) const {
   if (nodes_.empty()) return bound;
-  const auto lower_bound = [&](const Node& n) { return n.least + n.gradation * std::max(0.0, distance_to(n.box, p) - n.widest); };
-  Index stack[96];
+  struct Entry {
+    Index node;
+    double squared_distance;
+  };
+  const auto entry = [&](Index n) { return Entry{n, squared_distance_to(nodes_[n].box, p)}; };
+  Entry stack[96];
   int top = 0;
-  stack[top++] = 0;
+  stack[top++] = entry(0);
   while (top > 0) {
-    const Node& n = nodes_[stack[--top]];
-    if (lower_bound(n) >= bound) continue;
+    const Entry e = stack[--top];
+    const Node& n = nodes_[e.node];
+    if (asks_at_least(bound, e.squared_distance, n.least, n.widest, n.gradation)) continue;
     if (n.left == no_index) {
-      for (Index i = n.first; i < n.last; ++i) bound = std::min(bound, value_at(sources_[i], p));
+      for (Index i = n.first; i < n.last; ++i) {
+        const SizeSource& s = sources_[i];
+        const Vec3 d = p - s.point;
+        const double squared = dot(d, d);
+        if (!asks_at_least(bound, squared, s.size, s.radius, s.gradation))
+          bound = std::min(bound, s.size + s.gradation * std::max(0.0, std::sqrt(squared) - s.radius));
+      }
       continue;
     }
-    const bool left_first = lower_bound(nodes_[n.left]) <= lower_bound(nodes_[n.right]);
-    stack[top++] = left_first ? n.right : n.left;
-    stack[top++] = left_first ? n.left : n.right;
+    const Entry left = entry(n.left), right = entry(n.right);
+    const bool left_first = left.squared_distance <= right.squared_distance;
+    stack[top++] = left_first ? right : left;
+    stack[top++] = left_first ? left : right;
   }
   return bound;
 }

@@ -55,6 +55,7 @@ class SizeField {
     Index left = no_index, right = no_index;
   };
   Index build(Index first, Index last);
+  bool drop_redundant();
   double least_over_sources(const Vec3& p, double bound) const;
 
   Limits limits_;
