@@ -12,6 +12,7 @@
 #include "recover/presence.hpp"
 #include "recover/scale_forecast.hpp"
 #include "recover/start_triangulation.hpp"
+#include "tetrahedralize/canonical_form.hpp"
 
 using namespace geomesh;
 using namespace geomesh::test;
@@ -19,15 +20,15 @@ using namespace geomesh::test;
 namespace {
 
 struct Model {
-  PiecewiseLinearComplex plc;
+  CanonicalForm form;
   recover::DeclaredModel declared;
   std::vector<Vec3> points;  ///< with the box
 
   /// The corpus model with z scaled by 2^z_exponent.
   Model(const char* name, int z_exponent)
-      : plc(mapped(corpus_model(name).make(), [=](const Vec3& p) { return Vec3{p.x, p.y, std::ldexp(p.z, z_exponent)}; })),
-        declared(recover::declare_constraints(plc, {})),
-        points(recover::triangulate_start(plc, declared, {}, {}, false).points) {}
+      : form(canonical_form(mapped(corpus_model(name).make(), [=](const Vec3& p) { return Vec3{p.x, p.y, std::ldexp(p.z, z_exponent)}; }))),
+        declared(recover::declare_constraints(form.plc, form.names, {})),
+        points(recover::triangulate_start(form.plc, form.names, declared, {}, {}, false).points) {}
 
   TetMesh triangulated(const std::array<int, 3>& exponents) const {
     std::vector<Vec3> scaled = points;
