@@ -83,7 +83,7 @@ class Improver {
     }
     if (schedule_.last_passes > 0) rescue_worst();
     if (is_poor_altogether())
-      for (unsigned k = 0; k <= schedule_.even_passes && !out_of_time(); ++k) even_out();
+      for (unsigned k = 0; k < 2 * schedule_.even_passes && !out_of_time(); ++k) even_out();
   }
 
  private:

@@ -30,7 +30,7 @@ struct SmoothRule {
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
-  static constexpr double sliver_shape = 0.2079, sliver_weight = 5;  ///< below 12 degrees
+  static constexpr double sliver_shape = 0.2079, sliver_weight = 3;  ///< below 12 degrees
   /// What a cell counts by its shape: slivers more, so that few come for the good of many.
   static double worth(double shape) { return shape < sliver_shape ? sliver_weight * shape - (sliver_weight - 1) * sliver_shape : shape; }
   static double slope_of_worth(double shape) { return shape < sliver_shape ? sliver_weight : 1; }
