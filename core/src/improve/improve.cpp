@@ -28,7 +28,7 @@ Schedule schedule_of(QualityLevel level) {
     case QualityLevel::fast:
       return {1, 2, 20, 0, 6, 1.05, 0, 0.9};
     case QualityLevel::best:
-      return {4, 60, 36, 30, 20, 1.0005, 20, 1.02};
+      return {2, 60, 36, 30, 20, 1.0005, 20, 1.02};
     default:
       return {2, 8, 32, 26, 12, 1.03, 8, 0.9};
   }
