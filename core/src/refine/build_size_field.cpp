@@ -94,7 +94,10 @@ class SizeFieldBuilder {
       const std::size_t n_faces = j - i - is_curve;
       if (!is_curve && n_faces == 2 && uses[i].facet == uses[i + 1].facet) continue;
       const double l = distance(mesh_.point(uses[i].a), mesh_.point(uses[i].b)), n = static_cast<double>(std::max(n_faces, std::size_t{1}));
-      for (const VertexIndex v : {uses[i].a, uses[i].b}) inverse[v] += n / l, sum[v] += n * l, count[v] += n, shortest_[v] = std::min(shortest_[v], l), longest_[v] = std::max(longest_[v], l);
+      for (const VertexIndex v : {uses[i].a, uses[i].b}) {
+        inverse[v] += n / l, sum[v] += n * l, count[v] += n;
+        shortest_[v] = std::min(shortest_[v], l), longest_[v] = std::max(longest_[v], l);
+      }
     }
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
       if (!options_.from_input_edges || !(count[v] > 0)) continue;

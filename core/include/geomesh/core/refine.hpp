@@ -95,8 +95,8 @@ struct RefineResult {
 /// facet of the patch nearest to it.
 ///
 /// Throws Error{cannot_mesh} where the estimated or the actual number of elements exceeds the limit, Error{usage} on options out
-/// of range. Ends always: points are added only at a distance from all others that the size field bounds from below, and every
-/// improving step raises the sorted vector of shapes about it. Deterministic for given options unless a time budget is set.
+/// of range. Ends always: points are added for sizes only at a distance from all others that the size field bounds from below, and improvement
+/// makes a bounded number of passes, none of which lowers the worst shape but for rounding. Deterministic for given options unless a time budget is set.
 ///
 /// Sources: Cavalcanti and Mello 1999, section 5 (points added automatically, smart smoothing); Freitag and Ollivier-Gooch 1997
 /// (combining flips with optimising smoothing); Klingner and Shewchuk 2007 (insertion, contraction and the schedule of `best`).
