@@ -7,6 +7,8 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/refine.hpp"
 #include "refine_models.hpp"
+#include "search/closest_point.hpp"
+#include "search/proven_distance.hpp"
 
 using namespace geomesh;
 using namespace refine_models;
@@ -90,6 +92,32 @@ TEST_CASE("A listed segment inside a region stays, whole and in place", "[refine
   CHECK(r.mesh.edges.size() >= 8);
 }
 
+namespace {
+
+std::vector<search::Corners> faces_as_corners(const ConstrainedTetrahedralization& mesh) {
+  std::vector<search::Corners> faces;
+  for (const auto& f : mesh.faces) faces.push_back({mesh.points[f.vertices[0]], mesh.points[f.vertices[1]], mesh.points[f.vertices[2]]});
+  return faces;
+}
+
+/// Over a lattice of 91 points of each triangle: a good deal more than refinement looks at.
+double largest_distance(const std::vector<search::Corners>& from, const std::vector<search::Corners>& to) {
+  constexpr int n = 12;
+  std::vector<search::ClosestPointTrees::Item> items;
+  for (const search::Corners& t : to) items.push_back({t, 0, 0});
+  const search::ClosestPointTrees tree(std::move(items), 1);
+  double largest = 0;
+  for (const search::Corners& t : from)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
+        largest = std::max(largest, tree.closest((1 - u - v) * t[0] + u * t[1] + v * t[2], 0).distance);
+      }
+  return largest;
+}
+
+}  // namespace
+
 TEST_CASE("Surfaces remeshed within a tolerance stay within it, both ways", "[refine]") {
   const Model model = ball_in_box(6);
   RefineOptions options;
@@ -103,6 +131,9 @@ TEST_CASE("Surfaces remeshed within a tolerance stay within it, both ways", "[re
   CHECK(r.statistics.deviation_result_to_input <= options.tolerance);
   CHECK(r.statistics.deviation_input_to_result <= options.tolerance);
   CHECK(r.statistics.collapses > 0);
+  const std::vector<search::Corners> input = faces_as_corners(model.mesh), result = faces_as_corners(r.mesh);
+  CHECK(largest_distance(result, input) <= options.tolerance);
+  CHECK(largest_distance(input, result) <= options.tolerance);
   const std::vector<double> before = component_volumes(model.mesh), after = component_volumes(r.mesh);
   double area = 0;
   for (const double a : facet_areas(model.plc, model.mesh)) area += a;

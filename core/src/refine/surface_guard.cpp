@@ -17,10 +17,10 @@ std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
-/// Between samples a face may be farther from the reference than at any of them. Operations are held to this share of the
-/// tolerance.
+/// Samples are held to this share of the tolerance, so that the proof that follows seldom fails and seldom has to look closely.
 constexpr double sampling_margin = 0.7;
-
+/// What is left of the tolerance is for rounding in the distances themselves.
+constexpr double proven_share = 1 - 1e-6;
 /// Newell's normal of a loop, of twice its area.
 Vec3 loop_area(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
   Vec3 n;
@@ -67,10 +67,36 @@ double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFa
   return best;
 }
 
+/// Of all that is near to a triangle.
+Box3 box_about(const search::Corners& triangle, double reach) {
+  Box3 box;
+  for (const Vec3& p : triangle) {
+    box.add(p - Vec3{reach, reach, reach});
+    box.add(p + Vec3{reach, reach, reach});
+  }
+  return box;
+}
+
+/// What must stay near to the mesh of a triangle of the original: the usual samples, and where it is large against the tolerance a
+/// lattice no wider than some tolerances.
+template <class Visit>
+void for_each_reference_sample(const search::Corners& t, double tolerance, Visit visit) {
+  constexpr double wide = 8;
+  constexpr int most = 12;
+  for (const Vec3& p : triangle_samples(t[0], t[1], t[2])) visit(p);
+  const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  const int n = longest > wide * most * tolerance ? most : static_cast<int>(std::ceil(longest / (wide * tolerance)));
+  for (int i = 0; n > 2 && i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
+      visit((1 - u - v) * t[0] + u * t[1] + v * t[2]);
+    }
+}
+
 }  // namespace
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance)
-    : honour_(honour), tolerance_(sampling_margin * tolerance) {
+    : honour_(honour), tolerance_(sampling_margin * tolerance), prover_(proven_share * tolerance), reach_(tolerance) {
   if (exact()) {
     find_planes(mesh, plc);
     return;
@@ -80,7 +106,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex&
   for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
     const Index patch = mesh.patch_of_facet(facet);
     faces.push_back({p, patch, facet});
-    for (const Vec3& s : triangle_samples(p[0], p[1], p[2])) samples.push_back({{s, s, s}, patch, facet});
+    for_each_reference_sample(p, reach_, [&](const Vec3& s) { samples.push_back({{s, s, s}, patch, facet}); });
   });
   for (const auto& [a, b] : mesh.curve_edges())
     pieces.push_back({{mesh.point(a), mesh.point(b), mesh.point(b)}, mesh.curve_of(a, b), no_index});
@@ -182,13 +208,20 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
   return true;
 }
 
+bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
+  nearby_.clear();
+  patches_.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby_.push_back(item.corners); });
+  return prover_.is_within(f.corners, nearby_);
+}
+
 bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                           const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
                           const std::vector<CurvePiece>& curves_after) const {
   if (exact()) return true;
   return curves_near(curves_before, curves_after) &&
          std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return near_reference(f); }) &&
-         reference_near(before, after, around);
+         reference_near(before, after, around) &&
+         std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_near_reference(f); });
 }
 
 std::pair<double, double> SurfaceGuard::deviation(const DomainMesh& mesh) const {

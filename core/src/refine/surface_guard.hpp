@@ -3,10 +3,11 @@
 /// Keeps surfaces and curves where the user allows them to be while they are remeshed.
 ///
 /// `exact`: a patch is one facet or several in its plane, so a vertex within a patch moves in that plane and a curve is one input edge; no
-/// face can leave its plane but by rounding. `tolerance`: every sample of a new face (corners, mid-edges, centroid, and six more)
-/// must be within the tolerance of the ORIGINAL triangles of its patch, and every sample of the original patch near the faces
-/// that go must be within the tolerance of those that come or of their neighbours. So the sampled Hausdorff distance is bounded
-/// both ways at all times, and does not add up over operations.
+/// face can leave its plane but by rounding. `tolerance`: every point of a new face is proven to be within the tolerance of the
+/// ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not proven is refused). The other way round samples of the original
+/// patch near the faces that go must be within 0.7 of the tolerance of those that come or of their neighbours; they are eight
+/// tolerances apart at most where a triangle is not longer than a hundred. Curves are held to 0.7 of it at samples both ways. Deviations do
+/// not add up over operations.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +17,7 @@
 #include "geomesh/core/refine.hpp"
 #include "refine/cavity.hpp"
 #include "search/closest_point.hpp"
+#include "search/proven_distance.hpp"
 
 namespace geomesh::remesh {
 
@@ -46,7 +48,7 @@ class SurfaceGuard {
   /// Facet of the patch nearest to a place: provenance of a remade face. Not for exact.
   Index nearest_facet(Index patch, const Vec3& p) const;
 
-  /// Whether faces and curve pieces may be exchanged; `around` are faces that stay and share a vertex with those that go.
+  /// Not for several threads at once. Whether faces and curve pieces may be exchanged; `around` are faces that stay and share a vertex with those that go.
   bool admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
               const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
               const std::vector<CurvePiece>& curves_after) const;
@@ -64,10 +66,14 @@ class SurfaceGuard {
   bool near_reference(const SurfaceFace& f) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
+  bool is_proven_near_reference(const SurfaceFace& f) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
   Honour honour_ = Honour::exact;
   double tolerance_ = 0;                          // what samples are held to
+  mutable search::DistanceProver prover_{0};      // its memory is that of one thread
+  mutable std::vector<search::Corners> nearby_;   // likewise
+  double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
   search::ClosestPointTrees patches_, curves_;
   search::ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Proof that a triangle lies within a distance of a set of triangles, all of it and not at samples only.
+///
+/// The distance to one triangle is a convex function, and that to any set changes by no more than the way one goes. So a triangle is
+/// within the limit where (a) its corners are within the limit of one and the same triangle of the set, or (b) one of its points, the centre of a
+/// ball about it, is nearer than the limit by the ball's radius. (c) It is too where two corners lie by X and the third by Y, X and Y have an
+/// edge in common, and the chords between their nearest points pass near that edge: the triangle of the three nearest points is cut by the edge
+/// but for that distance, and its parts lie on X and Y. Where none of these tells, the triangle is halved across its longest edge.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::search {
+
+using Corners = std::array<Vec3, 3>;
+
+/// Line pieces are triangles with their last two corners equal. Keeps its memory between calls; for one thread.
+class DistanceProver {
+ public:
+  explicit DistanceProver(double limit) : limit_(limit) {}
+
+  /// Whether all of `triangle` is proven to be within the limit of the set. False where a point of it is not, and where that is not decided by
+  /// halves down to a 16th of the limit or by a hundred of them. O(pieces * set).
+  bool is_within(const Corners& triangle, std::span<const Corners> set);
+
+ private:
+  struct Spot {
+    double distance;
+    Vec3 point;  ///< of the triangle of the set that is nearest to a corner
+  };
+  /// A triangle of the set that may be near to a piece, and where it is nearest to the corners of that.
+  struct Candidate {
+    Index row;
+    std::array<Spot, 3> at;
+  };
+  /// Of candidates_, those of one piece; those of the half that is looked at follow.
+  struct Range {
+    std::size_t first, last;
+  };
+  bool covers(const Corners& piece, Range range);
+  bool has_corner_beyond(Range range) const;
+  bool by_one_triangle(Range range) const;
+  bool by_two_triangles(Range range) const;
+  bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
+  Spot spot(const Vec3& p, Index row) const;
+
+  double limit_;
+  std::span<const Corners> set_;
+  std::vector<Candidate> candidates_;
+  std::vector<Spot> centres_;  // by candidate: nearest to the middle of the piece's longest edge
+  std::size_t n_pieces_ = 0;
+};
+
+}  // namespace geomesh::search
