@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "improve/improve.hpp"
+#include "quality/shape.hpp"
 #include "refine/domain_io.hpp"
 #include "refine/refinement.hpp"
 #include "refine_models.hpp"
@@ -231,4 +232,23 @@ TEST_CASE("Smoothing all vertices depends on no number of threads, and moves wha
     for (VertexIndex v = 0; v < one.mesh.n_vertices(); ++v) different += !(one.mesh.point(v) == two.mesh.point(v));
     CHECK(different == 0);
   }
+}
+
+TEST_CASE("A star with more bad cells than the one it replaces is told, an equally bad one is not", "[improve]") {
+  Bench bench(two_boxes(2));
+  VertexIndex v = 0;
+  while (bench.mesh.kind(v) != VertexKind::inside) ++v;
+  StarCavity star;
+  gather_star(bench.mesh, v, bench.tools.work.marks, star);
+  const Vec3 middle = bench.mesh.point(v);
+  const LinkFace& f = star.link[0];
+  const Vec3 foot = (1.0 / 3) * (bench.mesh.point(f.vertices[0]) + bench.mesh.point(f.vertices[1]) + bench.mesh.point(f.vertices[2]));
+  const auto towards = [&](double t) { return foot + t * (middle - foot); };
+  REQUIRE(star_shape(bench.mesh, star, towards(0.01)) < shape_of_angle(bad_angle));
+  CHECK_FALSE(adds_bad_cells(bench.mesh, star, middle));
+  CHECK(adds_bad_cells(bench.mesh, star, towards(0.01)));
+  // Once there, going a little back raises the worst shape and adds none.
+  bench.mesh.move_vertex(v, towards(0.01));
+  for (const CellIndex c : star.cells) bench.mesh.refresh_shape(c);
+  CHECK_FALSE(adds_bad_cells(bench.mesh, star, towards(0.011)));
 }
