@@ -49,7 +49,7 @@ void check_failure(const PiecewiseLinearComplex& plc, const TetrahedralizeOption
 }  // namespace
 
 TEST_CASE("where doubles leave no room recovery ends with the place and the cells there", "[recover]") {
-  check_failure(in_ulps("chazelle_4", 64), constrained_mode(), ErrorKind::cannot_mesh);
+  check_failure(in_ulps("chazelle_8", 64), constrained_mode(), ErrorKind::cannot_mesh);
 }
 
 TEST_CASE("where the boundary cannot be kept recovery ends with the place and the cells there", "[recover]") {

@@ -96,7 +96,10 @@ void for_each_reference_sample(const search::Corners& t, double tolerance, Visit
 }  // namespace
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance)
-    : honour_(honour), tolerance_(sampling_margin * tolerance), prover_(proven_share * tolerance), reach_(tolerance) {
+    : honour_(honour),
+      tolerance_(sampling_margin * tolerance),
+      proving_(Proving{search::DistanceProver(proven_share * tolerance), {}}),
+      reach_(tolerance) {
   if (exact()) {
     find_planes(mesh, plc);
     return;
@@ -209,9 +212,10 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 }
 
 bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
-  nearby_.clear();
-  patches_.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby_.push_back(item.corners); });
-  return prover_.is_within(f.corners, nearby_);
+  auto& [prover, nearby] = proving_.local();
+  nearby.clear();
+  patches_.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby.push_back(item.corners); });
+  return prover.is_within(f.corners, nearby);
 }
 
 bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,

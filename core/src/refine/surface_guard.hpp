@@ -10,6 +10,8 @@
 /// not add up over operations.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -71,8 +73,11 @@ class SurfaceGuard {
 
   Honour honour_ = Honour::exact;
   double tolerance_ = 0;                          // what samples are held to
-  mutable search::DistanceProver prover_{0};      // its memory is that of one thread
-  mutable std::vector<search::Corners> nearby_;   // likewise
+  struct Proving {
+    search::DistanceProver prover;
+    std::vector<search::Corners> nearby;
+  };
+  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}}};  // scratch
   double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
   search::ClosestPointTrees patches_, curves_;

@@ -94,7 +94,7 @@ struct MeshingRun {
   /// Where rounding of added points has led recovery into a dead end, it is begun again. What recovery found wrong with the
   /// model is believed at once where the exact search finds a crossing, else after the last attempt.
   ConstrainedMesh recover(StartTriangulation first) {
-    constexpr unsigned max_attempts = 16;
+    constexpr unsigned max_attempts = 64;
     CrossingsOf crossings(plc);
     for (unsigned attempt = 0;; ++attempt) {
       StartTriangulation from = attempt == 0 ? std::move(first) : start(attempt);
@@ -112,6 +112,7 @@ struct MeshingRun {
         const bool is_last = attempt + 1 == max_attempts || options.recover.mode == MeshMode::conforming;
         if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
         if (is_last || (e.kind() == ErrorKind::invalid_input && recovery.has_crossings())) throw;
+        context.note(LogLevel::debug, "attempt " + std::to_string(attempt + 1) + " of " + std::to_string(max_attempts) + " ends: " + e.what());
         hard_parts.learn(recovery, model);
       }
     }
