@@ -80,34 +80,58 @@ void DomainMesh::collect_border(std::span<const CellIndex> removed, std::vector<
     }
 }
 
+void DomainMesh::settle(const FaceGroup& group) {
+  // Two outer records: a face inside the removed region. One: on its border, to be met by exactly one new face.
+  if (group.n_outer == 1 && group.n_added == 1) {
+    const FaceRecord &outer = *group.outer, &added = *group.added[0];
+    FaceTag& own = tags_[added.face.cell()][added.face.face()];
+    if (outer.tag.constrained())
+      own = outer.tag;
+    else if (own.constrained())  // a surface that the operation has moved to the border
+      tags_[outer.face.cell()][outer.face.face()] = own.opposite();
+    if (outer.face.valid()) mesh_.link(added.face, outer.face);
+  } else if (group.n_added == 2 && group.n_outer != 1) {
+    mesh_.link(group.added[0]->face, group.added[1]->face);
+  } else if (group.n_added == 1 && group.n_outer == 0) {
+    // A new face on the outside of the model: it carries the tag that its cell was given.
+  } else {
+    GEOMESH_CHECK(group.n_added == 0 && (group.n_outer == 2 || (group.n_outer == 1 && !group.outer->face.valid())));
+  }
+}
+
+void DomainMesh::FaceGroup::take(const FaceRecord& record) {
+  if (record.outer) {
+    outer = &record;
+    ++n_outer;
+  } else {
+    GEOMESH_CHECK(n_added < 2);
+    added[n_added++] = &record;
+  }
+}
+
 void DomainMesh::pair_faces(std::vector<FaceRecord>& records) {
-  std::sort(records.begin(), records.end(), [](const FaceRecord& a, const FaceRecord& b) {
-    return !(a.key == b.key) ? a.key < b.key : a.outer != b.outer ? a.outer : a.face.code < b.face.code;
-  });
+  std::sort(records.begin(), records.end(), [](const FaceRecord& a, const FaceRecord& b) { return a.key < b.key; });
   for (std::size_t i = 0; i < records.size();) {
-    std::size_t j = i;
-    while (j < records.size() && records[j].key == records[i].key) ++j;
-    std::size_t n_outer = 0;
-    while (i + n_outer < j && records[i + n_outer].outer) ++n_outer;
-    const std::size_t n_new = j - i - n_outer;
-    FaceRecord* added = records.data() + i + n_outer;
-    // Two outer records: a face inside the removed region. One: on its border, to be met by exactly one new face.
-    if (n_outer == 1 && n_new == 1) {
-      FaceTag& own = tags_[added->face.cell()][added->face.face()];
-      const FaceRef outer = records[i].face;
-      if (records[i].tag.constrained())
-        own = records[i].tag;
-      else if (own.constrained())  // a surface that the operation has moved to the border
-        tags_[outer.cell()][outer.face()] = own.opposite();
-      if (outer.valid()) mesh_.link(added->face, outer);
-    } else if (n_new == 2 && n_outer != 1) {
-      mesh_.link(added[0].face, added[1].face);
-    } else if (n_new == 1 && n_outer == 0) {
-      // A new face on the outside of the model: it carries the tag that its cell was given.
-    } else {
-      GEOMESH_CHECK(n_new == 0 && (n_outer == 2 || (n_outer == 1 && !records[i].face.valid())));
-    }
-    i = j;
+    FaceGroup group;
+    for (const FaceKey key = records[i].key; i < records.size() && records[i].key == key; ++i) group.take(records[i]);
+    settle(group);
+  }
+}
+
+void DomainMesh::pair_few_faces(std::span<const FaceRecord> records) {
+  std::size_t size = 64;
+  while (size < 2 * records.size()) size *= 2;
+  if (slots_.size() < size) slots_.resize(size);
+  used_slots_.clear();
+  for (const FaceRecord& record : records) {
+    std::size_t at = (record.key.low_and_middle * 0x9E3779B97F4A7C15u + record.key.high * 0xC2B2AE3D27D4EB4Fu) >> 32;
+    for (at &= size - 1; !slots_[at].is_empty() && !(slots_[at].key() == record.key);) at = (at + 1) & (size - 1);
+    if (slots_[at].is_empty()) used_slots_.push_back(at);
+    slots_[at].take(record);
+  }
+  for (const std::size_t at : used_slots_) {
+    settle(slots_[at]);
+    slots_[at] = {};
   }
 }
 
@@ -122,7 +146,7 @@ void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const New
     created.push_back(c);
     for (unsigned i = 0; i < 4; ++i) records_.push_back({face_key(n.vertices, i), FaceRef(c, i), {}, false});
   }
-  pair_faces(records_);
+  pair_few_faces(records_);
 }
 
 void DomainMesh::remove_vertex(VertexIndex v) {
@@ -200,7 +224,9 @@ std::string DomainMesh::validate() const {
       if (!tags_[c][i].constrained() && component_[c] != component_[n.cell()])
         return describe("components leak through a face", c);
     }
-    for (const auto& e : edge_vertices) edges.push_back({std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]])});
+    for (const auto& e : edge_vertices)  // no others can be on curves
+      if (kinds_[t[e[0]]] <= VertexKind::curve && kinds_[t[e[1]]] <= VertexKind::curve)
+        edges.push_back({std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]])});
   }
   std::sort(edges.begin(), edges.end());
   for (const auto& e : curve_edges())

@@ -166,9 +166,22 @@ class DomainMesh {
     FaceTag tag;   // seen from the new side
     bool outer;
   };
+  /// The records of one face.
+  struct FaceGroup {
+    const FaceRecord* outer = nullptr;  // the last of them
+    std::array<const FaceRecord*, 2> added{};
+    unsigned n_outer = 0, n_added = 0;
+    bool is_empty() const { return n_outer + n_added == 0; }
+    const FaceKey& key() const { return n_outer > 0 ? outer->key : added[0]->key; }
+    void take(const FaceRecord& record);
+  };
   static FaceKey face_key(const Tetrahedron& t, unsigned i);
   void collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const;
+  void settle(const FaceGroup& group);
+  /// Links and tags the faces of the new cells. By sorting: O(n log n).
   void pair_faces(std::vector<FaceRecord>& records);
+  /// The same in a table that is kept from call to call. O(n).
+  void pair_few_faces(std::span<const FaceRecord> records);
 
   std::vector<Vec3> points_;
   std::vector<VertexKind> kinds_;
@@ -186,7 +199,9 @@ class DomainMesh {
   std::vector<CurveClass> curve_classes_;
   std::unordered_map<std::uint64_t, Index> curves_;  // looked up only; listed through curve_edges(), which sorts
 
-  std::vector<FaceRecord> records_;  // scratch of replace
+  std::vector<FaceRecord> records_;  // scratch of replace, as are the next two
+  std::vector<FaceGroup> slots_;     // all empty between calls
+  std::vector<std::size_t> used_slots_;
 };
 
 }  // namespace geomesh::remesh
