@@ -122,7 +122,7 @@ class EdgeRemoval {
       return is_positive(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
                          mesh_.point(n.vertices[3]));
     });
-    if (!positive || (!for_surface_ && adds_bad_cells())) return false;
+    if (!positive || (!for_surface_ && !tools_.bad_cells_may_spread && adds_bad_cells())) return false;
     mesh_.replace(cells, tools_.work.added, tools_.work.created);
     ++tools_.statistics.edge_removals;
     return true;

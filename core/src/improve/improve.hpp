@@ -23,6 +23,7 @@ struct SmoothRule {
   SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
   double least_rise = 1.0005;  ///< of the worst shape, as a factor
+  double least_gain = 0.02;    ///< for the mean: of the sum of worths about the vertex
 };
 
 /// For flips that raise the mean worth of the mesh's cells: over those exchanged, however many they become, the sum of what their worths are

@@ -136,7 +136,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
     problem.set_link(mesh, cavity);
     const OptimizedPlace best = optimize_place(problem, p, {20, 2});
     p = best.point;
-    if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p) || adds_bad_cells(mesh, cavity, p)) continue;
+    if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p) || tools.spoils(cavity, p)) continue;
     if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_in_thin_gap(tools, cavity, p)) return false;
     fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
     ++tools.statistics.improving_insertions;
@@ -166,7 +166,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
   }
   Vec3 p = optimize_place(problem, middle, {20, 2}).point;
   if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
-  if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p) || adds_bad_cells(mesh, cavity, p)) return false;
+  if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p) || tools.spoils(cavity, p)) return false;
   if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_in_thin_gap(tools, cavity, p))) return false;
   if (moves_on_patch && !tools.guard.exact()) {
     std::vector<SurfaceFace> before_faces, after_faces;

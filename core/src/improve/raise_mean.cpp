@@ -21,6 +21,7 @@ class MeanRaiser {
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
+    rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.02;  // where most cells are poor the mean is worth more time
     smooth_all(tools_, rule, context.threads, [&] {
       context.check_cancelled();
       return false;

@@ -88,7 +88,7 @@ class Smoother {
 
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
-    const Vec3 p = project(optimize_mean(problem_, old_, needed, rule.max_steps));
+    const Vec3 p = project(optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain));
     return problem_.shape_at(p, needed) > needed && place(p);
   }
 
@@ -122,7 +122,7 @@ class Smoother {
   }
 
   bool place(const Vec3& p) {
-    if (p == old_ || !star_is_positive(mesh_, cavity_, p) || adds_bad_cells(mesh_, cavity_, p) || !guard_allows(p)) return false;
+    if (p == old_ || !star_is_positive(mesh_, cavity_, p) || tools_.spoils(cavity_, p) || !guard_allows(p)) return false;
     mesh_.move_vertex(v_, p);
     for (const CellIndex c : cavity_.cells) mesh_.refresh_shape(c);
     tools_.forget_size(v_);

@@ -131,11 +131,10 @@ Vec3 gradient_of_sum(const StarProblem& problem, const Vec3& p) {
 
 }  // namespace
 
-Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps) {
-  constexpr double least_gain = 1e-3;
+Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps, double least_gain) {
   Vec3 best = start;
   double sum = sum_of_worths(problem, start, floor), reach = 0.3 * shortest_reach(problem, start);
-  const double least_reach = 0.02 * reach;
+  const double least_reach = 7.5 * least_gain * reach;
   for (unsigned step = 0; step < max_steps; ++step) {
     const Vec3 g = gradient_of_sum(problem, best);
     const double slope = length(g);

@@ -19,6 +19,8 @@ struct Toolbox {
   RefineStatistics& statistics;
   Workspace work;
   std::vector<double> vertex_size;  ///< asked size per vertex, negative where not yet asked for
+  /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all over, and else not.
+  bool bad_cells_may_spread = false;
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}
@@ -28,6 +30,8 @@ struct Toolbox {
     if (v < vertex_size.size()) vertex_size[v] = -1;
   }
   double size_of_edge(VertexIndex a, VertexIndex b) { return 0.5 * (size_at(a) + size_at(b)); }
+  /// Whether a star of p in the cavity would have more bad cells than go, and may not.
+  bool spoils(const StarCavity& cavity, const Vec3& p) const { return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p); }
   /// Mean of the sizes at its vertices.
   double size_of_cell(CellIndex c);
 };

@@ -160,6 +160,7 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
     mesh = remesh::import_domain(plc, input, options);
   const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
+  tools.bad_cells_may_spread = !sizes_surfaces(options);
   if (options.refine) refine_to_size(tools, options, context);
   refining.reset();
   result.statistics.worst_shape_before = worst_shape(mesh);
