@@ -20,20 +20,10 @@ class PolygonTriangulation {
 
   /// Worst shape of the best triangulation, or something not above `enough`.
   double solve(double enough) {
-    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = 1;
-    for (std::size_t span = 2; span < n_; ++span)
-      for (std::size_t i = 0; i + span < n_; ++i) {
-        const std::size_t j = i + span;
-        best_[i][j] = enough;
-        apex_[i][j] = 0;
-        for (std::size_t k = i + 1; k < j; ++k) {
-          const double rest = std::min(best_[i][k], best_[k][j]);
-          if (rest <= best_[i][j]) continue;
-          const double q = std::min(rest, triangle_shape(i, k, j, best_[i][j]));
-          if (q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
-        }
-      }
-    return n_ < 3 ? 1 : best_[0][n_ - 1];
+    return fill_table(1, enough, [&](std::size_t i, std::size_t k, std::size_t j) {
+      const double rest = std::min(best_[i][k], best_[k][j]);
+      return rest <= best_[i][j] ? rest : std::min(rest, triangle_shape(i, k, j, best_[i][j]));
+    });
   }
 
   /// Largest sum of worths, each less the mean, of a triangulation that the goal allows where the worst was `before`; minus infinity where
@@ -41,22 +31,12 @@ class PolygonTriangulation {
   double solve(const MeanGoal& goal, double before) {
     const double floor = goal.least_after(before), mean = goal.mean;
     constexpr double none = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = 0;
-    for (std::size_t span = 2; span < n_; ++span)
-      for (std::size_t i = 0; i + span < n_; ++i) {
-        const std::size_t j = i + span;
-        best_[i][j] = none;
-        apex_[i][j] = 0;
-        for (std::size_t k = i + 1; k < j; ++k) {
-          const double rest = best_[i][k] + best_[k][j];
-          if (!(rest + 2 - 2 * mean > best_[i][j])) continue;
-          const auto [upper, lower] = shapes_on(i, k, j);
-          if (!(upper > floor && lower > floor)) continue;
-          const double q = rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) - 2 * mean;
-          if (q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
-        }
-      }
-    return n_ < 3 ? 0 : best_[0][n_ - 1];
+    return fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
+      const double rest = best_[i][k] + best_[k][j];
+      if (!(rest + 2 - 2 * mean > best_[i][j])) return none;
+      const auto [upper, lower] = shapes_on(i, k, j);
+      return upper > floor && lower > floor ? rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) - 2 * mean : none;
+    });
   }
 
   void append_cells(Index component, std::vector<NewCell>& cells) const {
@@ -64,6 +44,22 @@ class PolygonTriangulation {
   }
 
  private:
+  /// By dynamic programming over spans of the polygon: an edge of it counts `edge`, a triangle (i, k, j) with what is best on both its sides
+  /// value(i, k, j), which is taken where it is above `none` and what was found before. Returns the best of the whole. Cubic.
+  template <class Value>
+  double fill_table(double edge, double none, const Value& value) {
+    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = edge;
+    for (std::size_t span = 2; span < n_; ++span)
+      for (std::size_t i = 0; i + span < n_; ++i) {
+        const std::size_t j = i + span;
+        best_[i][j] = none;
+        apex_[i][j] = 0;
+        for (std::size_t k = i + 1; k < j; ++k)
+          if (const double q = value(i, k, j); q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
+      }
+    return n_ < 3 ? edge : best_[0][n_ - 1];
+  }
+
   std::array<double, 2> shapes_on(std::size_t i, std::size_t j, std::size_t k) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
     return {shape(x, y, z, mesh_.point(b_)), shape(z, y, x, mesh_.point(a_))};

@@ -5,21 +5,15 @@
 #include <cmath>
 
 #include "geomesh/core/error.hpp"
+#include "search/closest_point.hpp"
 
 namespace geomesh {
 
 namespace {
 
-constexpr Index leaf_size = 8;
+using search::squared_distance_to;
 
-double squared_distance_to(const Box3& b, const Vec3& p) {
-  double s = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double d = std::max({b.min[i] - p[i], p[i] - b.max[i], 0.0});
-    s += d * d;
-  }
-  return s;
-}
+constexpr Index leaf_size = 8;
 
 /// Whether something of this size, radius and gradation at this distance or farther asks for `bound` or more; no root is taken.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {

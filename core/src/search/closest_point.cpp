@@ -6,19 +6,6 @@
 
 namespace geomesh::search {
 
-namespace {
-
-double squared_distance_to(const Box3& b, const Vec3& p) {
-  double s = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double d = std::max({b.min[i] - p[i], p[i] - b.max[i], 0.0});
-    s += d * d;
-  }
-  return s;
-}
-
-}  // namespace
-
 Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 d = b - a;
   const double dd = dot(d, d);

@@ -4,6 +4,7 @@
 /// to.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
@@ -12,6 +13,16 @@
 #include "geomesh/core/geometry.hpp"
 
 namespace geomesh::search {
+
+/// Of p from the nearest point of the box; 0 inside.
+inline double squared_distance_to(const Box3& b, const Vec3& p) {
+  double s = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = std::max({b.min[i] - p[i], p[i] - b.max[i], 0.0});
+    s += d * d;
+  }
+  return s;
+}
 
 /// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5). The corners may be equal in
 /// pairs.
