@@ -192,9 +192,12 @@ class EdgeRemoval {
     return true;
   }
 
-  /// The new surface edge x-y must not be one already: its faces would fold onto others.
+  /// The new surface edge x-y must not be one already: its faces would fold onto others. Where the edge removed is on the outside the other
+  /// may be beyond it, so all cells at x are asked.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
-    for (const CellIndex c : tools_.work.cells) {
+    std::vector<CellIndex> about_x;
+    if (!closed_) mesh_.star(x, tools_.work.marks, about_x);
+    for (const CellIndex c : closed_ ? tools_.work.cells : about_x) {
       const unsigned ix = mesh_.topology().index_of(c, x), iy = mesh_.topology().index_of(c, y);
       if (ix > 3 || iy > 3) continue;
       for (unsigned i = 0; i < 4; ++i)
