@@ -12,18 +12,19 @@ bool contains(const std::vector<VertexIndex>& list, VertexIndex v) {
   return std::find(list.begin(), list.end(), v) != list.end();
 }
 
-/// Vertices joined with v by an edge of a constrained face.
-void surface_neighbors(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells,
-                       std::vector<VertexIndex>& neighbors) {
-  neighbors.clear();
+/// Of the constrained faces at v the sides opposite to it, ends in ascending order.
+void surface_link(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells,
+                  std::vector<std::array<VertexIndex, 2>>& sides) {
+  sides.clear();
   mesh.star(v, marks, cells);
   for (const CellIndex c : cells)
     for (unsigned i = 0; i < 4; ++i) {
       if (!mesh.tag(c, i).constrained() || mesh.vertices(c)[i] == v) continue;
-      for (const unsigned k : face_vertices[i]) {
-        const VertexIndex x = mesh.vertices(c)[k];
-        if (x != v && !contains(neighbors, x)) neighbors.push_back(x);
-      }
+      const auto& f = face_vertices[i];
+      const Tetrahedron& t = mesh.vertices(c);
+      const unsigned k = t[f[0]] == v ? 0 : t[f[1]] == v ? 1 : 2;
+      const VertexIndex a = t[f[(k + 1) % 3]], b = t[f[(k + 2) % 3]];
+      sides.push_back({std::min(a, b), std::max(a, b)});
     }
 }
 
@@ -75,16 +76,21 @@ class Collapse {
   }
 
   /// Surfaces must not be pinched: a surface edge of u that becomes one of v may not be one already, but for those beside the
-  /// edge.
+  /// edge, and no face may be there already. (Two faces with nothing but the outside between them are told by no cell.)
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
-    std::vector<VertexIndex> beside, neighbors;
+    std::vector<VertexIndex> beside;
+    std::vector<std::array<VertexIndex, 2>> link;
     for (const Spoke& s : star_.spokes)
       if (s.a == v_ || s.b == v_) beside.push_back(s.a == v_ ? s.b : s.a);
-    surface_neighbors(mesh_, v_, tools_.work.marks, tools_.work.cells, neighbors);
-    for (const Spoke& s : target_.spokes)
-      for (const VertexIndex x : {s.a, s.b})
-        if (!contains(beside, x) && contains(neighbors, x)) return false;
+    surface_link(mesh_, v_, tools_.work.marks, tools_.work.cells, link);
+    for (const Spoke& s : target_.spokes) {
+      for (const auto& side : link) {
+        if (side == std::array{std::min(s.a, s.b), std::max(s.a, s.b)}) return false;
+        for (const VertexIndex x : {s.a, s.b})
+          if ((side[0] == x || side[1] == x) && !contains(beside, x)) return false;
+      }
+    }
     return std::none_of(target_.curves.begin(), target_.curves.end(),
                         [&](const CurveSpoke& s) { return mesh_.curve_of(v_, s.a) != no_index; });
   }
