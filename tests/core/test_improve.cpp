@@ -27,7 +27,7 @@ struct Bench {
       : model(std::move(m)),
         options(make_options(tolerance)),
         mesh(import_domain(model.plc, model.mesh, options)),
-        guard(mesh, model.plc, options.honour, options.tolerance),
+        guard(mesh, mesh, model.plc, options.honour, options.tolerance),
         size(build_size_field(model.plc, mesh, options, tolerance).all),
         tools(mesh, guard, size, statistics) {}
 

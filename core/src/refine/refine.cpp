@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
@@ -116,17 +117,20 @@ void announce_estimate(const DomainMesh& mesh, const RefineOptions& options, con
   check_estimate(result.statistics.estimated_elements, options.max_elements);
 }
 
+/// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
+double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
+
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them one by one would
 /// start from the slivers between them. False where that cannot be; the mesh is then as it was.
 bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& mesh,
                         const RunContext& context, RefineResult& result) {
   const remesh::MergedFacets merged = remesh::merge_pieces(plc, options.facet_parent);
   const SizeField none({}, {});
-  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, mesh, options.size_surfaces ? result.size_field : none, context);
+  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none, context);
   const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
   const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
   const bool is_merged = merged.plc.n_facets() < plc.n_facets();
-  if (n_on_facets + n_on_edges == 0 && !is_merged) return false;
+  if (!is_merged && static_cast<double>(n_on_facets + n_on_edges) <= least_share_of_points(options) * static_cast<double>(plc.points.size())) return false;
   auto fresh = remesh::mesh_sampled(merged, mesh, std::move(sampled), context);
   if (!fresh) return false;
   mesh = std::move(*fresh);
@@ -156,9 +160,11 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   if (options.refine) announce_estimate(mesh, options, context, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  if (options.refine && options.honour == Honour::exact && add_surface_points(plc, options, input, context, result))
-    mesh = remesh::import_domain(plc, input, options);
-  const remesh::SurfaceGuard guard(mesh, plc, options.honour, options.tolerance);
+  std::optional<DomainMesh> given;
+  if (options.refine && add_surface_points(plc, options, input, context, result))
+    given = std::exchange(mesh, remesh::import_domain(plc, input, options));
+  const remesh::SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance);
+  given.reset();
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   if (options.refine) refine_to_size(tools, options, context);

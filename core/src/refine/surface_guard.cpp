@@ -95,7 +95,8 @@ void for_each_reference_sample(const search::Corners& t, double tolerance, Visit
 
 }  // namespace
 
-SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance)
+SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
+                           double tolerance)
     : honour_(honour),
       tolerance_(sampling_margin * tolerance),
       proving_(Proving{search::DistanceProver(proven_share * tolerance), {}}),
@@ -106,8 +107,8 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex&
   }
   for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
   std::vector<search::ClosestPointTrees::Item> faces, samples, pieces;
-  for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
-    const Index patch = mesh.patch_of_facet(facet);
+  for_each_constrained_face(given, [&](const std::array<Vec3, 3>& p, Index facet) {
+    const Index patch = given.patch_of_facet(facet);
     faces.push_back({p, patch, facet});
     for_each_reference_sample(p, reach_, [&](const Vec3& s) { samples.push_back({{s, s, s}, patch, facet}); });
   });

@@ -36,8 +36,9 @@ struct CurvePiece {
 class SurfaceGuard {
  public:
   SurfaceGuard() = default;
-  /// References are the faces and curves of the mesh as it is now; planes are those of the facets.
-  SurfaceGuard(const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance);
+  /// References are the faces of `given` and the curves of `mesh`, as they are now: the same surfaces, in `mesh` perhaps with more points and
+  /// without the edges between coplanar pieces. Planes are those of the facets.
+  SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance);
 
   bool exact() const { return honour_ == Honour::exact; }
 
