@@ -38,6 +38,11 @@ class Importer {
         exact_(options.honour == Honour::exact),
         cos_sharp_(std::cos(options.sharp_angle * std::acos(-1.0) / 180)) {
     domain_.set_facet_patches(patches_of_facets(plc, options));
+    std::map<Index, Index> first;
+    for (Index s = 0; s < plc.segments.size(); ++s) {
+      const Index curve = exact_ || options.segment_curve.empty() ? no_index : options.segment_curve[s];
+      first_of_curve_.push_back(curve == no_index ? s : first.try_emplace(curve, s).first->second);
+    }
   }
 
   DomainMesh run() {
@@ -104,6 +109,13 @@ class Importer {
     return (consistent ? cosine : -cosine) < cos_sharp_;
   }
 
+  std::vector<Index> first_of_their_curves(std::vector<Index> rows) const {
+    for (Index& s : rows) s = first_of_curve_[s];
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+  }
+
   Index intern(CurveClass c) {
     const auto [it, is_new] = classes_.try_emplace({c.segments, c.patches}, static_cast<Index>(domain_.n_curve_classes()));
     if (is_new) domain_.add_curve_class(std::move(c));
@@ -127,7 +139,7 @@ class Importer {
       std::sort(c.patches.begin(), c.patches.end());
       const auto listed = segments_.find(uses_[i].edge);
       if (listed != segments_.end()) {
-        c.segments = listed->second;
+        c.segments = first_of_their_curves(listed->second);
         segments_.erase(listed);
       }
       if (!c.segments.empty() || j - i != 2 || c.patches[0] != c.patches[1] || is_sharp(uses_[i], uses_[i + 1]))
@@ -205,6 +217,7 @@ class Importer {
   const ConstrainedTetrahedralization& input_;
   bool exact_;
   double cos_sharp_;
+  std::vector<Index> first_of_curve_;  // per segment: the first of those that are pieces of one curve with it
   DomainMesh domain_;
   std::vector<Triangle> faces_;
   std::vector<Index> facets_;

@@ -25,6 +25,7 @@ void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
   if (o.size.global < 0 || o.size.min_size < 0 || o.size.max_size < 0) refuse("a size cannot be negative");
   if (o.honour == Honour::tolerance && !(o.tolerance > 0)) refuse("honouring surfaces to a tolerance needs a distance above 0");
   if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets()) refuse("one patch must be given for each facet");
+  if (!o.segment_curve.empty() && o.segment_curve.size() != plc.segments.size()) refuse("one curve must be given for each segment");
   if (!o.facet_parent.empty() && o.facet_parent.size() != plc.n_facets()) refuse("one parent must be given for each facet");
 }
 

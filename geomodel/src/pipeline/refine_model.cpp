@@ -111,6 +111,16 @@ std::vector<Index> facet_parents(const PreparedModel& model) {
   return parents;
 }
 
+std::vector<Index> segment_curves(const PreparedModel& model) {
+  std::map<std::vector<Index>, Index> number;
+  std::vector<Index> curves;
+  for (const std::vector<Index>& names : model.plc.segment_curves) {
+    const bool has_well = std::any_of(names.begin(), names.end(), [&](Index c) { return model.plc.curves[c].kind == "well"; });
+    curves.push_back(has_well || names.empty() ? no_index : number.try_emplace(names, static_cast<Index>(number.size())).first->second);
+  }
+  return curves;
+}
+
 const std::vector<std::string>& known_cell_arrays() {
   static const std::vector<std::string> names{"size", "min_dihedral", "max_dihedral", "radius_ratio", "mean_ratio", "aspect"};
   return names;
@@ -142,6 +152,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   options.max_elements = settings.max_elements;
   for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);
   options.facet_parent = facet_parents(model);
+  options.segment_curve = segment_curves(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)
     options.size.sources.push_back({near.place - model.origin, near.asked.size, near.asked.radius});

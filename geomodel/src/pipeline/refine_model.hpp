@@ -9,6 +9,8 @@ namespace geomesh::geomodel {
 
 /// Per facet of the PLC that is a piece of input triangles a number that only pieces of the same triangles have; no_index for polygons.
 std::vector<Index> facet_parents(const PreparedModel& model);
+/// Per segment of the PLC a number that those of the same names have in common; no_index for pieces of wells, whose vertices are kept.
+std::vector<Index> segment_curves(const PreparedModel& model);
 
 /// What the settings ask of the core for this model. Throws Error{usage} where a name is none of the model's units, surfaces or curves.
 RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrahedralization& mesh);

@@ -62,6 +62,9 @@ struct RefineOptions {
   /// Pieces of one triangle that join in one plane (to rounding) across edges where nothing else is are kept as one facet: crossings cut
   /// triangles into needles that nobody asked for. Empty: every facet is kept.
   std::vector<Index> facet_parent;
+  /// Honour::tolerance: per row of plc.segments a number; rows of one number that lie on facets, on the same patches, are pieces of one curve: its
+  /// points may move along it, and edges of the result name the first of these rows. no_index, and where this is empty: the segment's ends stay.
+  std::vector<Index> segment_curve;
   double sharp_angle = 40;         ///< degrees between the normals of two faces of one patch from which their edge is a curve
   double time_budget = 0;          ///< seconds for improvement; 0: none. With a budget the result depends on the machine.
   std::size_t max_elements = 50'000'000;
