@@ -12,14 +12,26 @@ namespace {
 constexpr std::size_t max_ring =
     12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
 
-/// Best triangulation of a polygon of ring vertices, each triangle standing for two cells.
+/// The sine of half the cell's angle at its edge (x, y), the other two vertices being a and b: not less, NaN where a face has no area.
+double sine_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
+  constexpr double rounding = 1e-6;
+  const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);
+  const double cosine = dot(m, n) / std::sqrt(dot(m, m) * dot(n, n));
+  return std::sqrt(std::max(0.5 - 0.5 * cosine, 0.0)) + rounding;
+}
+
+/// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these two share the angle
+/// of one cell that goes, so that one has half of it at most: that rules out most rings before any shape is asked for.
 class PolygonTriangulation {
  public:
-  PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon)
-      : mesh_(mesh), a_(a), b_(b), p_(polygon), n_(polygon.size()) {}
+  /// `is_whole_ring`: the side from the last vertex to the first is one of the ring too.
+  PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon, bool is_whole_ring)
+      : mesh_(mesh), a_(a), b_(b), p_(polygon), n_(polygon.size()), n_sides_(n_ < 3 ? 0 : is_whole_ring ? n_ : n_ - 1) {}
 
   /// Worst shape of the best triangulation, or something not above `enough`.
   double solve(double enough) {
+    for (std::size_t i = 0; i < n_sides_; ++i)
+      if (bound_at_side(i) <= enough) return enough;
     return fill_table(1, enough, [&](std::size_t i, std::size_t k, std::size_t j) {
       const double rest = std::min(best_[i][k], best_[k][j]);
       return rest <= best_[i][j] ? rest : std::min(rest, triangle_shape(i, k, j, best_[i][j]));
@@ -27,15 +39,20 @@ class PolygonTriangulation {
   }
 
   /// Largest sum of worths, each less the mean, of a triangulation that the goal allows where the worst was `before`; minus infinity where
-  /// there is none.
-  double solve(const MeanGoal& goal, double before) {
+  /// there is none, or none above `needed`.
+  double solve(const MeanGoal& goal, double before, double needed) {
     const double floor = goal.least_after(before), mean = goal.mean;
     constexpr double none = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n_sides_; ++i) bound_[i] = bound_at_side(i);
+    const double most = fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
+      return best_[i][k] + best_[k][j] + 2 * bound_of_triangle(i, k, j) - 2 * mean;
+    });
+    if (most <= needed) return none;
     return fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
-      const double rest = best_[i][k] + best_[k][j];
-      if (!(rest + 2 - 2 * mean > best_[i][j])) return none;
+      const double rest = best_[i][k] + best_[k][j] - 2 * mean;
+      if (!(rest + 2 * bound_of_triangle(i, k, j) > best_[i][j])) return none;
       const auto [upper, lower] = shapes_on(i, k, j);
-      return upper > floor && lower > floor ? rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) - 2 * mean : none;
+      return upper > floor && lower > floor ? rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) : none;
     });
   }
 
@@ -58,6 +75,19 @@ class PolygonTriangulation {
           if (const double q = value(i, k, j); q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
       }
     return n_ < 3 ? edge : best_[0][n_ - 1];
+  }
+
+  /// The worse of the two cells over a side of the ring is no better, nor is half of what both sum to.
+  double bound_at_side(std::size_t i) const {
+    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
+    return sine_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);
+  }
+  double bound_of_triangle(std::size_t i, std::size_t k, std::size_t j) const {
+    double bound = largest_shape;
+    if (k == i + 1) bound = std::min(bound, bound_[i]);
+    if (j == k + 1) bound = std::min(bound, bound_[k]);
+    if (i == 0 && j + 1 == n_ && n_sides_ == n_) bound = std::min(bound, bound_[j]);
+    return bound;
   }
 
   std::array<double, 2> shapes_on(std::size_t i, std::size_t j, std::size_t k) const {
@@ -83,7 +113,8 @@ class PolygonTriangulation {
   const DomainMesh& mesh_;
   VertexIndex a_, b_;
   const std::vector<VertexIndex>& p_;
-  std::size_t n_;
+  std::size_t n_, n_sides_;
+  double bound_[max_ring + 1];
   double best_[max_ring + 1][max_ring + 1];
   std::size_t apex_[max_ring + 1][max_ring + 1];
 };
@@ -109,9 +140,11 @@ class EdgeRemoval {
     auto& cells = tools_.work.cells;
     closed_ = edge_ring(mesh_, c, a_, b_, cells, tools_.work.ring);
     if (cells.size() > max_ring || cells.size() < 2) return false;
-    faces_ = constrained_faces_of_ring(mesh_, cells, tools_.work.ring, closed_);
     for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
-    if (goal_ && (faces_.n > 0 || before_ > goal_->mean)) return false;
+    if (goal_ && before_ > goal_->mean) return false;
+    const bool may_be_on_surface = mesh_.kind(a_) != VertexKind::inside && mesh_.kind(b_) != VertexKind::inside;
+    if (may_be_on_surface) faces_ = constrained_faces_of_ring(mesh_, cells, tools_.work.ring, closed_);
+    if (goal_ && faces_.n > 0) return false;
     tools_.work.added.clear();
     if (faces_.n == 0 ? for_surface_ || !remove_inside() : !remove_on_surface()) return false;
     const bool positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
@@ -131,7 +164,7 @@ class EdgeRemoval {
     return sum;
   }
 
-  double needed() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
+  double least_shape() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
 
   /// Whether the angles opposite the edge in its two faces sum to more than half a turn (and a little, so that ties stay).
   bool surface_asks(VertexIndex x, VertexIndex y) const {
@@ -159,8 +192,9 @@ class EdgeRemoval {
   }
 
   bool solve_side(const std::vector<VertexIndex>& polygon, Index component) {
-    PolygonTriangulation t(mesh_, a_, b_, polygon);
-    if (goal_ ? !(t.solve(*goal_, before_) > sum_before() + MeanGoal::least_gain) : !(t.solve(needed()) > needed())) return false;
+    PolygonTriangulation t(mesh_, a_, b_, polygon, faces_.n == 0);
+    const double needed = goal_ ? sum_before() + MeanGoal::least_gain : least_shape();
+    if (!((goal_ ? t.solve(*goal_, before_, needed) : t.solve(needed)) > needed)) return false;
     t.append_cells(component, tools_.work.added);
     return true;
   }

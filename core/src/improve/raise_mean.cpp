@@ -43,17 +43,25 @@ class MeanRaiser {
   /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
   void flip_about(VertexIndex v) {
     mesh_.star(v, tools_.work.marks, star_);
-    edges_.clear();
-    for (const CellIndex c : star_)
-      for (const VertexIndex w : mesh_.vertices(c))
-        if (w > v) edges_.push_back({w, c});
-    std::sort(edges_.begin(), edges_.end());
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const auto [w, c] = edges_[k];
-      if ((k == 0 || edges_[k - 1].first != w) && has_edge(c, v, w)) remove_edge_for_mean(tools_, c, v, w, goal_);
-    }
+    collect_edges(v);
+    for (const auto& [w, c] : edges_)
+      if (has_edge(c, v, w)) remove_edge_for_mean(tools_, c, v, w, goal_);
     for (const CellIndex c : star_)
       if (mesh_.is_live(c) && mesh_.topology().has_vertex(c, v)) remove_face_for_mean(tools_, c, mesh_.topology().index_of(c, v), goal_);
+  }
+
+  /// From v to greater vertices, each with the first of its cells, in ascending order.
+  void collect_edges(VertexIndex v) {
+    edges_.clear();
+    for (const CellIndex c : star_)
+      for (const VertexIndex w : mesh_.vertices(c)) {
+        if (w <= v) continue;
+        const bool known = last_seen_[w].from == v;
+        if (!known) last_seen_[w] = {v, static_cast<std::uint32_t>(edges_.size())}, edges_.push_back({w, c});
+        CellIndex& first = edges_[last_seen_[w].at].second;
+        first = std::min(first, c);
+      }
+    std::sort(edges_.begin(), edges_.end());
   }
 
   Toolbox& tools_;
@@ -61,6 +69,11 @@ class MeanRaiser {
   MeanGoal goal_;
   std::vector<CellIndex> star_;
   std::vector<std::pair<VertexIndex, CellIndex>> edges_;
+  struct Seen {
+    VertexIndex from = no_vertex;
+    std::uint32_t at = 0;  ///< in edges_
+  };
+  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());  // by vertex
 };
 
 }  // namespace

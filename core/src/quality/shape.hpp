@@ -23,6 +23,9 @@ inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 /// sin(24.85 degrees) / sin(145 degrees).
 inline constexpr double obtuse_weight = 0.73265;
 
+/// That of the regular tetrahedron, whose least dihedral angle is the largest of all, and a little for rounding.
+inline constexpr double largest_shape = 0.94281;
+
 /// Value of the measure for an acute angle given in degrees.
 inline double shape_of_angle(double degrees) { return std::sin(degrees * 3.14159265358979323846 / 180); }
 

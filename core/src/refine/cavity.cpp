@@ -74,40 +74,20 @@ void gather_star(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, StarCa
   add_curves(mesh, v, cavity);
 }
 
-bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
-               std::vector<VertexIndex>& ring) {
-  const TetMesh& m = mesh.topology();
-  // In cell c, positive in the order (a, b, x, y): turning forward crosses the face opposite x.
-  const auto others = [&](CellIndex k, unsigned& ix, unsigned& iy) {
-    const unsigned ia = m.index_of(k, a), ib = m.index_of(k, b);
-    unsigned rest[2], n = 0;
-    for (unsigned i = 0; i < 4; ++i)
-      if (i != ia && i != ib) rest[n++] = i;
-    ix = rest[0], iy = rest[1];
-    // Parity of (ia, ib, ix, iy) as a permutation of (0, 1, 2, 3).
-    const unsigned p[4] = {ia, ib, ix, iy};
-    unsigned inversions = 0;
-    for (unsigned i = 0; i < 4; ++i)
-      for (unsigned j = i + 1; j < 4; ++j) inversions += p[i] > p[j];
-    if (inversions % 2) std::swap(ix, iy);
-  };
+namespace {
+
+/// others[ia][ib]: the two local indices that make (ia, ib, ix, iy) an even permutation.
+constexpr std::uint8_t others[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+
+/// From `start` forward until the ring closes or ends outside: in cell k, positive in the order (a, b, x, y), across the face opposite x.
+bool turn_forward(const TetMesh& m, CellIndex start, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells, std::vector<VertexIndex>& ring) {
   cells.clear();
   ring.clear();
-  unsigned ix, iy;
-  // Turn backward to the outside, if there is one.
-  CellIndex start = c;
-  for (CellIndex k = c;;) {
-    others(k, ix, iy);
-    const FaceRef back = m.neighbor(k, iy);
-    if (!back.valid()) {
-      start = k;
-      break;
-    }
-    k = back.cell();
-    if (k == c) break;
-  }
   for (CellIndex k = start;;) {
-    others(k, ix, iy);
+    const auto& [ix, iy] = others[m.index_of(k, a)][m.index_of(k, b)];
     cells.push_back(k);
     ring.push_back(m.vertex(k, ix));
     const FaceRef next = m.neighbor(k, ix);
@@ -118,6 +98,21 @@ bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b
     k = next.cell();
     if (k == start) return true;
   }
+}
+
+}  // namespace
+
+bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
+               std::vector<VertexIndex>& ring) {
+  const TetMesh& m = mesh.topology();
+  if (turn_forward(m, c, a, b, cells, ring)) return true;
+  CellIndex start = c;
+  for (;;) {
+    const FaceRef back = m.neighbor(start, others[m.index_of(start, a)][m.index_of(start, b)][1]);
+    if (!back.valid()) break;
+    start = back.cell();
+  }
+  return start == c ? false : turn_forward(m, start, a, b, cells, ring);
 }
 
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,
