@@ -184,20 +184,6 @@ Index DomainMesh::add_curve_class(CurveClass c) {
   return static_cast<Index>(curve_classes_.size() - 1);
 }
 
-Index DomainMesh::curve_of(VertexIndex a, VertexIndex b) const {
-  if (kinds_[a] > VertexKind::curve || kinds_[b] > VertexKind::curve) return no_index;
-  const auto it = curves_.find(edge_key(a, b));
-  return it == curves_.end() ? no_index : it->second;
-}
-
-std::vector<std::array<VertexIndex, 2>> DomainMesh::curve_edges() const {
-  std::vector<std::array<VertexIndex, 2>> edges;
-  edges.reserve(curves_.size());
-  for (const auto& [key, curve] : curves_) edges.push_back({static_cast<VertexIndex>(key >> 32), static_cast<VertexIndex>(key)});
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
 namespace {
 
 std::string describe(const char* what, CellIndex c) { return std::string(what) + " (cell " + std::to_string(c) + ")"; }

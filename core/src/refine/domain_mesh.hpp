@@ -18,11 +18,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
+#include "refine/curve_edges.hpp"
 
 namespace geomesh::remesh {
 
@@ -134,11 +134,14 @@ class DomainMesh {
   Index add_curve_class(CurveClass c);
   std::size_t n_curve_classes() const { return curve_classes_.size(); }
   /// Class of the curve edge a-b, or no_index.
-  Index curve_of(VertexIndex a, VertexIndex b) const;
-  void set_curve(VertexIndex a, VertexIndex b, Index curve_class) { curves_[edge_key(a, b)] = curve_class; }
-  void erase_curve(VertexIndex a, VertexIndex b) { curves_.erase(edge_key(a, b)); }
+  Index curve_of(VertexIndex a, VertexIndex b) const {
+    const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
+    return possible ? curves_.find(a, b) : no_index;
+  }
+  void set_curve(VertexIndex a, VertexIndex b, Index curve_class) { curves_.set(a, b, curve_class); }
+  void erase_curve(VertexIndex a, VertexIndex b) { curves_.erase(a, b); }
   /// Curve edges in ascending order of their vertices.
-  std::vector<std::array<VertexIndex, 2>> curve_edges() const;
+  std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted(); }
 
   // Building (import): cells first, then link_cells, then tags.
   CellIndex add_cell(const Tetrahedron& vertices, Index component);
@@ -150,9 +153,6 @@ class DomainMesh {
   std::string validate() const;
 
  private:
-  static std::uint64_t edge_key(VertexIndex a, VertexIndex b) {
-    return a < b ? (std::uint64_t{a} << 32 | b) : (std::uint64_t{b} << 32 | a);
-  }
   /// Vertices of a face in ascending order, packed so that comparing is cheap.
   struct FaceKey {
     std::uint64_t low_and_middle;
@@ -197,7 +197,7 @@ class DomainMesh {
 
   std::vector<Index> facet_patch_;
   std::vector<CurveClass> curve_classes_;
-  std::unordered_map<std::uint64_t, Index> curves_;  // looked up only; listed through curve_edges(), which sorts
+  CurveEdges curves_;
 
   std::vector<FaceRecord> records_;  // scratch of replace, as are the next two
   std::vector<FaceGroup> slots_;     // all empty between calls
