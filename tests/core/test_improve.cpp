@@ -196,10 +196,10 @@ TEST_CASE("Raising the mean keeps the mesh valid and the worst shape, and raises
 }
 
 TEST_CASE("What a shape counts falls faster below that of slivers, without a jump", "[improve]") {
-  const double s = MeanGoal::sliver_shape;
+  const double s = sliver_shape;
   CHECK(MeanGoal::worth(0.5) == 0.5);
   CHECK(MeanGoal::worth(s) == s);
-  CHECK(MeanGoal::worth(s - 0.01) == Approx(s - 0.01 * MeanGoal::sliver_weight));
+  CHECK(MeanGoal::worth(s - 0.01) == Approx(s - 0.01 * sliver_weight));
   CHECK(MeanGoal{0.3, 0.5}.least_after(0.4) == 0.3);
   CHECK(MeanGoal{0.3, 0.5}.least_after(0.2) == Approx(0.2));
 }
@@ -220,7 +220,7 @@ TEST_CASE("Smoothing all vertices depends on no number of threads, and moves wha
     Model model = two_boxes(9);
     disturb_inside(model, 11);
     Bench one(model, tolerance), two(model, tolerance), by_one(model, tolerance);
-    const SmoothRule rule{6, 1, SmoothGoal::regular, 0.3};
+    const SmoothRule rule{6, 1, SmoothGoal::mean, 0.3};
     const auto go_on = [] { return false; };
     smooth_all(one.tools, rule, 1, go_on);
     smooth_all(two.tools, rule, 2, go_on);

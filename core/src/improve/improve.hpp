@@ -7,14 +7,14 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "improve/star_optimizer.hpp"
+#include "quality/shape.hpp"
 #include "refine/operations.hpp"
 
 namespace geomesh::remesh {
 
 enum class SmoothGoal {
-  worst,         ///< the worst shape about the vertex rises
-  regular,       ///< before that the ODT place or the centroid, where the worst shape does not fall below `floor` and what it was
-  mean,          ///< the sum of their worths (MeanGoal) rises, the worst of them does not fall below `floor` and what it was
+  worst,  ///< the worst shape about the vertex rises
+  mean,   ///< the sum of their worths (MeanGoal) rises, the worst of them does not fall below `floor` and what it was
 };
 
 struct SmoothRule {
@@ -31,10 +31,8 @@ struct SmoothRule {
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
-  static constexpr double sliver_shape = 0.2079, sliver_weight = 3;  ///< below 12 degrees
-  /// What a cell counts by its shape: slivers more, so that few come for the good of many.
+  /// What a cell counts by its shape.
   static double worth(double shape) { return shape < sliver_shape ? sliver_weight * shape - (sliver_weight - 1) * sliver_shape : shape; }
-  static double slope_of_worth(double shape) { return shape < sliver_shape ? sliver_weight : 1; }
   double least_after(double worst_before) const { return worst_before > floor ? floor : (1 - 1e-9) * worst_before; }
 };
 

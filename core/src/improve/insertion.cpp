@@ -129,7 +129,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
   Vec3 p = 0.25 * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]) + mesh.point(t[3]));
   CavityDigger digger(tools, c);
   StarCavity& cavity = tools.work.cavity;
-  StarProblem problem;
+  StarProblem problem{tools.work.link};
   for (unsigned round = 0; round < 3; ++round) {
     if (!digger.dig(p, 40)) return false;
     gather_cells(mesh, tools.work.marks, digger.cells(), cavity);
@@ -154,7 +154,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
   const Index patch = cavity.spokes.empty() ? no_index : mesh.patch_of_facet(cavity.spokes[0].facet);
   if (patch == hull_patch) return false;
   const Vec3 middle = 0.5 * (mesh.point(a) + mesh.point(b));
-  StarProblem problem;
+  StarProblem problem{tools.work.link};
   problem.set_link(mesh, cavity);
   const bool moves_on_patch = curve == no_index && patch != no_index;
   if (curve != no_index) {

@@ -12,7 +12,7 @@ namespace {
 class Smoother {
  public:
   Smoother(Toolbox& tools, VertexIndex v, Workspace& work)
-      : tools_(tools), mesh_(tools.mesh), work_(work), cavity_(work.cavity), v_(v), old_(tools.mesh.point(v)) {}
+      : tools_(tools), mesh_(tools.mesh), work_(work), cavity_(work.cavity), v_(v), old_(tools.mesh.point(v)), problem_{work.link} {}
 
   bool run(const SmoothRule& rule) {
     const VertexKind kind = mesh_.kind(v_);
@@ -24,7 +24,7 @@ class Smoother {
     problem_.set_link(mesh_, cavity_);
     if (!set_freedom()) return false;
     if (rule.goal == SmoothGoal::mean) return try_mean(before, rule);
-    return (rule.goal == SmoothGoal::regular && try_regular(before, rule.floor)) || (before < rule.good_enough && try_optimal(before, rule));
+    return before < rule.good_enough && try_optimal(before, rule);
   }
 
   bool run_on_surface(double floor) {
@@ -73,17 +73,6 @@ class Smoother {
       default:
         return p;
     }
-  }
-
-  /// A place that evens out sizes and shapes, taken where no shape about it becomes bad.
-  bool try_regular(double before, double floor) {
-    const Vec3 centre = mesh_.kind(v_) == VertexKind::inside ? odt_place(problem_, old_) : surface_centroid();
-    const double needed = std::min(before, floor);
-    for (const double t : {1.0, 0.5}) {
-      const Vec3 p = project(old_ + problem_.constrain(t * (centre - old_)));
-      if (problem_.shape_at(p, needed) > needed && place(p)) return true;
-    }
-    return false;
   }
 
   bool try_mean(double before, const SmoothRule& rule) {

@@ -3,24 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "improve/improve.hpp"
+#include "quality/shape.hpp"
 
 namespace geomesh::remesh {
 
 void StarProblem::set_link(const DomainMesh& mesh, const StarCavity& cavity) {
   link.clear();
   for (const LinkFace& f : cavity.link)
-    link.emplace_back(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]));
-}
-
-double StarProblem::shape_at(const Vec3& p, double enough) const {
-  double worst = 1;
-  for (const ShapeBase& f : link) {
-    worst = std::min(worst, shape(f, p));
-    if (worst <= enough) break;
-  }
-  return worst;
+    link.add(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]));
+  link.prepare();
 }
 
 Vec3 StarProblem::constrain(const Vec3& v) const {
@@ -56,9 +50,10 @@ Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
 /// Gradients, constrained, of the terms below `limit`.
 void active_gradients(const StarProblem& problem, const Vec3& p, double limit, std::vector<Vec3>& g) {
   g.clear();
-  for (const ShapeBase& base : problem.link) {
-    if (shape(base, p) > limit) continue;
-    const auto& [a, b, c] = base.corner;
+  const std::vector<double>& shapes = problem.link.shapes(p);
+  for (std::size_t i = 0; i < problem.link.size(); ++i) {
+    if (shapes[i] > limit) continue;
+    const Vec3 a = problem.link.corner(i, 0), b = problem.link.corner(i, 1), c = problem.link.corner(i, 2);
     const detail::ShapeFrame frame(a, b, c, p);
     const ShapeTerms t = shape_terms(frame, a, b, c);
     for (unsigned k = 0; k < 6; ++k)
@@ -68,8 +63,8 @@ void active_gradients(const StarProblem& problem, const Vec3& p, double limit, s
 
 double shortest_reach(const StarProblem& problem, const Vec3& p) {
   double d = std::numeric_limits<double>::infinity();
-  for (const ShapeBase& f : problem.link)
-    for (const Vec3& q : f.corner) d = std::min(d, squared_distance(p, q));
+  for (std::size_t i = 0; i < problem.link.size(); ++i)
+    for (unsigned k = 0; k < 3; ++k) d = std::min(d, squared_distance(p, problem.link.corner(i, k)));
   return std::sqrt(d);
 }
 
@@ -104,45 +99,18 @@ OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, con
   return best;
 }
 
-namespace {
-
-/// Sum of the worths of the cells about p; minus infinity where one is not above `floor`.
-double sum_of_worths(const StarProblem& problem, const Vec3& p, double floor) {
-  double sum = 0;
-  for (const ShapeBase& base : problem.link) {
-    const double s = shape(base, p);
-    if (!(s > floor)) return -std::numeric_limits<double>::infinity();
-    sum += MeanGoal::worth(s);
-  }
-  return sum;
-}
-
-Vec3 gradient_of_sum(const StarProblem& problem, const Vec3& p) {
-  Vec3 g;
-  for (const ShapeBase& base : problem.link) {
-    const auto& [a, b, c] = base.corner;
-    const detail::ShapeFrame frame(a, b, c, p);
-    const ShapeTerms t = shape_terms(frame, a, b, c);
-    const auto k = static_cast<unsigned>(std::min_element(t.value.begin(), t.value.end()) - t.value.begin());
-    g = g + MeanGoal::slope_of_worth(t.value[k]) * shape_gradient(frame, k, t.value[k]);
-  }
-  return problem.constrain(g);
-}
-
-}  // namespace
-
 Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps, double least_gain) {
   Vec3 best = start;
-  double sum = sum_of_worths(problem, start, floor), reach = 0.3 * shortest_reach(problem, start);
+  double sum = problem.link.sum_of_worths(start, floor), reach = 0.3 * shortest_reach(problem, start);
   const double least_reach = 7.5 * least_gain * reach;
   for (unsigned step = 0; step < max_steps; ++step) {
-    const Vec3 g = gradient_of_sum(problem, best);
+    const Vec3 g = problem.constrain(problem.link.gradient_of_sum(best));
     const double slope = length(g);
     if (!(slope * reach > 1e-6)) break;
     bool moved = false;
     for (; !moved && reach > least_reach; reach *= 0.4) {
       const Vec3 p = best + (reach / slope) * g;
-      const double s = sum_of_worths(problem, p, floor);
+      const double s = problem.link.sum_of_worths(p, floor);
       if (s > sum + least_gain) best = p, sum = s, moved = true;
     }
     if (!moved) break;
@@ -154,25 +122,12 @@ Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, 
 Vec3 link_centroid(const StarProblem& problem) {
   Vec3 sum;
   double weight = 0;
-  for (const ShapeBase& f : problem.link) {
-    const double area = length(f.normal);
-    sum = sum + (area / 3) * (f.corner[0] + f.corner[1] + f.corner[2]);
+  for (std::size_t i = 0; i < problem.link.size(); ++i) {
+    const double area = length(problem.link.normal(i));
+    sum = sum + (area / 3) * (problem.link.corner(i, 0) + problem.link.corner(i, 1) + problem.link.corner(i, 2));
     weight += area;
   }
   return weight > 0 ? (1 / weight) * sum : sum;
-}
-
-Vec3 odt_place(const StarProblem& problem, const Vec3& p) {
-  Vec3 sum;
-  double weight = 0;
-  for (const ShapeBase& f : problem.link) {
-    const double volume = dot(f.normal, p - f.corner[0]);
-    const Vec3 centre = circumsphere(f.corner[0], f.corner[1], f.corner[2], p).centre;
-    if (!(volume > 0) || !(dot(centre, centre) < std::numeric_limits<double>::infinity())) continue;
-    sum = sum + volume * centre;
-    weight += volume;
-  }
-  return weight > 0 ? (1 / weight) * sum : p;
 }
 
 }  // namespace geomesh::remesh

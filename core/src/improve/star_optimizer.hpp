@@ -7,20 +7,19 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "quality/shape.hpp"
+#include "quality/link_shapes.hpp"
 #include "refine/cavity.hpp"
 
 namespace geomesh::remesh {
 
 struct StarProblem {
-  std::vector<ShapeBase> link;  ///< (corners, p) positive for an admissible p
+  LinkShapes& link;  ///< (corners, p) positive for an admissible p
   enum class Freedom { space, plane, line } freedom = Freedom::space;
-  Vec3 direction;  ///< plane: its normal; line: its direction; of length one
+  Vec3 direction = {};  ///< plane: its normal; line: its direction; of length one
 
   void set_link(const DomainMesh& mesh, const StarCavity& cavity);
-  double shape_at(const Vec3& p, double enough = -1) const;
+  double shape_at(const Vec3& p, double enough = -1) const { return link.worst(p, enough); }
   Vec3 constrain(const Vec3& v) const;
 };
 
@@ -44,7 +43,5 @@ Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, 
 
 /// Centroid of the link weighted by the areas of its faces.
 Vec3 link_centroid(const StarProblem& problem);
-/// Circumcentres of the cells about p averaged by volume: the step of Chen and Xu 2004 towards an optimal Delaunay triangulation.
-Vec3 odt_place(const StarProblem& problem, const Vec3& p);
 
 }  // namespace geomesh::remesh

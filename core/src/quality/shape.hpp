@@ -26,6 +26,9 @@ inline constexpr double obtuse_weight = 0.73265;
 /// That of the regular tetrahedron, whose least dihedral angle is the largest of all, and a little for rounding.
 inline constexpr double largest_shape = 0.94281;
 
+/// What a cell counts in a sum over many (MeanGoal): its shape, but below 12 degrees more, so that few slivers come for the good of many.
+inline constexpr double sliver_shape = 0.2079, sliver_weight = 3;
+
 /// Value of the measure for an acute angle given in degrees.
 inline double shape_of_angle(double degrees) { return std::sin(degrees * 3.14159265358979323846 / 180); }
 

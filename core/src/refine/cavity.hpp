@@ -14,6 +14,7 @@
 
 #include <vector>
 
+#include "quality/link_shapes.hpp"
 #include "refine/domain_mesh.hpp"
 
 namespace geomesh::remesh {
@@ -56,6 +57,7 @@ struct Workspace {
   std::vector<VertexIndex> ring;
   std::vector<NewCell> added;
   StarCavity cavity;
+  LinkShapes link;  ///< of what is being optimised
 };
 
 /// Star of v as a cavity, its surfaces and curves as spokes.
