@@ -110,10 +110,17 @@ class InsideRefiner {
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
   }
 
+  double size_near(const Vec3& p, CellIndex c) {
+    const VertexIndex v = mesh_.vertices(c)[0];
+    return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v));
+  }
+
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
     if (crowds_corner(p, c)) return std::nullopt;
-    const double h = tools_.size.at(p, mesh_.component(c));
-    return insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3});
+    const double h = size_near(p, c);
+    const auto v = insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3});
+    if (v) tools_.set_size(*v, h);
+    return v;
   }
 
   std::optional<VertexIndex> insert_on_front(CellIndex c) {
@@ -142,7 +149,7 @@ class InsideRefiner {
     const auto height_of = [&](double edge) { return std::sqrt(std::max(edge * edge - r2, 0.2 * edge * edge)); };
     const double to_centre = dot(centre - base, normal);
     double height = height_of(h);
-    if (to_centre > height && !crowds_corner(base + height * normal, c)) height = height_of(0.5 * (h + std::max(h, tools_.size.at(base + height * normal, mesh_.component(c)))));
+    if (to_centre > height && !crowds_corner(base + height * normal, c)) height = height_of(0.5 * (h + std::max(h, size_near(base + height * normal, c))));
     return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
   }
 

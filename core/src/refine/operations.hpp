@@ -26,6 +26,8 @@ struct Toolbox {
       : mesh(m), guard(g), size(s), statistics(st) {}
   /// Asked size at a vertex: at its place, of the component of a cell there. Cached; forgotten by forget_size.
   double size_at(VertexIndex v);
+  /// Where it has been asked for already, at its place.
+  void set_size(VertexIndex v, double size);
   void forget_size(VertexIndex v) {
     if (v < vertex_size.size()) vertex_size[v] = -1;
   }

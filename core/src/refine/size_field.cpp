@@ -15,11 +15,11 @@ using search::squared_distance_to;
 
 constexpr Index leaf_size = 8;
 
-/// Whether something of this size, radius and gradation at this distance or farther asks for `bound` or more; no root is taken.
+/// Whether something of this size, radius and gradation at this distance or farther asks for `bound` or more; no root is taken, nothing divided.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
   if (size >= bound) return true;
-  const double reach = radius + (bound - size) / gradation;  // within it, less is asked
-  return squared_distance >= reach * reach;
+  const double reach = radius * gradation + (bound - size);  // times the gradation: within it, less is asked
+  return squared_distance * gradation * gradation >= reach * reach;
 }
 
 }  // namespace
@@ -30,6 +30,7 @@ SizeField::SizeField(std::vector<SizeSource> sources, Limits limits) : limits_(s
   for (SizeSource& s : sources_)
     if (!(s.gradation > 0)) s.gradation = limits_.gradation;
   if (sources_.empty()) return;
+  for (const SizeSource& s : sources_) steepest_ = std::max(steepest_, s.gradation);
   build(0, static_cast<Index>(sources_.size()));
   if (drop_redundant()) {
     nodes_.clear();
@@ -39,11 +40,9 @@ SizeField::SizeField(std::vector<SizeSource> sources, Limits limits) : limits_(s
 
 /// A source without a radius at whose place another asks for less never asks for the least where none grows faster than it.
 bool SizeField::drop_redundant() {
-  double steepest = 0;
-  for (const SizeSource& s : sources_) steepest = std::max(steepest, s.gradation);
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_)
-    if (s.radius > 0 || s.gradation < steepest || !(least_over_sources(s.point, s.size) < s.size)) kept.push_back(s);
+    if (s.radius > 0 || s.gradation < steepest_ || !(least_over_sources(s.point, s.size) < s.size)) kept.push_back(s);
   const bool dropped = kept.size() < sources_.size();
   sources_ = std::move(kept);
   return dropped;
@@ -109,8 +108,17 @@ double SizeField::least_over_sources(const Vec3& p, double bound) const {
   return bound;
 }
 
-double SizeField::at(const Vec3& p, Index component) const {
-  double h = std::min(limits_.global, limits_.max_size);
+double SizeField::at(const Vec3& p, Index component) const { return at(p, component, std::numeric_limits<double>::infinity()); }
+
+double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q) const {
+  constexpr double rounding = 1 + 1e-9;
+  if (!limits_.component_size.empty() || limits_.background) return at(p, component);
+  const Vec3 d = p - q;
+  return at(p, component, rounding * (size_at_q + steepest_ * std::sqrt(dot(d, d))));
+}
+
+double SizeField::at(const Vec3& p, Index component, double at_most) const {
+  double h = std::min({limits_.global, limits_.max_size, at_most});
   if (component < limits_.component_size.size() && limits_.component_size[component] > 0)
     h = std::min(h, limits_.component_size[component]);
   if (limits_.background) {

@@ -5,9 +5,13 @@
 namespace geomesh::remesh {
 
 double Toolbox::size_at(VertexIndex v) {
-  if (v >= vertex_size.size()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 4 + 1, -1);
-  if (vertex_size[v] < 0) vertex_size[v] = size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)));
+  if (v >= vertex_size.size() || vertex_size[v] < 0) set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v))));
   return vertex_size[v];
+}
+
+void Toolbox::set_size(VertexIndex v, double h) {
+  if (v >= vertex_size.size()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 4 + 1, -1);
+  vertex_size[v] = h;
 }
 
 double Toolbox::size_of_cell(CellIndex c) {

@@ -42,6 +42,8 @@ class SizeField {
 
   /// Size asked at a place of a component (no_index: of none).
   double at(const Vec3& p, Index component = no_index) const;
+  /// The same, sooner, where the size at a place q nearby is known.
+  double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q) const;
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
 
@@ -57,10 +59,12 @@ class SizeField {
   Index build(Index first, Index last);
   bool drop_redundant();
   double least_over_sources(const Vec3& p, double bound) const;
+  double at(const Vec3& p, Index component, double at_most) const;
 
   Limits limits_;
   std::vector<SizeSource> sources_;
   std::vector<Node> nodes_;
+  double steepest_ = 0;  ///< gradation of a source
 };
 
 }  // namespace geomesh
