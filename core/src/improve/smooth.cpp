@@ -111,9 +111,11 @@ class Smoother {
   }
 
   bool place(const Vec3& p) {
-    if (p == old_ || !star_is_positive(mesh_, cavity_, p) || tools_.spoils(cavity_, p) || !guard_allows(p)) return false;
+    if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
+    const std::vector<double>& shapes = problem_.link.shapes(p);  // one by cell of the star
+    if (tools_.spoils(cavity_, shapes) || !guard_allows(p)) return false;
     mesh_.move_vertex(v_, p);
-    for (const CellIndex c : cavity_.cells) mesh_.refresh_shape(c);
+    for (std::size_t k = 0; k < cavity_.cells.size(); ++k) mesh_.set_shape(cavity_.cells[k], shapes[k]);
     tools_.forget_size(v_);
     return true;
   }

@@ -48,7 +48,7 @@ void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
 
 }  // namespace
 
-bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double vw0 = v.y * w.z, vw1 = v.z * w.y, vw2 = v.z * w.x, vw3 = v.x * w.z, vw4 = v.x * w.y, vw5 = v.y * w.x;
   const double det = u.x * (vw0 - vw1) + u.y * (vw2 - vw3) + u.z * (vw4 - vw5);
@@ -56,9 +56,9 @@ bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            std::abs(u.z) * (std::abs(vw4) + std::abs(vw5));
   // Shewchuk 1997: the error is below (7 + 56 eps) eps times the permanent; ten times that leaves room for underflow too.
   const double bound = 8e-15 * permanent;
-  if (det > bound && bound > 1e-280) return true;
-  if (det < -bound) return false;
-  return orient3d(a, b, c, d) == Sign::positive;
+  if (bound > 1e-280 && det > bound) return Sign::positive;
+  if (bound > 1e-280 && det < -bound) return Sign::negative;
+  return orient3d(a, b, c, d);
 }
 
 void gather_star(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, StarCavity& cavity) {
@@ -187,20 +187,39 @@ double removed_shape(const DomainMesh& mesh, const StarCavity& cavity) {
   return worst;
 }
 
-bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
+namespace {
+
+/// shape_of(k): of the cell over face k of the link.
+template <class Shape>
+bool adds_bad_cells_by(const DomainMesh& mesh, const StarCavity& cavity, const Shape& shape_of) {
   const double bad = shape_of_angle(bad_angle);
   std::size_t room = 0;
   for (const CellIndex c : cavity.cells) room += mesh.shape_of(c) < bad;
-  return std::any_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
-    return shape(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]), p) < bad && room-- == 0;
+  for (std::size_t k = 0; k < cavity.link.size(); ++k)
+    if (shape_of(k) < bad && room-- == 0) return true;
+  return false;
+}
+
+}  // namespace
+
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
+  return adds_bad_cells_by(mesh, cavity, [&](std::size_t k) {
+    const Triangle& f = cavity.link[k].vertices;
+    return shape(mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2]), p);
   });
 }
 
-void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work) {
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes) {
+  return adds_bad_cells_by(mesh, cavity, [&](std::size_t k) { return shapes[k]; });
+}
+
+void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work, std::span<const double> shapes) {
   work.added.clear();
-  for (const LinkFace& f : cavity.link) {
+  for (std::size_t k = 0; k < cavity.link.size(); ++k) {
+    const LinkFace& f = cavity.link[k];
     // face_vertices[3] is (0, 1, 2): the base. The face with the apex and the base's edge (i, i + 1) is opposite vertex i + 2.
     NewCell n{{f.vertices[0], f.vertices[1], f.vertices[2], apex}, f.component, {}};
+    if (k < shapes.size()) n.shape = shapes[k];
     for (unsigned i = 0; i < 3 && !cavity.spokes.empty(); ++i) {
       const VertexIndex x = f.vertices[i], y = f.vertices[(i + 1) % 3];
       for (const Spoke& s : cavity.spokes) {

@@ -12,6 +12,7 @@
 /// that of the region, whose border they share. So positivity, decided exactly, is the whole geometric test.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "quality/link_shapes.hpp"
@@ -58,6 +59,7 @@ struct Workspace {
   std::vector<NewCell> added;
   StarCavity cavity;
   LinkShapes link;  ///< of what is being optimised
+  CellMarks vertex_marks;
 };
 
 /// Star of v as a cavity, its surfaces and curves as spokes.
@@ -81,9 +83,12 @@ inline constexpr double bad_angle = 8;
 /// Whether the star with its apex at p has more bad cells than are to be removed: where one cell cannot be mended, raising the worst shape
 /// by next to nothing would let its neighbours become as bad.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
+/// The same where its shapes are known, in the order of the link.
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes);
 
-/// Replaces the cavity by the star of `apex`. The caller has checked that it is positive and keeps curves registered.
-void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work);
+/// Replaces the cavity by the star of `apex`. The caller has checked that it is positive and keeps curves registered. `shapes` of the new cells in the
+/// order of the link, where they are known.
+void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work, std::span<const double> shapes = {});
 
 /// Orders cells and ring vertices about the edge (a, b) of cell c, turning the same way. Where the edge is on the outside of the
 /// model the ring is open and starts and ends there. Cell k lies between ring vertices k and k + 1 (mod n where closed), and is
@@ -101,6 +106,7 @@ EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<Ce
                                     const std::vector<VertexIndex>& ring, bool closed);
 
 /// orient3d with a filter that spares the call where the determinant is far from zero.
-bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+inline bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return orientation(a, b, c, d) == Sign::positive; }
 
 }  // namespace geomesh::remesh

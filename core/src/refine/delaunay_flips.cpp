@@ -35,8 +35,7 @@ class DelaunayFlipper {
   }
 
   bool flip_one_of(CellIndex c) {
-    const Tetrahedron t = mesh_.vertices(c);
-    const Sphere s = circumsphere(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), mesh_.point(t[3]));
+    const Sphere s = circumsphere(mesh_, c);
     for (unsigned i = 0; i < 4; ++i) {
       if (mesh_.tag(c, i).constrained()) continue;
       const FaceRef n = mesh_.topology().neighbor(c, i);

@@ -31,7 +31,7 @@ void DomainMesh::reserve(std::size_t n_vertices, std::size_t n_cells) {
   shape_.reserve(n_cells);
 }
 
-CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
+CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, double shape) {
   const CellIndex c = mesh_.add_cell(vertices);
   if (c == component_.size()) {
     component_.push_back(component);
@@ -42,15 +42,22 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component) {
     tags_[c] = {};
   }
   for (VertexIndex v : vertices) incident_[v] = c;
-  refresh_shape(c);
+  if (shape > 0)
+    set_shape(c, shape);
+  else
+    refresh_shape(c);
   return c;
 }
 
 void DomainMesh::refresh_shape(CellIndex c) {
   const Tetrahedron& t = mesh_.vertices(c);
-  shape_[c] = shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
+  set_shape(c, shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]));
+}
+
+void DomainMesh::set_shape(CellIndex c, double shape) {
+  shape_[c] = shape;
   // Blocks that are smoothed at once may share vertices that do not move.
-  for (const VertexIndex v : t) std::atomic_ref(changed_[v]).store(clock_, std::memory_order_relaxed);
+  for (const VertexIndex v : mesh_.vertices(c)) std::atomic_ref(changed_[v]).store(clock_, std::memory_order_relaxed);
 }
 
 DomainMesh::FaceKey DomainMesh::face_key(const Tetrahedron& t, unsigned i) {
@@ -141,7 +148,7 @@ void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const New
   for (CellIndex c : removed) mesh_.free_cell(c);
   created.clear();
   for (const NewCell& n : added) {
-    const CellIndex c = add_cell(n.vertices, n.component);
+    const CellIndex c = add_cell(n.vertices, n.component, n.shape);
     tags_[c] = n.tags;
     created.push_back(c);
     for (unsigned i = 0; i < 4; ++i) records_.push_back({face_key(n.vertices, i), FaceRef(c, i), {}, false});

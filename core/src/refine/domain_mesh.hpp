@@ -66,6 +66,8 @@ struct NewCell {
   Tetrahedron vertices;
   Index component = 0;
   std::array<FaceTag, 4> tags{};  ///< of faces inside the region that are constrained; those on its border are inherited
+  double shape = unknown_shape;   ///< where it has been computed already, of the vertices in this order
+  static constexpr double unknown_shape = -1;
 };
 
 /// Marks on cells by epoch, so that clearing costs nothing. One a thread.
@@ -109,6 +111,8 @@ class DomainMesh {
   /// Cached shape of a live cell.
   double shape_of(CellIndex c) const { return shape_[c]; }
   void refresh_shape(CellIndex c);
+  /// The same where the shape is known.
+  void set_shape(CellIndex c, double shape);
   /// The mesh's time when a cell with the vertex was last made, or one of the vertices of such a cell moved.
   std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
   /// Ends a moment and returns it: changes after the call are later than it, those before are not. Above 0.
@@ -144,7 +148,7 @@ class DomainMesh {
   std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted(); }
 
   // Building (import): cells first, then link_cells, then tags.
-  CellIndex add_cell(const Tetrahedron& vertices, Index component);
+  CellIndex add_cell(const Tetrahedron& vertices, Index component, double shape = NewCell::unknown_shape);
   void link_cells();
   void set_tag(CellIndex c, unsigned face, FaceTag t) { tags_[c][face] = t; }
   void reserve(std::size_t n_vertices, std::size_t n_cells);

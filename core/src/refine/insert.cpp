@@ -15,6 +15,11 @@ Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   return {a + offset, length(offset)};
 }
 
+Sphere circumsphere(const DomainMesh& mesh, CellIndex c) {
+  const Tetrahedron& t = mesh.vertices(c);
+  return circumsphere(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
+}
+
 namespace {
 
 /// Walks towards p; stops at constrained faces and after a bounded number of steps.
@@ -26,9 +31,7 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
     for (unsigned k = 0; k < 4 && leave == 4; ++k) {
       const unsigned i = (k + step) & 3u;  // turns the order, so that the walk cannot cycle for long
       const auto& f = face_vertices[i];
-      if (!is_positive(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]), p) &&
-          orient3d(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]), p) == Sign::negative)
-        leave = i;
+      if (orientation(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]), p) == Sign::negative) leave = i;
     }
     if (leave == 4) return c;
     if (mesh.tag(c, leave).constrained()) return std::nullopt;
@@ -89,12 +92,12 @@ class Insertion {
     for (const VertexIndex v : mesh_.vertices(*home))
       if (squared_distance(mesh_.point(v), p_) < rule.spacing * rule.spacing) return std::nullopt;
     bases_.assign(1, *home);
-    grow();
+    grow(rule.spheres);
     if (!shrink_until_visible() || !keeps_spacing(rule.spacing) || !keeps_constraints()) return std::nullopt;
-    StarCavity& cavity = tools_.work.cavity;
-    if (rule.min_shape > 0 && !(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape)) return std::nullopt;
+    const std::vector<double>& shapes = new_shapes();
+    if (rule.min_shape > 0 && !(*std::min_element(shapes.begin(), shapes.end()) > rule.min_shape)) return std::nullopt;
     const VertexIndex v = mesh_.add_vertex(p_, VertexKind::inside);
-    fill_with_star(mesh_, cavity, v, tools_.work);
+    fill_with_star(mesh_, tools_.work.cavity, v, tools_.work, shapes);
     ++tools_.statistics.points_inside;
     return v;
   }
@@ -102,7 +105,7 @@ class Insertion {
   std::optional<VertexIndex> attempt_on_surface(FaceRef start, const InsertionRule& rule) {
     const FaceRef home = locate_on_surface(mesh_, p_, start);
     if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
-    grow();
+    grow(rule.spheres);
     if (!shrink_until_visible() || !keeps_spacing(0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
     add_spokes(cavity);
@@ -114,9 +117,8 @@ class Insertion {
   }
 
  private:
-  bool in_circumsphere(CellIndex c) const {
-    const Tetrahedron& t = mesh_.vertices(c);
-    const Sphere s = circumsphere(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), mesh_.point(t[3]));
+  bool in_circumsphere(CellIndex c, const std::vector<Sphere>* spheres) const {
+    const Sphere s = spheres ? (*spheres)[c] : circumsphere(mesh_, c);
     return squared_distance(s.centre, p_) < s.radius * s.radius;
   }
 
@@ -156,7 +158,7 @@ class Insertion {
   }
 
   /// A shape criterion in doubles decides which cells to take; validity is decided later and exactly.
-  void grow() {
+  void grow(const std::vector<Sphere>* spheres) {
     auto& cells = tools_.work.cells;
     CellMarks& marks = tools_.work.marks;
     cells = bases_;
@@ -166,7 +168,7 @@ class Insertion {
       for (unsigned i = 0; i < 4; ++i) {
         if (mesh_.tag(cells[k], i).constrained()) continue;
         const CellIndex n = mesh_.topology().neighbor_cell(cells[k], i);
-        if (marks.marked(n) || !in_circumsphere(n)) continue;
+        if (marks.marked(n) || !in_circumsphere(n, spheres)) continue;
         marks.mark(n);
         cells.push_back(n);
       }
@@ -269,6 +271,14 @@ class Insertion {
     return true;
   }
 
+  const std::vector<double>& new_shapes() {
+    LinkShapes& link = tools_.work.link;
+    link.clear();
+    for (const LinkFace& f : tools_.work.cavity.link) link.add(mesh_.point(f.vertices[0]), mesh_.point(f.vertices[1]), mesh_.point(f.vertices[2]));
+    link.prepare();
+    return link.shapes(p_);
+  }
+
   bool on_link(VertexIndex a, VertexIndex b) const {
     for (const LinkFace& f : tools_.work.cavity.link) {
       const auto has = [&](VertexIndex v) { return f.vertices[0] == v || f.vertices[1] == v || f.vertices[2] == v; };
@@ -279,10 +289,14 @@ class Insertion {
 
   /// No vertex, no constrained face and no curve edge may be swallowed.
   bool keeps_constraints() const {
+    CellMarks& on_border = tools_.work.vertex_marks;
+    on_border.begin(mesh_.n_vertices());
+    for (const LinkFace& f : tools_.work.cavity.link)
+      for (const VertexIndex v : f.vertices) on_border.mark(v);
     for (const CellIndex c : tools_.work.cavity.cells) {
       const Tetrahedron& t = mesh_.vertices(c);
       for (unsigned i = 0; i < 4; ++i) {
-        if (!on_link(t[i], t[i])) return false;
+        if (!on_border.marked(t[i])) return false;
         if (!mesh_.tag(c, i).constrained() || is_opened(c, i)) continue;
         const FaceRef n = mesh_.topology().neighbor(c, i);
         const auto& cells = tools_.work.cavity.cells;

@@ -39,14 +39,14 @@ class InsideRefiner {
   }
 
  private:
-  Sphere sphere_of(CellIndex c) const {
-    const Tetrahedron& t = mesh_.vertices(c);
-    return circumsphere(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), mesh_.point(t[3]));
-  }
   /// To be called for each cell that is made.
   void measure(CellIndex c) {
-    if (c >= large_.size()) large_.resize(mesh_.n_slots() + mesh_.n_slots() / 4, false);
-    large_[c] = !(sphere_of(c).radius <= large_ratio * tools_.size_of_cell(c));
+    if (c >= spheres_.size()) {
+      spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
+      large_.resize(spheres_.size(), false);
+    }
+    spheres_[c] = circumsphere(mesh_, c);
+    large_[c] = !(spheres_[c].radius <= large_ratio * tools_.size_of_cell(c));
   }
   bool is_large(CellIndex c) const { return large_[c]; }
 
@@ -118,13 +118,13 @@ class InsideRefiner {
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
     if (crowds_corner(p, c)) return std::nullopt;
     const double h = size_near(p, c);
-    const auto v = insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3});
+    const auto v = insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3, &spheres_});
     if (v) tools_.set_size(*v, h);
     return v;
   }
 
   std::optional<VertexIndex> insert_on_front(CellIndex c) {
-    const Vec3 centre = sphere_of(c).centre;
+    const Vec3 centre = spheres_[c].centre;
     for (unsigned i = 0; i < 4; ++i) {
       const bool constrained = mesh_.tag(c, i).constrained();
       if (!constrained && is_large(mesh_.topology().neighbor_cell(c, i))) continue;
@@ -162,7 +162,7 @@ class InsideRefiner {
   /// For cells at the front alone: points beyond it would be met by it later, at the wrong distance.
   std::optional<VertexIndex> insert_at_centre(CellIndex c) {
     if (!is_on_front(c)) return std::nullopt;
-    const Sphere s = sphere_of(c);
+    const Sphere s = spheres_[c];
     if (!(s.radius < 1e300)) return std::nullopt;
     if (const auto v = insert(s.centre, c)) return v;
     const Tetrahedron& t = mesh_.vertices(c);
@@ -173,6 +173,7 @@ class InsideRefiner {
   DomainMesh& mesh_;
   std::size_t max_cells_;
   ChangeStamps changes_;
+  std::vector<Sphere> spheres_;  // by cell
   std::vector<bool> large_;  // by cell: its circumradius over the asked size is
   std::array<std::vector<unsigned>, 2> refused_;
 };

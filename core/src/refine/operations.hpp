@@ -34,6 +34,9 @@ struct Toolbox {
   double size_of_edge(VertexIndex a, VertexIndex b) { return 0.5 * (size_at(a) + size_at(b)); }
   /// Whether a star of p in the cavity would have more bad cells than go, and may not.
   bool spoils(const StarCavity& cavity, const Vec3& p) const { return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p); }
+  bool spoils(const StarCavity& cavity, std::span<const double> shapes) const {
+    return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, shapes);
+  }
   /// Mean of the sizes at its vertices.
   double size_of_cell(CellIndex c);
 };
@@ -53,9 +56,16 @@ enum class CollapseRule {
 /// topology (Dey et al. 1999: link conditions) and stay within the tolerance, and each new cell is positive.
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
 
+/// Centre of the sphere through the corners, and its radius. Far away where they are nearly coplanar.
+struct Sphere {
+  Vec3 centre;
+  double radius;
+};
+
 struct InsertionRule {
   double spacing = 0;    ///< no vertex of the cavity nearer than this
   double min_shape = 0;  ///< the worst new shape must be above this
+  const std::vector<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
 };
 
 /// Inserts p, in the same component as `start` and visible along a walk from it that crosses no constrained face, by a
@@ -71,11 +81,7 @@ std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, Face
 void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, std::vector<SurfaceFace>& faces,
                     std::vector<CurvePiece>& curves);
 
-/// Centre of the sphere through the corners, and its radius. Far away where they are nearly coplanar.
-struct Sphere {
-  Vec3 centre;
-  double radius;
-};
 Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+Sphere circumsphere(const DomainMesh& mesh, CellIndex c);
 
 }  // namespace geomesh::remesh
