@@ -28,17 +28,24 @@ class InsideRefiner {
       if (mesh_.is_live(c) && is_large(c)) large.push_back(c);
     std::size_t total = 0;
     while (!large.empty()) {
-      const std::size_t n_front = pass(large, true, context);
+      const std::size_t n_front = pass(large, Kind::front, context);
       total += n_front;
       if (n_front * 100 > large.size()) continue;
-      const std::size_t n_centre = pass(large, false, context);
+      const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
-      if (n_front + n_centre == 0) break;
+      if (n_front + n_centre > 0) continue;
+      // The front is stuck, as where sizes change within less than their length: what is beyond it must not stay empty.
+      const std::size_t n_beyond = pass(large, Kind::centre_beyond, context);
+      total += n_beyond;
+      if (n_beyond == 0) break;
     }
     return total;
   }
 
  private:
+  /// Where points are placed in a pass: at their ideal height above the front, at centres of cells at the front, of those beyond it.
+  enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
+
   /// To be called for each cell that is made.
   void measure(CellIndex c) {
     if (c >= spheres_.size()) {
@@ -59,7 +66,7 @@ class InsideRefiner {
   }
 
   /// One visit to each large cell; `large` becomes what is still large, new cells included.
-  std::size_t pass(std::vector<CellIndex>& large, bool front, const RunContext& context) {
+  std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
     const unsigned number = changes_.begin_pass();
     order_by_size(large);
     std::vector<CellIndex> next;
@@ -68,12 +75,12 @@ class InsideRefiner {
       if (k % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
       const CellIndex c = large[k];
       if (!mesh_.is_live(c) || !is_large(c)) continue;
-      unsigned& refused = refusal(front, c);
+      unsigned& refused = refusal(kind, c);
       if (refused > 0 && !changes_.changed(mesh_.vertices(c), refused)) {
         next.push_back(c);
         continue;
       }
-      const auto v = front ? insert_on_front(c) : insert_at_centre(c);
+      const auto v = kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front);
       if (!v) {
         refused = number;
         next.push_back(c);
@@ -95,8 +102,8 @@ class InsideRefiner {
   }
 
   /// By kind of pass and cell: the last one that placed no point there; 0: none. A cell's slot that was used anew is told by the change.
-  unsigned& refusal(bool front, CellIndex c) {
-    std::vector<unsigned>& refused = refused_[front];
+  unsigned& refusal(Kind kind, CellIndex c) {
+    std::vector<unsigned>& refused = refused_[static_cast<std::size_t>(kind)];
     if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
     return refused[c];
   }
@@ -159,9 +166,9 @@ class InsideRefiner {
     return false;
   }
 
-  /// For cells at the front alone: points beyond it would be met by it later, at the wrong distance.
-  std::optional<VertexIndex> insert_at_centre(CellIndex c) {
-    if (!is_on_front(c)) return std::nullopt;
+  /// For cells at the front alone as long as it advances: points beyond it would be met by it later, at the wrong distance.
+  std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
+    if (is_on_front(c) != at_front) return std::nullopt;
     const Sphere s = spheres_[c];
     if (!(s.radius < 1e300)) return std::nullopt;
     if (const auto v = insert(s.centre, c)) return v;
@@ -175,7 +182,7 @@ class InsideRefiner {
   ChangeStamps changes_;
   std::vector<Sphere> spheres_;  // by cell
   std::vector<bool> large_;  // by cell: its circumradius over the asked size is
-  std::array<std::vector<unsigned>, 2> refused_;
+  std::array<std::vector<unsigned>, 3> refused_;
 };
 
 }  // namespace
