@@ -4,60 +4,12 @@
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
-#include "refine/domain_io.hpp"
 #include "refine/refinement.hpp"
-#include "refine_models.hpp"
+#include "refine_bench.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;
 using namespace refine_models;
-
-namespace {
-
-struct Bench {
-  Model model;
-  RefineOptions options;
-  DomainMesh mesh;
-  SurfaceGuard guard;
-  SizeField size;
-  RefineStatistics statistics;
-  Toolbox tools;
-
-  explicit Bench(Model m, double tolerance = 0)
-      : model(std::move(m)),
-        options(make_options(tolerance)),
-        mesh(import_domain(model.plc, model.mesh, options)),
-        guard(mesh, mesh, model.plc, options.honour, options.tolerance),
-        size(build_size_field(model.plc, mesh, options, tolerance).all),
-        tools(mesh, guard, size, statistics) {}
-
-  static RefineOptions make_options(double tolerance) {
-    RefineOptions o;
-    o.size.from_input_edges = false;  // no size is asked: lengths refuse nothing
-    o.size.gap_layers = 0;
-    if (tolerance > 0) o.honour = Honour::tolerance, o.tolerance = tolerance;
-    return o;
-  }
-  double volume() const {
-    double v = 0;
-    for (const double part : component_volumes(export_domain(mesh, model.plc, model.mesh))) v += part;
-    return v;
-  }
-};
-
-/// Applies operate(bench, cell) to cells of a growing mesh, the k-th of every `stride`, validating after each success.
-template <class Operate>
-std::size_t over_cells(Bench& bench, CellIndex stride, Operate operate) {
-  std::size_t done = 0;
-  for (CellIndex c = 0; c < bench.mesh.n_slots() && done < 40; c += stride) {
-    if (!bench.mesh.is_live(c) || !operate(bench, c)) continue;
-    ++done;
-    REQUIRE(bench.mesh.validate() == "");
-  }
-  return done;
-}
-
-}  // namespace
 
 TEST_CASE("The imported mesh is valid and comes back as it was", "[improve]") {
   for (const Model& model : {two_boxes(2), ball_in_box(4), box_with_well(4)}) {

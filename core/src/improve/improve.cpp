@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 
+#include "improve/rescue.hpp"
 #include "quality/shape.hpp"
 
 namespace geomesh::remesh {
@@ -43,6 +44,7 @@ constexpr std::array rescue_rooms{0.15, 0.03};
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
 constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
+constexpr unsigned rescue_sweeps = 4, rescue_steps = 40;
 
 struct BadCell {
   double shape;
@@ -81,7 +83,10 @@ class Improver {
       ++tools_.statistics.passes;
       idle = n == 0 ? idle + 1 : 0;
     }
-    if (schedule_.last_passes > 0) rescue_worst();
+    if (schedule_.last_passes > 0) {
+      rescue_worst();
+      if (!tools_.bad_cells_may_spread) rescue_bad();
+    }
     if (is_poor_altogether())
       for (unsigned k = 0; k < 2 * schedule_.even_passes && !out_of_time(); ++k) even_out();
   }
@@ -105,6 +110,23 @@ class Improver {
     if (are_forced) worst.resize(static_cast<std::size_t>(forced_rescue_share * n_cells));
     room_ = are_forced ? forced_rescue_room : room;
     return repair(worst, first_pass_with_points);
+  }
+
+  /// What is still bad is mended by sequences of operations that look ahead, and again where something has changed since.
+  void rescue_bad() {
+    const RescueRule rule{shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps};
+    std::uint64_t last_sweep = 0;
+    for (unsigned k = 0; k < rescue_sweeps; ++k) {
+      const std::uint64_t this_sweep = mesh_.tick();
+      std::size_t n = 0;
+      for (const BadCell& b : cells_below(rule.bad_shape)) {
+        if (out_of_time()) return;
+        const bool is_new = std::any_of(b.vertices.begin(), b.vertices.end(), [&](VertexIndex v) { return mesh_.changed_at(v) > last_sweep; });
+        if (is_new && unchanged(b) && rescue_cell(tools_, b.cell, rule)) ++n;
+      }
+      if (n == 0) return;
+      last_sweep = this_sweep;
+    }
   }
 
   /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what it exchanged about those

@@ -15,76 +15,13 @@
 /// predicate, and calls it: so no operation can make crossings, and what is not admissible is refused before anything is changed.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
-#include <vector>
 
-#include "geomesh/core/geometry.hpp"
-#include "geomesh/core/simplex_mesh.hpp"
 #include "refine/curve_edges.hpp"
+#include "refine/mesh_elements.hpp"
+#include "refine/mesh_journal.hpp"
 
 namespace geomesh::remesh {
-
-/// Which facet a mesh face is part of, and on which of the facet's sides the cell lies that the face is seen from.
-class FaceTag {
- public:
-  constexpr FaceTag() = default;
-  constexpr FaceTag(Index facet, bool above) : code_(2 * facet + (above ? 1u : 0u)) {}
-  constexpr bool constrained() const { return code_ != none; }
-  constexpr Index facet() const { return code_ >> 1; }
-  constexpr bool above() const { return (code_ & 1u) != 0; }  ///< the cell is on the side that the facet's normal points to
-  constexpr FaceTag opposite() const { return constrained() ? FaceTag(facet(), !above()) : *this; }
-  friend constexpr bool operator==(FaceTag, FaceTag) = default;
-
- private:
-  static constexpr std::uint32_t none = 0xFFFFFFFFu;
-  std::uint32_t code_ = none;
-};
-
-/// Stands for the facet of a boundary face that is part of none. Never moved.
-inline constexpr Index hull_facet = 0x7FFFFFFEu;
-inline constexpr Index hull_patch = 0x7FFFFFFEu;
-
-/// How free a vertex is to move or go.
-enum class VertexKind : std::uint8_t {
-  corner,   ///< stays: ends and junctions of curves, isolated points, in `exact` every input vertex
-  curve,    ///< along its curve
-  surface,  ///< within its patch
-  inside,   ///< freely
-  dead,     ///< removed
-};
-
-/// A curve edge's class: edges are of one curve where the same segments and the same patches meet in them.
-struct CurveClass {
-  std::vector<Index> segments;  ///< rows in plc.segments, ascending
-  std::vector<Index> patches;   ///< ascending, a patch twice where it passes through
-  friend bool operator==(const CurveClass&, const CurveClass&) = default;
-};
-
-struct NewCell {
-  Tetrahedron vertices;
-  Index component = 0;
-  std::array<FaceTag, 4> tags{};  ///< of faces inside the region that are constrained; those on its border are inherited
-  double shape = unknown_shape;   ///< where it has been computed already, of the vertices in this order
-  static constexpr double unknown_shape = -1;
-};
-
-/// Marks on cells by epoch, so that clearing costs nothing. One a thread.
-class CellMarks {
- public:
-  void begin(std::size_t n_slots) {
-    if (stamp_.size() < n_slots) stamp_.resize(n_slots + n_slots / 4, 0);
-    ++epoch_;
-  }
-  bool marked(CellIndex c) const { return c < stamp_.size() && stamp_[c] == epoch_; }
-  void mark(CellIndex c) { stamp_[c] = epoch_; }
-  void unmark(CellIndex c) { stamp_[c] = 0; }
-
- private:
-  std::vector<std::uint32_t> stamp_;
-  std::uint32_t epoch_ = 0;
-};
 
 class DomainMesh {
  public:
@@ -97,8 +34,14 @@ class DomainMesh {
   CellIndex incident_cell(VertexIndex v) const { return incident_[v]; }
   VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
   /// The caller has checked that the cells about v stay positive. Their cached shapes are forgotten by refresh_shape.
-  void move_vertex(VertexIndex v, const Vec3& p) { points_[v] = p; }
-  void set_kind(VertexIndex v, VertexKind kind, Index support) { kinds_[v] = kind, supports_[v] = support; }
+  void move_vertex(VertexIndex v, const Vec3& p) {
+    note_vertex(v);
+    points_[v] = p;
+  }
+  void set_kind(VertexIndex v, VertexKind kind, Index support) {
+    note_vertex(v);
+    kinds_[v] = kind, supports_[v] = support;
+  }
 
   // Cells.
   const TetMesh& topology() const { return mesh_; }
@@ -142,15 +85,51 @@ class DomainMesh {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
     return possible ? curves_.find(a, b) : no_index;
   }
-  void set_curve(VertexIndex a, VertexIndex b, Index curve_class) { curves_.set(a, b, curve_class); }
-  void erase_curve(VertexIndex a, VertexIndex b) { curves_.erase(a, b); }
+  void set_curve(VertexIndex a, VertexIndex b, Index curve_class) {
+    note_curve(a, b);
+    curves_.set(a, b, curve_class);
+  }
+  void erase_curve(VertexIndex a, VertexIndex b) {
+    note_curve(a, b);
+    curves_.erase(a, b);
+  }
   /// Curve edges in ascending order of their vertices.
   std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted(); }
+
+  /// @name A trial: changes that can be undone
+  /// One at a time, by one thread; link_cells, reserve and new patches or curve classes are no part of it.
+  /// @{
+  void begin_trial();
+  void keep_trial() { journal_.close(); }
+  /// Everything is as it was when the trial began, the order of free slots and the mesh's time included. O(what was changed).
+  void undo_trial();
+  /// Cells that were made, changed or removed since the trial began.
+  template <class Visit>
+  void for_each_trial_cell(const Visit& visit) const {
+    for (const SavedCell& s : journal_.cells()) visit(s.cell);
+    for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c) visit(c);
+  }
+  /// Vertices that were made, moved, changed or removed, and those of cells that were.
+  template <class Visit>
+  void for_each_trial_vertex(const Visit& visit) const {
+    for (const SavedVertex& s : journal_.vertices()) visit(s.vertex);
+    for (auto v = static_cast<VertexIndex>(journal_.start().n_vertices); v < n_vertices(); ++v) visit(v);
+  }
+  /// visit(shape) for each cell that the trial changed or removed, with the shape that it had.
+  template <class Visit>
+  void for_each_cell_before_trial(const Visit& visit) const {
+    for (const SavedCell& s : journal_.cells())
+      if (s.links.vertices[0] != no_vertex) visit(s.shape);
+  }
+  /// @}
 
   // Building (import): cells first, then link_cells, then tags.
   CellIndex add_cell(const Tetrahedron& vertices, Index component, double shape = NewCell::unknown_shape);
   void link_cells();
-  void set_tag(CellIndex c, unsigned face, FaceTag t) { tags_[c][face] = t; }
+  void set_tag(CellIndex c, unsigned face, FaceTag t) {
+    note_cell(c);
+    tags_[c][face] = t;
+  }
   void reserve(std::size_t n_vertices, std::size_t n_cells);
 
   /// Checks the invariants; the first violation is described in the string returned, empty where all hold. O(n log n).
@@ -180,6 +159,17 @@ class DomainMesh {
     void take(const FaceRecord& record);
   };
   static FaceKey face_key(const Tetrahedron& t, unsigned i);
+  void note_vertex(VertexIndex v) {
+    if (journal_.is_open() && journal_.is_new_vertex(v))
+      journal_.save(SavedVertex{v, points_[v], kinds_[v], supports_[v], incident_[v], changed_[v]});
+  }
+  void note_cell(CellIndex c) {
+    if (journal_.is_open() && journal_.is_new_cell(c)) journal_.save(SavedCell{c, mesh_.cells()[c], component_[c], tags_[c], shape_[c]});
+  }
+  void note_replacement(std::span<const CellIndex> removed);
+  void note_curve(VertexIndex a, VertexIndex b) {
+    if (journal_.is_open()) journal_.save(SavedCurve{a, b, curves_.find(a, b)});
+  }
   void collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const;
   void settle(const FaceGroup& group);
   /// Links and tags the faces of the new cells. By sorting: O(n log n).
@@ -202,6 +192,8 @@ class DomainMesh {
   std::vector<Index> facet_patch_;
   std::vector<CurveClass> curve_classes_;
   CurveEdges curves_;
+
+  MeshJournal journal_;
 
   std::vector<FaceRecord> records_;  // scratch of replace, as are the next two
   std::vector<FaceGroup> slots_;     // all empty between calls

@@ -126,6 +126,11 @@ class SimplexMesh {
     cells_[c].vertices[0] = no_vertex;
     free_.push_back(c);
   }
+  /// Undoes the last free_cell, of c, but for its vertices.
+  void take_back_freed(CellIndex c) {
+    GEOMESH_CHECK(!free_.empty() && free_.back() == c);
+    free_.pop_back();
+  }
   void set_vertices(CellIndex c, const CellVertices& v) { cells_[c].vertices = v; }
   void set_vertex(CellIndex c, unsigned i, VertexIndex v) { cells_[c].vertices[i] = v; }
   /// Links two faces with each other.

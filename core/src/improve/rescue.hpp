@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Repair that looks ahead: a sequence of operations about a bad cell, kept only where the whole of it is worth it.
+#pragma once
+
+#include "improve/improve.hpp"
+
+namespace geomesh::remesh {
+
+struct RescueRule {
+  double bad_shape;          ///< below this a cell is bad
+  unsigned smoothing_steps;  ///< of a vertex that moves
+  unsigned max_steps;        ///< operations of one sequence
+};
+
+/// Mends the bad cell c and whatever becomes bad by that, each operation raising the worst shape about it while the number of bad cells may
+/// rise. Kept where in the end there are fewer bad cells than before, or as many and the worst of them is notably better; else everything is
+/// as it was. Returns whether it was kept.
+bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
+
+}  // namespace geomesh::remesh

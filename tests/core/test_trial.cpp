@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Groups of operations that are undone: the mesh afterwards is the one before, to be seen from outside or by what comes next.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "improve/rescue.hpp"
+#include "improve/trial.hpp"
+#include "quality/shape.hpp"
+#include "refine_bench.hpp"
+
+using namespace geomesh;
+using namespace geomesh::remesh;
+using namespace refine_models;
+
+namespace {
+
+/// One operation of any kind at a place, both by chance. Returns its kind where something changed, else no_index.
+Index operate(Bench& b, std::mt19937& random) {
+  CellIndex c = random() % b.mesh.n_slots();
+  while (!b.mesh.is_live(c)) c = (c + 1) % b.mesh.n_slots();
+  const Tetrahedron t = b.mesh.vertices(c);
+  const auto& e = edge_vertices[random() % 6];
+  const VertexIndex u = t[e[0]], v = t[e[1]];
+  const Vec3 centre = 0.25 * (b.mesh.point(t[0]) + b.mesh.point(t[1]) + b.mesh.point(t[2]) + b.mesh.point(t[3]));
+  const Index kind = random() % 8;
+  const auto done = [&] {
+    switch (kind) {
+      case 0:
+        return split_edge(b.tools, c, u, v).has_value();
+      case 1:
+        return try_collapse(b.tools, u, v, CollapseRule::coarsen, 1e-3);
+      case 2:
+        return insert_inside(b.tools, centre, c, {1e-3, 1e-6}).has_value();
+      case 3:
+        return remove_edge(b.tools, c, u, v);
+      case 4:
+        return remove_face_for_mean(b.tools, c, random() % 4, {0, 0.3});
+      case 5:
+        return smooth_vertex(b.tools, u, {});
+      case 6:
+        return split_to_improve(b.tools, c, u, v);
+      default:
+        return insert_to_improve(b.tools, c);
+    }
+  };
+  return done() ? kind : no_index;
+}
+
+void require_same(const DomainMesh& a, const DomainMesh& b) {
+  REQUIRE(a.n_vertices() == b.n_vertices());
+  REQUIRE(a.n_slots() == b.n_slots());
+  REQUIRE(a.n_cells() == b.n_cells());
+  REQUIRE(a.curve_edges() == b.curve_edges());
+  std::size_t different = 0;
+  for (VertexIndex v = 0; v < a.n_vertices(); ++v)
+    different += !(a.point(v) == b.point(v) && a.kind(v) == b.kind(v) && a.support(v) == b.support(v) &&
+                   a.incident_cell(v) == b.incident_cell(v) && a.changed_at(v) == b.changed_at(v));
+  CHECK(different == 0);
+  for (const auto& [u, v] : a.curve_edges()) different += a.curve_of(u, v) != b.curve_of(u, v);
+  CHECK(different == 0);
+  for (CellIndex c = 0; c < a.n_slots(); ++c) {
+    different += a.is_live(c) != b.is_live(c);
+    if (!a.is_live(c) || !b.is_live(c)) continue;
+    different += !(a.vertices(c) == b.vertices(c) && a.component(c) == b.component(c) && a.shape_of(c) == b.shape_of(c));
+    for (unsigned i = 0; i < 4; ++i) different += !(a.tag(c, i) == b.tag(c, i) && a.topology().neighbor(c, i) == b.topology().neighbor(c, i));
+  }
+  CHECK(different == 0);
+}
+
+std::size_t n_below(const DomainMesh& mesh, double shape, double& least) {
+  std::size_t n = 0;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    if (mesh.is_live(c)) n += mesh.shape_of(c) < shape, least = std::min(least, mesh.shape_of(c));
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("What is undone leaves the mesh as it was, and what follows is the same", "[trial]") {
+  std::array<unsigned, 8> n_done{};
+  for (const double tolerance : {0.0, 0.05})
+    for (Model model : {box_with_well(4), ball_in_box(4), two_boxes(3)}) {
+      disturb_inside(model, 7);
+      Bench tried(model, tolerance), untouched(model, tolerance);
+      std::mt19937 random(3), same(3);
+      for (unsigned round = 0; round < 12; ++round) {
+        std::size_t n_trials = 0;
+        {
+          const Trial trial(tried.tools);
+          std::mt19937 other(100 + round);
+          for (unsigned k = 0; k < 40; ++k) {
+            const Index kind = operate(tried, other);
+            if (kind != no_index) ++n_done[kind], ++n_trials;
+          }
+          REQUIRE(tried.mesh.validate() == "");
+        }
+        CHECK(n_trials > 0);
+        require_same(tried.mesh, untouched.mesh);
+        CHECK(tried.statistics.collapses == untouched.statistics.collapses);
+        CHECK(tried.statistics.points_inside == untouched.statistics.points_inside);
+        CHECK(tried.mesh.tick() == untouched.mesh.tick());
+        // The order of free slots shows in what is made next.
+        for (unsigned k = 0; k < 20; ++k) CHECK(operate(tried, random) == operate(untouched, same));
+        require_same(tried.mesh, untouched.mesh);
+        REQUIRE(tried.mesh.validate() == "");
+      }
+    }
+  CAPTURE(n_done);
+  CHECK(std::all_of(n_done.begin(), n_done.end(), [](unsigned n) { return n > 0; }));
+}
+
+TEST_CASE("What is kept stays", "[trial]") {
+  Bench tried(box_with_well(4)), plain(box_with_well(4));
+  std::mt19937 random(5), same(5);
+  {
+    Trial trial(tried.tools);
+    for (unsigned k = 0; k < 60; ++k) operate(tried, random);
+    trial.keep();
+  }
+  plain.tools.bad_cells_may_spread = true;
+  for (unsigned k = 0; k < 60; ++k) operate(plain, same);
+  require_same(tried.mesh, plain.mesh);
+  CHECK(tried.statistics.collapses == plain.statistics.collapses);
+  CHECK_FALSE(tried.tools.bad_cells_may_spread);
+}
+
+TEST_CASE("A rescue that is kept leaves fewer bad cells, or as many and better ones; another leaves all as it was", "[trial]") {
+  std::size_t n_kept = 0, n_undone = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    Model model = ball_in_box(4);
+    disturb_inside(model, seed);
+    Bench bench(std::move(model));
+    const RescueRule rule{shape_of_angle(20), 12, 30};
+    for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c) {
+      if (!bench.mesh.is_live(c) || bench.mesh.shape_of(c) >= rule.bad_shape) continue;
+      const DomainMesh copy = bench.mesh;
+      double before = 1, after = 1;
+      const std::size_t n_before = n_below(copy, rule.bad_shape, before);
+      if (rescue_cell(bench.tools, c, rule)) {
+        ++n_kept;
+        const std::size_t n_after = n_below(bench.mesh, rule.bad_shape, after);
+        CHECK(after >= before);
+        CHECK(n_after <= n_before);
+      } else {
+        ++n_undone;
+        require_same(bench.mesh, copy);
+      }
+      REQUIRE(bench.mesh.validate() == "");
+    }
+  }
+  CHECK(n_kept > 0);
+  CHECK(n_undone > 0);
+}
