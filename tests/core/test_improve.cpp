@@ -176,7 +176,7 @@ TEST_CASE("Smoothing all vertices depends on no number of threads, and moves wha
     const auto go_on = [] { return false; };
     smooth_all(one.tools, rule, 1, go_on);
     smooth_all(two.tools, rule, 2, go_on);
-    for (VertexIndex v = 0; v < by_one.mesh.n_vertices(); ++v) smooth_vertex(by_one.tools, v, rule);
+    for (const VertexIndex v : by_one.mesh.vertices_by_cells()) smooth_vertex(by_one.tools, v, rule);
     CHECK(two.mesh.validate() == "");
     CHECK(two.statistics.smoothing_moves == one.statistics.smoothing_moves);
     CHECK(static_cast<double>(one.statistics.smoothing_moves) == Approx(by_one.statistics.smoothing_moves).epsilon(0.02));
@@ -184,6 +184,43 @@ TEST_CASE("Smoothing all vertices depends on no number of threads, and moves wha
     for (VertexIndex v = 0; v < one.mesh.n_vertices(); ++v) different += !(one.mesh.point(v) == two.mesh.point(v));
     CHECK(different == 0);
   }
+}
+
+TEST_CASE("Sorted cells are the same cells, with their tags, shapes and neighbours", "[improve]") {
+  Model model = ball_in_box(4);
+  disturb_inside(model, 11);
+  Bench bench(std::move(model));
+  raise_mean(bench.tools, 0, 6, {});  // leaves free slots
+  DomainMesh& mesh = bench.mesh;
+  REQUIRE(mesh.n_cells() < mesh.n_slots());
+  const auto listed = [&] {
+    std::vector<std::tuple<Tetrahedron, Index, std::array<Index, 4>, double>> cells;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+      if (!mesh.is_live(c)) continue;
+      std::array<Index, 4> facets{};
+      for (unsigned i = 0; i < 4; ++i) facets[i] = mesh.tag(c, i).constrained() ? mesh.tag(c, i).facet() : no_index;
+      cells.emplace_back(mesh.vertices(c), mesh.component(c), facets, mesh.shape_of(c));
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  };
+  const auto before = listed();
+  mesh.sort_cells();
+  CHECK(mesh.validate() == "");
+  CHECK(mesh.n_cells() == mesh.n_slots());
+  CHECK(listed() == before);
+  // What is near is near: the mean step from a cell to its neighbour is small against the number of cells.
+  double sum = 0;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh.has_neighbor(c, i)) sum += std::abs(static_cast<double>(mesh.topology().neighbor_cell(c, i)) - static_cast<double>(c));
+  CHECK(sum / (4.0 * mesh.n_cells()) < 0.15 * mesh.n_cells());
+  std::vector<VertexIndex> vertices = mesh.vertices_by_cells();
+  CHECK(vertices[0] == *std::find(mesh.vertices(0).begin(), mesh.vertices(0).end(), vertices[0]));
+  std::sort(vertices.begin(), vertices.end());
+  CHECK(std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end());
+  for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+    CHECK(std::binary_search(vertices.begin(), vertices.end(), v) == (mesh.kind(v) != VertexKind::dead));
 }
 
 TEST_CASE("A star with more bad cells than the one it replaces is told, an equally bad one is not", "[improve]") {
@@ -199,6 +236,10 @@ TEST_CASE("A star with more bad cells than the one it replaces is told, an equal
   REQUIRE(star_shape(bench.mesh, star, towards(0.01)) < shape_of_angle(bad_angle));
   CHECK_FALSE(adds_bad_cells(bench.mesh, star, middle));
   CHECK(adds_bad_cells(bench.mesh, star, towards(0.01)));
+  std::vector<double> shapes;
+  for (const LinkFace& g : star.link)
+    shapes.push_back(shape(bench.mesh.point(g.vertices[0]), bench.mesh.point(g.vertices[1]), bench.mesh.point(g.vertices[2]), towards(0.01)));
+  CHECK(adds_bad_cells(bench.mesh, star, shapes));
   // Once there, going a little back raises the worst shape and adds none.
   bench.mesh.move_vertex(v, towards(0.01));
   for (const CellIndex c : star.cells) bench.mesh.refresh_shape(c);

@@ -64,6 +64,7 @@ class Improver {
         start_(std::chrono::steady_clock::now()) {}
 
   void run() {
+    mesh_.sort_cells();
     for (unsigned k = 0; k < schedule_.even_passes && !out_of_time(); ++k) even_out();
     std::size_t idle = 0, fewest = mesh_.n_cells(), fewest_worst = mesh_.n_cells();
     for (unsigned k = 0; k < schedule_.repair_passes && idle < 2 && !out_of_time(); ++k) {

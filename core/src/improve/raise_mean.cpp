@@ -13,9 +13,10 @@ class MeanRaiser {
   MeanRaiser(Toolbox& tools, double floor) : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()} {}
 
   void run(unsigned smoothing_steps, const RunContext& context) {
-    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
-      if (v % 256 == 0) context.check_cancelled();
-      if (mesh_.kind(v) != VertexKind::dead) flip_about(v);
+    const std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      if (k % 256 == 0) context.check_cancelled();
+      flip_about(vertices[k]);
     }
     SmoothRule rule;
     rule.max_steps = smoothing_steps;

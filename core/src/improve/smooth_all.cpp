@@ -17,7 +17,7 @@ constexpr unsigned n_halvings = 3;
 constexpr std::size_t least_to_part = 4096;  ///< vertices; fewer are one block
 
 /// The vertices that may move, parted in space into blocks, and those between blocks. No vertex in a block shares a cell with a vertex
-/// that may move and is in none or in another block: so blocks can be smoothed at once. Each in ascending order.
+/// that may move and is in none or in another block: so blocks can be smoothed at once. Each in the order of the cells.
 class Blocks {
  public:
   explicit Blocks(const DomainMesh& mesh) : mesh_(mesh), block_(mesh.n_vertices(), fixed) {
@@ -27,7 +27,7 @@ class Blocks {
     halve(movable, movable.size() < least_to_part ? 0 : n_halvings);
     part_from_neighbours();
     parts_.resize(n_blocks_);
-    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+    for (const VertexIndex v : mesh.vertices_by_cells())
       if (block_[v] == shared)
         between_.push_back(v);
       else if (block_[v] != fixed)

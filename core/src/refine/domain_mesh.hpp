@@ -69,6 +69,11 @@ class DomainMesh {
   /// The vertex must be in no live cell.
   void remove_vertex(VertexIndex v);
 
+  /// Renumbers the cells along a curve that fills space, so that near ones are near in memory. No slot is free after it. O(n log n).
+  void sort_cells();
+  /// Vertices in the order of the first cell that has them: near ones one after the other where cells are sorted.
+  std::vector<VertexIndex> vertices_by_cells() const;
+
   /// Cells about v, in an order that depends on the mesh alone.
   void star(VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells) const;
 

@@ -94,9 +94,9 @@ class InsideRefiner {
                                                 " elements before the asked sizes; ask for larger sizes or raise the limit");
       next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
     }
+    std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
-    std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
     large = std::move(next);
     return n;
   }
