@@ -7,6 +7,7 @@
 
 #include "quality/shape.hpp"
 #include "search/closest_point.hpp"
+#include "search/cover_proof.hpp"
 #include "search/proven_distance.hpp"
 
 using namespace geomesh;
@@ -93,4 +94,58 @@ TEST_CASE("Line pieces are triangles with two equal corners", "[search]") {
   const double sag = 0.1 * std::cos(std::atan(0.1));
   CHECK(DistanceProver(1.02 * sag).is_within(chord, bent));
   CHECK_FALSE(DistanceProver(0.97 * sag).is_within(chord, bent));
+}
+
+TEST_CASE("What is proven of one item against a tree is within the distance, by dense samples", "[search]") {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::size_t proven = 0, refused = 0, missed = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    // A folded grid of many triangles, and a triangle above it that is large, or a needle.
+    constexpr int n = 12;
+    std::vector<std::vector<double>> z(n + 1, std::vector<double>(n + 1));
+    for (auto& row : z)
+      for (double& h : row) h = 0.1 * u(random);
+    const auto at = [&](int i, int j) { return Vec3{-1.2 + 2.4 * i / n, -1.2 + 2.4 * j / n, z[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]}; };
+    std::vector<search::ClosestPointTrees::Item> items;
+    std::vector<Corners> set;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        for (const Corners& t : {Corners{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, Corners{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}) {
+          set.push_back(t);
+          items.push_back({t, 0, 0});
+        }
+    const search::ClosestPointTrees tree(std::move(items), 1);
+    Corners t{Vec3{u(random), u(random), 0.05 * u(random)}, Vec3{u(random), u(random), 0.05 * u(random)}, Vec3{u(random), u(random), 0.05 * u(random)}};
+    if (trial % 3 == 0) t[2] = 0.5 * (t[0] + t[1]) + 1e-9 * Vec3{u(random), u(random), u(random)};
+    if (trial % 3 == 1) t[2] = t[1];
+    const double limit = 0.04 + 0.1 * std::abs(u(random)), truth = sampled(t, set);
+    const search::Cover cover = search::CoverProver(tree, limit).judge(t, 0);
+    if (cover.is_proven) CHECK(truth <= limit * (1 + 1e-9));
+    CHECK(cover.farthest == Approx(distance_to(cover.place, set)).margin(1e-12));
+    proven += cover.is_proven;
+    refused += truth > limit;
+    missed += !cover.is_proven && truth < 0.97 * limit;
+  }
+  CHECK(proven > 50);
+  CHECK(refused > 50);
+  CHECK(missed == 0);
+}
+
+TEST_CASE("A large triangle is proven on small ones in its plane, and a hole in them is found", "[search]") {
+  constexpr int n = 40;
+  const double limit = 1e-5;
+  for (const bool holed : {false, true}) {
+    std::vector<search::ClosestPointTrees::Item> items;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const auto at = [&](int a, int b) { return Vec3{static_cast<double>(a) / n, static_cast<double>(b) / n, 0.3}; };
+        items.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, 0, 0});
+        if (!holed || i != 17 || j != 9) items.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}, 0, 0});
+      }
+    const search::ClosestPointTrees tree(std::move(items), 1);
+    const search::Cover cover = search::CoverProver(tree, limit).judge({Vec3{0, 0, 0.3}, Vec3{1, 0, 0.3}, Vec3{0.2, 1, 0.3}}, 0);
+    CHECK(cover.is_proven == !holed);
+    CHECK((cover.farthest > limit) == holed);
+  }
 }

@@ -41,10 +41,10 @@ struct Toolbox {
   double size_of_cell(CellIndex c);
 };
 
-/// Splits the edge (a, b) of cell c at `p` (on the edge up to rounding; its midpoint where not given). The new vertex lies on the
+/// Splits the edge (a, b) of cell c at its midpoint, or at `place` (of its curve or patch) where given. The new vertex lies on the
 /// edge's curve or patch. Returns it, or nothing where a new cell would not be positive or the worst new shape not above
 /// `min_shape`.
-std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape = 0);
+std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape = 0, const Vec3* place = nullptr);
 
 enum class CollapseRule {
   improve,  ///< the worst shape about u must rise

@@ -2,6 +2,7 @@
 #include "geomesh/core/refine.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -140,6 +141,82 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& 
   return true;
 }
 
+
+/// Where surfaces are not proven to be within the tolerance both ways, points are put there. Returns what is left in the end.
+remesh::Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
+  constexpr unsigned most_rounds = 8;
+  remesh::Deviations found = tools.guard.deviations(tools.mesh, context.threads);
+  for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
+    context.check_cancelled();
+    if (remesh::mend_surfaces(tools, found.breaches) == 0) break;
+    found = tools.guard.deviations(tools.mesh, context.threads);
+  }
+  return found;
+}
+
+/// A whole run with samples held to `margin` of the tolerance.
+struct Attempt {
+  RefineResult result;
+  std::vector<remesh::Breach> breaches;
+};
+
+Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input, const RefineOptions& options,
+                       const RunContext& context) {
+  Attempt attempt;
+  RefineResult& result = attempt.result;
+  DomainMesh mesh = remesh::import_domain(plc, input, options);
+  remesh::SizeFields sizes = remesh::build_size_field(plc, mesh, options, size_tolerance(options));
+  result.size_field = std::move(sizes.all);
+  result.asked = std::move(sizes.without_gaps);
+  if (options.refine) announce_estimate(mesh, options, context, result);
+  std::optional<StageScope> refining;
+  if (options.refine) refining.emplace(context, "refine");
+  std::optional<DomainMesh> given;
+  if (options.refine && add_surface_points(plc, options, input, context, result))
+    given = std::exchange(mesh, remesh::import_domain(plc, input, options));
+  const remesh::SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, margin);
+  given.reset();
+  Toolbox tools(mesh, guard, result.size_field, result.statistics);
+  tools.bad_cells_may_spread = !sizes_surfaces(options);
+  if (options.refine) refine_to_size(tools, options, context);
+  refining.reset();
+  result.statistics.worst_shape_before = worst_shape(mesh);
+  remesh::Deviations found;
+  {
+    const StageScope stage(context, "improve");
+    remesh::improve_mesh(tools, options, context);
+    found = hold_to_tolerance(tools, context);
+  }
+  result.statistics.deviation_result_to_input = found.result_to_input;
+  result.statistics.deviation_input_to_result = found.input_to_result;
+  attempt.breaches = std::move(found.breaches);
+  result.statistics.worst_shape_after = worst_shape(mesh);
+  result.statistics.edges_within_size = share_of_edges_within_size(tools);
+  remesh::renew_facets(mesh, guard, plc);
+  result.kept_patch = remesh::patches_of_facets(plc, options);
+  const std::string fault = mesh.validate();
+  if (!fault.empty()) throw InternalError("refinement: " + fault);
+  result.mesh = remesh::export_domain(mesh, plc, input);
+  return attempt;
+}
+
+[[noreturn]] void refuse_tolerance(const std::vector<remesh::Breach>& breaches) {
+  const auto worst = std::max_element(breaches.begin(), breaches.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  char place[120];
+  std::snprintf(place, sizeof place, "(%.9g, %.9g, %.9g)", worst->place.x, worst->place.y, worst->place.z);
+  ErrorContext context;
+  context.places.push_back(worst->place);
+  for (const auto& b : breaches) {
+    context.places.push_back(b.place);
+    if (b.facet != no_index) context.facets.push_back(b.facet);
+  }
+  throw Error(ErrorKind::cannot_mesh,
+              "surfaces could not be remeshed so that they are proven to be within the tolerance of the input, both ways: " +
+                  std::to_string(breaches.size()) + " triangles or pieces of curves are not, the worst at " + place +
+                  ". Ask for a larger tolerance, for smaller sizes there, or keep the surfaces exactly",
+              std::move(context));
+}
+
 }  // namespace
 
 double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
@@ -153,37 +230,15 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
                                 const RefineOptions& options, const RunContext& context) {
   check_options(plc, options);
-  RefineResult result;
-  DomainMesh mesh = remesh::import_domain(plc, input, options);
-  remesh::SizeFields sizes = remesh::build_size_field(plc, mesh, options, size_tolerance(options));
-  result.size_field = std::move(sizes.all);
-  result.asked = std::move(sizes.without_gaps);
-  if (options.refine) announce_estimate(mesh, options, context, result);
-  std::optional<StageScope> refining;
-  if (options.refine) refining.emplace(context, "refine");
-  std::optional<DomainMesh> given;
-  if (options.refine && add_surface_points(plc, options, input, context, result))
-    given = std::exchange(mesh, remesh::import_domain(plc, input, options));
-  const remesh::SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance);
-  given.reset();
-  Toolbox tools(mesh, guard, result.size_field, result.statistics);
-  tools.bad_cells_may_spread = !sizes_surfaces(options);
-  if (options.refine) refine_to_size(tools, options, context);
-  refining.reset();
-  result.statistics.worst_shape_before = worst_shape(mesh);
-  {
-    const StageScope stage(context, "improve");
-    remesh::improve_mesh(tools, options, context);
+  if (options.honour == Honour::exact) return attempt_within(1, plc, std::move(input), options, context).result;
+  Attempt attempt;
+  for (const double margin : {remesh::SurfaceGuard::sampling_margin, 0.45, 0.25}) {
+    attempt = attempt_within(margin, plc, input, options, context);
+    if (attempt.breaches.empty()) return std::move(attempt.result);
+    context.note(LogLevel::info, "surfaces are not proven to be within the tolerance in " + std::to_string(attempt.breaches.size()) +
+                                     " places: held more closely and done again");
   }
-  result.statistics.worst_shape_after = worst_shape(mesh);
-  result.statistics.edges_within_size = share_of_edges_within_size(tools);
-  remesh::renew_facets(mesh, guard, plc);
-  result.kept_patch = remesh::patches_of_facets(plc, options);
-  const std::string fault = mesh.validate();
-  if (!fault.empty()) throw InternalError("refinement: " + fault);
-  std::tie(result.statistics.deviation_result_to_input, result.statistics.deviation_input_to_result) = guard.deviation(mesh);
-  result.mesh = remesh::export_domain(mesh, plc, input);
-  return result;
+  refuse_tolerance(attempt.breaches);
 }
 
 }  // namespace geomesh

@@ -26,11 +26,12 @@ void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3
   for (const CurveSpoke& s : cavity.curves) curves.push_back({p, mesh.point(s.a), s.curve});
 }
 
-std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape) {
+std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape,
+                                      const Vec3* place) {
   DomainMesh& mesh = tools.mesh;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
-  const Vec3 p = 0.5 * (mesh.point(a) + mesh.point(b));
+  const Vec3 p = place ? *place : 0.5 * (mesh.point(a) + mesh.point(b));
   if (!star_is_positive(mesh, cavity, p)) return std::nullopt;
   if (min_shape > 0 && !(star_shape(mesh, cavity, p, min_shape) > min_shape)) return std::nullopt;
   const Index curve = mesh.curve_of(a, b);

@@ -17,8 +17,6 @@ std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
-/// Samples are held to this share of the tolerance, so that the proof that follows seldom fails and seldom has to look closely.
-constexpr double sampling_margin = 0.7;
 /// What is left of the tolerance is for rounding in the distances themselves.
 constexpr double proven_share = 1 - 1e-6;
 /// Newell's normal of a loop, of twice its area.
@@ -40,21 +38,6 @@ std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const Vert
     if (std::all_of(loop.begin(), loop.end(), [&](VertexIndex v) { return plc.points[v][axis] == plc.points[loop[0]][axis]; }))
       return axis;
   return 3;
-}
-
-template <class Visit>
-void for_each_constrained_face(const DomainMesh& mesh, Visit visit) {
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c)) continue;
-    for (unsigned i = 0; i < 4; ++i) {
-      const FaceTag t = mesh.tag(c, i);
-      if (!t.constrained() || t.facet() == hull_facet || (!t.above() && mesh.has_neighbor(c, i))) continue;
-      const Tetrahedron& v = mesh.vertices(c);
-      std::array<Vec3, 3> p;
-      for (unsigned k = 0; k < 3; ++k) p[k] = mesh.point(v[face_vertices[i][k]]);
-      visit(p, t.facet());
-    }
-  }
 }
 
 double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFace>& faces, double limit) {
@@ -96,9 +79,9 @@ void for_each_reference_sample(const search::Corners& t, double tolerance, Visit
 }  // namespace
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
-                           double tolerance)
+                           double tolerance, double margin)
     : honour_(honour),
-      tolerance_(sampling_margin * tolerance),
+      tolerance_(margin * tolerance),
       proving_(Proving{search::DistanceProver(proven_share * tolerance), {}}),
       reach_(tolerance) {
   if (exact()) {
@@ -106,17 +89,11 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     return;
   }
   for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
-  std::vector<search::ClosestPointTrees::Item> faces, samples, pieces;
-  for_each_constrained_face(given, [&](const std::array<Vec3, 3>& p, Index facet) {
-    const Index patch = given.patch_of_facet(facet);
-    faces.push_back({p, patch, facet});
-    for_each_reference_sample(p, reach_, [&](const Vec3& s) { samples.push_back({{s, s, s}, patch, facet}); });
-  });
-  for (const auto& [a, b] : mesh.curve_edges())
-    pieces.push_back({{mesh.point(a), mesh.point(b), mesh.point(b)}, mesh.curve_of(a, b), no_index});
-  patches_ = search::ClosestPointTrees(std::move(faces), mesh.n_patches());
-  samples_ = search::ClosestPointTrees(std::move(samples), mesh.n_patches());
-  curves_ = search::ClosestPointTrees(std::move(pieces), mesh.n_curve_classes());
+  std::vector<search::ClosestPointTrees::Item> faces = face_items(given), samples;
+  for (const auto& face : faces)
+    for_each_reference_sample(face.corners, reach_, [&](const Vec3& s) { samples.push_back({{s, s, s}, face.group, face.id}); });
+  given_ = {{std::move(faces), given.n_patches()}, {curve_items(mesh), mesh.n_curve_classes()}};
+  samples_ = search::ClosestPointTrees(std::move(samples), given.n_patches());
 }
 
 /// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than rounding.
@@ -148,7 +125,7 @@ void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComp
   }
 }
 
-Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return patches_.closest(p, patch).item; }
+Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_.faces.closest(p, patch).item; }
 
 Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
   const Index row = exact() ? patch : nearest_facet(patch, p);
@@ -156,18 +133,18 @@ Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
 }
 
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
-  if (!exact()) return patches_.closest(p, patch).point;
+  if (!exact()) return given_.faces.closest(p, patch).point;
   const Plane& plane = planes_[patch];
   Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
   if (plane.axis < 3) q[plane.axis] = plane.point[plane.axis];
   return q;
 }
 
-Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return curves_.closest(p, curve).point; }
+Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return given_.curves.closest(p, curve).point; }
 
 bool SurfaceGuard::near_reference(const SurfaceFace& f) const {
   for (const Vec3& s : triangle_samples(f.corners[0], f.corners[1], f.corners[2]))
-    if (!(patches_.closest(s, f.patch, tolerance_).distance <= tolerance_)) return false;
+    if (!(given_.faces.closest(s, f.patch, tolerance_).distance <= tolerance_)) return false;
   return true;
 }
 
@@ -199,11 +176,11 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
 bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const {
   for (const CurvePiece& c : after)
     for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
-      if (!(curves_.closest((1 - t) * c.a + t * c.b, c.curve, tolerance_).distance <= tolerance_)) return false;
+      if (!(given_.curves.closest((1 - t) * c.a + t * c.b, c.curve, tolerance_).distance <= tolerance_)) return false;
   // The pieces that go lie within the tolerance of those that come: sampled at their ends and between.
   for (const CurvePiece& c : before)
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const Vec3 p = curves_.closest((1 - t) * c.a + t * c.b, c.curve).point;
+      const Vec3 p = given_.curves.closest((1 - t) * c.a + t * c.b, c.curve).point;
       double best = std::numeric_limits<double>::infinity();
       for (const CurvePiece& d : after)
         if (d.curve == c.curve) best = std::min(best, distance(p, search::closest_on_segment(p, d.a, d.b)));
@@ -215,7 +192,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
   auto& [prover, nearby] = proving_.local();
   nearby.clear();
-  patches_.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby.push_back(item.corners); });
+  given_.faces.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby.push_back(item.corners); });
   return prover.is_within(f.corners, nearby);
 }
 
@@ -229,24 +206,14 @@ bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vec
          std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_near_reference(f); });
 }
 
-std::pair<double, double> SurfaceGuard::deviation(const DomainMesh& mesh) const {
-  std::pair<double, double> d{0, 0};
-  if (exact()) {
-    for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
-      const Plane& plane = planes_[mesh.patch_of_facet(facet)];
-      for (const Vec3& q : p) d.first = std::max(d.first, std::abs(dot(q - plane.point, plane.normal)));
-    });
-    d.second = d.first;
-    return d;
+Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {
+  if (!exact()) return verify_surfaces(mesh, given_, reach_, threads);
+  Deviations d;
+  for (const auto& face : face_items(mesh)) {
+    const Plane& plane = planes_[face.group];
+    for (const Vec3& p : face.corners) d.result_to_input = std::max(d.result_to_input, std::abs(dot(p - plane.point, plane.normal)));
   }
-  std::vector<search::ClosestPointTrees::Item> faces;
-  for_each_constrained_face(mesh, [&](const std::array<Vec3, 3>& p, Index facet) {
-    const Index patch = mesh.patch_of_facet(facet);
-    for (const Vec3& s : triangle_samples(p[0], p[1], p[2])) d.first = std::max(d.first, patches_.closest(s, patch).distance);
-    faces.push_back({p, patch, facet});
-  });
-  const search::ClosestPointTrees now(std::move(faces), mesh.n_patches());
-  for (const auto& s : samples_.items()) d.second = std::max(d.second, now.closest(s.corners[0], s.group).distance);
+  d.input_to_result = d.result_to_input;
   return d;
 }
 

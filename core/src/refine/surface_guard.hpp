@@ -18,6 +18,7 @@
 
 #include "geomesh/core/refine.hpp"
 #include "refine/cavity.hpp"
+#include "refine/verify_surfaces.hpp"
 #include "search/closest_point.hpp"
 #include "search/proven_distance.hpp"
 
@@ -38,7 +39,11 @@ class SurfaceGuard {
   SurfaceGuard() = default;
   /// References are the faces of `given` and the curves of `mesh`, as they are now: the same surfaces, in `mesh` perhaps with more points and
   /// without the edges between coplanar pieces. Planes are those of the facets.
-  SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance);
+  /// `margin`: the share of the tolerance that samples are held to.
+  SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance,
+               double margin = sampling_margin);
+  /// So that the proof that follows seldom fails and seldom has to look closely.
+  static constexpr double sampling_margin = 0.7;
 
   bool exact() const { return honour_ == Honour::exact; }
 
@@ -56,8 +61,11 @@ class SurfaceGuard {
               const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
               const std::vector<CurvePiece>& curves_after) const;
 
-  /// Largest sampled distances: of the mesh's faces to the reference, of the reference to the mesh's faces.
-  std::pair<double, double> deviation(const DomainMesh& mesh) const;
+  /// Whether all of a face is proven to be within the tolerance of the reference.
+  bool is_proven_near_reference(const SurfaceFace& f) const;
+
+  /// Of the mesh's faces and curves from the references, and the other way round, proven where not listed (exact: of corners from their planes, for both).
+  Deviations deviations(const DomainMesh& mesh, unsigned threads) const;
 
  private:
   struct Plane {
@@ -69,7 +77,6 @@ class SurfaceGuard {
   bool near_reference(const SurfaceFace& f) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
-  bool is_proven_near_reference(const SurfaceFace& f) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
   Honour honour_ = Honour::exact;
@@ -81,7 +88,7 @@ class SurfaceGuard {
   mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}}};  // scratch
   double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
-  search::ClosestPointTrees patches_, curves_;
+  SurfaceItems given_;
   search::ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
 };
 

@@ -97,6 +97,22 @@ double cell_value(const std::string& name, const TetrahedronShape& s) {
   throw InternalError("no cell array is called " + name);
 }
 
+/// What is refused of facets is told of their surfaces.
+RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
+                                    const RunContext& context) {
+  try {
+    return refine_and_improve(model.plc.plc, std::move(mesh), options, context);
+  } catch (const Error& error) {
+    std::set<std::string> names;
+    for (const Index f : error.context().facets)
+      for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f)) names.insert(model.surfaces[o.surface].name);
+    if (names.empty()) throw;
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    throw Error(error.kind(), std::string(error.what()) + " (surfaces: " + list + ")", error.context());
+  }
+}
+
 }  // namespace
 
 std::vector<Index> facet_parents(const PreparedModel& model) {
@@ -165,7 +181,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
 RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
                           const RunContext& context) {
   if (model.options.recover.mode == MeshMode::conforming) return refine_conforming(model.plc.plc, mesh, model.options, options, context);
-  RefineResult result = refine_and_improve(model.plc.plc, std::move(mesh), options, context);
+  RefineResult result = refine_naming_surfaces(model, std::move(mesh), options, context);
   if (result.statistics.out_of_time)
     warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
   return result;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "refine/verify_surfaces.hpp"
+
+#include <algorithm>
+
+#include "parallel.hpp"
+#include "search/cover_proof.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+/// What is left of the tolerance is for rounding in the distances and cuts.
+constexpr double proven_share = 1 - 1e-6;
+constexpr std::size_t chunk = 256;
+
+using Items = std::vector<search::ClosestPointTrees::Item>;
+
+/// Judges the items against those of their groups in the set. Returns the largest distance found.
+double judge(const Items& items, const search::ClosestPointTrees& set, double tolerance, unsigned threads, Breach kind, std::vector<Breach>& breaches) {
+  std::vector<search::Cover> covers(items.size());
+  for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
+    search::CoverProver prover(set, proven_share * tolerance);
+    for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) covers[i] = prover.judge(items[i].corners, items[i].group);
+  });
+  double largest = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    largest = std::max(largest, covers[i].farthest);
+    if (covers[i].is_proven) continue;
+    kind.place = covers[i].place;
+    kind.distance = covers[i].farthest;
+    kind.group = items[i].group;
+    kind.facet = items[i].id;
+    breaches.push_back(kind);
+  }
+  return largest;
+}
+
+}  // namespace
+
+Items face_items(const DomainMesh& mesh) {
+  Items items;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceTag t = mesh.tag(c, i);
+      if (!t.constrained() || t.facet() == hull_facet || (!t.above() && mesh.has_neighbor(c, i))) continue;
+      const Tetrahedron& v = mesh.vertices(c);
+      const auto& f = face_vertices[i];
+      items.push_back({{mesh.point(v[f[0]]), mesh.point(v[f[1]]), mesh.point(v[f[2]])}, mesh.patch_of(t), t.facet()});
+    }
+  }
+  return items;
+}
+
+Items curve_items(const DomainMesh& mesh) {
+  Items items;
+  for (const auto& [a, b] : mesh.curve_edges()) items.push_back({{mesh.point(a), mesh.point(b), mesh.point(b)}, mesh.curve_of(a, b), no_index});
+  return items;
+}
+
+Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads) {
+  Deviations found;
+  const Items faces = face_items(mesh), curves = curve_items(mesh);
+  const SurfaceItems result{{faces, mesh.n_patches()}, {curves, mesh.n_curve_classes()}};
+  const Breach face_off{.on_curve = false, .of_input = false}, curve_off{.on_curve = true, .of_input = false};
+  const Breach input_face_off{.on_curve = false, .of_input = true}, input_curve_off{.on_curve = true, .of_input = true};
+  threads = thread_count(threads);
+  found.result_to_input = std::max(judge(faces, input.faces, tolerance, threads, face_off, found.breaches),
+                                   judge(curves, input.curves, tolerance, threads, curve_off, found.breaches));
+  found.input_to_result = std::max(judge(input.faces.items(), result.faces, tolerance, threads, input_face_off, found.breaches),
+                                   judge(input.curves.items(), result.curves, tolerance, threads, input_curve_off, found.breaches));
+  return found;
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// What is promised of surfaces remeshed within a tolerance, proven of the whole result and not of each change alone.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "refine/domain_mesh.hpp"
+#include "search/closest_point.hpp"
+
+namespace geomesh::remesh {
+
+/// Surfaces by patch and curves by class, as triangles and line pieces.
+struct SurfaceItems {
+  search::ClosestPointTrees faces, curves;
+};
+
+/// Each constrained face once, but for those that stand for no facet: group: its patch; id: its facet.
+std::vector<search::ClosestPointTrees::Item> face_items(const DomainMesh& mesh);
+/// Each edge of a curve; group: the curve's class; no id.
+std::vector<search::ClosestPointTrees::Item> curve_items(const DomainMesh& mesh);
+
+/// A triangle or line piece of the input or of the result that is not proven to be within the tolerance of the other.
+struct Breach {
+  Vec3 place{};
+  double distance = 0;  ///< of a point looked at, at most the tolerance where nothing was decided
+  Index group = no_index;  ///< patch or curve class
+  Index facet = no_index;  ///< of the input; none on curves
+  bool on_curve = false;
+  bool of_input = false;  ///< what is off is a part of the input
+};
+
+struct Deviations {
+  double result_to_input = 0, input_to_result = 0;  ///< largest distances found: lower bounds that are nearly reached; the tolerance is above them
+  std::vector<Breach> breaches;                     ///< empty: all of both is proven to be within the tolerance of the other
+};
+
+/// Faces and curve edges of the mesh against those of the same patch or curve of the input, and the other way round. Near-linear where sizes
+/// of both are alike; on all threads given, with the same result.
+Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "search/cover_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace geomesh::search {
+
+namespace {
+
+using Polygon = std::vector<Vec3>;
+
+constexpr std::size_t few = 24;             ///< items about a piece from which it is not halved before it is cut
+constexpr std::size_t most_cut = 4;         ///< nearest items whose sides are tried
+constexpr std::size_t pieces_per_item = 8;  ///< allowed for each item about a piece, and some more
+constexpr std::size_t pieces_besides = 200;
+constexpr double least_piece = 1.0 / 64;  ///< radius, of the limit
+constexpr double on_plane = 1e-9;         ///< of the piece's radius: not cut off
+
+double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(a - b, a - b)); }
+double distance_to(const Vec3& p, const Corners& t) { return distance(p, closest_on_triangle(p, t[0], t[1], t[2])); }
+
+bool is_line(const Corners& c) { return c[1] == c[2]; }
+
+template <class Points>
+Vec3 middle_of(const Points& points) {
+  Vec3 sum;
+  for (const Vec3& p : points) sum = sum + p;
+  return (1.0 / static_cast<double>(points.size())) * sum;
+}
+
+template <class Points>
+double radius_about(const Vec3& centre, const Points& points) {
+  double r = 0;
+  for (const Vec3& p : points) r = std::max(r, distance(centre, p));
+  return r;
+}
+
+struct Plane {
+  Vec3 point, normal;  ///< normal of length one, to the side that is over the item
+};
+
+/// On the sides of the triangle (ends of the line piece), at right angles to it. None for a triangle of no height.
+std::vector<Plane> planes_on_sides(const Corners& t) {
+  const auto unit = [](const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; };
+  std::vector<Plane> planes;
+  if (is_line(t)) {
+    if (t[0] == t[1]) return planes;
+    const Vec3 along = unit(t[1] - t[0]);
+    return {{t[0], along}, {t[1], -1.0 * along}};
+  }
+  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  if (!(std::sqrt(dot(n, n)) > 1e-9 * longest * longest)) return planes;
+  for (std::size_t i = 0; i < 3; ++i) planes.push_back({t[i], unit(cross(n, t[(i + 1) % 3] - t[i]))});
+  return planes;
+}
+
+struct Cut {
+  Polygon over, beyond;
+};
+
+/// The parts of a convex polygon (of two points: of a line) on both sides of the plane; points within `tiny` of it are of both, and a part of
+/// such points alone is none.
+Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
+  Cut parts;
+  bool is_over = false, is_beyond = false;
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 &p = polygon[i], &q = polygon[(i + 1) % n];
+    const double s = dot(p - plane.point, plane.normal), t = dot(q - plane.point, plane.normal);
+    if (s >= -tiny) parts.over.push_back(p);
+    if (s <= tiny) parts.beyond.push_back(p);
+    is_over |= s > tiny;
+    is_beyond |= s < -tiny;
+    if ((s > tiny && t < -tiny) || (s < -tiny && t > tiny)) {
+      const Vec3 between = p + (s / (s - t)) * (q - p);
+      parts.over.push_back(between);
+      parts.beyond.push_back(between);
+    }
+  }
+  if (!is_over) parts.over.clear();
+  if (!is_beyond) parts.beyond.clear();
+  return parts;
+}
+
+Box3 box_about(const Corners& item, double reach) {
+  Box3 box;
+  for (const Vec3& p : item) {
+    box.add(p - Vec3{reach, reach, reach});
+    box.add(p + Vec3{reach, reach, reach});
+  }
+  return box;
+}
+
+/// Across its longest side.
+std::array<Corners, 2> halves(const Corners& t) {
+  std::size_t a = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (distance(t[i], t[(i + 1) % 3]) > distance(t[a], t[(a + 1) % 3])) a = i;
+  const std::size_t b = (a + 1) % 3;
+  const Vec3 middle = 0.5 * (t[a] + t[b]);
+  if (is_line(t)) return {Corners{t[0], middle, middle}, Corners{middle, t[1], t[1]}};
+  std::array<Corners, 2> parts{t, t};
+  parts[0][b] = middle;
+  parts[1][a] = middle;
+  return parts;
+}
+
+}  // namespace
+
+void CoverProver::look_at(const Vec3& p, double distance) {
+  if (distance > cover_.farthest) cover_.farthest = distance, cover_.place = p;
+}
+
+bool CoverProver::fails_at(const Vec3& p, double distance) {
+  look_at(p, distance);
+  cover_.place = p;
+  return false;
+}
+
+Cover CoverProver::judge(const Corners& item, Index group) {
+  group_ = group;
+  cover_ = {};
+  for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]), 0.5 * (item[2] + item[0]), middle_of(item)})
+    look_at(p, set_.closest(p, group).distance);
+  if (cover_.farthest <= limit_) cover_.is_proven = covers_large(item);
+  return cover_;
+}
+
+bool CoverProver::covers_large(const Corners& item) {
+  near_.clear();
+  set_.for_each_in(box_about(item, limit_), group_, [&](const auto& other) { near_.push_back(other.corners); });
+  if (near_.size() > few) {
+    const Vec3 centre = middle_of(item);
+    const double d = set_.closest(centre, group_).distance, r = radius_about(centre, item);
+    look_at(centre, d);
+    if (d + r <= limit_) return true;
+    if (d > limit_) return fails_at(centre, d);
+    // Of many about a small piece the one that has all of it over itself is looked for as well.
+    const bool is_small = r <= least_piece * limit_;
+    const auto has_all = [&](const Corners& other) {
+      return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });
+    };
+    if (std::any_of(near_.begin(), near_.end(), has_all)) return true;
+    if (is_small) return fails_at(centre, d);
+    const auto parts = halves(item);
+    return covers_large(parts[0]) && covers_large(parts[1]);
+  }
+  std::vector<Index> rows(near_.size());
+  std::iota(rows.begin(), rows.end(), Index{0});
+  pieces_left_ = pieces_besides + pieces_per_item * near_.size();
+  return covers(is_line(item) ? Polygon{item[0], item[1]} : Polygon(item.begin(), item.end()), std::move(rows));
+}
+
+bool CoverProver::covers(const Polygon& piece, std::vector<Index> rows) {
+  const Vec3 centre = middle_of(piece);
+  const double radius = radius_about(centre, piece);
+  std::vector<double> at_centre(near_.size());
+  for (const Index row : rows) at_centre[row] = distance_to(centre, near_[row]);
+  std::erase_if(rows, [&](Index row) { return at_centre[row] > limit_ + radius; });
+  std::sort(rows.begin(), rows.end(), [&](Index a, Index b) { return at_centre[a] != at_centre[b] ? at_centre[a] < at_centre[b] : a < b; });
+  if (rows.empty() || at_centre[rows[0]] > limit_) return fails_at(centre, set_.closest(centre, group_).distance);
+  look_at(centre, at_centre[rows[0]]);
+  if (at_centre[rows[0]] + radius <= limit_) return true;
+  std::vector<std::size_t> n_corners(near_.size(), 0);
+  for (const Vec3& p : piece) {
+    bool is_near = false;
+    for (const Index row : rows)
+      if (distance_to(p, near_[row]) <= limit_) ++n_corners[row], is_near = true;
+    if (!is_near) return fails_at(p, set_.closest(p, group_).distance);
+  }
+  if (std::any_of(rows.begin(), rows.end(), [&](Index row) { return n_corners[row] == piece.size(); })) return true;
+  if (pieces_left_ == 0 || radius <= least_piece * limit_) return fails_at(centre, at_centre[rows[0]]);
+  --pieces_left_;
+  return covers_by_cuts(piece, rows);
+}
+
+bool CoverProver::covers_by_cuts(const Polygon& piece, const std::vector<Index>& rows) {
+  const double tiny = on_plane * radius_about(middle_of(piece), piece);
+  for (std::size_t k = 0; k < std::min(rows.size(), most_cut); ++k) {
+    std::vector<Polygon> parts;
+    Polygon rest = piece;
+    for (const Plane& plane : planes_on_sides(near_[rows[k]])) {
+      Cut both = cut(rest, plane, tiny);
+      if (!both.beyond.empty()) parts.push_back(std::move(both.beyond));
+      rest = std::move(both.over);
+      if (rest.empty()) break;
+    }
+    if (rest.empty() || parts.empty()) continue;
+    parts.push_back(std::move(rest));
+    return std::all_of(parts.begin(), parts.end(), [&](const Polygon& part) { return covers(part, rows); });
+  }
+  return covers_halves(piece, rows);
+}
+
+bool CoverProver::covers_halves(const Polygon& piece, const std::vector<Index>& rows) {
+  const Vec3 centre = middle_of(piece);
+  const Vec3 farthest =
+      *std::max_element(piece.begin(), piece.end(), [&](const Vec3& p, const Vec3& q) { return distance(centre, p) < distance(centre, q); });
+  const double radius = distance(centre, farthest);
+  const Cut parts = cut(piece, {centre, (1 / radius) * (farthest - centre)}, on_plane * radius);
+  return covers(parts.over, rows) && covers(parts.beyond, rows);
+}
+
+}  // namespace geomesh::search
