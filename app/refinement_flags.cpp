@@ -14,6 +14,7 @@ void RefinementFlags::add_to(CLI::App& app) {
   app.add_option("--curvature", curvature_, "Refine: degrees that one edge may turn on curved surfaces")->type_name("A")->check(positive);
   app.add_option("--tolerance", tolerance_, "Refine: surfaces may be remeshed within this distance of the input (default: kept exactly)")
       ->type_name("T")->check(positive);
+  app.add_flag("--no-size-on-surfaces", inside_only_, "Refine: sizes hold inside only; surfaces keep their triangles, and get no points for sizes");
   app.add_option("--max-elements", max_elements_, "End with a message where the sizes ask for more tetrahedra")
       ->type_name("N")->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
   app.add_option("--time-budget", time_budget_, "Seconds for improving shapes; the result then depends on the machine")
@@ -24,13 +25,14 @@ void RefinementFlags::add_to(CLI::App& app) {
 
 geomodel::RefinementSettings RefinementFlags::settings() const {
   geomodel::RefinementSettings s;
-  s.refine = size_ || gradation_ || curvature_ || tolerance_ || !quality_.empty() || !size_from_.empty();
+  s.refine = size_ || gradation_ || curvature_ || tolerance_ || inside_only_ || !quality_.empty() || !size_from_.empty();
   s.size.base.global = size_.value_or(0);
   s.size.base.gradation = gradation_.value_or(s.size.base.gradation);
   s.size.base.curvature_angle = curvature_.value_or(0);
   s.size.background = size_from_;
   if (tolerance_) s.honour = Honour::tolerance;
   s.tolerance = tolerance_.value_or(0);
+  s.sizes_on_surfaces = !inside_only_;
   if (quality_ == "fast") s.quality = QualityLevel::fast;
   if (quality_ == "best") s.quality = QualityLevel::best;
   s.max_elements = max_elements_.value_or(s.max_elements);

@@ -22,6 +22,7 @@ class RefinementFlags {
  private:
   std::optional<double> size_, gradation_, curvature_, tolerance_, time_budget_;
   std::optional<std::size_t> max_elements_;
+  bool inside_only_ = false;
   std::string quality_, size_from_;
   std::vector<std::string> cell_arrays_;
 };

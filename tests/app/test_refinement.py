@@ -60,6 +60,24 @@ class Refinement(ProgramTest):
         self.assertTrue({"top", "xmin", "zmax"} <= names)
         self.assertTrue(any(p["name"] == "gauge" for p in report["curves"]), report["curves"])
 
+    def test_sizes_inside_only(self):
+        """In a project and on the command line: no points on surfaces for sizes, and the report says so."""
+        everywhere, _ = self.mesh_layers("{size: 1}")
+        report, check = self.mesh_layers("{size: {global: 1, on_surfaces: false}}")
+        self.assertTrue(everywhere["refinement"]["sizes_on_surfaces"])
+        self.assertFalse(report["refinement"]["sizes_on_surfaces"])
+        self.assertGreater(everywhere["refinement"]["points_on_surfaces"], 300)
+        self.assertLess(report["refinement"]["points_on_surfaces"] + report["refinement"]["points_on_curves"], 30)  # a few for the worst elements
+        self.assertGreater(report["refinement"]["points_inside"], 40)
+        self.assertAlmostEqual(check["volume"] / 1000, 1, delta=1e-12)
+        out = self.path("flag.vtu")
+        arguments = ("mesh", self.path("top.ts"), "--box", "0,0,0,10,10,10", "--size", "1", "--no-size-on-surfaces", "-o", out)
+        self.run_program(*arguments)
+        flagged = self.report(self.path("flag.report.json"))["refinement"]
+        self.assertFalse(flagged["sizes_on_surfaces"])
+        self.assertLess(flagged["points_on_surfaces"] + flagged["points_on_curves"], 30)
+        self.run_program(*arguments, "--tolerance", "0.1", status=USAGE)
+
     def test_sizes_by_unit_surface_curve_and_place(self):
         coarse, _ = self.mesh_layers("{size: {global: 3, gradation: 0.5}}")
         regions = {r["name"]: r["tetrahedra"] for r in coarse["quality"]["regions"]}

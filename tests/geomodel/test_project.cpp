@@ -115,6 +115,7 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK(r.size.base.gradation == 0.2);
   CHECK(r.size.base.max_size == 8);
   CHECK(r.size.base.gap_layers == 0);
+  CHECK(r.sizes_on_surfaces);
   CHECK(r.size.units.at("u").size == 4);
   CHECK(r.size.surfaces.at("salt").size == 2);
   CHECK(r.size.surfaces.at("salt").radius == 7);
@@ -130,6 +131,7 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK(r.time_budget == 2.5);
   CHECK(r.cell_arrays == std::vector<std::string>{"size", "aspect"});
   CHECK_FALSE(read_project(f.write(two_surfaces)).mesh.refinement.refine);
+  CHECK_FALSE(read_project(f.write(std::string(two_surfaces) + "mesh: {size: {on_surfaces: false}}\n")).mesh.refinement.sizes_on_surfaces);
 }
 
 TEST_CASE("attributes do not take the names of arrays that the mesh file has", "[project]") {
@@ -207,6 +209,8 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {mode: conforming, size: 5, honour: tolerance, tolerance: 1}\n", "mode conforming keeps the input's facets"},
       {s + "mesh: {size: {background: nowhere.csv}}\n", "there is no file 'nowhere.csv'"},
       {s + "mesh: {preserve_boundary: true, quality: fast}\n", "preserve_boundary and refinement exclude each other"},
+      {s + "mesh: {size: {on_surfaces: false}, honour: tolerance, tolerance: 1}\n", "with on_surfaces: false"},
+      {s + "mesh: {size: {on_surfaces: false}, mode: conforming}\n", "with on_surfaces: false"},
       {s + "mesh: {cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
       {s + "mesh: {preserve_boundary: yes}\n", "true or false was expected, found 'yes'"},
       {s + "mesh: {cluster_distance: -2}\n", "auto or a length of zero or more was expected"},

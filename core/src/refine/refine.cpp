@@ -112,10 +112,28 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   remesh::collapse_short_edges(tools, true, context);
 }
 
-void announce_estimate(const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
+std::string in_words(double count) { return std::to_string(static_cast<long long>(count)); }
+
+/// Where the size of the whole model would be met by far fewer elements than the edges of the input ask for, the user is told before the work.
+void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options, const RunContext& context,
+                         RefineResult& result) {
+  constexpr double many = 250'000, far_fewer = 4;
+  const double estimate = result.statistics.estimated_elements;
+  if (!(options.size.global > 0) || !options.size.from_input_edges || estimate < many) return;
+  options.size.from_input_edges = false;
+  const double without = remesh::estimate_elements(mesh, remesh::build_size_field(plc, mesh, options, size_tolerance(options)).all);
+  if (estimate < far_fewer * without) return;
+  result.warnings.push_back("short edges of the input ask for most of the " + in_words(estimate) + " elements or more to come; the sizes asked for about " +
+                            in_words(without) + ": for fewer, ask for a least size, take no sizes from the input's edges, ask for sizes inside only, or allow "
+                            "surfaces a tolerance");
+  context.note(LogLevel::warning, result.warnings.back());
+}
+
+void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context,
+                       RefineResult& result) {
   result.statistics.estimated_elements = remesh::estimate_elements(mesh, result.size_field);
-  context.note(LogLevel::info,
-               "about " + std::to_string(static_cast<long long>(result.statistics.estimated_elements)) + " elements to come");
+  context.note(LogLevel::info, "about " + in_words(result.statistics.estimated_elements) + " elements to come");
+  warn_of_short_edges(plc, mesh, options, context, result);
   check_estimate(result.statistics.estimated_elements, options.max_elements);
 }
 
@@ -140,7 +158,6 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& 
   result.statistics.points_on_surfaces += n_on_facets;
   return true;
 }
-
 
 /// Where surfaces are not proven to be within the tolerance both ways, points are put there. Returns what is left in the end.
 remesh::Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
@@ -168,7 +185,8 @@ Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, Constra
   remesh::SizeFields sizes = remesh::build_size_field(plc, mesh, options, size_tolerance(options));
   result.size_field = std::move(sizes.all);
   result.asked = std::move(sizes.without_gaps);
-  if (options.refine) announce_estimate(mesh, options, context, result);
+  result.statistics.sizes_on_surfaces = sizes_surfaces(options);
+  if (options.refine) announce_estimate(plc, mesh, options, context, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
   std::optional<DomainMesh> given;

@@ -148,6 +148,10 @@ std::string contradiction(const RefinementSettings& settings, const RecoverOptio
     if (std::find(settings.cell_arrays.begin(), at, *at) != at) return "the cell array '" + *at + "' is asked for twice";
   if (!settings.refine)
     return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined" : "";
+  if (!settings.sizes_on_surfaces) {
+    if (settings.honour == Honour::tolerance) return "with honour: tolerance surfaces are remeshed to the sizes: it cannot be asked with on_surfaces: false";
+    if (recover.mode == MeshMode::conforming) return "mode conforming adds points on surfaces: it cannot be asked with on_surfaces: false";
+  }
   if (recover.mode == MeshMode::conforming) {
     if (settings.honour == Honour::tolerance) return "mode conforming keeps the input's facets: it cannot be asked with honour: tolerance";
     if (settings.quality != QualityLevel::standard || settings.time_budget > 0)
@@ -163,6 +167,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   RefineOptions options;
   options.honour = settings.honour;
   options.tolerance = settings.tolerance;
+  options.size_surfaces = settings.sizes_on_surfaces;
   options.quality = settings.quality;
   options.time_budget = settings.time_budget;
   options.max_elements = settings.max_elements;
@@ -182,6 +187,7 @@ RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization me
                           const RunContext& context) {
   if (model.options.recover.mode == MeshMode::conforming) return refine_conforming(model.plc.plc, mesh, model.options, options, context);
   RefineResult result = refine_naming_surfaces(model, std::move(mesh), options, context);
+  model.warnings.insert(model.warnings.end(), result.warnings.begin(), result.warnings.end());
   if (result.statistics.out_of_time)
     warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
   return result;

@@ -86,10 +86,11 @@ void read_background(const YamlValue& value, const Project& project, NamedSizes&
     value.problem("there is no file '" + *text + "' (looked for as " + sizes.background.string() + ")");
 }
 
-void read_size(const YamlValue& value, const Project& project, NamedSizes& sizes) {
+void read_size(const YamlValue& value, const Project& project, RefinementSettings& settings) {
+  NamedSizes& sizes = settings.size;
   if (!value.is_map()) return read_positive(value, sizes.base.global);
-  const YamlMap map(value, {"global", "units", "surfaces", "curves", "near", "input_edges", "curvature", "gap_layers", "gradation",
-                            "min", "max", "background"});
+  const YamlMap map(value, {"global", "units", "surfaces", "curves", "near", "input_edges", "on_surfaces", "curvature", "gap_layers",
+                            "gradation", "min", "max", "background"});
   if (const auto v = map.find("global")) read_positive(*v, sizes.base.global);
   if (const auto v = map.find("units")) {
     read_named(*v, {}, "unit", sizes.units);
@@ -100,6 +101,7 @@ void read_size(const YamlValue& value, const Project& project, NamedSizes& sizes
   if (const auto v = map.find("curves")) read_named(*v, {}, "curve", sizes.curves);
   if (const auto v = map.find("near")) read_near(*v, project, sizes);
   if (const auto v = map.find("input_edges")) sizes.base.from_input_edges = v->boolean().value_or(true);
+  if (const auto v = map.find("on_surfaces")) settings.sizes_on_surfaces = v->boolean().value_or(true);
   if (const auto v = map.find("curvature")) read_positive(*v, sizes.base.curvature_angle);
   if (const auto v = map.find("gap_layers")) {
     if (v->scalar() == "none") {
@@ -151,7 +153,7 @@ void read_refinement(const YamlMap& mesh, Project& project) {
   RefinementSettings& settings = project.mesh.refinement;
   if (const auto v = mesh.find("size")) {
     settings.refine = true;
-    read_size(*v, project, settings.size);
+    read_size(*v, project, settings);
   }
   if (const auto v = mesh.find("quality")) {
     settings.refine = true;

@@ -133,6 +133,7 @@ json refinement_json(const RefineStatistics& s) {
           {"smoothing_moves", s.smoothing_moves},
           {"improving_insertions", s.improving_insertions},
           {"passes", s.passes},
+          {"sizes_on_surfaces", s.sizes_on_surfaces},
           {"edges_within_size", s.edges_within_size},
           {"deviation_result_to_input", s.deviation_result_to_input},
           {"deviation_input_to_result", s.deviation_input_to_result},

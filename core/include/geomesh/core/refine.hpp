@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "geomesh/core/plc.hpp"
@@ -73,6 +74,7 @@ struct RefineOptions {
 
 struct RefineStatistics {
   double estimated_elements = 0;  ///< before the work started
+  bool sizes_on_surfaces = true;  ///< false: surfaces got no points for sizes (RefineOptions::size_surfaces)
   std::size_t points_on_curves = 0, points_on_surfaces = 0, points_inside = 0;
   std::size_t collapses = 0, edge_removals = 0, face_removals = 0, smoothing_moves = 0, improving_insertions = 0;
   std::size_t passes = 0;
@@ -85,6 +87,7 @@ struct RefineStatistics {
 struct RefineResult {
   ConstrainedTetrahedralization mesh;
   RefineStatistics statistics;
+  std::vector<std::string> warnings;  ///< noted while it ran
   SizeField size_field;
   SizeField asked;  ///< the same without what gaps ask for: what QualityOptions::asked takes
   std::vector<Index> kept_patch;  ///< per facet of the PLC: facets of one number were kept as one; what QualityOptions::facet_patch asks for

@@ -36,6 +36,7 @@ struct RefinementSettings {
   QualityLevel quality = QualityLevel::standard;
   Honour honour = Honour::exact;
   double tolerance = 0;
+  bool sizes_on_surfaces = true;  ///< false: surfaces get no points for sizes (RefineOptions::size_surfaces)
   std::size_t max_elements = 50'000'000;
   double time_budget = 0;
   std::vector<std::string> cell_arrays;  ///< of known_cell_arrays(), written with the mesh whether it is refined or not
