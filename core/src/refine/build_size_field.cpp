@@ -50,12 +50,24 @@ class SizeFieldBuilder {
   }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// Where short edges stand among long ones, as where curves cross the sides of triangles: nobody asked for the short ones, so sizes grow as
-  /// fast from there as shapes allow.
-  static constexpr double uneven_ratio = 0.5, uneven_gradation = 0.6, few_shortest = 3;
+  /// Where short edges stand among long ones, as where curves cross the sides of triangles, nobody asked for the short ones; nor for any that is
+  /// shorter than the size of the whole model that was asked. Sizes grow as fast from there as shapes allow.
+  static constexpr double uneven_ratio = 0.5, fast_gradation = 0.6, few_shortest = 3;
 
   void ask(VertexIndex v, double size) {
     if (size > 0) at_vertex_[v] = std::min(at_vertex_[v], size);
+  }
+
+  void ask_growing_fast(VertexIndex v, double size) {
+    sources_.push_back({mesh_.point(v), size, 0, std::max(options_.gradation, fast_gradation)});
+  }
+
+  void ask_by_edges(VertexIndex v, double size) {
+    if (size < options_.global) {
+      ask_growing_fast(v, size);
+    } else {
+      ask(v, size);
+    }
   }
 
   template <class Visit>
@@ -103,12 +115,12 @@ class SizeFieldBuilder {
       if (!options_.from_input_edges || !(count[v] > 0)) continue;
       const double harmonic = count[v] / inverse[v], mean = sum[v] / count[v];
       if (by_longest_edges_) {
-        ask(v, longest_[v]);
+        ask_by_edges(v, longest_[v]);
       } else if (harmonic >= uneven_ratio * mean) {
-        ask(v, harmonic);
+        ask_by_edges(v, harmonic);
       } else {
-        ask(v, mean);
-        sources_.push_back({mesh_.point(v), std::min(harmonic, few_shortest * shortest_[v]), 0, std::max(options_.gradation, uneven_gradation)});
+        ask_by_edges(v, mean);
+        ask_growing_fast(v, std::min(harmonic, few_shortest * shortest_[v]));
       }
     }
   }
