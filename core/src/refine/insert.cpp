@@ -20,9 +20,6 @@ Sphere circumsphere(const DomainMesh& mesh, CellIndex c) {
   return circumsphere(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
 }
 
-namespace {
-
-/// Walks towards p; stops at constrained faces and after a bounded number of steps.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   CellIndex c = start;
   for (unsigned step = 0; step < 1000; ++step) {
@@ -39,6 +36,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
   }
   return std::nullopt;
 }
+
+namespace {
 
 Triangle corners_of(const DomainMesh& mesh, FaceRef f) {
   const Tetrahedron& t = mesh.vertices(f.cell());

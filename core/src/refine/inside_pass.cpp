@@ -122,10 +122,23 @@ class InsideRefiner {
     return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v));
   }
 
+  /// Whether a corner of the cell is nearer than the spacing at p, by the sizes at the corners and how fast sizes may fall: most refusals are
+  /// told so, without asking for the size at p.
+  bool surely_crowds(const Vec3& p, CellIndex c) {
+    constexpr double rounding = 1 - 1e-9;
+    const Tetrahedron& t = mesh_.vertices(c);
+    return std::any_of(t.begin(), t.end(), [&](VertexIndex v) {
+      const double d = distance(mesh_.point(v), p);
+      return d < rounding * spacing_ratio * (tools_.size_at(v) - steepest_ * d);
+    });
+  }
+
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
     if (crowds_corner(p, c)) return std::nullopt;
+    const std::optional<CellIndex> home = locate(mesh_, p, c);
+    if (!home || surely_crowds(p, *home)) return std::nullopt;
     const double h = size_near(p, c);
-    const auto v = insert_inside(tools_, p, c, {spacing_ratio * h, 1e-3, &spheres_});
+    const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, 1e-3, &spheres_});
     if (v) tools_.set_size(*v, h);
     return v;
   }
@@ -179,6 +192,7 @@ class InsideRefiner {
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
+  const double steepest_ = tools_.size.steepest();
   ChangeStamps changes_;
   std::vector<Sphere> spheres_;  // by cell
   std::vector<bool> large_;  // by cell: its circumradius over the asked size is

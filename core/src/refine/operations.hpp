@@ -68,6 +68,9 @@ struct InsertionRule {
   const std::vector<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
 };
 
+/// The cell that p is in, by a walk from `start`; nothing where a constrained face is in the way, or the walk does not end soon.
+std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start);
+
 /// Inserts p, in the same component as `start` and visible along a walk from it that crosses no constrained face, by a
 /// constrained Delaunay cavity (Bowyer 1981, Watson 1981; the cavity stops at constrained faces and is shrunk until p sees all of
 /// its border).

@@ -112,7 +112,7 @@ double SizeField::at(const Vec3& p, Index component) const { return at(p, compon
 
 double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q) const {
   constexpr double rounding = 1 + 1e-9;
-  if (!limits_.component_size.empty() || limits_.background) return at(p, component);
+  if (may_jump()) return at(p, component);
   const Vec3 d = p - q;
   return at(p, component, rounding * (size_at_q + steepest_ * std::sqrt(dot(d, d))));
 }

@@ -44,6 +44,8 @@ class SizeField {
   double at(const Vec3& p, Index component = no_index) const;
   /// The same, sooner, where the size at a place q nearby is known.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q) const;
+  /// By which sizes differ at most, a unit of distance; infinity where they may jump.
+  double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
 
@@ -56,6 +58,7 @@ class SizeField {
     Index first = 0, last = 0;  ///< sources
     Index left = no_index, right = no_index;
   };
+  bool may_jump() const { return !limits_.component_size.empty() || limits_.background != nullptr; }
   Index build(Index first, Index last);
   bool drop_redundant();
   double least_over_sources(const Vec3& p, double bound) const;
