@@ -45,6 +45,7 @@ constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_
 constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
 constexpr unsigned rescue_sweeps = 4, rescue_steps = 40;
+constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
 
 struct BadCell {
   double shape;
@@ -89,7 +90,7 @@ class Improver {
       if (!tools_.bad_cells_may_spread) rescue_bad();
     }
     if (is_poor_altogether())
-      for (unsigned k = 0; k < 2 * schedule_.even_passes && !out_of_time(); ++k) even_out();
+      for (unsigned k = 0; k < poor_even_passes * schedule_.even_passes && !out_of_time(); ++k) even_out();
   }
 
  private:
