@@ -7,7 +7,7 @@ import re
 import time
 import unittest
 
-from geomesh_program import NIGHTLY, ProgramTest, main, plane_ts
+from geomesh_program import CANNOT_MESH, NIGHTLY, ProgramTest, main, plane_ts
 
 
 class Claudius(ProgramTest):
@@ -155,6 +155,13 @@ class ModelA4(ProgramTest):
         self.assertEqual(self.region_names(check), sorted(wanted))
         for region in check["regions"]:
             self.assertAlmostEqual(region["volume"] / wanted[region["name"]], 1, delta=1e-9, msg=region["name"])
+
+    def test_short_edges_are_told_before_the_work(self):
+        """Edges of 0.04 to 100 m along seams ask for most of the elements: a warning says so, unless they are not asked."""
+        arguments = ("mesh", self.shared("modelA4", "modelA4.ml"), "-o", self.path("a4.vtu"), "--size", "389", "--max-elements", "1000")
+        words = "short edges of the input ask for most"
+        self.assertIn(words, self.run_program(*arguments, status=CANNOT_MESH))
+        self.assertNotIn(words, self.run_program(*arguments, "--no-size-on-surfaces", status=CANNOT_MESH))
 
 
 class SurfacesThatCross(ProgramTest):

@@ -64,6 +64,42 @@ TEST_CASE("Where surfaces are not sized only the inside gets points for sizes", 
   CHECK(coarse.mesh.tetrahedra.size() < r.mesh.tetrahedra.size() / 2);
 }
 
+namespace {
+
+/// The unit cube, and through it a segment in n pieces.
+PiecewiseLinearComplex cube_with_short_pieces(VertexIndex n) {
+  PiecewiseLinearComplex plc;
+  for (unsigned v = 0; v < 8; ++v) plc.points.push_back({double(v & 1), double((v >> 1) & 1), double(v >> 2)});
+  for (const std::array<VertexIndex, 4>& q : {std::array<VertexIndex, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    plc.add_triangle({q[0], q[1], q[2]}, 0);
+    plc.add_triangle({q[0], q[2], q[3]}, 0);
+  }
+  for (VertexIndex k = 0; k <= n; ++k) {
+    plc.points.push_back({0.5, 0.5, 0.1 + 0.8 * k / n});
+    if (k > 0) plc.segments.push_back({7 + k, 8 + k, no_index});
+  }
+  return plc;
+}
+
+}  // namespace
+
+TEST_CASE("Sizes of input edges grow fast up to the size asked of the whole model", "[refine]") {
+  const PiecewiseLinearComplex plc = cube_with_short_pieces(20);
+  const ConstrainedTetrahedralization mesh = tetrahedralize(plc);
+  const Vec3 vertex{0.5, 0.5, 0.5}, beside{0.6, 0.5, 0.5};
+  const auto sizes = [&](double global, double gradation) {
+    RefineOptions options;
+    options.size.global = global;
+    options.size.gradation = gradation;
+    const SizeField field = refine_and_improve(plc, mesh, options).size_field;
+    CHECK(field.at(vertex) == Approx(0.04));
+    return field.at(beside);
+  };
+  CHECK(sizes(0, 0.3) == Approx(0.07));
+  CHECK(sizes(0.5, 0.3) == Approx(0.10));
+  CHECK(sizes(0.5, 1) == Approx(0.14));
+}
+
 TEST_CASE("Improvement alone adds no size and never lowers the worst shape", "[refine]") {
   Model model = two_boxes(3);
   disturb_inside(model, 7);

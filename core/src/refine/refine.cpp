@@ -117,12 +117,12 @@ std::string in_words(double count) { return std::to_string(static_cast<long long
 /// Where the size of the whole model would be met by far fewer elements than the edges of the input ask for, the user is told before the work.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options, const RunContext& context,
                          RefineResult& result) {
-  constexpr double many = 250'000, far_fewer = 4;
+  constexpr double many = 250'000, most = 2;
   const double estimate = result.statistics.estimated_elements;
   if (!(options.size.global > 0) || !options.size.from_input_edges || estimate < many) return;
   options.size.from_input_edges = false;
   const double without = remesh::estimate_elements(mesh, remesh::build_size_field(plc, mesh, options, size_tolerance(options)).all);
-  if (estimate < far_fewer * without) return;
+  if (estimate < most * without) return;
   result.warnings.push_back("short edges of the input ask for most of the " + in_words(estimate) + " elements or more to come; the sizes asked for about " +
                             in_words(without) + ": for fewer, ask for a least size, take no sizes from the input's edges, ask for sizes inside only, or allow "
                             "surfaces a tolerance");
