@@ -76,7 +76,7 @@ bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoa
 void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context);
 
 /// A new point keeps this share of the asked size from the vertices about it: where less room is left, points only crowd.
-inline constexpr double usual_room = 0.4;
+inline constexpr double usual_room = 0.5;
 
 /// Inserts a vertex into the cell so that the worst shape about it rises: the cavity grows over the faces that would make the
 /// worst new cells (Klingner and Shewchuk 2007, section 3.4, greedily), the place is optimised.
