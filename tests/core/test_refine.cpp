@@ -96,7 +96,7 @@ TEST_CASE("Sizes of input edges grow fast up to the size asked of the whole mode
     return field.at(beside);
   };
   CHECK(sizes(0, 0.3) == Approx(0.07));
-  CHECK(sizes(0.5, 0.3) == Approx(0.10));
+  CHECK(sizes(0.5, 0.3) == Approx(0.09));
   CHECK(sizes(0.5, 1) == Approx(0.14));
 }
 

@@ -52,7 +52,7 @@ class SizeFieldBuilder {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   /// Where short edges stand among long ones, as where curves cross the sides of triangles, nobody asked for the short ones; nor for any that is
   /// shorter than the size of the whole model that was asked. Sizes grow as fast from there as shapes allow.
-  static constexpr double uneven_ratio = 0.5, fast_gradation = 0.6, few_shortest = 3;
+  static constexpr double uneven_ratio = 0.5, fast_gradation = 0.5, few_shortest = 3;
 
   void ask(VertexIndex v, double size) {
     if (size > 0) at_vertex_[v] = std::min(at_vertex_[v], size);

@@ -119,7 +119,7 @@ void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& me
                          RefineResult& result) {
   constexpr double many = 250'000, most = 2;
   const double estimate = result.statistics.estimated_elements;
-  if (!(options.size.global > 0) || !options.size.from_input_edges || estimate < many) return;
+  if (!(options.size.global > 0) || !options.size.from_input_edges || !sizes_surfaces(options) || estimate < many) return;
   options.size.from_input_edges = false;
   const double without = remesh::estimate_elements(mesh, remesh::build_size_field(plc, mesh, options, size_tolerance(options)).all);
   if (estimate < most * without) return;

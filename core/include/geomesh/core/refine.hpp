@@ -87,7 +87,7 @@ struct RefineStatistics {
 struct RefineResult {
   ConstrainedTetrahedralization mesh;
   RefineStatistics statistics;
-  std::vector<std::string> warnings;  ///< noted while it ran
+  std::vector<std::string> warnings;  ///< noted while it ran, as where short edges of the input ask for most of many elements
   SizeField size_field;
   SizeField asked;  ///< the same without what gaps ask for: what QualityOptions::asked takes
   std::vector<Index> kept_patch;  ///< per facet of the PLC: facets of one number were kept as one; what QualityOptions::facet_patch asks for
