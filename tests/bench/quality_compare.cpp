@@ -38,6 +38,7 @@ RefineOptions options_of(const QualityModel& model, Surfaces surfaces, double kn
     options.size.from_input_edges = false;
     options.size.gap_layers = 0;
     options.size.global = length * knob;
+    options.size.gradation = std::max(options.size.gradation, 3 * knob);  // from the short chords that the tolerance asks for
   }
   return options;
 }
@@ -49,6 +50,7 @@ Row run_matched(const QualityModel& model, Surfaces surfaces, std::size_t wanted
   const std::string label = surfaces == Surfaces::within_a_thousandth ? "geomesh, as many, surfaces within 0.1 %" : "geomesh, as many";
   double low = 0.001, high = 0.9;
   if (model.sizes_from_edges) low = 0.02;
+  if (!model.sizes_from_edges) low = 0.05;
   if (!model.sizes_from_edges && surfaces != Surfaces::within_a_thousandth) low = 0.1, high = 3;
   Row best;
   double best_off = 1e9;
