@@ -230,6 +230,12 @@ class Refinement(ProgramTest):
         self.assertEqual(len(check["regions"]), 9)
         self.check(self.path("sediment_grains.vtu"), "--delaunay", "--project", self.path("sample", "project.yaml"))
 
+    def test_solids_do_not_overlap_through_the_outside(self):
+        """Sides of its holes are nearer to each other than the tolerance, and nothing is meshed between."""
+        solid = self.shared("solids", "plate_holes.STL")
+        self.run_program("mesh", solid, "-o", self.path("plate.vtu"), "--tolerance", "0.367", "--quality", "default")
+        self.check(self.path("plate.vtu"))
+
     def test_surfaces_within_a_tolerance(self):
         """The project's tolerance is what `check` judges by; a tenth of it is not met."""
         for name, mesh, regions in (("sediment-grains", "{size: {global: 35, input_edges: false}, honour: tolerance, tolerance: 0.5}", 9),

@@ -148,6 +148,20 @@ TEST_CASE("What is off is mended by points on the input", "[refine]") {
   CHECK(found.breaches.empty());
 }
 
+TEST_CASE("Outer faces that cross are found, with the outside between", "[refine]") {
+  const Model model = ball_in_box(3);
+  DomainMesh mesh = import_domain(model.plc, model.mesh, within(0.1, 1));
+  CHECK(crossings_outside(mesh).empty());
+  // A corner of the box, which is (-2, -2, -2) to (2, 2, 2), out through the opposite corner.
+  VertexIndex corner = 0;
+  for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+    if (dot(mesh.point(v), {1, 1, 1}) < dot(mesh.point(corner), {1, 1, 1})) corner = v;
+  mesh.move_vertex(corner, {2.5, 2.4, 2.6});
+  const std::vector<TightZone> found = crossings_outside(mesh);
+  REQUIRE_FALSE(found.empty());
+  for (const TightZone& zone : found) CHECK_FALSE(zone.box.empty());
+}
+
 TEST_CASE("Segments of one curve let its points move, others keep their ends", "[refine]") {
   const Model model = with_listed_curves(two_boxes(4));
   REQUIRE(model.plc.segments.size() > 10);

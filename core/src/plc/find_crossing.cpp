@@ -22,20 +22,23 @@ class CrossingSearch {
  public:
   explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
 
-  std::optional<PlcCrossing> run() {
+  /// All crossings of the first edge that has some, or of all edges. By edge, then facet.
+  std::vector<PlcCrossing> run(bool all) {
     collect();
     const std::size_t axis = longest_axis();
     std::stable_sort(edges_.begin(), edges_.end(), [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; });
     const search::ClosestPointTrees tree = tree_of_triangles();
-    std::optional<PlcCrossing> best;
+    std::vector<PlcCrossing> crossings;
     for (const Item& e : edges_) {
+      const auto first = static_cast<std::ptrdiff_t>(crossings.size());
       tree.for_each_in(e.box, 0, [&](const auto& found) {
         const Item& t = triangles_[found.id];
-        if (meet(e, t)) keep_first(best, e, t);
+        if (meet(e, t)) crossings.push_back({e.a, e.b, e.facet, t.facet});
       });
-      if (best) return best;
+      std::sort(crossings.begin() + first, crossings.end(), [](const PlcCrossing& x, const PlcCrossing& y) { return x.facet < y.facet; });
+      if (!all && !crossings.empty()) break;
     }
-    return best;
+    return crossings;
   }
 
  private:
@@ -70,11 +73,6 @@ class CrossingSearch {
     const Vec3 size = box.max - box.min;
     return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   }
-  void keep_first(std::optional<PlcCrossing>& best, const Item& e, const Item& t) const {
-    const PlcCrossing found{e.a, e.b, e.facet, t.facet};
-    if (!best || found.facet < best->facet) best = found;
-  }
-
   static bool has(const Item& t, VertexIndex v) { return v == t.a || v == t.b || v == t.c; }
   bool meet(const Item& e, const Item& t) const {
     const bool has_a = has(t, e.a), has_b = has(t, e.b);
@@ -114,6 +112,11 @@ class CrossingSearch {
 
 }  // namespace
 
-std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc) { return CrossingSearch(plc).run(); }
+std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc) {
+  const std::vector<PlcCrossing> found = CrossingSearch(plc).run(false);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc) { return CrossingSearch(plc).run(true); }
 
 }  // namespace geomesh

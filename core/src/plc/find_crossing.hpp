@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geomesh/core/plc.hpp"
 
@@ -20,6 +21,8 @@ struct PlcCrossing {
 /// The first one by edge, then facet. Triangles are searched, polygons are not (declaring them has checked them within). O(n log n) plus
 /// pairs whose boxes overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
+/// All of them, in that order.
+std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc);
 
 /// The same, searched for when first asked for, and once.
 class CrossingsOf {

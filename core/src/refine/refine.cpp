@@ -2,6 +2,7 @@
 #include "geomesh/core/refine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -171,13 +172,15 @@ remesh::Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) 
   return found;
 }
 
-/// A whole run with samples held to `margin` of the tolerance.
+/// A whole run. What is not as promised ends it early: it has to be done again, with surfaces held more closely.
 struct Attempt {
   RefineResult result;
   std::vector<remesh::Breach> breaches;
+  std::vector<remesh::TightZone> crossings;
+  bool holds() const { return breaches.empty() && crossings.empty(); }
 };
 
-Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input, const RefineOptions& options,
+Attempt attempt_holding(const remesh::Hold& hold, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input, const RefineOptions& options,
                        const RunContext& context) {
   Attempt attempt;
   RefineResult& result = attempt.result;
@@ -192,12 +195,14 @@ Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, Constra
   std::optional<DomainMesh> given;
   if (options.refine && add_surface_points(plc, options, input, context, result))
     given = std::exchange(mesh, remesh::import_domain(plc, input, options));
-  const remesh::SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, margin);
+  const remesh::SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
   given.reset();
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   if (options.refine) refine_to_size(tools, options, context);
   refining.reset();
+  if (!guard.exact()) attempt.crossings = remesh::crossings_outside(mesh);
+  if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_before = worst_shape(mesh);
   remesh::Deviations found;
   {
@@ -208,6 +213,8 @@ Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, Constra
   result.statistics.deviation_result_to_input = found.result_to_input;
   result.statistics.deviation_input_to_result = found.input_to_result;
   attempt.breaches = std::move(found.breaches);
+  if (!guard.exact()) attempt.crossings = remesh::crossings_outside(mesh);
+  if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_after = worst_shape(mesh);
   result.statistics.edges_within_size = share_of_edges_within_size(tools);
   remesh::renew_facets(mesh, guard, plc);
@@ -218,11 +225,49 @@ Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, Constra
   return attempt;
 }
 
-[[noreturn]] void refuse_tolerance(const std::vector<remesh::Breach>& breaches) {
-  const auto worst = std::max_element(breaches.begin(), breaches.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  char place[120];
-  std::snprintf(place, sizeof place, "(%.9g, %.9g, %.9g)", worst->place.x, worst->place.y, worst->place.z);
+bool overlap(const Box3& a, const Box3& b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a.min[i] > b.max[i] || b.min[i] > a.max[i]) return false;
+  return true;
+}
+
+/// More closely than in the attempt: everywhere where the tolerance was not proven or it was not enough to hold places twice, and where
+/// surfaces came to cross.
+void tighten(remesh::Hold& hold, const Attempt& attempt, double tolerance, unsigned round) {
+  constexpr double closer = 0.65, closer_in_zones = 0.25, about_zones = 4;
+  if (!attempt.breaches.empty() || round > 1) hold.margin *= closer;
+  const double reach = about_zones * tolerance;
+  const std::size_t n_before = hold.zones.size();
+  for (remesh::TightZone zone : attempt.crossings) {
+    zone.tolerance = tolerance;
+    for (std::size_t k = 0; k < n_before; ++k)
+      if (overlap(hold.zones[k].box, zone.box)) zone.tolerance = std::min(zone.tolerance, hold.zones[k].tolerance);
+    zone.tolerance *= closer_in_zones;
+    zone.box = {zone.box.min - Vec3{reach, reach, reach}, zone.box.max + Vec3{reach, reach, reach}};
+    hold.zones.push_back(zone);
+  }
+}
+
+std::string place_words(const Vec3& p) {
+  char text[120];
+  std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", p.x, p.y, p.z);
+  return text;
+}
+
+[[noreturn]] void refuse_tolerance(const Attempt& attempt) {
+  constexpr const char* what_to_do = ". Ask for another tolerance, for smaller sizes there, or keep the surfaces exactly";
   ErrorContext context;
+  if (!attempt.crossings.empty()) {
+    const Box3& box = attempt.crossings.front().box;
+    const Vec3 place = 0.5 * (box.min + box.max);
+    context.places.push_back(place);
+    throw Error(ErrorKind::cannot_mesh,
+                "surfaces that are nearer to each other than the tolerance, with the outside between, could not be remeshed without crossing, at " +
+                    place_words(place) + what_to_do,
+                std::move(context));
+  }
+  const auto& breaches = attempt.breaches;
+  const auto worst = std::max_element(breaches.begin(), breaches.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
   context.places.push_back(worst->place);
   for (const auto& b : breaches) {
     context.places.push_back(b.place);
@@ -230,8 +275,7 @@ Attempt attempt_within(double margin, const PiecewiseLinearComplex& plc, Constra
   }
   throw Error(ErrorKind::cannot_mesh,
               "surfaces could not be remeshed so that they are proven to be within the tolerance of the input, both ways: " +
-                  std::to_string(breaches.size()) + " triangles or pieces of curves are not, the worst at " + place +
-                  ". Ask for a larger tolerance, for smaller sizes there, or keep the surfaces exactly",
+                  std::to_string(breaches.size()) + " triangles or pieces of curves are not, the worst at " + place_words(worst->place) + what_to_do,
               std::move(context));
 }
 
@@ -248,15 +292,17 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
                                 const RefineOptions& options, const RunContext& context) {
   check_options(plc, options);
-  if (options.honour == Honour::exact) return attempt_within(1, plc, std::move(input), options, context).result;
-  Attempt attempt;
-  for (const double margin : {remesh::SurfaceGuard::sampling_margin, 0.45, 0.25}) {
-    attempt = attempt_within(margin, plc, input, options, context);
-    if (attempt.breaches.empty()) return std::move(attempt.result);
-    context.note(LogLevel::info, "surfaces are not proven to be within the tolerance in " + std::to_string(attempt.breaches.size()) +
-                                     " places: held more closely and done again");
+  if (options.honour == Honour::exact) return attempt_holding({}, plc, std::move(input), options, context).result;
+  constexpr unsigned most_attempts = 6;
+  remesh::Hold hold;
+  for (unsigned round = 0;; ++round) {
+    Attempt attempt = attempt_holding(hold, plc, input, options, context);
+    if (attempt.holds()) return std::move(attempt.result);
+    if (round + 1 == most_attempts) refuse_tolerance(attempt);
+    tighten(hold, attempt, options.tolerance, round);
+    context.note(LogLevel::info, "surfaces are not as promised in " + std::to_string(attempt.breaches.size() + attempt.crossings.size()) +
+                                     " places: held more closely and refined again");
   }
-  refuse_tolerance(attempt.breaches);
 }
 
 }  // namespace geomesh

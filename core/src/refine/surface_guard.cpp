@@ -79,9 +79,10 @@ void for_each_reference_sample(const search::Corners& t, double tolerance, Visit
 }  // namespace
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
-                           double tolerance, double margin)
+                           double tolerance, const Hold& hold)
     : honour_(honour),
-      tolerance_(margin * tolerance),
+      tolerance_(hold.margin * tolerance),
+      zones_(hold.zones),
       proving_(Proving{search::DistanceProver(proven_share * tolerance), {}}),
       reach_(tolerance) {
   if (exact()) {
@@ -94,6 +95,22 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     for_each_reference_sample(face.corners, reach_, [&](const Vec3& s) { samples.push_back({{s, s, s}, face.group, face.id}); });
   given_ = {{std::move(faces), given.n_patches()}, {curve_items(mesh), mesh.n_curve_classes()}};
   samples_ = search::ClosestPointTrees(std::move(samples), given.n_patches());
+  std::vector<search::ClosestPointTrees::Item> boxes;
+  for (const TightZone& zone : zones_) boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
+  zone_boxes_ = search::ClosestPointTrees(std::move(boxes), zones_.empty() ? 0 : 1);
+}
+
+double SurfaceGuard::share_about(std::span<const Vec3> points) const {
+  double least = reach_;
+  Box3 box;
+  for (const Vec3& p : points) box.add(p);
+  zone_boxes_.for_each_in(box, 0, [&](const auto& item) {
+    const TightZone& zone = zones_[item.id];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (zone.box.min[i] > box.max[i] || zone.box.max[i] < box.min[i]) return;
+    least = std::min(least, zone.tolerance);
+  });
+  return least / reach_;
 }
 
 /// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than rounding.
@@ -143,8 +160,9 @@ Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
 Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return given_.curves.closest(p, curve).point; }
 
 bool SurfaceGuard::near_reference(const SurfaceFace& f) const {
+  const double limit = share_about(f.corners) * tolerance_;
   for (const Vec3& s : triangle_samples(f.corners[0], f.corners[1], f.corners[2]))
-    if (!(given_.faces.closest(s, f.patch, tolerance_).distance <= tolerance_)) return false;
+    if (!(given_.faces.closest(s, f.patch, limit).distance <= limit)) return false;
   return true;
 }
 
@@ -165,8 +183,8 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
     samples_.for_each_in(box, patch, [&](const search::ClosestPointTrees::Item& s) {
       const Vec3& p = s.corners[0];
       if (!near || !(distance_to_faces(p, patch, before, tolerance_) <= tolerance_)) return;  // covered by others
-      near = distance_to_faces(p, patch, after, tolerance_) <= tolerance_ ||
-             distance_to_faces(p, patch, around, tolerance_) <= tolerance_;
+      const double limit = share_about({&p, 1}) * tolerance_;
+      near = distance_to_faces(p, patch, after, limit) <= limit || distance_to_faces(p, patch, around, limit) <= limit;
     });
     if (!near) return false;
   }
@@ -174,9 +192,11 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
 }
 
 bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const {
-  for (const CurvePiece& c : after)
+  for (const CurvePiece& c : after) {
+    const double limit = share_about(std::array{c.a, c.b}) * tolerance_;
     for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
-      if (!(given_.curves.closest((1 - t) * c.a + t * c.b, c.curve, tolerance_).distance <= tolerance_)) return false;
+      if (!(given_.curves.closest((1 - t) * c.a + t * c.b, c.curve, limit).distance <= limit)) return false;
+  }
   // The pieces that go lie within the tolerance of those that come: sampled at their ends and between.
   for (const CurvePiece& c : before)
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -184,7 +204,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
       double best = std::numeric_limits<double>::infinity();
       for (const CurvePiece& d : after)
         if (d.curve == c.curve) best = std::min(best, distance(p, search::closest_on_segment(p, d.a, d.b)));
-      if (!(best <= tolerance_)) return false;
+      if (!(best <= share_about({&p, 1}) * tolerance_)) return false;
     }
   return true;
 }
@@ -192,6 +212,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
   auto& [prover, nearby] = proving_.local();
   nearby.clear();
+  prover.set_limit(proven_share * share_about(f.corners) * reach_);
   given_.faces.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby.push_back(item.corners); });
   return prover.is_within(f.corners, nearby);
 }

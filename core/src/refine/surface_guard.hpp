@@ -7,13 +7,14 @@
 /// ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not proven is refused). The other way round samples of the original
 /// patch near the faces that go must be within 0.7 of the tolerance of those that come or of their neighbours; they are eight
 /// tolerances apart at most where a triangle is not longer than a hundred. Curves are held to 0.7 of it at samples both ways. Deviations do
-/// not add up over operations.
+/// not add up over operations. What is promised is proven of the whole result in the end (verify_surfaces.hpp).
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geomesh/core/refine.hpp"
@@ -34,16 +35,19 @@ struct CurvePiece {
   Index curve;
 };
 
+/// How surfaces are held within the tolerance.
+struct Hold {
+  double margin = 0.7;           ///< of the tolerance, for samples: so that the proof that follows seldom fails and seldom has to look closely
+  std::vector<TightZone> zones;  ///< what is in them is held to less
+};
+
 class SurfaceGuard {
  public:
   SurfaceGuard() = default;
   /// References are the faces of `given` and the curves of `mesh`, as they are now: the same surfaces, in `mesh` perhaps with more points and
   /// without the edges between coplanar pieces. Planes are those of the facets.
-  /// `margin`: the share of the tolerance that samples are held to.
   SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour, double tolerance,
-               double margin = sampling_margin);
-  /// So that the proof that follows seldom fails and seldom has to look closely.
-  static constexpr double sampling_margin = 0.7;
+               const Hold& hold = {});
 
   bool exact() const { return honour_ == Honour::exact; }
 
@@ -73,6 +77,8 @@ class SurfaceGuard {
     Vec3 point;
     std::uint8_t axis = 3;  ///< the coordinate that is the same for all its points, 3: none
   };
+  /// The least share of the tolerance that holds somewhere about these points.
+  double share_about(std::span<const Vec3> points) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   bool near_reference(const SurfaceFace& f) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
@@ -80,7 +86,9 @@ class SurfaceGuard {
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
   Honour honour_ = Honour::exact;
-  double tolerance_ = 0;                          // what samples are held to
+  double tolerance_ = 0;                          // what samples are held to, outside of zones
+  std::vector<TightZone> zones_;
+  search::ClosestPointTrees zone_boxes_;          // as line pieces from corner to corner
   struct Proving {
     search::DistanceProver prover;
     std::vector<search::Corners> nearby;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "parallel.hpp"
+#include "plc/find_crossing.hpp"
 #include "search/cover_proof.hpp"
 
 namespace geomesh::remesh {
@@ -71,6 +72,27 @@ Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, do
   found.input_to_result = std::max(judge(input.faces.items(), result.faces, tolerance, threads, input_face_off, found.breaches),
                                    judge(input.curves.items(), result.curves, tolerance, threads, input_curve_off, found.breaches));
   return found;
+}
+
+std::vector<TightZone> crossings_outside(const DomainMesh& mesh) {
+  PiecewiseLinearComplex outside;
+  for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) outside.points.push_back(mesh.point(v));
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!mesh.is_live(c) || mesh.has_neighbor(c, i)) continue;
+      for (const unsigned k : face_vertices[i]) outside.loop_vertices.push_back(mesh.vertices(c)[k]);
+      outside.loop_offsets.push_back(static_cast<Index>(outside.loop_vertices.size()));
+      outside.facet_loops.push_back(static_cast<Index>(outside.loop_offsets.size() - 1));
+    }
+  std::vector<TightZone> zones;
+  for (const PlcCrossing& crossing : find_crossings(outside)) {
+    Box3 box;
+    box.add(mesh.point(crossing.a));
+    box.add(mesh.point(crossing.b));
+    for (const VertexIndex v : outside.loop(crossing.facet)) box.add(mesh.point(v));
+    zones.push_back({box, 0});
+  }
+  return zones;
 }
 
 }  // namespace geomesh::remesh

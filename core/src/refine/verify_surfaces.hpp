@@ -40,4 +40,15 @@ struct Deviations {
 /// of both are alike; on all threads given, with the same result.
 Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads);
 
+/// A place where surfaces are held more closely than by the tolerance.
+struct TightZone {
+  Box3 box;
+  double tolerance;
+};
+
+/// Where faces on the outside of the model meet others beyond shared vertices and edges: nothing is meshed there, so no cell tells when surfaces
+/// that are nearer to each other than the tolerance come to cross. Where this is empty the mesh fills space once. Exact. Boxes are those of the
+/// edges and faces that meet, their tolerance 0. O(n log n).
+std::vector<TightZone> crossings_outside(const DomainMesh& mesh);
+
 }  // namespace geomesh::remesh

@@ -25,6 +25,8 @@ class DistanceProver {
  public:
   explicit DistanceProver(double limit) : limit_(limit) {}
 
+  void set_limit(double limit) { limit_ = limit; }
+
   /// Whether all of `triangle` is proven to be within the limit of the set. False where a point of it is not, and where that is not decided by
   /// halves down to a 16th of the limit or by a hundred of them. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const Corners> set);

@@ -79,7 +79,8 @@ struct RefineStatistics {
   std::size_t collapses = 0, edge_removals = 0, face_removals = 0, smoothing_moves = 0, improving_insertions = 0;
   std::size_t passes = 0;
   double worst_shape_before = 0, worst_shape_after = 0;                 ///< after refinement and at the end; see docs/meshing.md
-  double deviation_result_to_input = 0, deviation_input_to_result = 0;  ///< sampled; zero in exact mode but for rounding
+  /// Largest distances found between surfaces and curves; all are proven to be within the tolerance. Zero in exact mode but for rounding.
+  double deviation_result_to_input = 0, deviation_input_to_result = 0;
   double edges_within_size = 0;                                         ///< share of edges between half and twice the asked size
   bool out_of_time = false;
 };
@@ -100,7 +101,9 @@ struct RefineResult {
 /// the PLC that was in the mesh is there unmoved. Faces keep the facet they are part of; a face remade within a patch takes the
 /// facet of the patch nearest to it.
 ///
-/// Throws Error{cannot_mesh} where the estimated or the actual number of elements exceeds the limit, Error{usage} on options out
+/// `Honour::tolerance`: each triangle of the input and of the result, and each piece of their curves, is proven to be within the tolerance of the
+/// other's same patch or curve, and outer faces to cross nowhere; up to six runs, each closer to the input where the last was not so.
+/// Throws Error{cannot_mesh} where that fails (facets, places), and where the estimated or the actual number of elements exceeds the limit, Error{usage} on options out
 /// of range. Ends always: points are added for sizes only at a distance from all others that the size field bounds from below, and improvement
 /// makes a bounded number of passes, none of which lowers the worst shape but for rounding. Deterministic for given options unless a time budget is set.
 ///
