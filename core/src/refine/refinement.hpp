@@ -15,6 +15,11 @@ struct SizeFields {
 };
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance);
 
+/// Whether surfaces get points for sizes: where they may be remeshed they always do.
+inline bool sizes_surfaces(const RefineOptions& o) { return o.size_surfaces || o.honour == Honour::tolerance; }
+/// What build_size_field takes.
+inline double size_tolerance(const RefineOptions& o) { return o.honour == Honour::tolerance ? o.tolerance : 0; }
+
 /// Gives each face the facet of its patch that is nearest to it, oriented as it is.
 void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);
 
@@ -23,8 +28,18 @@ void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLi
 /// O(n log n).
 std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches);
 
+/// What the sizes come to, told before the work. Throws Error{cannot_mesh} beyond the limit.
+void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context,
+                       RefineResult& result);
+
+/// Share of the edges that are between half and twice as long as asked.
+double share_of_edges_within_size(Toolbox& tools);
+
 /// Integral over the mesh of the inverse volume of an element of the asked size.
 double estimate_elements(const DomainMesh& mesh, const SizeField& size);
+
+/// All passes below, in their order.
+void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context);
 
 /// Collapses edges shorter than 0.6 of their size: those on curves and surfaces (where they may) or, with `inside_only`, others.
 std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context);

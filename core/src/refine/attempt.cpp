@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "geomesh/core/error.hpp"
+#include "improve/improve.hpp"
+#include "refine/domain_io.hpp"
+#include "refine/hold_surfaces.hpp"
+#include "refine/refinement.hpp"
+#include "refine/sample_surfaces.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+double worst_shape(const DomainMesh& mesh) {
+  double worst = 1;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    if (mesh.is_live(c)) worst = std::min(worst, mesh.shape_of(c));
+  return worst;
+}
+
+void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
+  SizeFields sizes = build_size_field(plc, mesh, options, size_tolerance(options));
+  result.size_field = std::move(sizes.all);
+  result.asked = std::move(sizes.without_gaps);
+  result.statistics.sizes_on_surfaces = sizes_surfaces(options);
+  if (options.refine) announce_estimate(plc, mesh, options, context, result);
+}
+
+/// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
+double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
+
+/// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them one by one would
+/// start from the slivers between them. False where that cannot be; the mesh is then as it was.
+bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& mesh,
+                        const RunContext& context, RefineResult& result) {
+  const MergedFacets merged = merge_pieces(plc, options.facet_parent);
+  const SizeField none({}, {});
+  SampledComplex sampled = sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none, context);
+  const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
+  const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
+  const bool is_merged = merged.plc.n_facets() < plc.n_facets();
+  if (!is_merged && static_cast<double>(n_on_facets + n_on_edges) <= least_share_of_points(options) * static_cast<double>(plc.points.size())) return false;
+  auto fresh = mesh_sampled(merged, mesh, std::move(sampled), context);
+  if (!fresh) return false;
+  mesh = std::move(*fresh);
+  result.statistics.points_on_curves += n_on_edges;
+  result.statistics.points_on_surfaces += n_on_facets;
+  return true;
+}
+
+/// Gives surfaces their points and keeps them as they were given for reference.
+SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& input,
+                              DomainMesh& mesh, const RunContext& context, RefineResult& result) {
+  std::optional<DomainMesh> given;
+  if (options.refine && add_surface_points(plc, options, input, context, result)) given = std::exchange(mesh, import_domain(plc, input, options));
+  return SurfaceGuard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
+}
+
+void improve_holding(Toolbox& tools, const RefineOptions& options, const RunContext& context, Attempt& attempt) {
+  const StageScope stage(context, "improve");
+  improve_mesh(tools, options, context);
+  Deviations found = hold_to_tolerance(tools, context);
+  attempt.result.statistics.deviation_result_to_input = found.result_to_input;
+  attempt.result.statistics.deviation_input_to_result = found.input_to_result;
+  attempt.breaches = std::move(found.breaches);
+  if (!tools.guard.exact()) attempt.crossings = crossings_outside(tools.mesh);
+}
+
+void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, const ConstrainedTetrahedralization& input,
+            RefineResult& result) {
+  result.statistics.worst_shape_after = worst_shape(tools.mesh);
+  result.statistics.edges_within_size = share_of_edges_within_size(tools);
+  renew_facets(tools.mesh, tools.guard, plc);
+  result.kept_patch = patches_of_facets(plc, options);
+  const std::string fault = tools.mesh.validate();
+  if (!fault.empty()) throw InternalError("refinement: " + fault);
+  result.mesh = export_domain(tools.mesh, plc, input);
+}
+
+}  // namespace
+
+Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input, const RefineOptions& options,
+                        const RunContext& context) {
+  Attempt attempt;
+  RefineResult& result = attempt.result;
+  DomainMesh mesh = import_domain(plc, input, options);
+  find_sizes(plc, mesh, options, context, result);
+  std::optional<StageScope> refining;
+  if (options.refine) refining.emplace(context, "refine");
+  const SurfaceGuard guard = prepare_surfaces(hold, plc, options, input, mesh, context, result);
+  Toolbox tools(mesh, guard, result.size_field, result.statistics);
+  tools.bad_cells_may_spread = !sizes_surfaces(options);
+  if (options.refine) refine_to_size(tools, options, context);
+  refining.reset();
+  if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
+  if (!attempt.holds()) return attempt;
+  result.statistics.worst_shape_before = worst_shape(mesh);
+  improve_holding(tools, options, context, attempt);
+  if (attempt.holds()) finish(tools, plc, options, input, result);
+  return attempt;
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "refine/refinement.hpp"
+
+namespace geomesh::remesh {
+
+void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
+  if (!sizes_surfaces(options)) {
+    flip_towards_delaunay(tools, context);
+    refine_inside(tools, options.max_elements, context);
+    collapse_short_edges(tools, true, context);
+    return;
+  }
+  if (options.honour == Honour::tolerance) regularize_surfaces(tools, context);
+  collapse_short_edges(tools, false, context);
+  split_long_edges(tools, true, options.max_elements, context);
+  flip_towards_delaunay(tools, context);
+  refine_surfaces(tools, options.max_elements, context);
+  const std::size_t n_split = split_long_edges(tools, false, options.max_elements, context);
+  flip_towards_delaunay(tools, context);
+  refine_inside(tools, options.max_elements, context);
+  flip_towards_delaunay(tools, context);
+  if (n_split > 0) {
+    // Bisected faces are of poor shape, and their neighbourhood is loose enough to mend them only once it is filled.
+    regularize_surfaces(tools, context);
+    collapse_short_edges(tools, false, context);
+    regularize_surfaces(tools, context);
+    flip_towards_delaunay(tools, context);
+    refine_inside(tools, options.max_elements, context);
+  }
+  collapse_short_edges(tools, true, context);
+}
+
+}  // namespace geomesh::remesh
