@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "quality/causes.hpp"
 #include "geomesh/core/quality.hpp"
 #include "quality/shape.hpp"
 #include "quality/soup_star.hpp"
@@ -145,6 +146,9 @@ TEST_CASE("A sliver that nothing forces is listed first and as free", "[quality]
   REQUIRE(q.n_bad > 0);
   CHECK(q.worst[0].cause == ShapeCause::free);
   CHECK(q.n_bad_forced < q.n_bad);
+  const std::vector<Index> unforced = unforced_bad_elements(model.mesh, {});
+  REQUIRE(unforced.size() == q.n_bad - q.n_bad_forced);
+  for (std::size_t k = 0; k < unforced.size(); ++k) CHECK(unforced[k] == q.worst[k].tetrahedron);
 }
 
 namespace {

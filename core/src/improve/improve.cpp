@@ -44,7 +44,7 @@ constexpr std::array rescue_rooms{0.15, 0.03};
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
 constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
-constexpr unsigned rescue_sweeps = 4, rescue_steps = 40;
+constexpr unsigned rescue_sweeps = 4, free_sweeps = 4, rescue_steps = 40;
 constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
 
 struct BadCell {
@@ -55,10 +55,11 @@ struct BadCell {
 
 class Improver {
  public:
-  Improver(Toolbox& tools, const RefineOptions& options, const RunContext& context)
+  Improver(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells)
       : tools_(tools),
         mesh_(tools.mesh),
         context_(context),
+        free_cells_(free_cells),
         schedule_(schedule_of(options.quality)),
         may_add_points_(options.size_surfaces || options.honour != Honour::exact),
         budget_(options.time_budget),
@@ -87,7 +88,10 @@ class Improver {
     }
     if (schedule_.last_passes > 0) {
       rescue_worst();
-      if (!tools_.bad_cells_may_spread) rescue_bad();
+      if (!tools_.bad_cells_may_spread) {
+        rescue_bad();
+        if (free_cells_) rescue_free();
+      }
     }
     if (is_poor_altogether())
       for (unsigned k = 0; k < poor_even_passes * schedule_.even_passes && !out_of_time(); ++k) even_out();
@@ -116,7 +120,7 @@ class Improver {
 
   /// What is still bad is mended by sequences of operations that look ahead, and again where something has changed since.
   void rescue_bad() {
-    const RescueRule rule{shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps};
+    const RescueRule rule = rescue_rule();
     std::uint64_t last_sweep = 0;
     for (unsigned k = 0; k < rescue_sweeps; ++k) {
       const std::uint64_t this_sweep = mesh_.tick();
@@ -130,6 +134,22 @@ class Improver {
       last_sweep = this_sweep;
     }
   }
+
+  /// What is bad by our own doing, and not by the input's, is worth sequences that make the place worse at first.
+  void rescue_free() {
+    const RescueRule rule = rescue_rule();
+    for (unsigned k = 0; k < free_sweeps; ++k) {
+      std::vector<BadCell> bad;
+      for (const CellIndex c : free_cells_(mesh_)) bad.push_back({mesh_.shape_of(c), c, mesh_.vertices(c)});
+      std::size_t n = 0;
+      for (const BadCell& b : bad) {
+        if (out_of_time()) return;
+        if (unchanged(b) && (rescue_cell(tools_, b.cell, rule) || rescue_cell_by_openings(tools_, b.cell, rule))) ++n;
+      }
+      if (n == 0) return;
+    }
+  }
+  RescueRule rescue_rule() const { return {shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps}; }
 
   /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what it exchanged about those
   /// is arbitrary but for the worst. A few of the cells may get worse for the many.
@@ -248,6 +268,7 @@ class Improver {
   Toolbox& tools_;
   DomainMesh& mesh_;
   const RunContext& context_;
+  const FindFreeCells& free_cells_;
   Schedule schedule_;
   bool may_add_points_;
   double budget_;
@@ -264,8 +285,8 @@ class Improver {
 
 }  // namespace
 
-void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
-  Improver(tools, options, context).run();
+void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells) {
+  Improver(tools, options, context, free_cells).run();
 }
 
 }  // namespace geomesh::remesh

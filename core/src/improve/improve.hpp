@@ -84,7 +84,11 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge where that, with the new vertex at its best place, raises the worst shape about it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);
 
-/// Runs the schedule of the level. Cooperative with the time budget and the cancel token.
-void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context);
+/// The mesh's bad cells that nothing of the input forces.
+using FindFreeCells = std::function<std::vector<CellIndex>(const DomainMesh&)>;
+
+/// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What `free_cells` finds in the end, where given, is
+/// worth a longer search.
+void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells = {});
 
 }  // namespace geomesh::remesh

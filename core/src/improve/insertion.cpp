@@ -69,9 +69,10 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
   });
 }
 
-/// Whether p is between two surfaces less than a quarter of the size apart: points there only make more flat elements. Looks at the faces of
+/// Whether points are not wanted at p: it is between two surfaces less than a quarter of the size apart: points there only make more flat elements. Looks at the faces of
 /// the cavity's cells and of their neighbours.
-bool is_in_thin_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
+bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
+  if (tools.points_in_thin_gaps) return false;
   const DomainMesh& mesh = tools.mesh;
   const double limit = thin_gap * tools.size.at(p, cavity.link[0].component);
   std::vector<Vec3> ways;  // to surfaces
@@ -137,7 +138,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
     const OptimizedPlace best = optimize_place(problem, p, {20, 2});
     p = best.point;
     if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p) || tools.spoils(cavity, p)) continue;
-    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_in_thin_gap(tools, cavity, p)) return false;
+    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_barred_by_gap(tools, cavity, p)) return false;
     fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
     ++tools.statistics.improving_insertions;
     return true;
@@ -167,7 +168,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
   Vec3 p = optimize_place(problem, middle, {20, 2}).point;
   if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
   if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p) || tools.spoils(cavity, p)) return false;
-  if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_in_thin_gap(tools, cavity, p))) return false;
+  if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_barred_by_gap(tools, cavity, p))) return false;
   if (moves_on_patch && !tools.guard.exact()) {
     std::vector<SurfaceFace> before_faces, after_faces;
     std::vector<CurvePiece> curves;

@@ -2,6 +2,7 @@
 #include "improve/rescue.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "improve/trial.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double room = 0.03;  ///< of a new point, as a share of the asked size
 constexpr double notable_rise = 1.05;
 constexpr std::size_t max_given_up = 3;  ///< cells about which all was in vain
+constexpr double opening_shape = 1e-3;   ///< below this an opening leaves nothing
 
 /// Bad cells about a place.
 struct Tally {
@@ -31,8 +33,31 @@ class Rescue {
   Rescue(Toolbox& tools, const RescueRule& rule) : tools_(tools), mesh_(tools.mesh), rule_(rule) {}
 
   bool run(CellIndex seed) {
+    return attempt(true, [&] { return mend(seed); });
+  }
+
+  bool run_by_openings(CellIndex seed) { return run_by_openings(seed, false) || run_by_openings(seed, true); }
+
+ private:
+  bool run_by_openings(CellIndex seed, bool may_spread) {
+    const Tetrahedron t = mesh_.vertices(seed);
+    if (attempt(may_spread, [&] { return clear_about(t); })) return true;
+    for (const auto& e : edge_vertices)
+      if (attempt(may_spread, [&] { return split_edge(tools_, seed, t[e[0]], t[e[1]], opening_shape).has_value(); })) return true;
+    for (const auto& [u, v] : edges_to_collapse(t))
+      if (attempt(may_spread, [&] { return try_collapse(tools_, u, v, CollapseRule::coarsen, opening_shape); })) return true;
+    for (const CellIndex c : cells_about(t))
+      if (attempt(may_spread, [&] { return insert_inside(tools_, centroid(c), c, {0, opening_shape}).has_value(); })) return true;
+    return false;
+  }
+
+  /// What comes of `open`, mended (by operations that make no more cells bad unless these `may_spread`), is kept where it is worth it.
+  template <class Open>
+  bool attempt(bool may_spread, const Open& open) {
+    given_up_.clear();
     Trial trial(tools_);
-    if (!mend(seed)) return false;
+    if (!open()) return false;
+    tools_.bad_cells_may_spread = may_spread;
     for (unsigned step = 1; step < rule_.max_steps; ++step) {
       const CellIndex worst = next_bad();
       if (worst == no_cell) break;
@@ -45,7 +70,68 @@ class Rescue {
     return true;
   }
 
- private:
+  Vec3 centroid(CellIndex c) const {
+    const Tetrahedron& t = mesh_.vertices(c);
+    return 0.25 * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]) + mesh_.point(t[3]));
+  }
+  /// Those with two vertices of the cell at least, it among them.
+  std::vector<CellIndex> cells_about(const Tetrahedron& t) {
+    std::vector<CellIndex> star, cells;
+    for (const VertexIndex v : t) {
+      mesh_.star(v, tools_.work.marks, star);
+      for (const CellIndex c : star)
+        if (std::count_if(t.begin(), t.end(), [&](VertexIndex w) { return mesh_.topology().has_vertex(c, w); }) > 1) cells.push_back(c);
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+  }
+
+  /// The cell's vertices and their neighbours that may move.
+  std::vector<VertexIndex> movable_about(const Tetrahedron& t) {
+    std::vector<CellIndex> star;
+    std::vector<VertexIndex> about;
+    for (const VertexIndex v : t) {
+      mesh_.star(v, tools_.work.marks, star);
+      for (const CellIndex c : star)
+        for (const VertexIndex w : mesh_.vertices(c))
+          if (mesh_.kind(w) != VertexKind::corner) about.push_back(w);
+    }
+    std::sort(about.begin(), about.end());
+    about.erase(std::unique(about.begin(), about.end()), about.end());
+    return about;
+  }
+
+  /// Removes the points inside about the cell, as many as go: where earlier repairs have crowded them.
+  bool clear_about(const Tetrahedron& t) {
+    std::size_t n = 0;
+    for (const VertexIndex u : movable_about(t))
+      if (mesh_.kind(u) == VertexKind::inside) n += try_collapse(tools_, u, nearest_neighbour(u), CollapseRule::coarsen, opening_shape);
+    return n > 0;
+  }
+
+  /// Each movable vertex of the cell, and of the cells about it, into each of the cell's vertices or its nearest neighbour.
+  std::vector<std::array<VertexIndex, 2>> edges_to_collapse(const Tetrahedron& t) {
+    std::vector<std::array<VertexIndex, 2>> edges;
+    for (const VertexIndex u : movable_about(t)) edges.push_back({u, nearest_neighbour(u)});
+    for (const VertexIndex u : t)
+      for (const VertexIndex v : t)
+        if (u != v && mesh_.kind(u) != VertexKind::corner) edges.push_back({u, v});
+    return edges;
+  }
+  VertexIndex nearest_neighbour(VertexIndex u) {
+    std::vector<CellIndex> star;
+    mesh_.star(u, tools_.work.marks, star);
+    VertexIndex nearest = no_vertex;
+    double least = std::numeric_limits<double>::infinity();
+    for (const CellIndex c : star)
+      for (const VertexIndex w : mesh_.vertices(c)) {
+        const double d = squared_distance(mesh_.point(u), mesh_.point(w));
+        if (w != u && (d < least || (d == least && w < nearest))) least = d, nearest = w;
+      }
+    return nearest;
+  }
+
   /// The worst of the bad cells that came of the trial, but those where all was in vain.
   CellIndex next_bad() const {
     CellIndex worst = no_cell;
@@ -111,5 +197,7 @@ class Rescue {
 }  // namespace
 
 bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, rule).run(c); }
+
+bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, rule).run_by_openings(c); }
 
 }  // namespace geomesh::remesh

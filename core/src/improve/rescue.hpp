@@ -18,4 +18,8 @@ struct RescueRule {
 /// as it was. Returns whether it was kept.
 bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
 
+/// The same where that was in vain, with sequences that open with an operation which may make the place worse: an edge of the cell split, one
+/// of its vertices or of those about it removed, a point put into it or a cell beside it. The first that is worth it is kept. Many times as dear as rescue_cell.
+bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule);
+
 }  // namespace geomesh::remesh

@@ -8,12 +8,12 @@
 namespace geomesh::remesh {
 
 /// From construction on changes are recorded; they are undone at the end unless `keep` was called: the mesh, what the toolbox knows of it, and
-/// its statistics are then as they were. While it lasts bad cells may spread.
+/// its statistics are then as they were. While it lasts bad cells may spread, and points go into thin gaps.
 class Trial {
  public:
-  explicit Trial(Toolbox& tools) : tools_(tools), statistics_(tools.statistics), may_spread_(tools.bad_cells_may_spread) {
+  explicit Trial(Toolbox& tools) : tools_(tools), statistics_(tools.statistics), may_spread_(tools.bad_cells_may_spread), in_gaps_(tools.points_in_thin_gaps) {
     tools.mesh.begin_trial();
-    tools.bad_cells_may_spread = true;
+    tools.bad_cells_may_spread = tools.points_in_thin_gaps = true;
   }
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
@@ -24,6 +24,7 @@ class Trial {
       tools_.statistics = statistics_;
     }
     tools_.bad_cells_may_spread = may_spread_;
+    tools_.points_in_thin_gaps = in_gaps_;
   }
   void keep() {
     tools_.mesh.keep_trial();
@@ -33,7 +34,7 @@ class Trial {
  private:
   Toolbox& tools_;
   RefineStatistics statistics_;
-  bool may_spread_, kept_ = false;
+  bool may_spread_, in_gaps_, kept_ = false;
 };
 
 }  // namespace geomesh::remesh

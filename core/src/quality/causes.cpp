@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "quality/shape.hpp"
+
 namespace geomesh {
 
 namespace {
@@ -45,6 +47,29 @@ void CauseFinder::explain_by_gap(WorstElement& w) const {
 
 void CauseFinder::explain(WorstElement& w) {
   if (!explain_by_angle(w)) explain_by_gap(w);
+}
+
+std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options) {
+  std::vector<WorstElement> bad;
+  for (Index row = 0; row < mesh.tetrahedra.size(); ++row) {
+    const Tetrahedron& t = mesh.tetrahedra[row];
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
+    if (remesh::shape(a, b, c, d) > remesh::shape_of_angle(options.bad_angle)) continue;  // quick: the shape is not above the least sine
+    const double least = tetrahedron_shape(a, b, c, d).min_dihedral;
+    if (!(least < options.bad_angle)) continue;
+    WorstElement& w = bad.emplace_back();
+    w.tetrahedron = row;
+    w.min_dihedral = least;
+    w.place = 0.25 * (a + b + c + d);
+  }
+  if (bad.empty()) return {};
+  CauseFinder causes(mesh, options);
+  for (WorstElement& w : bad) causes.explain(w);
+  std::erase_if(bad, [](const WorstElement& w) { return w.cause != ShapeCause::free; });
+  std::stable_sort(bad.begin(), bad.end(), [](const WorstElement& a, const WorstElement& b) { return a.min_dihedral < b.min_dihedral; });
+  std::vector<Index> rows;
+  for (const WorstElement& w : bad) rows.push_back(w.tetrahedron);
+  return rows;
 }
 
 }  // namespace geomesh

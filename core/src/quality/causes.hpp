@@ -29,4 +29,7 @@ class CauseFinder {
   std::vector<MeetingAngle> angles_;  // by vertex; negative: not looked for yet
 };
 
+/// Rows of the elements below the bad angle that nothing forces, the worst first. O(n) but for what CauseFinder costs.
+std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
+
 }  // namespace geomesh

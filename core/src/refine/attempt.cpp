@@ -5,8 +5,10 @@
 
 #include "geomesh/core/error.hpp"
 #include "improve/improve.hpp"
+#include "quality/causes.hpp"
 #include "refine/domain_io.hpp"
 #include "refine/hold_surfaces.hpp"
+#include "refine/mesh_anew.hpp"
 #include "refine/refinement.hpp"
 #include "refine/sample_surfaces.hpp"
 
@@ -21,11 +23,12 @@ double worst_shape(const DomainMesh& mesh) {
   return worst;
 }
 
-void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
+void find_sizes_and_patches(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
   SizeFields sizes = build_size_field(plc, mesh, options, size_tolerance(options));
   result.size_field = std::move(sizes.all);
   result.asked = std::move(sizes.without_gaps);
   result.statistics.sizes_on_surfaces = sizes_surfaces(options);
+  result.kept_patch = patches_of_facets(plc, options);
   if (options.refine) announce_estimate(plc, mesh, options, context, result);
 }
 
@@ -59,9 +62,66 @@ SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& pl
   return SurfaceGuard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
 }
 
-void improve_holding(Toolbox& tools, const RefineOptions& options, const RunContext& context, Attempt& attempt) {
+/// Edges that long stay where the front was stuck.
+constexpr double far_too_long = 3;
+
+bool has_edges_far_too_long(Toolbox& tools) {
+  const DomainMesh& mesh = tools.mesh;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    const Tetrahedron& t = mesh.vertices(c);
+    for (const auto& e : edge_vertices) {
+      const double l = far_too_long * tools.size_of_edge(t[e[0]], t[e[1]]);
+      if (squared_distance(mesh.point(t[e[0]]), mesh.point(t[e[1]])) > l * l) return true;
+    }
+  }
+  return false;
+}
+
+bool has_borders_of_no_facet(const DomainMesh& mesh) {
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh.is_live(c) && mesh.tag(c, i).constrained() && mesh.tag(c, i).facet() == hull_facet) return true;
+  return false;
+}
+
+/// Where far too long edges are left, cells are far from Delaunay and points beside them too near for more: flips do not get there any more. The same points
+/// are meshed anew, and refinement goes on from there.
+void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& input,
+                      const RunContext& context) {
+  constexpr unsigned most_rounds = 2;
+  for (unsigned round = 0; round < most_rounds && has_edges_far_too_long(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
+    auto fresh = mesh_anew(export_domain(tools.mesh, plc, input), context);
+    if (!fresh) return;
+    input = std::move(*fresh);
+    tools.mesh = import_domain(plc, input, options);
+    tools.vertex_size.clear();
+    flip_towards_delaunay(tools, context);
+    refine_inside(tools, options.max_elements, context);
+    collapse_short_edges(tools, true, context);
+  }
+}
+
+/// For the improvement: the mesh as it would be given out is judged as users will judge it.
+FindFreeCells find_free_cells(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
+                              const RefineResult& result) {
+  return [&](const DomainMesh& mesh) {
+    std::vector<CellIndex> cells, bad;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+      if (mesh.is_live(c)) cells.push_back(c);
+    const ConstrainedTetrahedralization exported = export_domain(mesh, plc, input);
+    QualityOptions judging;
+    judging.asked = &result.asked;
+    judging.tolerance = size_tolerance(options);
+    judging.facet_patch = result.kept_patch;
+    for (const Index row : unforced_bad_elements(exported, judging)) bad.push_back(cells[row]);
+    return bad;
+  };
+}
+
+void improve_holding(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells, Attempt& attempt) {
   const StageScope stage(context, "improve");
-  improve_mesh(tools, options, context);
+  improve_mesh(tools, options, context, free_cells);
   Deviations found = hold_to_tolerance(tools, context);
   attempt.result.statistics.deviation_result_to_input = found.result_to_input;
   attempt.result.statistics.deviation_input_to_result = found.input_to_result;
@@ -69,12 +129,10 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
   if (!tools.guard.exact()) attempt.crossings = crossings_outside(tools.mesh);
 }
 
-void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, const ConstrainedTetrahedralization& input,
-            RefineResult& result) {
+void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, RefineResult& result) {
   result.statistics.worst_shape_after = worst_shape(tools.mesh);
   result.statistics.edges_within_size = share_of_edges_within_size(tools);
   renew_facets(tools.mesh, tools.guard, plc);
-  result.kept_patch = patches_of_facets(plc, options);
   const std::string fault = tools.mesh.validate();
   if (!fault.empty()) throw InternalError("refinement: " + fault);
   result.mesh = export_domain(tools.mesh, plc, input);
@@ -87,19 +145,20 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   Attempt attempt;
   RefineResult& result = attempt.result;
   DomainMesh mesh = import_domain(plc, input, options);
-  find_sizes(plc, mesh, options, context, result);
+  find_sizes_and_patches(plc, mesh, options, context, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
   const SurfaceGuard guard = prepare_surfaces(hold, plc, options, input, mesh, context, result);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   if (options.refine) refine_to_size(tools, options, context);
+  if (options.refine && guard.exact() && sizes_surfaces(options)) refine_from_anew(tools, plc, options, input, context);
   refining.reset();
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
   if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_before = worst_shape(mesh);
-  improve_holding(tools, options, context, attempt);
-  if (attempt.holds()) finish(tools, plc, options, input, result);
+  improve_holding(tools, options, context, find_free_cells(plc, input, options, result), attempt);
+  if (attempt.holds()) finish(tools, plc, input, result);
   return attempt;
 }
 

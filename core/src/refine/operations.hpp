@@ -21,6 +21,7 @@ struct Toolbox {
   std::vector<double> vertex_size;  ///< asked size per vertex, negative where not yet asked for
   /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all over, and else not.
   bool bad_cells_may_spread = false;
+  bool points_in_thin_gaps = false;  ///< whether improvement may put points there, where they mostly make more flat elements
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}

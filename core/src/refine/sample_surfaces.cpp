@@ -8,6 +8,7 @@
 
 #include "geomesh/core/simplex_mesh.hpp"
 #include "quality/shape.hpp"
+#include "refine/mesh_anew.hpp"
 #include "refine/planar_sampler.hpp"
 
 namespace geomesh::remesh {
@@ -218,47 +219,6 @@ class SurfaceSampler {
   SampledComplex out_;
 };
 
-/// Which component of `mesh` each component of `fresh` is, told by a facet and its side; no_index: none. Nothing where facets disagree.
-std::optional<std::vector<Index>> match_components(const ConstrainedTetrahedralization& mesh, const std::vector<Index>& row_of_facet,
-                                                   const ConstrainedTetrahedralization& fresh) {
-  std::map<std::pair<Index, bool>, Index> side;
-  std::vector<Index> match(fresh.n_components, no_index);
-  const auto for_each_side = [](const ConstrainedTetrahedralization& m, const auto& visit) {
-    for (const auto& f : m.faces)
-      for (const bool above : {false, true})
-        if (const Index t = above ? f.tetrahedron_above : f.tetrahedron_below; t != no_index)
-          if (!visit(f.facet, above, m.component[t])) return false;
-    return true;
-  };
-  if (!for_each_side(mesh, [&](Index facet, bool above, Index c) {
-        return side.try_emplace({row_of_facet[facet], above}, c).first->second == c;
-      }))
-    return std::nullopt;
-  const bool agrees = for_each_side(fresh, [&](Index row, bool above, Index c) {
-    const auto at = side.find({row, above});
-    if (at == side.end()) return true;
-    if (match[c] == no_index) match[c] = at->second;
-    return match[c] == at->second;
-  });
-  return agrees ? std::optional(match) : std::nullopt;
-}
-
-/// A point well inside each component that has no match.
-void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<Index>& match, PiecewiseLinearComplex& plc) {
-  std::vector<double> largest(fresh.n_components, 0);
-  std::vector<Vec3> place(fresh.n_components);
-  for (std::size_t t = 0; t < fresh.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = fresh.tetrahedra[t];
-    const Vec3 &a = fresh.points[v[0]], &b = fresh.points[v[1]], &c = fresh.points[v[2]], &d = fresh.points[v[3]];
-    const double volume = dot(cross(b - a, c - a), d - a);
-    if (volume <= largest[fresh.component[t]]) continue;
-    largest[fresh.component[t]] = volume;
-    place[fresh.component[t]] = 0.25 * ((a + b) + (c + d));
-  }
-  for (Index c = 0; c < fresh.n_components; ++c)
-    if (match[c] == no_index) plc.hole_seeds.push_back({place[c], no_index});
-}
-
 /// Per merged facet the first of those that it was made of.
 std::vector<Index> first_facets(const MergedFacets& merged) {
   std::vector<Index> first(merged.plc.n_facets(), no_index);
@@ -266,9 +226,8 @@ std::vector<Index> first_facets(const MergedFacets& merged) {
   return first;
 }
 
-/// Rows as they were for points, facets, segments and components.
-ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const ConstrainedTetrahedralization& mesh,
-                                         const std::vector<Index>& match, const MergedFacets& merged, const SampledComplex& sampled) {
+/// Rows as they were for points, facets and segments.
+ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const MergedFacets& merged, const SampledComplex& sampled) {
   const std::size_t n_points = merged.plc.points.size();
   const std::vector<Index> first = first_facets(merged);
   for (auto& f : fresh.faces) f.facet = first[f.facet];
@@ -281,11 +240,6 @@ ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, co
     row = no_vertex;
   }
   for (auto& e : fresh.edges) e.segment = sampled.segment[e.segment];
-  for (Index& c : fresh.component) c = match[c];
-  fresh.n_components = mesh.n_components;
-  fresh.component_seed = mesh.component_seed;
-  fresh.recovery = mesh.recovery;
-  fresh.delaunay_statistics = mesh.delaunay_statistics;
   return fresh;
 }
 
@@ -298,29 +252,9 @@ SampledComplex sample_surfaces(const MergedFacets& merged, const ConstrainedTetr
 
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh,
                                                           SampledComplex sampled, const RunContext& context) {
-  RunContext quiet;
-  quiet.cancel = context.cancel;
-  quiet.threads = context.threads;
-  try {
-    ConstrainedTetrahedralization fresh = tetrahedralize(sampled.plc, {}, quiet);
-    auto match = match_components(mesh, merged.row_of_facet, fresh);
-    if (!match) return std::nullopt;
-    if (std::find(match->begin(), match->end(), no_index) != match->end()) {
-      seed_holes(fresh, *match, sampled.plc);
-      fresh = tetrahedralize(sampled.plc, {}, quiet);
-      match = match_components(mesh, merged.row_of_facet, fresh);
-    }
-    if (!match) return std::nullopt;
-    std::vector<Index> found = *match;
-    std::sort(found.begin(), found.end());
-    for (Index c = 0; c < std::max(found.size(), mesh.n_components); ++c)
-      if (c >= found.size() || found[c] != c) return std::nullopt;
-    return renumbered(std::move(fresh), mesh, *match, merged, sampled);
-  } catch (const Error& e) {
-    if (e.kind() == ErrorKind::interrupted) throw;
-    context.note(LogLevel::debug, std::string("points on surfaces are added one by one: ") + e.what());
-    return std::nullopt;
-  }
+  auto fresh = tetrahedralize_as(mesh, merged.row_of_facet, sampled.plc, context);
+  if (!fresh) return std::nullopt;
+  return renumbered(std::move(*fresh), merged, sampled);
 }
 
 }  // namespace geomesh::remesh
