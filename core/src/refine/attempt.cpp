@@ -62,20 +62,20 @@ SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& pl
   return SurfaceGuard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
 }
 
-/// Edges that long stay where the front was stuck.
-constexpr double far_too_long = 3;
+/// Edges that long stay where the front was stuck. A few are mended by the improvement; so large a share of the cells is worth meshing anew.
+constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
 
-bool has_edges_far_too_long(Toolbox& tools) {
-  const DomainMesh& mesh = tools.mesh;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c)) continue;
-    const Tetrahedron& t = mesh.vertices(c);
-    for (const auto& e : edge_vertices) {
-      const double l = far_too_long * tools.size_of_edge(t[e[0]], t[e[1]]);
-      if (squared_distance(mesh.point(t[e[0]]), mesh.point(t[e[1]])) > l * l) return true;
-    }
-  }
-  return false;
+bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
+  return std::any_of(edge_vertices.begin(), edge_vertices.end(), [&](const auto& e) {
+    const double l = far_too_long * tools.size_of_edge(t[e[0]], t[e[1]]);
+    return squared_distance(tools.mesh.point(t[e[0]]), tools.mesh.point(t[e[1]])) > l * l;
+  });
+}
+
+bool is_stuck(Toolbox& tools) {
+  std::size_t n = 0;
+  for (CellIndex c = 0; c < tools.mesh.n_slots(); ++c) n += tools.mesh.is_live(c) && has_edge_far_too_long(tools, tools.mesh.vertices(c));
+  return static_cast<double>(n) > worth_meshing_anew * static_cast<double>(tools.mesh.n_cells());
 }
 
 bool has_borders_of_no_facet(const DomainMesh& mesh) {
@@ -90,7 +90,7 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
 void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& input,
                       const RunContext& context) {
   constexpr unsigned most_rounds = 2;
-  for (unsigned round = 0; round < most_rounds && has_edges_far_too_long(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
+  for (unsigned round = 0; round < most_rounds && is_stuck(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
     auto fresh = mesh_anew(export_domain(tools.mesh, plc, input), context);
     if (!fresh) return;
     input = std::move(*fresh);
