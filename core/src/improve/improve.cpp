@@ -189,15 +189,6 @@ class Improver {
   }
   bool unchanged(const BadCell& b) const { return mesh_.is_live(b.cell) && mesh_.vertices(b.cell) == b.vertices; }
 
-  bool flip(CellIndex c) {
-    const Tetrahedron t = mesh_.vertices(c);
-    for (const auto& e : edge_vertices)
-      if (remove_edge(tools_, c, t[e[0]], t[e[1]])) return true;
-    for (unsigned i = 0; i < 4; ++i)
-      if (remove_face(tools_, c, i)) return true;
-    return false;
-  }
-
   std::size_t repair(const std::vector<BadCell>& bad, unsigned pass) {
     std::size_t n = 0;
     for (const BadCell& b : bad) {
@@ -225,7 +216,7 @@ class Improver {
   bool repair_cell(const BadCell& b, unsigned pass) {
     const Tried tried = tried_at(b.cell);
     if (tried < Tried::flips_and_moves) {
-      if (flip(b.cell)) return true;
+      if (flip_about_cell(tools_, b.cell)) return true;
       bool moved = false;
       for (const VertexIndex v : b.vertices) moved |= smooth(v);
       if (moved) return true;
@@ -233,11 +224,11 @@ class Improver {
     }
     if (pass == 0) return false;
     if (tried < Tried::collapse) {
-      if (collapse(b)) return true;
+      if (collapse_about_cell(tools_, b.cell)) return true;
       remember(b.cell, Tried::collapse);
     }
     if (!may_add_points_ || pass < first_pass_with_points || tried == Tried::points) return false;
-    if (b.shape < shape_of_angle(schedule_.insertion_angle) && add_point(b)) return true;
+    if (b.shape < shape_of_angle(schedule_.insertion_angle) && add_point_about_cell(tools_, b.cell, room_)) return true;
     remember(b.cell, Tried::points);
     return false;
   }
@@ -249,20 +240,6 @@ class Improver {
     if (smooth_vertex(tools_, v, {schedule_.smoothing_steps, shape_of_angle(schedule_.target_angle + 4), SmoothGoal::worst, 0, schedule_.least_rise})) return true;
     smoothed_[v] = mesh_.tick();
     return false;
-  }
-
-  bool collapse(const BadCell& b) {
-    for (const auto& e : edge_vertices) {
-      const VertexIndex u = b.vertices[e[0]], v = b.vertices[e[1]];
-      if (try_collapse(tools_, u, v, CollapseRule::improve) || try_collapse(tools_, v, u, CollapseRule::improve)) return true;
-    }
-    return false;
-  }
-
-  bool add_point(const BadCell& b) {
-    for (const auto& e : edge_vertices)
-      if (split_to_improve(tools_, b.cell, b.vertices[e[0]], b.vertices[e[1]], room_)) return true;
-    return insert_to_improve(tools_, b.cell, room_);
   }
 
   Toolbox& tools_;

@@ -84,6 +84,14 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge where that, with the new vertex at its best place, raises the worst shape about it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);
 
+/// @name One operation about a cell, the first of its kind that raises the worst shape there
+/// Edges in the order of edge_vertices, faces by their index. Each returns whether something changed.
+/// @{
+bool flip_about_cell(Toolbox& tools, CellIndex c);
+bool collapse_about_cell(Toolbox& tools, CellIndex c);
+bool add_point_about_cell(Toolbox& tools, CellIndex c, double room);
+/// @}
+
 /// The mesh's bad cells that nothing of the input forces.
 using FindFreeCells = std::function<std::vector<CellIndex>(const DomainMesh&)>;
 

@@ -158,34 +158,14 @@ class Rescue {
     return tally;
   }
 
-  bool mend(CellIndex c) { return flip(c) || move(c) || collapse(c) || add_point(c); }
-
-  bool flip(CellIndex c) {
-    const Tetrahedron t = mesh_.vertices(c);
-    for (const auto& e : edge_vertices)
-      if (remove_edge(tools_, c, t[e[0]], t[e[1]])) return true;
-    for (unsigned i = 0; i < 4; ++i)
-      if (remove_face(tools_, c, i)) return true;
-    return false;
+  bool mend(CellIndex c) {
+    return flip_about_cell(tools_, c) || move(c) || collapse_about_cell(tools_, c) || add_point_about_cell(tools_, c, room);
   }
   bool move(CellIndex c) {
     bool moved = false;
     for (const VertexIndex v : Tetrahedron(mesh_.vertices(c)))
       moved |= smooth_vertex(tools_, v, {rule_.smoothing_steps, 2, SmoothGoal::worst, 0, notable_rise});
     return moved;
-  }
-  bool collapse(CellIndex c) {
-    const Tetrahedron t = mesh_.vertices(c);
-    for (const auto& e : edge_vertices)
-      if (try_collapse(tools_, t[e[0]], t[e[1]], CollapseRule::improve) || try_collapse(tools_, t[e[1]], t[e[0]], CollapseRule::improve))
-        return true;
-    return false;
-  }
-  bool add_point(CellIndex c) {
-    const Tetrahedron t = mesh_.vertices(c);
-    for (const auto& e : edge_vertices)
-      if (split_to_improve(tools_, c, t[e[0]], t[e[1]], room)) return true;
-    return insert_to_improve(tools_, c, room);
   }
 
   Toolbox& tools_;
