@@ -88,7 +88,7 @@ class Refinement(ProgramTest):
             self.assertGreater(counts[region], 1.5 * regions[region], mesh)
 
     def test_names_that_are_not_there(self):
-        for mesh, words in (("{size: {units: {uper: 1}}}", "lower, upper"), ("{size: {curves: {no_curve: 1}}}", "wells"),
+        for mesh, words in (("{size: {units: {uper: 1}}}", "was 'upper' meant? known are lower, upper"), ("{size: {curves: {no_curve: 1}}}", "wells"),
                             ("{size: {surfaces: {no_surface: 1}}}", "zmax")):
             printed = self.run_program(self.layers(mesh), "-o", self.folder, status=USAGE)
             self.assertIn(words, printed)

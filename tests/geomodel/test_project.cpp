@@ -201,6 +201,7 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {size: -5}\n", "mesh.size: a number above zero was expected"},
       {s + "mesh: {refine: none, size: 5}\n", "mesh.refine: none contradicts"},
       {s + "mesh: {honour: tolerance}\n", "mesh.honour: how far surfaces may be from the input is missing"},
+      {s + "mesh: {honour: {tolerance: 2}}\n", "found a map; give 'honour: tolerance' and beside it 'tolerance', a length"},
       {s + "mesh: {tolerance: 2}\n", "mesh.tolerance: has no meaning while surfaces are kept exactly"},
       {s + "mesh: {size: {min: 5, max: 2}}\n", "mesh.size: min is greater than max"},
       {s + "mesh: {size: {units: {a: {size: 2, radius: 3}}}}\n", "mesh.size.units: a size inside of a has no radius"},

@@ -7,6 +7,7 @@
 
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine_conforming.hpp"
+#include "project/problems.hpp"
 #include "sets/name_regions.hpp"
 #include "sets/sums.hpp"
 
@@ -21,12 +22,14 @@ void ask(AskedSize& at, const AskedSize& asked) {
 }
 
 [[noreturn]] void refuse_name(const char* what, const std::string& name, const std::set<std::string>& known) {
+  const std::string_view near = nearest_word(name, {known.begin(), known.end()});
   constexpr std::size_t most = 30;
   std::string list;
   std::size_t n = 0;
   for (const std::string& k : known)
     if (++n <= most) list += (list.empty() ? "" : ", ") + k;
-  throw Error(ErrorKind::usage, std::string("mesh.size: no ") + what + " of the model is named '" + name + "'; known are " + list +
+  throw Error(ErrorKind::usage, std::string("mesh.size: no ") + what + " of the model is named '" + name + "'; " +
+                                    (near.empty() ? "" : "was '" + std::string(near) + "' meant? ") + "known are " + list +
                                     (n > most ? ", ..." : ""));
 }
 
