@@ -11,6 +11,14 @@ namespace {
 
 Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
 double squared_distance(const Vec2& a, const Vec2& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+
+double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d{b.x - a.x, b.y - a.y};
+  const double dd = d.x * d.x + d.y * d.y;
+  const double t = dd > 0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / dd, 0.0, 1.0) : 0.0;
+  return squared_distance(p, plus(a, t, d));
+}
+
 int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }
 
 /// Collisions cost time only: points are compared by distance.
@@ -32,14 +40,27 @@ PlanarSampler::PlanarSampler(const std::vector<std::vector<Vec2>>& loops, Size s
     }
   rows_.resize(std::clamp<std::size_t>(edges_.size() / 2, 1, 4096));
   strip_ = std::max(high - low_, std::numeric_limits<double>::min()) / static_cast<double>(rows_.size());
-  const auto row = [&](double y) {
-    return std::min(rows_.size() - 1, static_cast<std::size_t>(std::max(0.0, (y - low_) / strip_)));
-  };
   for (Index e = 0; e < edges_.size(); ++e) {
-    const auto [first, last] = std::minmax({row(edges_[e].a.y), row(edges_[e].b.y)});
-    for (std::size_t r = first; r <= last; ++r) rows_[r].push_back(e);
+    enter(e, edges_[e], rows_);
     add(edges_[e].a, size_(edges_[e].a));
   }
+}
+
+std::size_t PlanarSampler::row(double y) const {
+  return static_cast<std::size_t>(std::clamp((y - low_) / strip_, 0.0, static_cast<double>(rows_.size() - 1)));
+}
+
+void PlanarSampler::enter(Index e, const Edge& edge, std::vector<std::vector<Index>>& rows) const {
+  const auto [first, last] = std::minmax({row(edge.a.y), row(edge.b.y)});
+  for (std::size_t r = first; r <= last; ++r) rows[r].push_back(e);
+}
+
+void PlanarSampler::block(const Vec2& a, const Vec2& b) {
+  block(a);
+  block(b);
+  if (inner_rows_.empty()) inner_rows_.resize(rows_.size());
+  inner_edges_.push_back({a, b});
+  enter(static_cast<Index>(inner_edges_.size() - 1), inner_edges_.back(), inner_rows_);
 }
 
 void PlanarSampler::add(const Vec2& p, double size) {
@@ -77,10 +98,20 @@ bool PlanarSampler::is_free(const Vec2& p, double size) const {
   return true;
 }
 
+bool PlanarSampler::is_clear_of(const std::vector<Edge>& edges, const std::vector<std::vector<Index>>& rows, const Vec2& p, double radius) const {
+  if (rows.empty()) return true;
+  const double limit = radius * radius;
+  for (std::size_t r = row(p.y - radius), last = row(p.y + radius); r <= last; ++r)
+    for (const Index e : rows[r])
+      if (squared_distance(p, edges[e].a, edges[e].b) < limit) return false;
+  return true;
+}
+
 bool PlanarSampler::take(const Vec2& p, const Vec2& from) {
   if (!is_inside(p)) return false;
   const double size = size_(p);
   if (!is_free(p, size)) return false;
+  if (!is_clear_of(edges_, rows_, p, edge_ratio * size) || !is_clear_of(inner_edges_, inner_rows_, p, edge_ratio * size)) return false;
   add(p, size);
   taken_.push_back(p);
   const double l = std::sqrt(squared_distance(p, from));

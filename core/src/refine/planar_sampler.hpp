@@ -11,15 +11,17 @@
 
 namespace geomesh::remesh {
 
-/// Advances from the border inwards; a point is taken where none is nearer than `spacing_ratio` of the size asked there.
+/// Advances from the border inwards; a point is taken where none is nearer than `spacing_ratio` of the size asked there, and no edge nearer than
+/// `edge_ratio` of it: a point in the middle of an edge longer than asked would be far enough from its ends.
 class PlanarSampler {
  public:
-  static constexpr double spacing_ratio = 0.75;
+  static constexpr double spacing_ratio = 0.75, edge_ratio = 0.4;
   using Size = std::function<double(const Vec2&)>;
   /// Loops with vertices at about the asked distances, the outer one turning left, holes turning right.
   PlanarSampler(const std::vector<std::vector<Vec2>>& loops, Size size);
-  /// A point that others keep away from: on an inner segment, say.
+  /// A point, or an inner segment, that others keep away from.
   void block(const Vec2& p) { add(p, size_(p)); }
+  void block(const Vec2& a, const Vec2& b);
   /// The points taken, in the order of taking.
   std::vector<Vec2> run();
 
@@ -31,14 +33,17 @@ class PlanarSampler {
     Vec2 at, direction;  ///< of length one: where the next point is tried first
   };
   void add(const Vec2& p, double size);
+  std::size_t row(double y) const;
+  void enter(Index e, const Edge& edge, std::vector<std::vector<Index>>& rows) const;
   bool is_inside(const Vec2& p) const;
+  bool is_clear_of(const std::vector<Edge>& edges, const std::vector<std::vector<Index>>& rows, const Vec2& p, double radius) const;
   bool is_free(const Vec2& p, double size) const;
   bool take(const Vec2& p, const Vec2& from);
   void advance(unsigned n_directions, double distance);
 
   Size size_;
-  std::vector<Edge> edges_;
-  std::vector<std::vector<Index>> rows_;  // edges by strip in y
+  std::vector<Edge> edges_, inner_edges_;
+  std::vector<std::vector<Index>> rows_, inner_rows_;  // edges by strip in y
   double low_ = 0, strip_ = 1;
   std::unordered_map<std::uint64_t, std::vector<Vec2>> cells_;  // by level of size and place
   int least_level_ = 1000, greatest_level_ = -1000;

@@ -149,11 +149,12 @@ class SurfaceSampler {
     }
   }
 
-  /// Points on inner segments and inner points, by facet.
+  /// Pieces of inner segments and inner points, by facet.
   void index_inner_parts() {
-    inner_.resize(plc_.n_facets());
-    for (const auto& s : out_.plc.facet_segments) inner_[s.facet].insert(inner_[s.facet].end(), {s.a, s.b});
-    for (const auto& p : plc_.facet_points) inner_[p.facet].push_back(p.v);
+    inner_segments_.resize(plc_.n_facets());
+    inner_points_.resize(plc_.n_facets());
+    for (const auto& s : out_.plc.facet_segments) inner_segments_[s.facet].push_back({s.a, s.b});
+    for (const auto& p : plc_.facet_points) inner_points_[p.facet].push_back(p.v);
   }
 
   void sample_facet(Index f) {
@@ -177,7 +178,9 @@ class SurfaceSampler {
     }
     const std::array<Index, 1> facet{f};
     PlanarSampler sampler(flat, [&](const Vec2& p) { return size_at(frame->lifted(p), facet); });
-    for (const VertexIndex v : inner_[f]) sampler.block(frame->flat(out_.plc.points[v]));
+    const auto flat_place = [&](VertexIndex v) { return frame->flat(out_.plc.points[v]); };
+    for (const auto& [a, b] : inner_segments_[f]) sampler.block(flat_place(a), flat_place(b));
+    for (const VertexIndex v : inner_points_[f]) sampler.block(flat_place(v));
     for (const Vec2& p : sampler.run()) {
       out_.plc.facet_points.push_back({f, static_cast<VertexIndex>(out_.plc.points.size())});
       out_.plc.points.push_back(frame->lifted(p));
@@ -214,7 +217,8 @@ class SurfaceSampler {
   const SizeField& size_;
   std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
   std::map<Edge, EdgeParts> edges_;
-  std::vector<std::vector<VertexIndex>> inner_;
+  std::vector<std::vector<Edge>> inner_segments_;
+  std::vector<std::vector<VertexIndex>> inner_points_;
   std::vector<double> vertex_size_;  // negative: not asked for yet
   SampledComplex out_;
 };
