@@ -57,6 +57,37 @@ TEST_CASE("Collapsing keeps the mesh valid, corners and the domain", "[improve]"
   CHECK(n_corners == 0);
 }
 
+TEST_CASE("Inner points too near to others go again where no shape falls below a floor", "[improve]") {
+  Bench bench(two_boxes(3));
+  SizeField::Limits limits;
+  limits.global = 0.25;  // one and a half times the grid's spacing, so that its diagonals are not too long
+  const SizeField size({}, limits);
+  Toolbox tools(bench.mesh, bench.guard, size, bench.statistics);
+  const double before = bench.volume();
+  const auto worst = [&] {
+    double least = 1;
+    for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
+      if (bench.mesh.is_live(c)) least = std::min(least, bench.mesh.shape_of(c));
+    return least;
+  };
+  const double given = worst();
+  const std::size_t n_added = over_cells(bench, 29, [&](Bench& b, CellIndex c) {
+    const Tetrahedron& t = b.mesh.vertices(c);
+    const Vec3 p = 0.7 * b.mesh.point(t[0]) + 0.1 * (b.mesh.point(t[1]) + b.mesh.point(t[2]) + b.mesh.point(t[3]));
+    return insert_inside(tools, p, c, {1e-3, 1e-6}).has_value();
+  });
+  REQUIRE(n_added > 10);
+  const double crowded = worst();
+  REQUIRE(crowded < 0.5 * given);
+  const std::size_t n_cells = bench.mesh.n_cells(), n_gone = thin_out_inside(tools, given, {});
+  CHECK(n_gone > n_added / 2);
+  CHECK(n_gone <= n_added);
+  CHECK(bench.mesh.validate() == "");
+  CHECK(bench.mesh.n_cells() + 4 * n_gone <= n_cells);
+  CHECK(bench.volume() == Approx(before));
+  CHECK(worst() >= 0.99 * crowded);
+}
+
 TEST_CASE("Insertion inside and on surfaces keeps the mesh valid", "[improve]") {
   Bench bench(two_boxes(1));
   const double before = bench.volume();

@@ -7,6 +7,7 @@
 
 #include "improve/rescue.hpp"
 #include "quality/shape.hpp"
+#include "refine/refinement.hpp"
 
 namespace geomesh::remesh {
 
@@ -44,7 +45,7 @@ constexpr std::array rescue_rooms{0.15, 0.03};
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
 constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
-constexpr unsigned rescue_sweeps = 4, free_sweeps = 4, rescue_steps = 40;
+constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 4, rescue_steps = 40;
 constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
 
 struct BadCell {
@@ -89,6 +90,7 @@ class Improver {
     if (schedule_.last_passes > 0) {
       rescue_worst();
       if (!tools_.bad_cells_may_spread) {
+        thin_out();
         rescue_bad();
         if (free_cells_) rescue_free();
       }
@@ -116,6 +118,12 @@ class Improver {
     if (are_forced) worst.resize(static_cast<std::size_t>(forced_rescue_share * n_cells));
     room_ = are_forced ? forced_rescue_room : room;
     return repair(worst, first_pass_with_points);
+  }
+
+  /// Points that the rescue put near others in vain, or that later ones have made needless, would be out of size for nothing.
+  void thin_out() {
+    for (unsigned k = 0; k < thinning_passes && !out_of_time(); ++k)
+      if (thin_out_inside(tools_, shape_of_angle(rescue_angle), context_) == 0) break;
   }
 
   /// What is still bad is mended by sequences of operations that look ahead, and again where something has changed since.

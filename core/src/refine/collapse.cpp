@@ -100,7 +100,7 @@ class Collapse {
     const double needed = rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
     const Vec3& p = mesh_.point(v_);
     if (!(star_shape(mesh_, target_, p, needed) > needed) || !star_is_positive(mesh_, target_, p)) return false;
-    if (rule == CollapseRule::improve && tools_.spoils(target_, p)) return false;
+    if (rule != CollapseRule::coarsen && tools_.spoils(target_, p)) return false;
     const double stretch = rule == CollapseRule::improve ? 1.8 : 1.4;
     for (const LinkFace& f : target_.link)
       for (const VertexIndex x : f.vertices) {

@@ -51,6 +51,7 @@ enum class CollapseRule {
   improve,  ///< the worst shape about u must rise
   coarsen,  ///< it must not fall below the lesser of what it was and `floor`, and no new edge may be longer than 1.4 times its
             ///< size
+  thin_out,  ///< as coarsen, and where bad cells may not spread there are no more of them than before
 };
 
 /// Moves u into its neighbour v where u is no corner, the edge lies on u's curve or patch, surfaces and curves keep their

@@ -44,6 +44,10 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
 /// Collapses edges shorter than 0.6 of their size: those on curves and surfaces (where they may) or, with `inside_only`, others.
 std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context);
 
+/// Collapses edges at inner vertices that are shorter than half of their size where the worst shape does not fall below the lesser of what it was and
+/// `floor`: points that turn out not to be needed. O(n log n).
+std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context);
+
 /// Splits edges of curves (or else of surfaces) longer than 1.4 times their size, longest first. Throws Error{cannot_mesh} beyond
 /// max_cells, as the other passes that add points do.
 std::size_t split_long_edges(Toolbox& tools, bool curves, std::size_t max_cells, const RunContext& context);

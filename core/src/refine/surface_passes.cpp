@@ -10,10 +10,10 @@ namespace geomesh::remesh {
 
 namespace {
 
-struct LongEdge {
+struct MeasuredEdge {
   double ratio;  ///< length over asked size
   VertexIndex a, b;
-  bool operator<(const LongEdge& o) const { return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b); }
+  bool operator<(const MeasuredEdge& o) const { return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b); }
 };
 
 constexpr double split_ratio = 1.4, collapse_ratio = 0.6;
@@ -47,7 +47,7 @@ class EdgeSplitter {
       if (mesh_.is_live(c)) push_edges(c, no_vertex);
     std::size_t n = 0;
     while (!queue_.empty()) {
-      const LongEdge e = queue_.top();
+      const MeasuredEdge e = queue_.top();
       queue_.pop();
       if (n % 256 == 0) context.check_cancelled();
       const CellIndex c = cell_with_edge(mesh_, tools_.work.marks, tools_.work.cells, e.a, e.b);
@@ -86,8 +86,45 @@ class EdgeSplitter {
   Toolbox& tools_;
   DomainMesh& mesh_;
   bool curves_;
-  std::priority_queue<LongEdge> queue_;
+  std::priority_queue<MeasuredEdge> queue_;
 };
+
+/// Edges at inner vertices, or else the others, shorter than `ratio` of their size, shortest first.
+std::vector<MeasuredEdge> short_edges(Toolbox& tools, bool inside_only, double ratio) {
+  DomainMesh& mesh = tools.mesh;
+  std::vector<MeasuredEdge> edges;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    const Tetrahedron& t = mesh.vertices(c);
+    for (const auto& e : edge_vertices) {
+      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+      const bool inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
+      if (inside_only != inside) continue;
+      const double share = distance(mesh.point(a), mesh.point(b)) / tools.size_of_edge(a, b);
+      if (share < ratio) edges.push_back({share, a, b});
+    }
+  }
+  const auto key = [](const MeasuredEdge& e) { return std::tuple(e.ratio, e.a, e.b); };
+  std::sort(edges.begin(), edges.end(), [&](const MeasuredEdge& x, const MeasuredEdge& y) { return key(x) < key(y); });
+  edges.erase(
+      std::unique(edges.begin(), edges.end(), [](const MeasuredEdge& x, const MeasuredEdge& y) { return x.a == y.a && x.b == y.b; }),
+      edges.end());
+  return edges;
+}
+
+std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edges, CollapseRule rule, double floor, const RunContext& context) {
+  DomainMesh& mesh = tools.mesh;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (k % 256 == 0) context.check_cancelled();
+    VertexIndex u = edges[k].a, v = edges[k].b;
+    if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
+    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes
+    if (cell_with_edge(mesh, tools.work.marks, tools.work.cells, u, v) == no_cell) continue;
+    if (try_collapse(tools, u, v, rule, floor) || try_collapse(tools, v, u, rule, floor)) ++n;
+  }
+  return n;
+}
 
 }  // namespace
 
@@ -118,34 +155,13 @@ void regularize_surfaces(Toolbox& tools, const RunContext& context) {
 }
 
 std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context) {
-  DomainMesh& mesh = tools.mesh;
-  std::vector<LongEdge> edges;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c)) continue;
-    const Tetrahedron& t = mesh.vertices(c);
-    for (const auto& e : edge_vertices) {
-      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
-      const bool inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
-      if (inside_only != inside) continue;
-      const double ratio = distance(mesh.point(a), mesh.point(b)) / tools.size_of_edge(a, b);
-      if (ratio < collapse_ratio) edges.push_back({ratio, a, b});
-    }
-  }
-  const auto key = [](const LongEdge& e) { return std::tuple(e.ratio, e.a, e.b); };
-  std::sort(edges.begin(), edges.end(), [&](const LongEdge& x, const LongEdge& y) { return key(x) < key(y); });
-  edges.erase(
-      std::unique(edges.begin(), edges.end(), [](const LongEdge& x, const LongEdge& y) { return x.a == y.a && x.b == y.b; }),
-      edges.end());
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    if (k % 256 == 0) context.check_cancelled();
-    VertexIndex u = edges[k].a, v = edges[k].b;
-    if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
-    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes
-    if (cell_with_edge(mesh, tools.work.marks, tools.work.cells, u, v) == no_cell) continue;
-    if (try_collapse(tools, u, v, CollapseRule::coarsen) || try_collapse(tools, v, u, CollapseRule::coarsen)) ++n;
-  }
-  return n;
+  constexpr double floor = 0.05;
+  return collapse_edges(tools, short_edges(tools, inside_only, collapse_ratio), CollapseRule::coarsen, floor, context);
+}
+
+std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context) {
+  constexpr double out_of_size = 0.5;
+  return collapse_edges(tools, short_edges(tools, true, out_of_size), CollapseRule::thin_out, floor, context);
 }
 
 }  // namespace geomesh::remesh
