@@ -19,6 +19,11 @@ namespace {
 
 /// What is left of the tolerance is for rounding in the distances themselves.
 constexpr double proven_share = 1 - 1e-6;
+/// What new faces are proven to be within, of what samples of the original are held to: all of a face is looked at, so it may be nearer to the
+/// tolerance.
+constexpr double faces_over_samples = 1.15;
+/// Of the angle between a reference's normals and their mean up to which no samples are needed.
+constexpr double even_cosine = 0.9;
 /// Newell's normal of a loop, of twice its area.
 Vec3 loop_area(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
   Vec3 n;
@@ -40,15 +45,20 @@ std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const Vert
   return 3;
 }
 
-double distance_to_faces(const Vec3& p, Index patch, const std::vector<SurfaceFace>& faces, double limit) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const SurfaceFace& f : faces) {
-    if (f.patch != patch) continue;
-    best = std::min(best, distance(p, search::closest_on_triangle(p, f.corners[0], f.corners[1], f.corners[2])));
-    if (best <= limit) break;
+/// Of one patch.
+class FaceSet {
+ public:
+  FaceSet(const std::vector<SurfaceFace>& faces, Index patch) {
+    for (const SurfaceFace& f : faces)
+      if (f.patch == patch) triangles_.emplace_back(f.corners);
   }
-  return best;
-}
+  bool is_near(const Vec3& p, double limit) const {
+    return std::any_of(triangles_.begin(), triangles_.end(), [&](const auto& t) { return squared_distance(p, t.closest_to(p)) <= limit * limit; });
+  }
+
+ private:
+  std::vector<search::PreparedTriangle> triangles_;
+};
 
 /// Of all that is near to a triangle.
 Box3 box_about(const search::Corners& triangle, double reach) {
@@ -58,6 +68,18 @@ Box3 box_about(const search::Corners& triangle, double reach) {
     box.add(p + Vec3{reach, reach, reach});
   }
   return box;
+}
+
+Box3 joined(Box3 a, const Box3& b) {
+  a.add(b.min);
+  a.add(b.max);
+  return a;
+}
+
+bool contains(const Box3& box, const Vec3& p) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box.min[i] || p[i] > box.max[i]) return false;
+  return true;
 }
 
 /// What must stay near to the mesh of a triangle of the original: the usual samples, and where it is large against the tolerance a
@@ -90,11 +112,8 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     return;
   }
   for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
-  std::vector<search::ClosestPointTrees::Item> faces = face_items(given), samples;
-  for (const auto& face : faces)
-    for_each_reference_sample(face.corners, reach_, [&](const Vec3& s) { samples.push_back({{s, s, s}, face.group, face.id}); });
-  given_ = {{std::move(faces), given.n_patches()}, {curve_items(mesh), mesh.n_curve_classes()}};
-  samples_ = search::ClosestPointTrees(std::move(samples), given.n_patches());
+  given_ = {{face_items(given), given.n_patches()}, {curve_items(mesh), mesh.n_curve_classes()}};
+  open_edges_ = search::find_open_edges(given_.faces.items());
   std::vector<search::ClosestPointTrees::Item> boxes;
   for (const TightZone& zone : zones_) boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
   zone_boxes_ = search::ClosestPointTrees(std::move(boxes), zones_.empty() ? 0 : 1);
@@ -159,11 +178,15 @@ Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
 
 Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return given_.curves.closest(p, curve).point; }
 
-bool SurfaceGuard::near_reference(const SurfaceFace& f) const {
-  const double limit = share_about(f.corners) * tolerance_;
-  for (const Vec3& s : triangle_samples(f.corners[0], f.corners[1], f.corners[2]))
-    if (!(given_.faces.closest(s, f.patch, limit).distance <= limit)) return false;
-  return true;
+bool SurfaceGuard::is_even_about(const Box3& box, Index patch) const {
+  Vec3 sum;
+  Index n = 0;
+  const auto visit = [&](const auto& what) { given_.faces.for_each_in(box, patch, [&](const auto& item) { what(planes_[item.id].normal); }); };
+  visit([&](const Vec3& normal) { sum = sum + normal, ++n; });
+  const double least = even_cosine * length(sum);
+  bool is_even = n > 0;
+  visit([&](const Vec3& normal) { is_even &= dot(normal, sum) >= least; });
+  return is_even;
 }
 
 bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
@@ -171,24 +194,28 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
   std::vector<Index> patches;
   for (const SurfaceFace& f : before)
     if (std::find(patches.begin(), patches.end(), f.patch) == patches.end()) patches.push_back(f.patch);
-  for (const Index patch : patches) {
+  return std::all_of(patches.begin(), patches.end(), [&](Index patch) {
     Box3 box;
     for (const SurfaceFace& f : before)
-      if (f.patch == patch)
-        for (const Vec3& p : f.corners) {
-          box.add(p - Vec3{tolerance_, tolerance_, tolerance_});
-          box.add(p + Vec3{tolerance_, tolerance_, tolerance_});
-        }
-    bool near = true;
-    samples_.for_each_in(box, patch, [&](const search::ClosestPointTrees::Item& s) {
-      const Vec3& p = s.corners[0];
-      if (!near || !(distance_to_faces(p, patch, before, tolerance_) <= tolerance_)) return;  // covered by others
+      if (f.patch == patch) box = joined(box, box_about(f.corners, tolerance_));
+    return is_even_about(box, patch) || samples_near(patch, box, before, after, around);
+  });
+}
+
+bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                                const std::vector<SurfaceFace>& around) const {
+  const FaceSet old_faces(before, patch), new_faces(after, patch), others(around, patch);
+  bool near = true;
+  given_.faces.for_each_in(box, patch, [&](const auto& item) {
+    if (!near) return;
+    for_each_reference_sample(item.corners, reach_, [&](const Vec3& p) {
+      if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
-      near = distance_to_faces(p, patch, after, limit) <= limit || distance_to_faces(p, patch, around, limit) <= limit;
+      if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
+      near = !old_faces.is_near(p, tolerance_);  // else covered by others
     });
-    if (!near) return false;
-  }
-  return true;
+  });
+  return near;
 }
 
 bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const {
@@ -209,22 +236,24 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
   return true;
 }
 
-bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
+bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit) const {
   auto& [prover, nearby] = proving_.local();
   nearby.clear();
-  prover.set_limit(proven_share * share_about(f.corners) * reach_);
-  given_.faces.for_each_in(box_about(f.corners, reach_), f.patch, [&](const auto& item) { nearby.push_back(item.corners); });
+  limit *= share_about(f.corners);
+  prover.set_limit(limit);
+  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) { nearby.push_back({&given_.faces.prepared(row), open_edges_[row]}); });
   return prover.is_within(f.corners, nearby);
 }
+
+bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const { return is_proven_within(f, proven_share * reach_); }
 
 bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                           const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
                           const std::vector<CurvePiece>& curves_after) const {
   if (exact()) return true;
   return curves_near(curves_before, curves_after) &&
-         std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return near_reference(f); }) &&
-         reference_near(before, after, around) &&
-         std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_near_reference(f); });
+         std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_within(f, faces_over_samples * tolerance_); }) &&
+         reference_near(before, after, around);
 }
 
 Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {

@@ -80,9 +80,15 @@ class SurfaceGuard {
   /// The least share of the tolerance that holds somewhere about these points.
   double share_about(std::span<const Vec3> points) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
-  bool near_reference(const SurfaceFace& f) const;
+  bool is_proven_within(const SurfaceFace& f, double limit) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
+  /// Whether the reference in the box is nearly the graph of a function over a plane. Then faces with the same border as those before that are near to
+  /// it cover it, seen along the plane's normal, since their border winds about each of its points once; so it is as near to them, but for its
+  /// slope.
+  bool is_even_about(const Box3& box, Index patch) const;
+  bool samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                    const std::vector<SurfaceFace>& around) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
   Honour honour_ = Honour::exact;
@@ -91,13 +97,13 @@ class SurfaceGuard {
   search::ClosestPointTrees zone_boxes_;          // as line pieces from corner to corner
   struct Proving {
     search::DistanceProver prover;
-    std::vector<search::Corners> nearby;
+    std::vector<search::SheetTriangle> nearby;
   };
   mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}}};  // scratch
   double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
   SurfaceItems given_;
-  search::ClosestPointTrees samples_;  // of the reference's triangles, as degenerate items, by patch
+  std::vector<std::uint8_t> open_edges_;  // by row of given_.faces
 };
 
 /// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.

@@ -21,26 +21,41 @@ std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3
   return {p, closest_on_segment(p, c, d)};
 }
 
-Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, n = cross(ab, ac);
-  if (!(dot(n, n) > 0)) {
-    // Collinear corners: the nearest of the sides.
-    const std::array<Vec3, 3> q{closest_on_segment(p, a, b), closest_on_segment(p, b, c), closest_on_segment(p, c, a)};
-    return *std::min_element(q.begin(), q.end(),
-                             [&](const Vec3& u, const Vec3& v) { return dot(u - p, u - p) < dot(v - p, v - p); });
-  }
-  const Vec3 ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+PreparedTriangle::PreparedTriangle(const std::array<Vec3, 3>& corners)
+    : corners_(corners),
+      ab_(corners[1] - corners[0]),
+      ac_(corners[2] - corners[0]),
+      abab_(dot(ab_, ab_)),
+      abac_(dot(ab_, ac_)),
+      acac_(dot(ac_, ac_)) {
+  const Vec3 n = cross(ab_, ac_);
+  has_area_ = dot(n, n) > 0;
+}
+
+Vec3 PreparedTriangle::closest_on_sides(const Vec3& p) const {
+  const auto& [a, b, c] = corners_;
+  if (b == c) return closest_on_segment(p, a, b);
+  const std::array<Vec3, 3> q{closest_on_segment(p, a, b), closest_on_segment(p, b, c), closest_on_segment(p, c, a)};
+  return *std::min_element(q.begin(), q.end(), [&](const Vec3& u, const Vec3& v) { return dot(u - p, u - p) < dot(v - p, v - p); });
+}
+
+Vec3 PreparedTriangle::closest_to(const Vec3& p) const {
+  if (!has_area_) return closest_on_sides(p);
+  const auto& [a, b, c] = corners_;
+  const Vec3 ap = p - a;
+  const double d1 = dot(ab_, ap), d2 = dot(ac_, ap), d3 = d1 - abab_, d4 = d2 - abac_, d5 = d1 - abac_, d6 = d2 - acac_;
   if (d1 <= 0 && d2 <= 0) return a;
   if (d3 >= 0 && d4 <= d3) return b;
   if (d6 >= 0 && d5 <= d6) return c;
   const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + (d1 / (d1 - d3)) * ab;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + (d2 / (d2 - d6)) * ac;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + (d1 / (d1 - d3)) * ab_;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + (d2 / (d2 - d6)) * ac_;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
   const double w = 1 / (va + vb + vc);
-  return a + (vb * w) * ab + (vc * w) * ac;
+  return a + (vb * w) * ab_ + (vc * w) * ac_;
 }
+
+Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) { return PreparedTriangle({a, b, c}).closest_to(p); }
 
 ClosestPointTrees::ClosestPointTrees(std::vector<Item> items, std::size_t n_groups)
     : items_(std::move(items)), roots_(n_groups, no_index) {
@@ -51,6 +66,8 @@ ClosestPointTrees::ClosestPointTrees(std::vector<Item> items, std::size_t n_grou
     roots_[items_[i].group] = build(i, j);
     i = j;
   }
+  prepared_.reserve(items_.size());
+  for (const Item& item : items_) prepared_.emplace_back(item.corners);
 }
 
 Index ClosestPointTrees::build(Index first, Index last) {
@@ -86,12 +103,11 @@ ClosestPoint ClosestPointTrees::closest(const Vec3& p, Index group, double limit
     if (squared_distance_to(n.box, p) > bound) continue;
     if (n.left == no_index) {
       for (Index i = n.first; i < n.last; ++i) {
-        const Item& t = items_[i];
-        const Vec3 q = closest_on_triangle(p, t.corners[0], t.corners[1], t.corners[2]);
+        const Vec3 q = prepared_[i].closest_to(p);
         const double d = dot(q - p, q - p);
         if (d < bound || (d <= bound && best.item == no_index)) {
           bound = d;
-          best = {d, q, t.id};
+          best = {d, q, items_[i].id};
         }
       }
       continue;

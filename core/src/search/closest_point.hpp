@@ -31,6 +31,22 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 /// Nearest points of the segments ab and cd, which may be points (Ericson 2005, section 5.1.9).
 std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// A triangle with what its nearest points take, computed once. Line pieces have their last two corners equal, points all three.
+class PreparedTriangle {
+ public:
+  explicit PreparedTriangle(const std::array<Vec3, 3>& corners);
+  const std::array<Vec3, 3>& corners() const { return corners_; }
+  Vec3 closest_to(const Vec3& p) const;
+
+ private:
+  Vec3 closest_on_sides(const Vec3& p) const;
+
+  std::array<Vec3, 3> corners_;
+  Vec3 ab_, ac_;
+  double abab_, abac_, acac_;
+  bool has_area_;
+};
+
 struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
   Vec3 point;
@@ -55,10 +71,16 @@ class ClosestPointTrees {
   /// Calls visit(item) for the items of a group whose boxes meet the box.
   template <class Visit>
   void for_each_in(const Box3& box, Index group, Visit visit) const {
-    if (group < roots_.size() && roots_[group] != no_index) visit_in(roots_[group], box, visit);
+    if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
+  }
+  /// The same with their rows in items(), which are those of prepared().
+  template <class Visit>
+  void for_each_row_in(const Box3& box, Index group, Visit visit) const {
+    if (has_group(group)) visit_in(roots_[group], box, visit);
   }
   bool has_group(Index group) const { return group < roots_.size() && roots_[group] != no_index; }
   const std::vector<Item>& items() const { return items_; }
+  const PreparedTriangle& prepared(Index row) const { return prepared_[row]; }
 
  private:
   struct Node {
@@ -68,12 +90,12 @@ class ClosestPointTrees {
   };
   Index build(Index first, Index last);
   template <class Visit>
-  void visit_in(Index node, const Box3& box, Visit& visit) const {
+  void visit_in(Index node, const Box3& box, const Visit& visit) const {
     const Node& n = nodes_[node];
     for (std::size_t i = 0; i < 3; ++i)
       if (n.box.min[i] > box.max[i] || n.box.max[i] < box.min[i]) return;
     if (n.left == no_index) {
-      for (Index i = n.first; i < n.last; ++i) visit(items_[i]);
+      for (Index i = n.first; i < n.last; ++i) visit(i);
       return;
     }
     visit_in(n.left, box, visit);
@@ -81,6 +103,7 @@ class ClosestPointTrees {
   }
 
   std::vector<Item> items_;
+  std::vector<PreparedTriangle> prepared_;
   std::vector<Node> nodes_;
   std::vector<Index> roots_;
 };

@@ -6,8 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "search/closest_point.hpp"
-
 namespace geomesh::search {
 
 namespace {
@@ -31,11 +29,21 @@ std::optional<std::array<Vec3, 2>> common_edge(const Corners& x, const Corners& 
 }  // namespace
 
 DistanceProver::Spot DistanceProver::spot(const Vec3& p, Index row) const {
-  const Vec3 q = closest_on_triangle(p, set_[row][0], set_[row][1], set_[row][2]);
+  const Vec3 q = set_[row].triangle->closest_to(p);
   return {distance(p, q), q};
 }
 
 bool DistanceProver::is_within(const Corners& triangle, std::span<const Corners> set) {
+  std::vector<ClosestPointTrees::Item> items;
+  for (const Corners& corners : set) items.push_back({corners, 0, 0});
+  const std::vector<PreparedTriangle> prepared(set.begin(), set.end());
+  const std::vector<std::uint8_t> open = find_open_edges(items);
+  std::vector<SheetTriangle> rows;
+  for (std::size_t i = 0; i < set.size(); ++i) rows.push_back({&prepared[i], open[i]});
+  return is_within(triangle, rows);
+}
+
+bool DistanceProver::is_within(const Corners& triangle, std::span<const SheetTriangle> set) {
   set_ = set;
   candidates_.clear();
   centres_.clear();
@@ -65,7 +73,7 @@ bool DistanceProver::by_pair(const Candidate& x, const Candidate& y, std::size_t
   const std::size_t i = (corner_at_y + 1) % 3, j = (corner_at_y + 2) % 3;
   const double off = std::max({y.at[corner_at_y].distance, x.at[i].distance, x.at[j].distance});
   if (off > limit_) return false;
-  const auto edge = common_edge(set_[x.row], set_[y.row]);
+  const auto edge = common_edge(set_[x.row].triangle->corners(), set_[y.row].triangle->corners());
   if (!edge) return false;
   for (const std::size_t k : {i, j}) {
     const auto [p, q] = closest_on_segments(x.at[k].point, y.at[corner_at_y].point, (*edge)[0], (*edge)[1]);
@@ -74,13 +82,27 @@ bool DistanceProver::by_pair(const Candidate& x, const Candidate& y, std::size_t
   return true;
 }
 
-bool DistanceProver::by_two_triangles(Range range) const {
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    for (std::size_t i = range.first; i < range.last; ++i)
+bool DistanceProver::by_two_triangles(Range range) {
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    by_two_.clear();
+    for (std::size_t j = range.first; j < range.last; ++j) {
+      const auto& at = candidates_[j].at;
+      if (at[(corner + 1) % 3].distance <= limit_ && at[(corner + 2) % 3].distance <= limit_) by_two_.push_back(j);
+    }
+    for (std::size_t i = range.first; i < range.last && !by_two_.empty(); ++i)
       if (candidates_[i].at[corner].distance <= limit_)
-        for (std::size_t j = range.first; j < range.last; ++j)
+        for (const std::size_t j : by_two_)
           if (i != j && by_pair(candidates_[j], candidates_[i], corner)) return true;
+  }
   return false;
+}
+
+bool DistanceProver::by_sheet(const Corners& piece, Range range) const {
+  SheetProof proof(piece, limit_);
+  if (!proof.is_possible()) return false;
+  for (std::size_t k = range.first; k < range.last; ++k)
+    if (proof.judge(set_[candidates_[k].row]) == Over::border) return false;
+  return proof.is_proven();
 }
 
 bool DistanceProver::covers(const Corners& piece, Range range) {
@@ -98,7 +120,7 @@ bool DistanceProver::covers(const Corners& piece, Range range) {
   }
   if (nearest + radius <= limit_) return true;
   if (nearest > limit_) return false;
-  if (by_one_triangle(range) || by_two_triangles(range)) return true;
+  if (by_one_triangle(range) || by_sheet(piece, range) || by_two_triangles(range)) return true;
   if (longest <= least_piece * limit_ || ++n_pieces_ >= most_pieces) return false;
   for (const std::size_t replaced : {b, a}) {
     Corners corners = piece;

@@ -6,7 +6,8 @@
 /// within the limit where (a) its corners are within the limit of one and the same triangle of the set, or (b) one of its points, the centre of a
 /// ball about it, is nearer than the limit by the ball's radius. (c) It is too where two corners lie by X and the third by Y, X and Y have an
 /// edge in common, and the chords between their nearest points pass near that edge: the triangle of the three nearest points is cut by the edge
-/// but for that distance, and its parts lie on X and Y. Where none of these tells, the triangle is halved across its longest edge.
+/// but for that distance, and its parts lie on X and Y. (d) And where the set is a smooth surface without a border over all of it (sheet_proof.hpp). Where
+/// none of these tells, the triangle is halved across its longest edge.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
+#include "search/sheet_proof.hpp"
 
 namespace geomesh::search {
 
@@ -29,6 +31,7 @@ class DistanceProver {
 
   /// Whether all of `triangle` is proven to be within the limit of the set. False where a point of it is not, and where that is not decided by
   /// halves down to a 16th of the limit or by a hundred of them. O(pieces * set).
+  bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
 
  private:
@@ -48,13 +51,15 @@ class DistanceProver {
   bool covers(const Corners& piece, Range range);
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
-  bool by_two_triangles(Range range) const;
+  bool by_two_triangles(Range range);
+  bool by_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;
 
   double limit_;
-  std::span<const Corners> set_;
+  std::span<const SheetTriangle> set_;
   std::vector<Candidate> candidates_;
+  std::vector<std::size_t> by_two_;    // candidates that are near to two corners
   std::vector<Spot> centres_;  // by candidate: nearest to the middle of the piece's longest edge
   std::size_t n_pieces_ = 0;
 };
