@@ -123,6 +123,8 @@ TEST_CASE("What is proven of one item against a tree is within the distance, by 
     const search::Cover cover = search::CoverProver(tree, limit).judge(t, 0);
     if (cover.is_proven) CHECK(truth <= limit * (1 + 1e-9));
     CHECK(cover.farthest == Approx(distance_to(cover.place, set)).margin(1e-12));
+    const std::vector<std::uint8_t> open = search::find_open_edges(tree.items());
+    CHECK(search::CoverProver(tree, limit, open).judge(t, 0).is_proven == cover.is_proven);
     proven += cover.is_proven;
     refused += truth > limit;
     missed += !cover.is_proven && truth < 0.97 * limit;

@@ -25,10 +25,6 @@ RefineOptions within(double tolerance, double size) {
   return o;
 }
 
-SurfaceItems items_of(const DomainMesh& mesh) {
-  return {{face_items(mesh), mesh.n_patches()}, {curve_items(mesh), mesh.n_curve_classes()}};
-}
-
 VertexIndex vertex_of_kind(const DomainMesh& mesh, VertexKind kind) {
   for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
     if (mesh.kind(v) == kind) return v;
@@ -64,7 +60,7 @@ std::size_t count_kind(const DomainMesh& mesh, VertexKind kind) {
 TEST_CASE("Whatever the tolerance, the result is proven to be within it both ways, and so are volumes", "[refine]") {
   const Model model = ball_in_box(5);
   const DomainMesh given = import_domain(model.plc, model.mesh, within(1, 1));
-  const SurfaceItems input = items_of(given);
+  const SurfaceItems input = surface_items(given, given);
   const std::vector<double> before = component_volumes(model.mesh);
   double area = 0;
   for (const double a : facet_areas(model.plc, model.mesh)) area += a;
@@ -89,7 +85,7 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
   const Model model = ball_in_box(4);
   const double tolerance = 0.01;
   const DomainMesh given = import_domain(model.plc, model.mesh, within(tolerance, 1));
-  const SurfaceItems input = items_of(given);
+  const SurfaceItems input = surface_items(given, given);
   CHECK(verify_surfaces(given, input, tolerance, 1).breaches.empty());
   for (const VertexKind kind : {VertexKind::surface, VertexKind::curve}) {
     CAPTURE(static_cast<int>(kind));
@@ -125,7 +121,7 @@ TEST_CASE("What is off is mended by points on the input", "[refine]") {
   const SizeField size = build_size_field(model.plc, mesh, options, 0).all;
   RefineStatistics statistics;
   Toolbox tools(mesh, guard, size, statistics);
-  const SurfaceItems input = items_of(given);
+  const SurfaceItems input = surface_items(given, given);
   REQUIRE(verify_faces(mesh, input, tolerance).breaches.empty());
   std::size_t n_shifted = 0;
   for (VertexIndex v = 0; v < mesh.n_vertices(); v += 7) {

@@ -112,8 +112,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     return;
   }
   for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
-  given_ = {{face_items(given), given.n_patches()}, {curve_items(mesh), mesh.n_curve_classes()}};
-  open_edges_ = search::find_open_edges(given_.faces.items());
+  given_ = surface_items(given, mesh);
   std::vector<search::ClosestPointTrees::Item> boxes;
   for (const TightZone& zone : zones_) boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
   zone_boxes_ = search::ClosestPointTrees(std::move(boxes), zones_.empty() ? 0 : 1);
@@ -241,7 +240,7 @@ bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit) const {
   nearby.clear();
   limit *= share_about(f.corners);
   prover.set_limit(limit);
-  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) { nearby.push_back({&given_.faces.prepared(row), open_edges_[row]}); });
+  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) { nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]}); });
   return prover.is_within(f.corners, nearby);
 }
 

@@ -103,7 +103,6 @@ class SurfaceGuard {
   double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
   SurfaceItems given_;
-  std::vector<std::uint8_t> open_edges_;  // by row of given_.faces
 };
 
 /// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.

@@ -18,10 +18,11 @@ constexpr std::size_t chunk = 256;
 using Items = std::vector<search::ClosestPointTrees::Item>;
 
 /// Judges the items against those of their groups in the set. Returns the largest distance found.
-double judge(const Items& items, const search::ClosestPointTrees& set, double tolerance, unsigned threads, Breach kind, std::vector<Breach>& breaches) {
+double judge(const Items& items, const search::ClosestPointTrees& set, std::span<const std::uint8_t> open_edges, double tolerance, unsigned threads,
+             Breach kind, std::vector<Breach>& breaches) {
   std::vector<search::Cover> covers(items.size());
   for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
-    search::CoverProver prover(set, proven_share * tolerance);
+    search::CoverProver prover(set, proven_share * tolerance, open_edges);
     for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) covers[i] = prover.judge(items[i].corners, items[i].group);
   });
   double largest = 0;
@@ -60,17 +61,22 @@ Items curve_items(const DomainMesh& mesh) {
   return items;
 }
 
+SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_of) {
+  SurfaceItems items{{face_items(faces_of), faces_of.n_patches()}, {curve_items(curves_of), curves_of.n_curve_classes()}, {}};
+  items.open_edges = search::find_open_edges(items.faces.items());
+  return items;
+}
+
 Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads) {
   Deviations found;
-  const Items faces = face_items(mesh), curves = curve_items(mesh);
-  const SurfaceItems result{{faces, mesh.n_patches()}, {curves, mesh.n_curve_classes()}};
+  const SurfaceItems result = surface_items(mesh, mesh);
   const Breach face_off{.on_curve = false, .of_input = false}, curve_off{.on_curve = true, .of_input = false};
   const Breach input_face_off{.on_curve = false, .of_input = true}, input_curve_off{.on_curve = true, .of_input = true};
   threads = thread_count(threads);
-  found.result_to_input = std::max(judge(faces, input.faces, tolerance, threads, face_off, found.breaches),
-                                   judge(curves, input.curves, tolerance, threads, curve_off, found.breaches));
-  found.input_to_result = std::max(judge(input.faces.items(), result.faces, tolerance, threads, input_face_off, found.breaches),
-                                   judge(input.curves.items(), result.curves, tolerance, threads, input_curve_off, found.breaches));
+  found.result_to_input = std::max(judge(result.faces.items(), input.faces, input.open_edges, tolerance, threads, face_off, found.breaches),
+                                   judge(result.curves.items(), input.curves, {}, tolerance, threads, curve_off, found.breaches));
+  found.input_to_result = std::max(judge(input.faces.items(), result.faces, result.open_edges, tolerance, threads, input_face_off, found.breaches),
+                                   judge(input.curves.items(), result.curves, {}, tolerance, threads, input_curve_off, found.breaches));
   return found;
 }
 

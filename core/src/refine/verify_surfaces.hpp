@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "refine/domain_mesh.hpp"
@@ -14,7 +15,10 @@ namespace geomesh::remesh {
 /// Surfaces by patch and curves by class, as triangles and line pieces.
 struct SurfaceItems {
   search::ClosestPointTrees faces, curves;
+  std::vector<std::uint8_t> open_edges;  ///< of faces (search::find_open_edges)
 };
+/// The faces of one mesh and the curves of another.
+SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_of);
 
 /// Each constrained face once, but for those that stand for no facet: group: its patch; id: its facet.
 std::vector<search::ClosestPointTrees::Item> face_items(const DomainMesh& mesh);

@@ -125,8 +125,18 @@ Cover CoverProver::judge(const Corners& item, Index group) {
   cover_ = {};
   for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]), 0.5 * (item[2] + item[0]), middle_of(item)})
     look_at(p, set_.closest(p, group).distance);
-  if (cover_.farthest <= limit_) cover_.is_proven = covers_large(item);
+  if (cover_.farthest <= limit_) cover_.is_proven = is_over_sheet(item) || covers_large(item);
   return cover_;
+}
+
+bool CoverProver::is_over_sheet(const Corners& item) const {
+  SheetProof proof(item, limit_);
+  if (open_edges_.empty() || !proof.is_possible()) return false;
+  bool has_border = false;
+  set_.for_each_row_in(box_about(item, limit_), group_, [&](Index row) {
+    if (!has_border) has_border = proof.judge({&set_.prepared(row), open_edges_[row]}) == Over::border;
+  });
+  return !has_border && proof.is_proven();
 }
 
 bool CoverProver::covers_large(const Corners& item) {

@@ -24,7 +24,9 @@ struct Cover {
 /// For one thread. The rounding of cuts and distances (some ulps of the coordinates) is not accounted for: leave it a share of the limit.
 class CoverProver {
  public:
-  CoverProver(const ClosestPointTrees& set, double limit) : set_(set), limit_(limit) {}
+  /// `open_edges` of the items of the set (find_open_edges): with them what lies over a smooth surface needs no cuts.
+  CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
+      : set_(set), limit_(limit), open_edges_(open_edges) {}
 
   /// `item` (a line piece: its last two corners equal) against a group of the set. What is within the limit by next to nothing may be
   /// undecided, and is then not proven. O(log n + k log k) for k items of the group about the item, but for creases and folds within the limit.
@@ -32,6 +34,7 @@ class CoverProver {
 
  private:
   using Polygon = std::vector<Vec3>;
+  bool is_over_sheet(const Corners& item) const;
   /// Looks the set up anew for each half, until few of it are near.
   bool covers_large(const Corners& item);
   /// `rows`: of near_.
@@ -43,6 +46,7 @@ class CoverProver {
 
   const ClosestPointTrees& set_;
   double limit_;
+  std::span<const std::uint8_t> open_edges_;
   Index group_ = no_index;
   Cover cover_;
   std::vector<Corners> near_;

@@ -48,10 +48,11 @@ bool DistanceProver::is_within(const Corners& triangle, std::span<const SheetTri
   candidates_.clear();
   centres_.clear();
   n_pieces_ = 0;
-  for (Index row = 0; row < set.size(); ++row)
-    candidates_.push_back({row, {spot(triangle[0], row), spot(triangle[1], row), spot(triangle[2], row)}});
-  centres_.resize(candidates_.size());
+  for (Index row = 0; row < set.size(); ++row) candidates_.push_back({row, {}});
   const Range all{0, candidates_.size()};
+  if (by_sheet(triangle, all)) return true;
+  for (Candidate& c : candidates_) c.at = {spot(triangle[0], c.row), spot(triangle[1], c.row), spot(triangle[2], c.row)};
+  centres_.resize(candidates_.size());
   return !has_corner_beyond(all) && covers(triangle, all);
 }
 
@@ -120,7 +121,7 @@ bool DistanceProver::covers(const Corners& piece, Range range) {
   }
   if (nearest + radius <= limit_) return true;
   if (nearest > limit_) return false;
-  if (by_one_triangle(range) || by_sheet(piece, range) || by_two_triangles(range)) return true;
+  if (by_one_triangle(range) || (n_pieces_ > 0 && by_sheet(piece, range)) || by_two_triangles(range)) return true;
   if (longest <= least_piece * limit_ || ++n_pieces_ >= most_pieces) return false;
   for (const std::size_t replaced : {b, a}) {
     Corners corners = piece;
