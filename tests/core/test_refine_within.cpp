@@ -5,6 +5,7 @@
 
 #include "quality/shape.hpp"
 #include "refine/domain_io.hpp"
+#include "refine/operations.hpp"
 #include "refine/refinement.hpp"
 #include "refine/verify_surfaces.hpp"
 #include "refine_models.hpp"
@@ -106,6 +107,30 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
     const Deviations again = verify_surfaces(mesh, input, tolerance, 1);
     CHECK(again.breaches.size() == found.breaches.size());
     CHECK(again.result_to_input == found.result_to_input);
+  }
+}
+
+TEST_CASE("A face that folds over is not admitted, however near to the input it is", "[refine]") {
+  const Model model = ball_in_box(6);
+  const double tolerance = 1;  // of the order of the ball: distances allow nearly all
+  const DomainMesh mesh = import_domain(model.plc, model.mesh, within(tolerance, 1));
+  const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, tolerance);
+  CellMarks marks;
+  StarCavity star;
+  const VertexIndex v = vertex_of_kind(mesh, VertexKind::surface);
+  gather_star(mesh, v, marks, star);
+  const auto admits_at = [&](const Vec3& p) {
+    std::vector<SurfaceFace> before, after;
+    std::vector<CurvePiece> curves;
+    append_surface(mesh, star, mesh.point(v), before, curves);
+    append_surface(mesh, star, p, after, curves);
+    return guard.admits(before, after, {}, {}, {});
+  };
+  REQUIRE(star.spokes.size() > 3);
+  for (const Spoke& s : star.spokes) {
+    const Vec3 way = 0.5 * (mesh.point(s.a) + mesh.point(s.b)) - mesh.point(v);
+    CHECK(admits_at(mesh.point(v) + 0.5 * way));
+    CHECK_FALSE(admits_at(mesh.point(v) + 1.5 * way));  // beyond the side opposite to it
   }
 }
 

@@ -174,7 +174,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
     std::vector<CurvePiece> curves;
     for (const Spoke& s : cavity.spokes)
       if (s.a == a || s.a == b)
-        before_faces.push_back({{mesh.point(a), mesh.point(b), mesh.point(s.b)}, patch});  // each face once
+        before_faces.push_back({{mesh.point(s.a == a ? b : a), mesh.point(s.a), mesh.point(s.b)}, patch});  // each face once
     append_surface(mesh, cavity, p, after_faces, curves);
     if (!tools.guard.admits(before_faces, after_faces, {}, {}, {})) return false;
   }

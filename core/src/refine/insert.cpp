@@ -254,9 +254,10 @@ class Insertion {
     std::vector<SurfaceFace> before, after;
     std::vector<CurvePiece> curves;
     for (const FaceRef f : opened_) {
-      const Triangle t = corners_of(mesh_, f);
-      before.push_back(
-          {{mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])}, mesh_.patch_of(mesh_.tag(f.cell(), f.face()))});
+      const FaceTag tag = mesh_.tag(f.cell(), f.face());
+      Triangle t = corners_of(mesh_, f);
+      if (!tag.above()) std::swap(t[1], t[2]);
+      before.push_back({{mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])}, mesh_.patch_of(tag)});
     }
     append_surface(mesh_, cavity, p_, after, curves);
     return tools_.guard.admits(before, after, {}, {}, {});

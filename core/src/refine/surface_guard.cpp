@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <utility>
 
 #include "quality/shape.hpp"
 
@@ -82,6 +84,25 @@ bool contains(const Box3& box, const Vec3& p) {
   return true;
 }
 
+/// By patch: whether no edge is passed in the same direction by two of its faces.
+std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
+  struct Side {
+    Index patch;
+    VertexIndex from, to;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  for_each_face_of_facets(mesh, [&](Triangle t, FaceTag tag) {
+    if (!tag.above()) std::swap(t[1], t[2]);
+    for (unsigned k = 0; k < 3; ++k) sides.push_back({mesh.patch_of(tag), t[k], t[(k + 1) % 3]});
+  });
+  std::sort(sides.begin(), sides.end());
+  std::vector<bool> alike(mesh.n_patches(), true);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i] == sides[i + 1]) alike[sides[i].patch] = false;
+  return alike;
+}
+
 /// What must stay near to the mesh of a triangle of the original: the usual samples, and where it is large against the tolerance a
 /// lattice no wider than some tolerances.
 template <class Visit>
@@ -113,6 +134,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
   }
   for (Index f = 0; f < plc.n_facets(); ++f) planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
   given_ = surface_items(given, mesh);
+  oriented_ = patches_oriented_alike(given);
   std::vector<search::ClosestPointTrees::Item> boxes;
   for (const TightZone& zone : zones_) boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
   zone_boxes_ = search::ClosestPointTrees(std::move(boxes), zones_.empty() ? 0 : 1);
@@ -246,11 +268,33 @@ bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit) const {
 
 bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const { return is_proven_within(f, proven_share * reach_); }
 
+double SurfaceGuard::direction_cosine(const SurfaceFace& f) const {
+  const auto& [a, b, c] = f.corners;
+  const Vec3 n = unit(cross(b - a, c - a));
+  return dot(n, n) > 0 ? dot(n, normal(f.patch, (1.0 / 3) * (a + b + c))) : 1;
+}
+
+bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const {
+  constexpr double least_cosine = 0.2;  // 78 degrees
+  for (const SurfaceFace& f : after) {
+    if (f.patch >= oriented_.size() || !oriented_[f.patch]) continue;
+    double sum = 0, least = least_cosine;
+    for (const SurfaceFace& b : before) {
+      if (b.patch != f.patch) continue;
+      const double cosine = direction_cosine(b);
+      sum += cosine;
+      least = std::min(least, std::abs(cosine));
+    }
+    if ((sum < 0 ? -1 : 1) * direction_cosine(f) < least) return false;
+  }
+  return true;
+}
+
 bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                           const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
                           const std::vector<CurvePiece>& curves_after) const {
   if (exact()) return true;
-  return curves_near(curves_before, curves_after) &&
+  return curves_near(curves_before, curves_after) && keeps_direction(before, after) &&
          std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_within(f, faces_over_samples * tolerance_); }) &&
          reference_near(before, after, around);
 }

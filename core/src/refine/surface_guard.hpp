@@ -7,7 +7,8 @@
 /// ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not proven is refused). The other way round samples of the original
 /// patch near the faces that go must be within 0.7 of the tolerance of those that come or of their neighbours; they are eight
 /// tolerances apart at most where a triangle is not longer than a hundred. Curves are held to 0.7 of it at samples both ways. Deviations do
-/// not add up over operations. What is promised is proven of the whole result in the end (verify_surfaces.hpp).
+/// not add up over operations. No new face may be turned by 78 degrees or more from the original where it is nearest, which is near enough to a fold: nothing else
+/// keeps surfaces from folding on the side where nothing is meshed. What is promised is proven of the whole result in the end (verify_surfaces.hpp).
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -25,7 +26,7 @@
 
 namespace geomesh::remesh {
 
-/// A constrained face by its corners and its patch.
+/// A constrained face by its corners and its patch. Those of one operation and one patch, before and after, are all oriented alike.
 struct SurfaceFace {
   std::array<Vec3, 3> corners;
   Index patch;
@@ -39,6 +40,7 @@ struct CurvePiece {
 struct Hold {
   double margin = 0.7;           ///< of the tolerance, for samples: so that the proof that follows seldom fails and seldom has to look closely
   std::vector<TightZone> zones;  ///< what is in them is held to less
+  unsigned run = 0;              ///< from 0: runs before this one held surfaces less closely
 };
 
 class SurfaceGuard {
@@ -79,6 +81,10 @@ class SurfaceGuard {
   };
   /// The least share of the tolerance that holds somewhere about these points.
   double share_about(std::span<const Vec3> points) const;
+  /// Whether each new face is turned from the reference by no more than the faces that go, or not by much.
+  bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
+  /// Cosine between the face's normal and the reference's nearest to its middle; 1 for a face without area.
+  double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   bool is_proven_within(const SurfaceFace& f, double limit) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
@@ -102,6 +108,7 @@ class SurfaceGuard {
   mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}}};  // scratch
   double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
+  std::vector<bool> oriented_;                    // by patch: whether its faces in the reference are oriented alike
   SurfaceItems given_;
 };
 

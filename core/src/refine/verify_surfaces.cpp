@@ -42,16 +42,9 @@ double judge(const Items& items, const search::ClosestPointTrees& set, std::span
 
 Items face_items(const DomainMesh& mesh) {
   Items items;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c)) continue;
-    for (unsigned i = 0; i < 4; ++i) {
-      const FaceTag t = mesh.tag(c, i);
-      if (!t.constrained() || t.facet() == hull_facet || (!t.above() && mesh.has_neighbor(c, i))) continue;
-      const Tetrahedron& v = mesh.vertices(c);
-      const auto& f = face_vertices[i];
-      items.push_back({{mesh.point(v[f[0]]), mesh.point(v[f[1]]), mesh.point(v[f[2]])}, mesh.patch_of(t), t.facet()});
-    }
-  }
+  for_each_face_of_facets(mesh, [&](const Triangle& t, FaceTag tag) {
+    items.push_back({{mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])}, mesh.patch_of(tag), tag.facet()});
+  });
   return items;
 }
 
