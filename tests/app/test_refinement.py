@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sizes and qualities asked in project files and on the command line: what comes out passes `geomesh check`, keeps its names, and has the
 sizes asked."""
+import math
 import os
 import re
 import shutil
@@ -15,6 +16,47 @@ column: [upper, top, lower]
 points:
   - {name: gauge, at: [5, 5, 8]}
 """
+
+
+def plate_with_holes(half=10, height=3.175, radius=1.9, segments=32, rows=2):
+    """OFF of a square plate of rows x rows cells with a round hole in the middle of each. The walls of the holes are needles, as CAD makes them.
+    `half` of the side of a cell; `segments` a multiple of 4."""
+    rows_of_points, triangles = {}, []
+
+    def vertex(x, y, z):
+        return rows_of_points.setdefault((round(x, 9), round(y, 9), z), len(rows_of_points))
+
+    def add_wall(a, b):
+        """Seen from outside, a is on the left."""
+        triangles.append((vertex(*a, 0), vertex(*b, 0), vertex(*b, height)))
+        triangles.append((vertex(*a, 0), vertex(*b, height), vertex(*a, height)))
+
+    def add_top_and_bottom(a, b, c):
+        """Counterclockwise from above."""
+        triangles.append([vertex(*p, height) for p in (a, b, c)])
+        triangles.append([vertex(*p, 0) for p in (a, c, b)])
+
+    def add_cell(x, y):
+        ring = [(x + radius * math.cos(2 * math.pi * k / segments), y + radius * math.sin(2 * math.pi * k / segments)) for k in range(segments)]
+        corners = [(x + half, y + half), (x - half, y + half), (x - half, y - half), (x + half, y - half)]
+        quarter = segments // 4
+        for k in range(segments):
+            add_wall(ring[(k + 1) % segments], ring[k])
+            add_top_and_bottom(corners[k // quarter], ring[(k + 1) % segments], ring[k])
+        for q in range(4):
+            add_top_and_bottom(corners[q], corners[(q + 1) % 4], ring[(q + 1) * quarter % segments])
+
+    for i in range(rows):
+        for j in range(rows):
+            add_cell((2 * i + 1) * half, (2 * j + 1) * half)
+    end = 2 * half * rows
+    for i in range(rows):
+        low, high = 2 * half * i, 2 * half * (i + 1)
+        for a, b in (((low, 0), (high, 0)), ((end, low), (end, high)), ((high, end), (low, end)), ((0, high), (0, low))):
+            add_wall(a, b)
+    lines = ["OFF", "%d %d 0" % (len(rows_of_points), len(triangles))]
+    lines += ["%r %r %r" % p for p in rows_of_points] + ["3 %d %d %d" % tuple(t) for t in triangles]
+    return "\n".join(lines) + "\n"
 
 
 class Refinement(ProgramTest):
@@ -235,6 +277,19 @@ class Refinement(ProgramTest):
         solid = self.shared("solids", "plate_holes.STL")
         self.run_program("mesh", solid, "-o", self.path("plate.vtu"), "--tolerance", "0.367", "--quality", "default")
         self.check(self.path("plate.vtu"))
+
+    def test_narrow_holes_do_not_fold(self):
+        """The tolerance is half of the holes' radius. Their walls could fold into the holes, where nothing is meshed that would keep them from it."""
+        solid = self.path("plate.off")
+        with open(solid, "w") as file:
+            file.write(plate_with_holes())
+        self.run_program("mesh", solid, "-o", self.path("plate.vtu"), "--size", "12.6", "--tolerance", "1")
+        self.check(self.path("plate.vtu"), "--surfaces", solid, "--within", "1")
+        report = self.report(self.path("plate.report.json"))
+        self.assertEqual(report["refinement"]["runs"], 1)
+        self.assertEqual(report["refinement"]["off_before"], 0)
+        self.assertEqual({s["runs"] for s in report["stages"]}, {1})
+        self.assertEqual(report["quality"]["below_8_degrees"]["tetrahedra"], 0)
 
     def test_surfaces_within_a_tolerance(self):
         """The project's tolerance is what `check` judges by; a tenth of it is not met."""

@@ -109,7 +109,8 @@ TEST_CASE("the page names units, surfaces and warnings, and escapes them", "[pag
   report.quality = quality_of(mesh);
   report.warnings = {"fault <F1> ends inside"};
   report.notes = {"clipped 3 m2"};
-  report.stages = {{"read", 0.25, 0.25, 1000}};
+  report.stages = {{"read", 0.25, 0.25, 1000}, {"refine", 0.5, 0.5, 1000, 3}};
+  report.refinement = RefineStatistics{.runs = 3, .off_before = 17};
   const std::string html = to_html(report);
   CHECK(html.find("<title>a &lt; b</title>") != std::string::npos);
   CHECK(html.find("&lt;i&gt;marl&lt;/i&gt; &amp; &quot;clay&quot;") != std::string::npos);
@@ -117,6 +118,8 @@ TEST_CASE("the page names units, surfaces and warnings, and escapes them", "[pag
   CHECK(html.find("fault &lt;F1&gt; ends inside") != std::string::npos);
   CHECK(html.find("clipped 3 m2") != std::string::npos);
   CHECK(html.find("<td>read</td><td class=\"n\">0.25</td>") != std::string::npos);
+  CHECK(html.find("<td>refine (3 runs)</td><td class=\"n\">0.5</td>") != std::string::npos);
+  CHECK(html.find("in 17 places of earlier runs") != std::string::npos);
   for (const NamedSurface& s : mesh.surfaces) CHECK(html.find(s.name) != std::string::npos);
   CHECK(occurrences(html, "<svg ") == 6 + mesh.regions.size());  // three sections, three histograms, one for each unit
   CHECK(occurrences(html, "<svg ") == occurrences(html, "</svg>"));

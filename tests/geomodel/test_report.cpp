@@ -74,7 +74,7 @@ TEST_CASE("a full report has the names of the output contract and fits its schem
   Report report;
   report.command = "project";
   report.name = mesh.name;
-  report.stages = {{"read", 0.1, 0.1, 1000}, {"write", 0.2, 0.3, 2000}};
+  report.stages = {{"read", 0.1, 0.1, 1000}, {"write", 0.2, 0.3, 2000, 3}};
   report.input_json = R"({"surfaces": 2})";
   report.core = &core;
   report.arrangement = &arrangement;
@@ -85,6 +85,9 @@ TEST_CASE("a full report has the names of the output contract and fits its schem
   report.files = {"model.vtu"};
   const json read = json::parse(to_json(report));
   CHECK(read["stages"][1]["name"] == "write");
+  CHECK(read["stages"][0]["runs"] == 1);
+  CHECK(read["stages"][1]["runs"] == 3);
+  CHECK(read["refinement"]["runs"] == 1);
   CHECK(read["points_deferred"] == 11);
   CHECK(read["recovery"]["segments_total"] == 7);
   CHECK(read["recovery"]["facets_not_recovered"] == json::array({3}));

@@ -23,6 +23,7 @@ double worst_shape(const DomainMesh& mesh) {
   return worst;
 }
 
+/// `context` is told what is to come.
 void find_sizes_and_patches(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
   SizeFields sizes = build_size_field(plc, mesh, options, size_tolerance(options));
   result.size_field = std::move(sizes.all);
@@ -145,7 +146,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   Attempt attempt;
   RefineResult& result = attempt.result;
   DomainMesh mesh = import_domain(plc, input, options);
-  find_sizes_and_patches(plc, mesh, options, context, result);
+  find_sizes_and_patches(plc, mesh, options, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
   const SurfaceGuard guard = prepare_surfaces(hold, plc, options, input, mesh, context, result);

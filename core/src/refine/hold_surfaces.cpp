@@ -30,6 +30,8 @@ bool overlap(const Box3& a, const Box3& b) {
   return true;
 }
 
+Vec3 centre(const Box3& box) { return 0.5 * (box.min + box.max); }
+
 std::string place_words(const Vec3& p) {
   char text[120];
   std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", p.x, p.y, p.z);
@@ -38,9 +40,9 @@ std::string place_words(const Vec3& p) {
 
 }  // namespace
 
-void tighten(Hold& hold, const Attempt& attempt, double tolerance, unsigned round) {
+void tighten(Hold& hold, const Attempt& attempt, double tolerance) {
   constexpr double closer = 0.65, closer_in_zones = 0.25, about_zones = 4;
-  if (!attempt.breaches.empty() || round > 1) hold.margin *= closer;
+  if (!attempt.breaches.empty() || hold.run > 1) hold.margin *= closer;
   const double reach = about_zones * tolerance;
   const std::size_t n_before = hold.zones.size();
   for (TightZone zone : attempt.crossings) {
@@ -51,14 +53,24 @@ void tighten(Hold& hold, const Attempt& attempt, double tolerance, unsigned roun
     zone.box = {zone.box.min - Vec3{reach, reach, reach}, zone.box.max + Vec3{reach, reach, reach}};
     hold.zones.push_back(zone);
   }
+  ++hold.run;
+}
+
+void tell_what_is_off(const Attempt& attempt, const RunContext& context) {
+  constexpr std::size_t most = 20;
+  context.note(LogLevel::info, "surfaces are not as promised in " + std::to_string(attempt.breaches.size() + attempt.crossings.size()) +
+                                   " places: held more closely and refined again");
+  for (std::size_t i = 0; i < std::min(most, attempt.breaches.size()); ++i)
+    context.note(LogLevel::debug, "not proven to be within the tolerance at " + place_words(attempt.breaches[i].place));
+  for (std::size_t i = 0; i < std::min(most, attempt.crossings.size()); ++i)
+    context.note(LogLevel::debug, "surfaces cross through the outside at " + place_words(centre(attempt.crossings[i].box)));
 }
 
 void refuse_tolerance(const Attempt& attempt) {
   constexpr const char* what_to_do = ". Ask for another tolerance, for smaller sizes there, or keep the surfaces exactly";
   ErrorContext context;
   if (!attempt.crossings.empty()) {
-    const Box3& box = attempt.crossings.front().box;
-    const Vec3 place = 0.5 * (box.min + box.max);
+    const Vec3 place = centre(attempt.crossings.front().box);
     context.places.push_back(place);
     throw Error(ErrorKind::cannot_mesh,
                 "surfaces that are nearer to each other than the tolerance, with the outside between, could not be remeshed without crossing, at " +

@@ -23,9 +23,12 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
 /// Where surfaces are not proven to be within the tolerance both ways, points are put there. Returns what is left in the end.
 Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context);
 
-/// More closely than in the attempt, the `round`-th from 0: everywhere where the tolerance was not proven or it was not enough to hold places
+/// More closely than in the attempt, for the next run: everywhere where the tolerance was not proven or it was not enough to hold places
 /// twice, and where surfaces came to cross.
-void tighten(Hold& hold, const Attempt& attempt, double tolerance, unsigned round);
+void tighten(Hold& hold, const Attempt& attempt, double tolerance);
+
+/// Tells of what does not hold, and the first places (debug).
+void tell_what_is_off(const Attempt& attempt, const RunContext& context);
 
 /// Throws Error{cannot_mesh} with the places and facets of what does not hold.
 [[noreturn]] void refuse_tolerance(const Attempt& attempt);

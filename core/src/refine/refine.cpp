@@ -38,13 +38,16 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   if (options.honour == Honour::exact) return remesh::attempt_holding({}, plc, std::move(input), options, context).result;
   constexpr unsigned most_attempts = 6;
   remesh::Hold hold;
-  for (unsigned round = 0;; ++round) {
+  std::size_t off_before = 0;
+  for (;;) {
     remesh::Attempt attempt = remesh::attempt_holding(hold, plc, input, options, context);
+    attempt.result.statistics.runs = hold.run + 1;
+    attempt.result.statistics.off_before = off_before;
     if (attempt.holds()) return std::move(attempt.result);
-    if (round + 1 == most_attempts) remesh::refuse_tolerance(attempt);
-    remesh::tighten(hold, attempt, options.tolerance, round);
-    context.note(LogLevel::info, "surfaces are not as promised in " + std::to_string(attempt.breaches.size() + attempt.crossings.size()) +
-                                     " places: held more closely and refined again");
+    if (hold.run + 1 == most_attempts) remesh::refuse_tolerance(attempt);
+    remesh::tighten(hold, attempt, options.tolerance);
+    off_before += attempt.breaches.size() + attempt.crossings.size();
+    remesh::tell_what_is_off(attempt, context);
   }
 }
 

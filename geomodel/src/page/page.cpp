@@ -101,8 +101,12 @@ std::string notes(const Report& report) {
 
 std::string run(const Report& report) {
   std::string out = "<h2>The run</h2>\n<table><tr><th>stage</th><th class=\"n\">seconds</th></tr>\n";
-  for (const StageRecord& s : report.stages) out += "<tr>" + cell(escape(s.name)) + cell(number(s.wall_s), true) + "</tr>\n";
+  for (const StageRecord& s : report.stages)
+    out += "<tr>" + cell(escape(s.name) + (s.runs > 1 ? " (" + std::to_string(s.runs) + " runs)" : "")) + cell(number(s.wall_s), true) + "</tr>\n";
   out += "</table>\n";
+  if (report.refinement && report.refinement->runs > 1)
+    out += "<p>Surfaces were not within the tolerance at first, in " + std::to_string(report.refinement->off_before) +
+           " places of earlier runs: they were held more closely there, and the model was refined again. The mesh is that of the last run.</p>\n";
   if (report.core) {
     const RecoveryStatistics& r = report.core->recovery;
     out += "<p>Points added to keep every surface: " + std::to_string(r.steiner_on_segments) + " on curves and edges, " +

@@ -37,7 +37,8 @@ void StageRecorder::on_stage(std::string_view name, bool begins) {
     return;
   }
   auto record = std::find_if(records_.begin(), records_.end(), [&](const StageRecord& r) { return r.name == name; });
-  if (record == records_.end()) record = records_.insert(records_.end(), StageRecord{std::string(name), 0, 0, 0});
+  if (record == records_.end()) record = records_.insert(records_.end(), StageRecord{.name = std::string(name), .runs = 0});
+  ++record->runs;
   record->wall_s += std::chrono::duration<double>(now - wall_start_).count();
   record->cpu_s += process_cpu_seconds() - cpu_start_;
   record->peak_bytes = process_peak_bytes();

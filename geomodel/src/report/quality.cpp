@@ -124,6 +124,8 @@ json quality_json(const QualityReport& quality, const ModelMesh* mesh) {
 
 json refinement_json(const RefineStatistics& s) {
   return {{"estimated_tetrahedra", s.estimated_elements},
+          {"runs", s.runs},
+          {"off_before", s.off_before},
           {"points_on_curves", s.points_on_curves},
           {"points_on_surfaces", s.points_on_surfaces},
           {"points_inside", s.points_inside},

@@ -18,7 +18,7 @@ json to_json(const Vec3& p) { return json::array({p.x, p.y, p.z}); }
 json stages_json(const std::vector<StageRecord>& stages) {
   json list = json::array();
   for (const StageRecord& s : stages)
-    list.push_back({{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"peak_bytes", s.peak_bytes}});
+    list.push_back({{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"peak_bytes", s.peak_bytes}, {"runs", s.runs}});
   return list;
 }
 

@@ -72,8 +72,11 @@ struct RefineOptions {
   std::uint64_t seed = 1;
 };
 
+/// All but `runs` and `off_before` are of the last run, whose mesh is given out.
 struct RefineStatistics {
   double estimated_elements = 0;  ///< before the work started
+  std::size_t runs = 1;           ///< of stages refine and improve; more than one where surfaces had to be held more closely to keep a tolerance
+  std::size_t off_before = 0;     ///< places in all earlier runs that were not proven to keep it, or where surfaces crossed
   bool sizes_on_surfaces = true;  ///< false: surfaces got no points for sizes (RefineOptions::size_surfaces)
   std::size_t points_on_curves = 0, points_on_surfaces = 0, points_inside = 0;
   std::size_t collapses = 0, edge_removals = 0, face_removals = 0, smoothing_moves = 0, improving_insertions = 0;

@@ -22,6 +22,7 @@ struct StageRecord {
   std::string name;
   double wall_s = 0, cpu_s = 0;     ///< cpu counts all threads
   std::size_t peak_bytes = 0;       ///< peak resident size of the process at the stage's end
+  std::size_t runs = 1;             ///< how often it ran: refine and improve more than once where surfaces had to be held more closely
 };
 
 /// Element quality with the worst elements' causes in words.
