@@ -39,6 +39,8 @@ class Coordinates(ProgramTest):
         self.assertEqual(report["input"]["box"]["min"], [0, 0, -10])
         self.assertIn("conforming", self.run_program(self.project("{z_scale: 16}", mesh="{mode: conforming}"), status=USAGE))
         self.assertIn("scaled space", self.run_program(self.project("{z_scale: 16}", mesh="{refine: default}"), status=USAGE))
+        for mesh in ("{size: 2}", "{quality: fast}", "{honour: tolerance, tolerance: 0.1}"):  # a tolerance would be stretched when z is scaled back
+            self.assertIn("scaled space", self.run_program(self.project("{z_scale: 0.5}", mesh=mesh), status=USAGE))
         self.assertIn("between 1e-6 and 1e6", self.run_program(self.project("{z_scale: 0}"), status=USAGE))
 
     def test_any_factor_of_z(self):

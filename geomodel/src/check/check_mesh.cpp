@@ -85,9 +85,8 @@ Claim claim_of_project(const std::filesystem::path& file, const std::filesystem:
   if (claim.volume) rules.box = claim.volume->bounds;
   claim.surfaces = build_surfaces(claim.surfaces, rules).model_surfaces();
   claim_clipped_areas(project, mesh, claim);
-  // The tolerance is a length of the scaled model; undoing a scale below 1 stretches it.
   const RefinementSettings& refinement = project.mesh.refinement;
-  if (refinement.refine && refinement.honour == Honour::tolerance) claim.within = refinement.tolerance * std::max(1.0, 1 / project.crs.z_scale);
+  if (refinement.refine && refinement.honour == Honour::tolerance) claim.within = refinement.tolerance;  // not together with crs.z_scale
   return claim;
 }
 

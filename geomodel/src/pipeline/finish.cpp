@@ -8,6 +8,7 @@
 #include "geomesh/geomodel/writers.hpp"
 #include "pipeline/failed_place.hpp"
 #include "pipeline/refine_model.hpp"
+#include "pipeline/region_volumes.hpp"
 #include "pipeline/soup_vtp.hpp"
 #include "report/words.hpp"
 #include "sets/name_regions.hpp"
@@ -83,7 +84,6 @@ RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::ve
   cut_at_ends(result.mesh, model, recorder);
   if (!refine || conforming) return result;
   if (model.refinement.honour == Honour::tolerance) volumes_of_input = component_volumes(result.mesh);
-  for (double& volume : volumes_of_input) volume /= model.z_scale.factor();
   refine_now();
   return result;
 }
@@ -213,6 +213,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     StageScope stage(recorder.context(), "verify");
     mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
     set_volumes_of_input(mesh, core, volumes_of_input);
+    if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
     if (model.options.recover.mode == MeshMode::conforming) report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   }

@@ -26,7 +26,8 @@ void refuse_scaling(const Project& project) {
   if (project.mesh.options.recover.mode == MeshMode::conforming)
     throw Error(ErrorKind::usage, where + "mesh.mode: conforming, whose mesh would be Delaunay in the scaled space alone");
   if (project.mesh.refinement.refine)
-    throw Error(ErrorKind::usage, where + "mesh.refine, which would judge sizes and shapes in the scaled space; leave out one of them");
+    throw Error(ErrorKind::usage, where + "refinement (mesh.size, quality, honour or refine), which would judge sizes, shapes and the tolerance in the scaled "
+                                          "space; leave out one of them");
 }
 
 /// From here on z is scaled, until the mesh is named. Rules have acted on the surfaces in true lengths.

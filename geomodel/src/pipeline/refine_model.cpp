@@ -9,7 +9,6 @@
 #include "geomesh/core/refine_conforming.hpp"
 #include "project/problems.hpp"
 #include "sets/name_regions.hpp"
-#include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
 
@@ -152,11 +151,11 @@ std::string contradiction(const RefinementSettings& settings, const RecoverOptio
   if (!settings.refine)
     return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined" : "";
   if (!settings.sizes_on_surfaces) {
-    if (settings.honour == Honour::tolerance) return "with honour: tolerance surfaces are remeshed to the sizes: it cannot be asked with on_surfaces: false";
-    if (recover.mode == MeshMode::conforming) return "mode conforming adds points on surfaces: it cannot be asked with on_surfaces: false";
+    if (settings.honour == Honour::tolerance) return "within a tolerance surfaces are remeshed to the sizes, so 'no sizes on surfaces' (on_surfaces: false) contradicts it; leave out one of them";
+    if (recover.mode == MeshMode::conforming) return "mode conforming adds points on surfaces, so 'no sizes on surfaces' (on_surfaces: false) contradicts it; leave out one of them";
   }
   if (recover.mode == MeshMode::conforming) {
-    if (settings.honour == Honour::tolerance) return "mode conforming keeps the input's facets: it cannot be asked with honour: tolerance";
+    if (settings.honour == Honour::tolerance) return "mode conforming keeps the input's facets, so a tolerance for surfaces (honour: tolerance) contradicts it; leave out one of them";
     if (settings.quality != QualityLevel::standard || settings.time_budget > 0)
       return "mode conforming refines to sizes and keeps the mesh Delaunay: quality and time_budget have no meaning with it, since improving "
              "elements moves points and flips faces";
@@ -194,25 +193,6 @@ RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization me
   if (result.statistics.out_of_time)
     warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
   return result;
-}
-
-std::vector<double> component_volumes(const ConstrainedTetrahedralization& mesh) {
-  std::vector<CompensatedSum> sums(mesh.n_components);
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = mesh.tetrahedra[t];
-    sums[mesh.component[t]].add(signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]));
-  }
-  std::vector<double> volumes;
-  for (const CompensatedSum& sum : sums) volumes.push_back(sum.value());
-  return volumes;
-}
-
-void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core, const std::vector<double>& volumes) {
-  if (volumes.empty()) return;
-  std::vector<std::int32_t> region_of(volumes.size(), 0);
-  for (std::size_t t = 0; t < core.component.size(); ++t) region_of[core.component[t]] = mesh.tet_region[t];
-  for (std::size_t c = 0; c < volumes.size(); ++c)
-    if (region_of[c] > 0) mesh.regions[static_cast<std::size_t>(region_of[c] - 1)].volume_of_input += volumes[c];
 }
 
 std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names, const ConstrainedTetrahedralization& mesh,

@@ -19,12 +19,6 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
 RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
                           const RunContext& context);
 
-/// Volume of each component, summed without cancellation.
-std::vector<double> component_volumes(const ConstrainedTetrahedralization& mesh);
-/// Sets volume_of_input of each region from the volumes of its components before surfaces moved; none given: leaves it. `core` has the tetrahedra of `mesh`, in
-/// the same order.
-void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core, const std::vector<double>& volumes);
-
 /// The arrays that settings.cell_arrays names, one value for each tetrahedron in order. `size` may be null where it is not among them.
 std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names, const ConstrainedTetrahedralization& mesh,
                                         const SizeField* size);
