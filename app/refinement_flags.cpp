@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refinement_flags.hpp"
 
+#include <charconv>
+#include <cmath>
+
 namespace geomesh::app {
 
+namespace {
+
+/// CLI's own validators say "not in range 0.00000 to 17976931348...".
+std::string is_length(const std::string& text) {
+  double value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status == std::errc() && end == text.data() + text.size() && std::isfinite(value) && value > 0) return {};
+  return "a number above zero was expected, found '" + text + "'";
+}
+
+}  // namespace
+
 void RefinementFlags::add_to(CLI::App& app) {
-  const auto positive = CLI::PositiveNumber;
+  const CLI::Validator positive(is_length, "POSITIVE");
   app.add_option("--size", size_, "Refine: wanted edge length; less where the input's edges are shorter")->type_name("H")->check(positive);
   app.add_option("--size-from", size_from_, "Refine: wanted edge lengths at points: lines of x y z size, or a .vti, .vtu or .vtp with an array \"size\"")
       ->type_name("FILE")->check(CLI::ExistingFile);

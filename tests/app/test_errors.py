@@ -43,7 +43,33 @@ colunm: [upper, top, lower]
         self.assert_nothing_written()
 
 
+    def test_settings_of_refinement_say_what_was_meant(self):
+        self.write("top.ts", level("top", 5))
+        for mesh, words in (("{size: {on_surface: false}}", "was 'on_surfaces' meant?"),
+                            ("{on_surfaces: false}", "it belongs to mesh.size"),
+                            ("{size: {global: 2, tolerance: 0.1}}", "it belongs to mesh"),
+                            ("{size: {on_surfaces: top}}", "mesh.size.on_surfaces: true or false was expected, found 'top'"),
+                            ("{size: {on_surfaces: false}, honour: tolerance, tolerance: 0.1}", "on_surfaces: false) contradicts it; leave out one of them"),
+                            ("{honour: tolerance}", "give 'tolerance', a length"),
+                            ("{size: 2, tolerance: 0.1}", "give 'honour: tolerance' with it"),
+                            ("{honour: tolerance, tolerance: 0}", "a number above zero was expected"),
+                            ("{honour: tolerance, tolerance: 0.1, mode: conforming}", "mode conforming keeps the input's facets")):
+            self.assertIn(words, self.run_program(self.write("model.yaml", PROJECT + "mesh: %s\n" % mesh), status=USAGE), mesh)
+        printed = self.run_program(self.write("model.yaml", PROJECT + "mesh: {honour: tolerant, tolerance: 0.1}\n"), status=USAGE)
+        self.assertIn("was 'tolerance' meant?", printed)
+        self.assertNotIn("has no meaning", printed)  # one mistake, one message
+        self.assert_nothing_written()
+
+
 class WrongCommandLines(ProgramTest):
+    def test_sizes_and_tolerances_that_are_none(self):
+        mesh = ("mesh", self.write("top.ts", level("top", 5)), "-o", self.path("a.vtu"), "--box", "0,0,0,10,10,10")
+        for option in ("--tolerance", "--size", "--gradation"):
+            for value in ("0", "0.1%", "nan", "-1"):
+                printed = self.run_program(*mesh, option, value, status=USAGE)
+                self.assertIn("%s: a number above zero was expected, found '%s'" % (option, value), printed)
+        self.assertIn("contradicts it; leave out one", self.run_program(*mesh, "--tolerance", "1", "--no-size-on-surfaces", status=USAGE))
+
     def test_unknown_option(self):
         self.assertIn("--frobnicate", self.run_program("mesh", "a.off", "-o", "a.vtu", "--frobnicate", status=USAGE))
 

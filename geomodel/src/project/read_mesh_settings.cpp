@@ -119,14 +119,18 @@ void read_size(const YamlValue& value, const Project& project, RefinementSetting
 
 void read_honour(const YamlMap& mesh, RefinementSettings& settings) {
   const auto honour = mesh.find("honour"), tolerance = mesh.find("tolerance");
-  if (honour && honour->is_map())
+  std::optional<std::string> word = "exact";
+  if (honour && honour->is_map()) {
     honour->problem("exact or tolerance was expected, found a map; give 'honour: tolerance' and beside it 'tolerance', a length");
-  else if (honour && honour->choice({"exact", "tolerance"}) == "tolerance")
-    settings.honour = Honour::tolerance;
+    word = std::nullopt;
+  } else if (honour) {
+    word = honour->choice({"exact", "tolerance"});
+  }
+  if (word == "tolerance") settings.honour = Honour::tolerance;
   if (tolerance) read_positive(*tolerance, settings.tolerance);
   if (settings.honour == Honour::tolerance && !tolerance)
     honour->problem("how far surfaces may be from the input is missing: give 'tolerance', a length");
-  if (tolerance && settings.honour == Honour::exact)
+  if (tolerance && word == "exact")
     tolerance->problem("has no meaning while surfaces are kept exactly; give 'honour: tolerance' with it");
 }
 

@@ -20,7 +20,8 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> ho
     {"rules", {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness", "thin_layers"}},
     {"an entry of surfaces", {"kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at"}},
     {"box", {"min", "max", "margin", "polygon", "azimuth", "center"}},
-    {"mesh", {"mode", "refine", "size", "quality", "preserve_boundary", "cluster_distance"}},
+    {"mesh", {"mode", "refine", "size", "quality", "preserve_boundary", "cluster_distance", "honour", "tolerance", "max_elements", "time_budget", "cell_arrays"}},
+    {"mesh.size", {"input_edges", "on_surfaces", "curvature", "gap_layers", "gradation"}},
     {"output", {"formats", "directory", "origin"}},
     {"the top of the file", {"column", "wells", "points", "regions", "groups", "attributes", "surfaces", "rules"}}};
 
