@@ -6,6 +6,7 @@
 #include "quality/shape.hpp"
 #include "refine/refinement.hpp"
 #include "refine_bench.hpp"
+#include "search/closest_point.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;
@@ -150,6 +151,80 @@ TEST_CASE("Flips, smoothing and improving insertions raise the worst shape about
     CHECK(out <= std::max(tolerance, 1e-14));
     CHECK(back <= std::max(tolerance, 1e-14));
   }
+}
+
+TEST_CASE("Flips as openings make shapes worse, but none at or below the floor", "[improve]") {
+  constexpr double floor = 0.05;
+  Model model = ball_in_box(4);
+  disturb_inside(model, 11);
+  Bench bench(std::move(model));
+  std::size_t n_worse = 0;
+  const auto judge = [&](CellIndex c, const auto& flip) {
+    double before = bench.mesh.shape_of(c), after = 1;
+    std::vector<std::pair<Tetrahedron, double>> old;
+    for (CellIndex k = 0; k < bench.mesh.n_slots(); ++k)
+      old.emplace_back(bench.mesh.is_live(k) ? bench.mesh.vertices(k) : Tetrahedron{}, bench.mesh.is_live(k) ? bench.mesh.shape_of(k) : 1);
+    if (!flip()) return false;
+    for (CellIndex k = 0; k < bench.mesh.n_slots(); ++k) {
+      const bool is_live = bench.mesh.is_live(k);
+      if (k < old.size() && is_live && old[k].first == bench.mesh.vertices(k)) continue;
+      if (is_live) after = std::min(after, bench.mesh.shape_of(k));
+      if (k < old.size()) before = std::min(before, old[k].second);
+    }
+    CHECK(after > std::min(floor, before));
+    n_worse += after < before;
+    return true;
+  };
+  CHECK(over_cells(bench, 3, [&](Bench& b, CellIndex c) {
+          const Tetrahedron t = b.mesh.vertices(c);
+          return judge(c, [&] { return remove_edge_above(b.tools, c, t[c % 3], t[3], floor); });
+        }) > 0);
+  CHECK(n_worse > 0);
+  n_worse = 0;
+  CHECK(over_cells(bench, 3, [&](Bench& b, CellIndex c) { return judge(c, [&] { return remove_face_above(b.tools, c, c % 4, floor); }); }) > 0);
+  CHECK(n_worse > 0);
+}
+
+TEST_CASE("Where surfaces are kept, points added on input edges slide along them where that is asked for", "[improve]") {
+  Bench bench(two_boxes(1));
+  const DomainMesh input = bench.mesh;
+  const auto edges = input.curve_edges();
+  for (const auto& [a, b] : edges) {  // two points on each edge of the input, off the thirds
+    for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c) {
+      if (!bench.mesh.topology().has_vertex(c, a) || !bench.mesh.topology().has_vertex(c, b)) continue;
+      const Vec3 p = input.point(a) + 0.25 * (input.point(b) - input.point(a)), q = input.point(a) + 0.375 * (input.point(b) - input.point(a));
+      const auto v = split_edge(bench.tools, c, a, b, 0, &p);
+      REQUIRE(v);
+      for (CellIndex k = 0; k < bench.mesh.n_slots(); ++k)
+        if (bench.mesh.topology().has_vertex(k, *v) && bench.mesh.topology().has_vertex(k, b)) {
+          REQUIRE(split_edge(bench.tools, k, *v, b, 0, &q));
+          break;
+        }
+      break;
+    }
+  }
+  REQUIRE(bench.mesh.validate() == "");
+  const auto off_edge = [&](const Vec3& p, const std::array<VertexIndex, 2>& e) {
+    return distance(p, search::closest_on_segment(p, input.point(e[0]), input.point(e[1])));
+  };
+  std::size_t n_moved = 0;
+  for (VertexIndex v = 0; v < bench.mesh.n_vertices(); ++v) {
+    if (bench.mesh.kind(v) != VertexKind::curve) continue;
+    CHECK_FALSE(smooth_vertex(bench.tools, v, {}));
+    const Vec3 old = bench.mesh.point(v);
+    SmoothRule rule;
+    rule.slides_on_edges = true;
+    if (!smooth_vertex(bench.tools, v, rule)) continue;
+    ++n_moved;
+    const Vec3& now = bench.mesh.point(v);
+    CHECK(!(now == old));
+    CHECK(std::any_of(edges.begin(), edges.end(), [&](const auto& e) {
+      return off_edge(now, e) < 1e-15 && off_edge(old, e) < 1e-15;
+    }));
+    REQUIRE(bench.mesh.validate() == "");
+  }
+  CHECK(n_moved > 0);
+  CHECK(bench.guard.deviations(bench.mesh, 1).result_to_input <= 1e-14);
 }
 
 TEST_CASE("Raising the mean keeps the mesh valid and the worst shape, and raises the mean worth", "[improve]") {

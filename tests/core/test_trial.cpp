@@ -126,6 +126,13 @@ TEST_CASE("What is kept stays", "[trial]") {
 
 namespace {
 
+/// A search of its own about each cell.
+template <std::size_t n_trials>
+bool rescue_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule) {
+  RescueSearch search{Chooser(c), n_trials, n_trials, [] { return false; }};
+  return rescue_cell_by_search(tools, c, rule, search);
+}
+
 /// Rescues all bad cells of disturbed meshes, and holds each rescue to what it promises.
 void judge_rescue(bool (*rescue)(Toolbox&, CellIndex, const RescueRule&), double bad_degrees, unsigned n_models) {
   std::size_t n_kept = 0, n_undone = 0;
@@ -163,17 +170,61 @@ TEST_CASE("A rescue that is kept leaves fewer bad cells, or as many and better o
 
 TEST_CASE("So does one that opens by making the place worse", "[trial]") { judge_rescue(rescue_cell_by_openings, 40, 1); }
 
-TEST_CASE("Openings mend cells that are beyond a rescue without", "[trial]") {
-  std::size_t n_mended = 0;
-  for (unsigned seed = 1; seed <= 4 && n_mended == 0; ++seed) {
+TEST_CASE("So does a search", "[trial]") { judge_rescue(rescue_by_search<2>, 35, 1); }
+
+TEST_CASE("Openings mend cells that are beyond a rescue without, a search cells that are beyond openings", "[trial]") {
+  std::size_t n_by_openings = 0, n_by_search = 0;
+  for (unsigned seed = 1; seed <= 4 && n_by_openings * n_by_search == 0; ++seed) {
     Model model = ball_in_box(4);
     disturb_inside(model, seed);
     Bench bench(std::move(model));
-    const RescueRule rule{shape_of_angle(20), 12, 30};
+    const RescueRule rule{shape_of_angle(30), 12, 30};
     for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c) {
-      const auto is_bad = [&] { return bench.mesh.is_live(c) && bench.mesh.shape_of(c) < rule.bad_shape; };
-      if (is_bad() && !rescue_cell(bench.tools, c, rule) && rescue_cell_by_openings(bench.tools, c, rule)) ++n_mended;
+      if (!bench.mesh.is_live(c) || bench.mesh.shape_of(c) >= rule.bad_shape || rescue_cell(bench.tools, c, rule)) continue;
+      if (rescue_cell_by_openings(bench.tools, c, rule))
+        ++n_by_openings;
+      else
+        n_by_search += rescue_by_search<20>(bench.tools, c, rule);
     }
   }
-  CHECK(n_mended > 0);
+  CHECK(n_by_openings > 0);
+  CHECK(n_by_search > 0);
+}
+
+TEST_CASE("A search tries no more often than it may, and not at all when time is over", "[trial]") {
+  Model model = ball_in_box(4);
+  disturb_inside(model, 1);
+  Bench bench(std::move(model));
+  const RescueRule rule{shape_of_angle(60), 12, 30};  // nothing is that good, so all is in vain or little is gained
+  RescueSearch search{Chooser(1), 3, 4, [] { return false; }};
+  CellIndex c = 0;
+  while (!bench.mesh.is_live(c)) ++c;
+  const bool first = rescue_cell_by_search(bench.tools, c, rule, search);
+  CHECK(search.trials_left >= 1);
+  if (!first) CHECK(search.trials_left == 1);
+  RescueSearch late{Chooser(1), 3, 4, [] { return true; }};
+  CHECK_FALSE(rescue_cell_by_search(bench.tools, c, rule, late));
+  CHECK(late.trials_left == 4);
+}
+
+TEST_CASE("Openings keep the mesh valid and its domain, and are the same from the same seed", "[trial]") {
+  Bench bench(box_with_well(4)), same(box_with_well(4));
+  const double before = bench.volume();
+  Chooser choose(7), again(7);
+  std::size_t n = 0;
+  for (CellIndex c = 0; c < 400; ++c) {
+    if (!bench.mesh.is_live(c)) continue;
+    const bool is_open = open_about_cell(bench.tools, c, choose);
+    REQUIRE(open_about_cell(same.tools, c, again) == is_open);
+    REQUIRE(bench.mesh.validate() == "");
+    n += is_open;
+  }
+  CHECK(n > 50);
+  CHECK(bench.volume() == Approx(before));
+  CHECK(bench.statistics.collapses > 0);
+  CHECK(bench.statistics.points_inside > 0);
+  CHECK(bench.statistics.points_on_surfaces > 0);
+  CHECK(bench.statistics.edge_removals > 0);
+  CHECK(bench.statistics.face_removals > 0);
+  require_same(bench.mesh, same.mesh);
 }

@@ -130,6 +130,12 @@ class EdgeRemoval {
     return attempt(c);
   }
 
+  /// As long as all new shapes are above `floor`.
+  bool attempt(CellIndex c, double floor) {
+    before_ = floor;
+    return attempt(c);
+  }
+
   bool attempt(CellIndex c, const MeanGoal& goal) {
     goal_ = &goal;
     return attempt(c);
@@ -277,6 +283,7 @@ bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) { re
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal) {
   return EdgeRemoval(tools, a, b).attempt(c, goal);
 }
+bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) { return EdgeRemoval(tools, a, b).attempt(c, floor); }
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
   return EdgeRemoval(tools, a, b).attempt_for_surface(c, floor);
 }

@@ -19,9 +19,14 @@ class FaceRemoval {
 
   bool attempt() {
     if (mesh_.tag(removed_[0], i_).constrained()) return false;
+    const double worst = std::min(mesh_.shape_of(removed_[0]), mesh_.shape_of(mesh_.topology().neighbor_cell(removed_[0], i_)));
+    return attempt(worst * (1 + 1e-6) + 1e-12);
+  }
+
+  bool attempt(double floor) {
+    if (mesh_.tag(removed_[0], i_).constrained()) return false;
     find_cells();
-    const double worst = std::min(mesh_.shape_of(removed_[0]), mesh_.shape_of(removed_[1]));
-    return worth_of_new(worst * (1 + 1e-6) + 1e-12).has_value() && replace();
+    return worth_of_new(floor).has_value() && replace();
   }
 
   bool attempt(const MeanGoal& goal) {
@@ -76,6 +81,7 @@ class FaceRemoval {
 }  // namespace
 
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i) { return FaceRemoval(tools, c, i).attempt(); }
+bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor) { return FaceRemoval(tools, c, i).attempt(floor); }
 bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal) { return FaceRemoval(tools, c, i).attempt(goal); }
 
 }  // namespace geomesh::remesh

@@ -45,7 +45,10 @@ constexpr std::array rescue_rooms{0.15, 0.03};
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
 constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
-constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 4, rescue_steps = 40;
+constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 8, rescue_steps = 40;
+/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many in each that follows; about all of them at least, and by
+/// the number of all cells, so that it takes no more than a few hundredths of the whole.
+constexpr std::size_t first_trials = 120, least_trials = 500, cells_a_trial = 120;
 constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
 
 struct BadCell {
@@ -135,27 +138,41 @@ class Improver {
       std::size_t n = 0;
       for (const BadCell& b : cells_below(rule.bad_shape)) {
         if (out_of_time()) return;
-        const bool is_new = std::any_of(b.vertices.begin(), b.vertices.end(), [&](VertexIndex v) { return mesh_.changed_at(v) > last_sweep; });
-        if (is_new && unchanged(b) && rescue_cell(tools_, b.cell, rule)) ++n;
+        if (changed_since(b, last_sweep) && unchanged(b) && rescue_cell(tools_, b.cell, rule)) ++n;
       }
       if (n == 0) return;
       last_sweep = this_sweep;
     }
   }
 
-  /// What is bad by our own doing, and not by the input's, is worth sequences that make the place worse at first.
+  /// What is bad by our own doing, and not by the input's, is worth sequences that make the place worse at first, and a search among these.
   void rescue_free() {
     const RescueRule rule = rescue_rule();
+    RescueSearch search{Chooser(0), first_trials, std::max(least_trials, mesh_.n_cells() / cells_a_trial), [&] { return out_of_time(); }};
+    std::uint64_t last_sweep = 0;
     for (unsigned k = 0; k < free_sweeps; ++k) {
-      std::vector<BadCell> bad;
-      for (const CellIndex c : free_cells_(mesh_)) bad.push_back({mesh_.shape_of(c), c, mesh_.vertices(c)});
+      const std::uint64_t this_sweep = mesh_.tick();
+      const std::vector<BadCell> bad = free_bad_cells();
+      if (bad.empty()) return;
       std::size_t n = 0;
       for (const BadCell& b : bad) {
         if (out_of_time()) return;
-        if (unchanged(b) && (rescue_cell(tools_, b.cell, rule) || rescue_cell_by_openings(tools_, b.cell, rule))) ++n;
+        if (!unchanged(b) || !(mesh_.shape_of(b.cell) < rule.bad_shape)) continue;
+        const bool is_rescued = changed_since(b, last_sweep) && (rescue_cell(tools_, b.cell, rule) || rescue_cell_by_openings(tools_, b.cell, rule));
+        n += is_rescued || rescue_cell_by_search(tools_, b.cell, rule, search);
       }
-      if (n == 0) return;
+      if (n == 0 && search.trials_left == 0) return;
+      last_sweep = this_sweep;
+      search.trials_a_cell *= 2;
     }
+  }
+  std::vector<BadCell> free_bad_cells() const {
+    std::vector<BadCell> bad;
+    for (const CellIndex c : free_cells_(mesh_)) bad.push_back({mesh_.shape_of(c), c, mesh_.vertices(c)});
+    return bad;
+  }
+  bool changed_since(const BadCell& b, std::uint64_t time) const {
+    return std::any_of(b.vertices.begin(), b.vertices.end(), [&](VertexIndex v) { return mesh_.changed_at(v) > time; });
   }
   RescueRule rescue_rule() const { return {shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps}; }
 

@@ -24,6 +24,7 @@ struct SmoothRule {
   double floor = 0;
   double least_rise = 1.0005;  ///< of the worst shape, as a factor
   double least_gain = 0.02;    ///< for the mean: of the sum of worths about the vertex
+  bool slides_on_edges = false;  ///< where surfaces are kept: vertices on input edges move along these, and else not at all
 };
 
 /// For flips that raise the mean worth of the mesh's cells: over those exchanged, however many they become, the sum of what their worths are
@@ -67,6 +68,10 @@ bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor);
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite: the 2-3
 /// flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
+
+/// The same with whatever comes of it, as long as the new shapes are above `floor`: openings of sequences that look ahead.
+bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
+bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
 bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "improve/openings.hpp"
 #include "improve/trial.hpp"
 
 namespace geomesh::remesh {
@@ -12,35 +13,54 @@ namespace {
 
 constexpr double room = 0.03;  ///< of a new point, as a share of the asked size
 constexpr double notable_rise = 1.05;
+constexpr double notable_relief = 0.02;  ///< of one cell's way from flat to good
 constexpr std::size_t max_given_up = 3;  ///< cells about which all was in vain
-constexpr double opening_shape = 1e-3;   ///< below this an opening leaves nothing
+constexpr unsigned max_openings = 8;     ///< of one sequence of a search
+constexpr unsigned max_vain_openings = 12;
 
 /// Bad cells about a place.
 struct Tally {
   std::size_t n_bad = 0;
   double worst = 1;
+  double deficit = 0;  ///< sum over the bad of what they lack, as a share
   void add(double shape, double bad_shape) {
     n_bad += shape < bad_shape;
     worst = std::min(worst, shape);
+    deficit += std::max(1 - shape / bad_shape, 0.0);
   }
   bool is_better_than(const Tally& other) const {
     return worst >= other.worst && (n_bad < other.n_bad || (n_bad == other.n_bad && worst > notable_rise * other.worst));
+  }
+  /// Beside cells that cannot be mended the worst says nothing: all together count.
+  bool is_less_bad_than(const Tally& other) const {
+    return worst >= other.worst && (n_bad < other.n_bad || (n_bad == other.n_bad && deficit < other.deficit - notable_relief));
   }
 };
 
 class Rescue {
  public:
-  Rescue(Toolbox& tools, const RescueRule& rule) : tools_(tools), mesh_(tools.mesh), rule_(rule) {}
+  Rescue(Toolbox& tools, CellIndex seed, const RescueRule& rule)
+      : tools_(tools), mesh_(tools.mesh), rule_(rule), seed_{seed, mesh_.vertices(seed), mesh_.shape_of(seed)} {}
 
-  bool run(CellIndex seed) {
-    return attempt(true, [&] { return mend(seed); });
+  bool run() {
+    return attempt(true, [&] { return mend(seed_.cell); });
   }
 
-  bool run_by_openings(CellIndex seed) { return run_by_openings(seed, false) || run_by_openings(seed, true); }
+  bool run_by_openings() { return run_by_openings(false) || run_by_openings(true); }
+
+  bool run_by_search(RescueSearch& search) {
+    all_count_ = true;
+    for (std::size_t k = 0; k < search.trials_a_cell && search.trials_left > 0 && !search.out_of_time(); ++k) {
+      --search.trials_left;
+      if (search_once(search.choose)) return true;
+    }
+    return false;
+  }
 
  private:
-  bool run_by_openings(CellIndex seed, bool may_spread) {
-    const Tetrahedron t = mesh_.vertices(seed);
+  bool run_by_openings(bool may_spread) {
+    const CellIndex seed = seed_.cell;
+    const Tetrahedron& t = seed_.vertices;
     if (attempt(may_spread, [&] { return clear_about(t); })) return true;
     for (const auto& e : edge_vertices)
       if (attempt(may_spread, [&] { return split_edge(tools_, seed, t[e[0]], t[e[1]], opening_shape).has_value(); })) return true;
@@ -54,10 +74,42 @@ class Rescue {
   /// What comes of `open`, mended (by operations that make no more cells bad unless these `may_spread`), is kept where it is worth it.
   template <class Open>
   bool attempt(bool may_spread, const Open& open) {
-    given_up_.clear();
     Trial trial(tools_);
     if (!open()) return false;
     tools_.bad_cells_may_spread = may_spread;
+    mend_all();
+    if (!is_worth_it()) return false;
+    trial.keep();
+    return true;
+  }
+
+  /// Openings and repair in turns, each opening about the worst cell that the repair before has left.
+  bool search_once(Chooser& choose) {
+    Trial trial(tools_);
+    mends_own_alone_ = choose.below(4) != 0;
+    CellIndex target = seed_.cell;
+    for (unsigned k = 0; k < max_openings && target != no_cell; ++k) {
+      if (!open(target, choose)) return false;
+      tools_.bad_cells_may_spread = choose.below(2) == 0;
+      mend_all();
+      if (is_worth_it()) {
+        trial.keep();
+        return true;
+      }
+      given_up_.clear();
+      target = next_bad();
+    }
+    return false;
+  }
+  bool open(CellIndex target, Chooser& choose) {
+    tools_.bad_cells_may_spread = true;
+    for (unsigned k = 0; k < max_vain_openings; ++k)
+      if (open_about_cell(tools_, target, choose)) return true;
+    return false;
+  }
+
+  void mend_all() {
+    given_up_.clear();
     for (unsigned step = 1; step < rule_.max_steps; ++step) {
       const CellIndex worst = next_bad();
       if (worst == no_cell) break;
@@ -65,9 +117,6 @@ class Rescue {
       given_up_.push_back(mesh_.vertices(worst));
       if (given_up_.size() == max_given_up) break;
     }
-    if (!after().is_better_than(before())) return false;
-    trial.keep();
-    return true;
   }
 
   Vec3 centroid(CellIndex c) const {
@@ -132,19 +181,29 @@ class Rescue {
     return nearest;
   }
 
-  /// The worst of the bad cells that came of the trial, but those where all was in vain.
+  /// The worst of the bad cells that the trial has touched (or made or changed, where its own alone are mended), but those where all was in vain.
   CellIndex next_bad() const {
     CellIndex worst = no_cell;
     double least = rule_.bad_shape;
-    mesh_.for_each_trial_cell([&](CellIndex c) {
+    const auto consider = [&](CellIndex c) {
       if (!mesh_.is_live(c) || !(mesh_.shape_of(c) < least)) return;
       if (std::find(given_up_.begin(), given_up_.end(), mesh_.vertices(c)) != given_up_.end()) return;
       least = mesh_.shape_of(c);
       worst = c;
-    });
+    };
+    if (mends_own_alone_)
+      mesh_.for_each_cell_of_trial(consider);
+    else
+      mesh_.for_each_trial_cell(consider);
     return worst;
   }
 
+  /// Not where only others about the cell have gained.
+  bool is_worth_it() const {
+    const bool is_left = mesh_.is_live(seed_.cell) && mesh_.vertices(seed_.cell) == seed_.vertices && !(mesh_.shape_of(seed_.cell) > notable_rise * seed_.shape);
+    if (is_left) return false;
+    return all_count_ ? after().is_less_bad_than(before()) : after().is_better_than(before());
+  }
   Tally before() const {
     Tally tally;
     mesh_.for_each_cell_before_trial([&](double shape) { tally.add(shape, rule_.bad_shape); });
@@ -164,7 +223,7 @@ class Rescue {
   bool move(CellIndex c) {
     bool moved = false;
     for (const VertexIndex v : Tetrahedron(mesh_.vertices(c)))
-      moved |= smooth_vertex(tools_, v, {rule_.smoothing_steps, 2, SmoothGoal::worst, 0, notable_rise});
+      moved |= smooth_vertex(tools_, v, {rule_.smoothing_steps, 2, SmoothGoal::worst, 0, notable_rise, 0, true});
     return moved;
   }
 
@@ -172,12 +231,21 @@ class Rescue {
   DomainMesh& mesh_;
   RescueRule rule_;
   std::vector<Tetrahedron> given_up_;
+  bool all_count_ = false;        ///< whether all bad cells count for what is worth it, not their number and the worst
+  bool mends_own_alone_ = false;  ///< not bad cells beside those that came of the trial
+  const struct Seed {
+    CellIndex cell;
+    Tetrahedron vertices;
+    double shape;
+  } seed_;
 };
 
 }  // namespace
 
-bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, rule).run(c); }
+bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, c, rule).run(); }
 
-bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, rule).run_by_openings(c); }
+bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, c, rule).run_by_openings(); }
+
+bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search) { return Rescue(tools, c, rule).run_by_search(search); }
 
 }  // namespace geomesh::remesh

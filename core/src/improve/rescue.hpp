@@ -3,7 +3,7 @@
 /// Repair that looks ahead: a sequence of operations about a bad cell, kept only where the whole of it is worth it.
 #pragma once
 
-#include "improve/improve.hpp"
+#include "improve/openings.hpp"
 
 namespace geomesh::remesh {
 
@@ -21,5 +21,18 @@ bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
 /// The same where that was in vain, with sequences that open with an operation which may make the place worse: an edge of the cell split, one
 /// of its vertices or of those about it removed, a point put into it or a cell beside it. The first that is worth it is kept. Many times as dear as rescue_cell.
 bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule);
+
+/// What searches share, one after the other.
+struct RescueSearch {
+  Chooser choose;
+  std::size_t trials_a_cell;
+  std::size_t trials_left;  ///< of all together
+  std::function<bool()> out_of_time;
+};
+
+/// The same where that was in vain, by trials of up to eight openings, each chosen at random about the worst cell that the repair of the one before
+/// has left. The first trial is kept that leaves fewer bad cells, or as many that together lack notably less, and none worse than the worst was: beside a
+/// cell that cannot be mended the worst alone tells nothing. A trial costs about a millisecond.
+bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
 
 }  // namespace geomesh::remesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
@@ -16,8 +17,8 @@ class Smoother {
 
   bool run(const SmoothRule& rule) {
     const VertexKind kind = mesh_.kind(v_);
-    if (kind == VertexKind::corner || kind == VertexKind::dead || (kind == VertexKind::curve && tools_.guard.exact()))
-      return false;
+    if (kind == VertexKind::corner || kind == VertexKind::dead) return false;
+    if (kind == VertexKind::curve && tools_.guard.exact() && !rule.slides_on_edges) return false;
     gather_star(mesh_, v_, work_.marks, cavity_);
     const double before = removed_shape(mesh_, cavity_);
     if (before >= rule.good_enough && rule.goal == SmoothGoal::worst) return false;
@@ -57,11 +58,33 @@ class Smoother {
       problem_.direction = tools_.guard.normal(mesh_.support(v_), old_);
     } else if (mesh_.kind(v_) == VertexKind::curve) {
       if (cavity_.curves.size() != 2) return false;
-      const Vec3 d = mesh_.point(cavity_.curves[1].a) - mesh_.point(cavity_.curves[0].a);
+      for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(tools_.guard.exact() ? end_of_edge(cavity_.curves[k]) : cavity_.curves[k].a);
+      const Vec3 d = ends_[1] - ends_[0];
       problem_.freedom = StarProblem::Freedom::line;
       problem_.direction = (1 / length(d)) * d;
     }
     return true;
+  }
+
+  /// Where the input edge that v is on ends: the first corner along it from v on. An edge of the input is straight, and all between its ends
+  /// was added.
+  VertexIndex end_of_edge(const CurveSpoke& first) const {
+    VertexIndex from = v_, at = first.a;
+    std::vector<CellIndex> star;
+    for (VertexIndex next = at; next != no_vertex && mesh_.kind(at) == VertexKind::curve && at != v_;) {
+      mesh_.star(at, work_.marks, star);
+      next = no_vertex;
+      for (const CellIndex c : star)
+        for (const VertexIndex x : mesh_.vertices(c))
+          if (x != from && x != at && mesh_.curve_of(at, x) != no_index) next = x;
+      if (next != no_vertex) from = std::exchange(at, next);
+    }
+    return at;
+  }
+
+  /// From the ends of the edge, not from where v is: so that rounding does not add up over moves.
+  Vec3 project_to_edge(const Vec3& p) const {
+    return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
   }
 
   Vec3 project(const Vec3& p) const {
@@ -69,7 +92,7 @@ class Smoother {
       case VertexKind::surface:
         return tools_.guard.project_to_patch(mesh_.support(v_), p);
       case VertexKind::curve:
-        return tools_.guard.project_to_curve(mesh_.support(v_), p);
+        return tools_.guard.exact() ? project_to_edge(p) : tools_.guard.project_to_curve(mesh_.support(v_), p);
       default:
         return p;
     }
@@ -136,6 +159,7 @@ class Smoother {
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
+  std::array<Vec3, 2> ends_{};  // of the curve: in `exact` of the input edge, else the vertices before and after
 };
 
 bool counted(Toolbox& tools, bool moved) {

@@ -114,6 +114,14 @@ class DomainMesh {
     for (const SavedCell& s : journal_.cells()) visit(s.cell);
     for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c) visit(c);
   }
+  /// Of these the live ones that are not what they were, as those are of which only a neighbour was exchanged.
+  template <class Visit>
+  void for_each_cell_of_trial(const Visit& visit) const {
+    for (const SavedCell& s : journal_.cells())
+      if (is_live(s.cell) && (vertices(s.cell) != s.links.vertices || shape_of(s.cell) != s.shape)) visit(s.cell);
+    for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c)
+      if (is_live(c)) visit(c);
+  }
   /// Vertices that were made, moved, changed or removed, and those of cells that were.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {

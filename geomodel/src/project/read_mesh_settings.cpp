@@ -2,6 +2,7 @@
 #include "project/read_mesh_settings.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace geomesh::geomodel {
 
