@@ -268,3 +268,26 @@ TEST_CASE("A vertex of the input near the side of a facet leaves a gap", "[quali
   CHECK(w.cause == ShapeCause::thin_gap);
   CHECK(w.gap == Approx(0.05));
 }
+
+TEST_CASE("A gap between two segments is as wide as between these, however they were cut by points", "[quality]") {
+  // A strip of one facet, 0.02 wide; the element has the diagonal 0-5 of one of its pieces. Points 4 and 9 cut both sides near its ends, so that
+  // what is nearest to each of its vertices is not on the pieces of the side that the other is on.
+  Model m = one_element({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-1, 0.02, 0}, {0.05, 0.02, 0}, {0.5, 0.02, 0}, {0.2, -0.3, 0.4}, {1, 0.02, 0}, {0.3, 0.2, 0.405}, {0.45, 0, 0}}, {0, 5, 8, 6},
+                        {{2, 0, 4}, {2, 4, 3}, {0, 5, 4}, {0, 9, 5}, {9, 1, 5}, {1, 7, 5}});
+  for (auto& f : m.mesh.faces) f.facet = 0;
+  for (const VertexIndex added : {0, 4, 5, 6, 8, 9}) m.mesh.input_vertex[added] = no_vertex;
+  const SizeField one = uniform(1);
+  QualityOptions options;
+  options.size = &one;
+  options.bad_angle = 90;
+  const WorstElement w = explained(m, options);
+  CHECK(w.cause == ShapeCause::thin_gap);
+  CHECK(w.gap == Approx(0.02));
+  // Two points of one segment have no gap between them: with 0 and 1 in the element, and nothing else of the input.
+  m.mesh.tetrahedra[0] = {0, 1, 8, 6};
+  CHECK(explained(m, options).cause == ShapeCause::free);
+  // Nor is there one where both segments turn away.
+  m.mesh.tetrahedra[0] = {0, 5, 8, 6};
+  m.mesh.points[4].y = 0.3, m.mesh.points[9].y = -0.3;
+  CHECK(explained(m, options).cause == ShapeCause::free);
+}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "quality/shape.hpp"
 
@@ -11,6 +12,7 @@ namespace geomesh {
 namespace {
 
 constexpr double least_cosine = 0.5;  // 60 degrees
+constexpr double straight_sine = 1e-3;
 
 Vec3 unit(const Vec3& v) {
   const double l = remesh::length(v);
@@ -85,6 +87,20 @@ bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* norm
   return false;
 }
 
+/// Where the segment ends that leaves the way's end by an edge: points that were added to it do not end it, a corner or a turn does, or the way's start.
+VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) const {
+  VertexIndex before = way.to, at = first.other;
+  while (at != way.from && mesh_.input_vertex[at] == no_vertex) {
+    const auto edges = stars_.edges(at);
+    if (edges.size() != 2) break;
+    const VertexIndex next = edges[0].other == before ? edges[1].other : edges[0].other;
+    const Vec3 d = unit(mesh_.points[at] - mesh_.points[before]), e = unit(mesh_.points[next] - mesh_.points[at]);
+    if (next == way.to || dot(d, e) < 0 || remesh::length(cross(d, e)) > straight_sine) break;
+    before = std::exchange(at, next);
+  }
+  return at;
+}
+
 void GapFinder::to_facets(const Way& way, double above, Gap& best) const {
   const Vec3& from = mesh_.points[way.from];
   for (const Index g : stars_.faces(way.to)) {
@@ -102,8 +118,9 @@ void GapFinder::to_facets(const Way& way, double above, Gap& best) const {
 void GapFinder::to_segments(const Way& way, double above, Gap& best) const {
   const Vec3 &from = mesh_.points[way.from], &to = mesh_.points[way.to];
   for (const SoupEdge& e : stars_.edges(way.to)) {
-    if (e.other == way.from || has_side(way.from, e.other)) continue;
-    const Vec3 nearest = search::closest_on_segment(from, to, mesh_.points[e.other]), along = unit(mesh_.points[e.other] - to);
+    const VertexIndex end = end_of_segment(way, e);
+    if (end == way.from || has_side(way.from, e.other)) continue;
+    const Vec3 nearest = search::closest_on_segment(from, to, mesh_.points[end]), along = unit(mesh_.points[e.other] - to);
     const double width = remesh::distance(from, nearest);
     if (!(width > above) || !(width < best.width)) continue;
     const Vec3 step = unit(nearest - from);

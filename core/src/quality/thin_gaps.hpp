@@ -44,6 +44,7 @@ class GapFinder {
   void to_vertex(const Way& way, double above, Gap& best) const;
   bool leaves_facet(const Way& way, const Vec3& step, const Vec3& opposite_normal, Gap& found) const;
   bool leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel, Gap& found) const;
+  VertexIndex end_of_segment(const Way& way, const SoupEdge& first) const;
   bool is_fixed(VertexIndex v) const;
   bool has_side(VertexIndex v, VertexIndex other) const;
   Vec3 normal_towards(Index face, const Vec3& inside) const;
