@@ -20,6 +20,8 @@ class ChangeStamps {
     for (const CellIndex c : created)
       for (const VertexIndex v : mesh.vertices(c)) changed_[v] = pass_;
   }
+  /// Anything may have changed.
+  void note_all() { std::fill(changed_.begin(), changed_.end(), pass_); }
   /// Whether a cell was made at one of the vertices in the pass `since` or later.
   template <class Vertices>
   bool changed(const Vertices& vertices, unsigned since) const {

@@ -11,6 +11,8 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr double large_ratio = 0.75;    // circumradius over asked size from which a cell is too large (0.61 for the regular one)
+/// Share of all cells: where the front slows with so many large ones left, it is because they are far from Delaunay.
+constexpr double many_stuck = 0.15;
 constexpr double spacing_ratio = 0.68;  // no two points nearer than this share of the asked size
 
 /// Points first at the ideal height above faces whose other side is done (a constrained face, or one of a cell that is small
@@ -21,15 +23,18 @@ class InsideRefiner {
   InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
 
   std::size_t run(const RunContext& context) {
-    std::vector<CellIndex> large;
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c)) measure(c);
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c) && is_large(c)) large.push_back(c);
+    std::vector<CellIndex> large = measure_all();
     std::size_t total = 0;
+    bool is_flipped = false;
     while (!large.empty()) {
       const std::size_t n_front = pass(large, Kind::front, context);
       total += n_front;
+      if (!is_flipped && n_front * 20 < large.size() && is_many(large.size())) {
+        is_flipped = true;
+        flip_towards_delaunay(tools_, context);
+        large = measure_all();
+        continue;
+      }
       if (n_front * 100 > large.size()) continue;
       const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
@@ -45,6 +50,20 @@ class InsideRefiner {
  private:
   /// Where points are placed in a pass: at their ideal height above the front, at centres of cells at the front, of those beyond it.
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
+
+  bool is_many(std::size_t n_large) const { return static_cast<double>(n_large) > many_stuck * static_cast<double>(mesh_.n_cells()); }
+
+  /// Returns the large cells.
+  std::vector<CellIndex> measure_all() {
+    std::vector<CellIndex> large;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
+      if (!mesh_.is_live(c)) continue;
+      measure(c);
+      if (is_large(c)) large.push_back(c);
+    }
+    changes_.note_all();
+    return large;
+  }
 
   /// To be called for each cell that is made.
   void measure(CellIndex c) {
