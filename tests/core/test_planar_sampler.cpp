@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points in polygons: far enough from each other, from the border and from inner segments, and everywhere.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -12,6 +13,15 @@ using remesh::PlanarSampler;
 namespace {
 
 using Ring = std::vector<Vec2>;
+
+/// The points taken where one size is asked everywhere, kept from the segments of `inner`.
+std::vector<Vec2> sampled(const Ring& ring, double size, const std::vector<std::array<Vec2, 2>>& inner = {}) {
+  std::vector<PlanarSampler::Place> loop;
+  for (const Vec2& p : ring) loop.push_back({p, size});
+  PlanarSampler sampler({loop}, [=](const Vec2&, const PlanarSampler::Place&) { return size; });
+  for (const auto& [a, b] : inner) sampler.block({a, size}, {b, size});
+  return sampler.run();
+}
 
 double distance(const Vec2& p, const Vec2& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
@@ -43,7 +53,7 @@ TEST_CASE("No point of a facet is on its border, nor near it, where an edge is l
   std::size_t n_points = 0;
   for (double size = 60; size < 140; size += 0.37) {
     CAPTURE(size);
-    const std::vector<Vec2> points = PlanarSampler({uncut_side}, [=](const Vec2&) { return size; }).run();
+    const std::vector<Vec2> points = sampled(uncut_side, size);
     for (const Vec2& p : points) CHECK(distance_to_border(p, uncut_side) >= 0.3999 * size);
     CHECK(least_spacing(points) >= 0.7499 * size);
     n_points += points.size();
@@ -55,9 +65,7 @@ TEST_CASE("No point of a facet is near a segment inside it", "[refine]") {
   const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   const Vec2 a{3, 3.3}, b{4.4, 3.9};
   for (double size = 0.95; size < 1.4; size += 0.05) {
-    PlanarSampler sampler({square}, [=](const Vec2&) { return size; });
-    sampler.block(a, b);
-    const std::vector<Vec2> points = sampler.run();
+    const std::vector<Vec2> points = sampled(square, size, {{a, b}});
     CAPTURE(size);
     for (const Vec2& p : points) {
       CHECK(distance(p, a, b) >= 0.3999 * size);
@@ -73,7 +81,7 @@ TEST_CASE("A polygon is filled with points", "[refine]") {
   for (int i = 0; i < 10; ++i) square.push_back({10, 1.0 * i});
   for (int i = 0; i < 10; ++i) square.push_back({10.0 - i, 10});
   for (int i = 0; i < 10; ++i) square.push_back({0, 10.0 - i});
-  const std::vector<Vec2> points = PlanarSampler({square}, [](const Vec2&) { return 1.0; }).run();
+  const std::vector<Vec2> points = sampled(square, 1.0);
   for (double x = 0.05; x < 10; x += 0.1)
     for (double y = 0.05; y < 10; y += 0.1) {
       double nearest = 1e300;

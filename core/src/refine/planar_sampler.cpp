@@ -9,6 +9,10 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// Of the size at a seed: a place that does not keep this from others is refused before the size there is asked for. Sizes that fall by less than
+/// 0.5 a unit would refuse it too.
+constexpr double surely_crowded = 0.5;
+
 Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
 double squared_distance(const Vec2& a, const Vec2& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
 
@@ -29,20 +33,20 @@ std::uint64_t key(int level, double x, double y) {
 
 }  // namespace
 
-PlanarSampler::PlanarSampler(const std::vector<std::vector<Vec2>>& loops, Size size) : size_(std::move(size)) {
+PlanarSampler::PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size) : size_(std::move(size)) {
   double high = -std::numeric_limits<double>::infinity();
   low_ = -high;
   for (const auto& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      edges_.push_back({loop[i], loop[(i + 1) % loop.size()]});
-      low_ = std::min(low_, loop[i].y);
-      high = std::max(high, loop[i].y);
+      edges_.push_back({loop[i].at, loop[(i + 1) % loop.size()].at, loop[i].size});
+      low_ = std::min(low_, loop[i].at.y);
+      high = std::max(high, loop[i].at.y);
     }
   rows_.resize(std::clamp<std::size_t>(edges_.size() / 2, 1, 4096));
   strip_ = std::max(high - low_, std::numeric_limits<double>::min()) / static_cast<double>(rows_.size());
   for (Index e = 0; e < edges_.size(); ++e) {
     enter(e, edges_[e], rows_);
-    add(edges_[e].a, size_(edges_[e].a));
+    add(edges_[e].a, edges_[e].size);
   }
 }
 
@@ -55,11 +59,11 @@ void PlanarSampler::enter(Index e, const Edge& edge, std::vector<std::vector<Ind
   for (std::size_t r = first; r <= last; ++r) rows[r].push_back(e);
 }
 
-void PlanarSampler::block(const Vec2& a, const Vec2& b) {
+void PlanarSampler::block(const Place& a, const Place& b) {
   block(a);
   block(b);
   if (inner_rows_.empty()) inner_rows_.resize(rows_.size());
-  inner_edges_.push_back({a, b});
+  inner_edges_.push_back({a.at, b.at, a.size});
   enter(static_cast<Index>(inner_edges_.size() - 1), inner_edges_.back(), inner_rows_);
 }
 
@@ -76,7 +80,7 @@ bool PlanarSampler::is_inside(const Vec2& p) const {
   if (r >= rows_.size()) return false;
   bool inside = false;
   for (const Index e : rows_[r]) {
-    const auto& [a, b] = edges_[e];
+    const auto& [a, b, size] = edges_[e];
     if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
   }
   return inside;
@@ -107,44 +111,49 @@ bool PlanarSampler::is_clear_of(const std::vector<Edge>& edges, const std::vecto
   return true;
 }
 
-bool PlanarSampler::take(const Vec2& p, const Vec2& from) {
+bool PlanarSampler::take(const Vec2& p, const Place& from) {
   if (!is_inside(p)) return false;
-  const double size = size_(p);
+  const double size = size_(p, from);
   if (!is_free(p, size)) return false;
   if (!is_clear_of(edges_, rows_, p, edge_ratio * size) || !is_clear_of(inner_edges_, inner_rows_, p, edge_ratio * size)) return false;
   add(p, size);
   taken_.push_back(p);
-  const double l = std::sqrt(squared_distance(p, from));
-  seeds_.push_back({p, {(p.x - from.x) / l, (p.y - from.y) / l}});
+  const double l = std::sqrt(squared_distance(p, from.at));
+  seeds_.push_back({{p, size}, {(p.x - from.at.x) / l, (p.y - from.at.y) / l}});
   return true;
 }
 
 void PlanarSampler::advance(unsigned n_directions, double distance) {
-  const double turn = 2 * std::acos(-1.0) / n_directions;
+  std::vector<Vec2> turns;
+  for (unsigned i = 0; i < n_directions; ++i) {
+    const double angle = i * 2 * std::acos(-1.0) / n_directions;
+    turns.push_back({std::cos(angle), std::sin(angle)});
+  }
   for (std::size_t k = 0; k < seeds_.size(); ++k) {
-    const Seed s = seeds_[k];
-    const double size = size_(s.at);
-    for (unsigned i = 0; i < n_directions; ++i) {
-      const double c = std::cos(i * turn), d = std::sin(i * turn);
-      const Vec2 direction{c * s.direction.x - d * s.direction.y, d * s.direction.x + c * s.direction.y};
-      const double reach = 0.5 * (size + std::max(size, size_(plus(s.at, distance * size, direction))));  // the mean of what both ends ask
-      take(plus(s.at, distance * reach, direction), s.at);
+    const auto [place, d] = seeds_[k];
+    const double size = place.size;
+    for (const Vec2& turn : turns) {
+      const Vec2 direction{turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y};
+      const Vec2 nearest = plus(place.at, distance * size, direction);
+      if (!is_inside(nearest) || !is_free(nearest, surely_crowded * size)) continue;
+      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));  // the mean of what both ends ask
+      take(plus(place.at, distance * reach, direction), place);
     }
   }
 }
 
 std::vector<Vec2> PlanarSampler::run() {
   // First over the border's edges, then round about each point taken, then what is still open.
-  for (const auto& [a, b] : edges_) {
+  for (const auto& [a, b, size_at_a] : edges_) {
     const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
-    const double l = std::sqrt(squared_distance(a, b)), size = size_(middle);
+    const double l = std::sqrt(squared_distance(a, b)), size = size_(middle, {a, size_at_a});
     if (!(l > 0)) continue;
     const double height = std::sqrt(std::max(size * size - 0.25 * l * l, 0.5 * size * size));
-    take(plus(middle, height / l, {a.y - b.y, b.x - a.x}), a);
+    take(plus(middle, height / l, {a.y - b.y, b.x - a.x}), {a, size_at_a});
   }
   advance(6, 1.0);
-  for (const auto& [a, b] : edges_)
-    if (const double l = std::sqrt(squared_distance(a, b)); l > 0) seeds_.push_back({a, {(b.x - a.x) / l, (b.y - a.y) / l}});
+  for (const auto& [a, b, size] : edges_)
+    if (const double l = std::sqrt(squared_distance(a, b)); l > 0) seeds_.push_back({{a, size}, {(b.x - a.x) / l, (b.y - a.y) / l}});
   advance(12, 0.95);
   return taken_;
 }

@@ -16,21 +16,29 @@ namespace geomesh::remesh {
 class PlanarSampler {
  public:
   static constexpr double spacing_ratio = 0.75, edge_ratio = 0.4;
-  using Size = std::function<double(const Vec2&)>;
+  /// A place and the size asked there.
+  struct Place {
+    Vec2 at;
+    double size;
+  };
+  /// Of p, beside a place nearby where it is known.
+  using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
   /// Loops with vertices at about the asked distances, the outer one turning left, holes turning right.
-  PlanarSampler(const std::vector<std::vector<Vec2>>& loops, Size size);
+  PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
   /// A point, or an inner segment, that others keep away from.
-  void block(const Vec2& p) { add(p, size_(p)); }
-  void block(const Vec2& a, const Vec2& b);
+  void block(const Place& p) { add(p.at, p.size); }
+  void block(const Place& a, const Place& b);
   /// The points taken, in the order of taking.
   std::vector<Vec2> run();
 
  private:
   struct Edge {
     Vec2 a, b;
+    double size;  ///< at a
   };
   struct Seed {
-    Vec2 at, direction;  ///< of length one: where the next point is tried first
+    Place place;
+    Vec2 direction;  ///< of length one: where the next point is tried first
   };
   void add(const Vec2& p, double size);
   std::size_t row(double y) const;
@@ -38,10 +46,10 @@ class PlanarSampler {
   bool is_inside(const Vec2& p) const;
   bool is_clear_of(const std::vector<Edge>& edges, const std::vector<std::vector<Index>>& rows, const Vec2& p, double radius) const;
   bool is_free(const Vec2& p, double size) const;
-  bool take(const Vec2& p, const Vec2& from);
+  bool take(const Vec2& p, const Place& from);
   void advance(unsigned n_directions, double distance);
 
-  Size size_;
+  SizeBeside size_;
   std::vector<Edge> edges_, inner_edges_;
   std::vector<std::vector<Index>> rows_, inner_rows_;  // edges by strip in y
   double low_ = 0, strip_ = 1;

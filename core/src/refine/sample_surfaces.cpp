@@ -105,11 +105,16 @@ class SurfaceSampler {
     return h;
   }
 
-  /// At a point of the model; remembered where sizes do not depend on the facet.
+  double size_beside(const Vec3& p, const Vec3& q, double size_at_q, std::span<const Index> facets) const {
+    return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
+  }
+
+  /// At a point of the model or one put on an edge; remembered where sizes do not depend on the facet.
   double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
-    if (!size_.limits().component_size.empty()) return size_at(plc_.points[v], facets);
-    if (vertex_size_.empty()) vertex_size_.assign(plc_.points.size(), -1);
-    if (vertex_size_[v] < 0) vertex_size_[v] = size_.at(plc_.points[v]);
+    const std::vector<Vec3>& points = out_.plc.points;
+    if (!size_.limits().component_size.empty()) return size_at(points[v], facets);
+    if (vertex_size_.size() <= v) vertex_size_.resize(points.size() + points.size() / 4, -1);
+    if (vertex_size_[v] < 0) vertex_size_[v] = size_.at(points[v]);
     return vertex_size_[v];
   }
 
@@ -169,18 +174,20 @@ class SurfaceSampler {
     if (is_full(f, loops)) return;
     const auto frame = frame_of(plc_, plc_.outer_loop(f));
     if (!frame) return;
-    std::vector<std::vector<Vec2>> flat;
+    const std::array<Index, 1> facet{f};
+    const auto place = [&](VertexIndex v) { return PlanarSampler::Place{frame->flat(out_.plc.points[v]), size_at_vertex(v, facet)}; };
+    std::vector<std::vector<PlanarSampler::Place>> flat;
     for (const auto& loop : loops) {
-      std::vector<Vec2>& ring = flat.emplace_back();
-      for (const VertexIndex v : loop) ring.push_back(frame->flat(out_.plc.points[v]));
+      auto& ring = flat.emplace_back();
+      for (const VertexIndex v : loop) ring.push_back(place(v));
       const bool is_hole = flat.size() > 1;
       if (is_hole == turns_left(ring)) std::reverse(ring.begin(), ring.end());
     }
-    const std::array<Index, 1> facet{f};
-    PlanarSampler sampler(flat, [&](const Vec2& p) { return size_at(frame->lifted(p), facet); });
-    const auto flat_place = [&](VertexIndex v) { return frame->flat(out_.plc.points[v]); };
-    for (const auto& [a, b] : inner_segments_[f]) sampler.block(flat_place(a), flat_place(b));
-    for (const VertexIndex v : inner_points_[f]) sampler.block(flat_place(v));
+    PlanarSampler sampler(flat, [&](const Vec2& p, const PlanarSampler::Place& beside) {
+      return size_beside(frame->lifted(p), frame->lifted(beside.at), beside.size, facet);
+    });
+    for (const auto& [a, b] : inner_segments_[f]) sampler.block(place(a), place(b));
+    for (const VertexIndex v : inner_points_[f]) sampler.block(place(v));
     for (const Vec2& p : sampler.run()) {
       out_.plc.facet_points.push_back({f, static_cast<VertexIndex>(out_.plc.points.size())});
       out_.plc.points.push_back(frame->lifted(p));
@@ -204,10 +211,10 @@ class SurfaceSampler {
     return longest / 3 < free * free;
   }
 
-  static bool turns_left(const std::vector<Vec2>& ring) {
+  static bool turns_left(const std::vector<PlanarSampler::Place>& ring) {
     double area = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      const Vec2 &a = ring[i].at, &b = ring[(i + 1) % ring.size()].at;
       area += a.x * b.y - a.y * b.x;
     }
     return area > 0;
