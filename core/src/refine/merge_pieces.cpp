@@ -42,6 +42,7 @@ class PieceMerger {
   MergedFacets run() {
     collect_edges();
     count_uses();
+    join_across_edges();
     grow_groups();
     out_.row_of_facet.assign(plc_.n_facets(), no_index);
     copy_all_but_facets();
@@ -77,16 +78,28 @@ class PieceMerger {
     return {range.first, range.second};
   }
 
-  /// The facet that f joins across the edge (a, b), where nothing but the two is there and both could be of one facet.
-  Index joined_across(Index f, VertexIndex a, VertexIndex b) const {
-    const auto uses = uses_of(edge_of(a, b));
-    if (uses.size() != 2 || uses[0].facet == no_index || uses[1].facet == no_index) return no_index;
-    const Index g = uses[0].facet == f ? uses[1].facet : uses[0].facet;
-    if (g == f || !may_merge(g) || parent_[g] != parent_[f]) return no_index;
-    const auto loop = plc_.outer_loop(g);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (loop[k] == b && loop[(k + 1) % 3] == a) return g;  // oriented alike
-    return no_index;
+  /// The place of the edge (a, b) in the loop of a triangle; 3: none.
+  std::size_t place_of(Index f, VertexIndex a, VertexIndex b) const {
+    const auto t = plc_.outer_loop(f);
+    std::size_t k = 0;
+    while (k < 3 && (t[k] != a || t[(k + 1) % 3] != b)) ++k;
+    return k;
+  }
+
+  /// Where nothing but two facets are at an edge, oriented alike, and both could be of one facet.
+  void join_across_edges() {
+    joined_.assign(plc_.n_facets(), {no_index, no_index, no_index});
+    for (std::size_t i = 0, j; i < uses_.size(); i = j) {
+      for (j = i; j < uses_.size() && uses_[j].edge == uses_[i].edge;) ++j;
+      const Index f = uses_[i].facet, g = uses_[j - 1].facet;
+      if (j - i != 2 || f == no_index || g == no_index || f == g || !may_merge(f) || !may_merge(g) || parent_[f] != parent_[g]) continue;
+      const auto [a, b] = uses_[i].edge;
+      const bool is_along = place_of(f, a, b) < 3;
+      const std::size_t in_f = is_along ? place_of(f, a, b) : place_of(f, b, a), in_g = is_along ? place_of(g, b, a) : place_of(g, a, b);
+      if (in_g == 3) continue;
+      joined_[f][in_f] = g;
+      joined_[g][in_g] = f;
+    }
   }
 
   Vec3 normal_of(Index f) const {
@@ -131,9 +144,7 @@ class PieceMerger {
       const Vec3 origin = plc_.points[plc_.outer_loop(seed)[0]], normal = (-1 / area) * normal_of(seed);
       std::vector<Index> members{seed};
       for (std::size_t k = 0; k < members.size(); ++k) {
-        const auto t = plc_.outer_loop(members[k]);
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Index g = joined_across(members[k], t[i], t[(i + 1) % 3]);
+        for (const Index g : joined_[members[k]]) {
           if (g == no_index || taken[g] || !is_in_plane(g, origin, normal, growing_ulps)) continue;
           taken[g] = true;
           members.push_back(g);
@@ -262,6 +273,7 @@ class PieceMerger {
   double ulp_ = 0;  // of the largest coordinate, at most
   std::vector<Index> group_;  // by facet: the first facet of its group
   std::vector<EdgeUse> uses_;
+  std::vector<std::array<Index, 3>> joined_;  // by facet, across the edges of its loop
   std::vector<std::vector<Index>> facets_at_;
   std::vector<bool> used_by_others_;
   std::map<Index, Outline> outlines_;
