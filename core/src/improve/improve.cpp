@@ -184,7 +184,7 @@ class Improver {
       if (mesh_.is_live(c)) shapes.push_back(mesh_.shape_of(c));
     const auto at = shapes.begin() + static_cast<std::ptrdiff_t>(evening_floor_share * static_cast<double>(shapes.size()));
     std::nth_element(shapes.begin(), at, shapes.end());
-    raise_mean(tools_, std::min(*at, shape_of_angle(evening_floor_angle)), schedule_.smoothing_steps / 2, context_);
+    raise_mean(tools_, std::min(*at, shape_of_angle(evening_floor_angle)), schedule_.smoothing_steps / 2, context_, flips_in_vain_);
   }
 
   bool is_poor_altogether() const {
@@ -281,6 +281,7 @@ class Improver {
     Tried what = Tried::nothing;
   };
   std::vector<Attempt> tried_;           // by cell
+  FlipsInVain flips_in_vain_;
   std::vector<std::uint64_t> smoothed_;  // by vertex: when moving it was last in vain
   std::chrono::steady_clock::time_point start_;
 };

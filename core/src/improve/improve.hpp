@@ -76,9 +76,13 @@ bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
 bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal);
 
+/// By vertex: the mesh's time when all flips about it were in vain. Empty before the first pass.
+using FlipsInVain = std::vector<std::uint64_t>;
+
 /// One pass of flips, edges in the inside alone, and one of moves that raise the mean worth of shapes (MeanGoal); none falls below `floor`
 /// and what was worst about the place. Worst-first repair leaves what is merely mediocre alone.
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context);
+/// Flips that were in vain in a pass before are tried again only where something has changed since.
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, FlipsInVain& in_vain);
 
 /// A new point keeps this share of the asked size from the vertices about it: where less room is left, points only crowd.
 inline constexpr double usual_room = 0.5;

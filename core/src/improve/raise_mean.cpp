@@ -10,7 +10,9 @@ namespace {
 
 class MeanRaiser {
  public:
-  MeanRaiser(Toolbox& tools, double floor) : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()} {}
+  MeanRaiser(Toolbox& tools, double floor, FlipsInVain& in_vain) : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()}, in_vain_(in_vain) {
+    in_vain_.resize(mesh_.n_vertices(), 0);
+  }
 
   void run(unsigned smoothing_steps, const RunContext& context) {
     const std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
@@ -43,12 +45,15 @@ class MeanRaiser {
 
   /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
   void flip_about(VertexIndex v) {
+    if (in_vain_[v] >= mesh_.changed_at(v)) return;
+    bool is_flipped = false;
     mesh_.star(v, tools_.work.marks, star_);
     collect_edges(v);
     for (const auto& [w, c] : edges_)
-      if (has_edge(c, v, w)) remove_edge_for_mean(tools_, c, v, w, goal_);
+      if (has_edge(c, v, w)) is_flipped |= remove_edge_for_mean(tools_, c, v, w, goal_);
     for (const CellIndex c : star_)
-      if (mesh_.is_live(c) && mesh_.topology().has_vertex(c, v)) remove_face_for_mean(tools_, c, mesh_.topology().index_of(c, v), goal_);
+      if (mesh_.is_live(c) && mesh_.topology().has_vertex(c, v)) is_flipped |= remove_face_for_mean(tools_, c, mesh_.topology().index_of(c, v), goal_);
+    if (!is_flipped) in_vain_[v] = mesh_.tick();
   }
 
   /// From v to greater vertices, each with the first of its cells, in ascending order.
@@ -68,6 +73,7 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
+  FlipsInVain& in_vain_;
   std::vector<CellIndex> star_;
   std::vector<std::pair<VertexIndex, CellIndex>> edges_;
   struct Seen {
@@ -79,8 +85,8 @@ class MeanRaiser {
 
 }  // namespace
 
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context) {
-  MeanRaiser(tools, floor).run(smoothing_steps, context);
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, FlipsInVain& in_vain) {
+  MeanRaiser(tools, floor, in_vain).run(smoothing_steps, context);
 }
 
 }  // namespace geomesh::remesh
