@@ -46,9 +46,9 @@ constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_
 constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
 constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 8, rescue_steps = 40;
-/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many in each that follows; about all of them at least, and by
-/// the number of all cells, so that it takes no more than a few hundredths of the whole.
-constexpr std::size_t first_trials = 120, least_trials = 500, cells_a_trial = 120;
+/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many in each that follows; and about all of them together, least_trials or by
+/// the number of the mesh's cells, so that it takes no more than a few hundredths of the whole.
+constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 150;
 constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
 
 struct BadCell {

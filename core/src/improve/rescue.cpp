@@ -15,7 +15,8 @@ constexpr double room = 0.03;  ///< of a new point, as a share of the asked size
 constexpr double notable_rise = 1.05;
 constexpr double notable_relief = 0.02;  ///< of one cell's way from flat to good
 constexpr std::size_t max_given_up = 3;  ///< cells about which all was in vain
-constexpr unsigned max_openings = 8;     ///< of one sequence of a search
+constexpr unsigned max_openings = 4;     ///< of one sequence of a search
+constexpr double hopeless = 2;           ///< lacking so much more than before, in cells that are flat
 constexpr unsigned max_vain_openings = 12;
 
 /// Bad cells about a place.
@@ -87,22 +88,22 @@ class Rescue {
   bool search_once(Chooser& choose) {
     Trial trial(tools_);
     mends_own_alone_ = choose.below(4) != 0;
+    tools_.bad_cells_may_spread = false;
     CellIndex target = seed_.cell;
     for (unsigned k = 0; k < max_openings && target != no_cell; ++k) {
       if (!open(target, choose)) return false;
-      tools_.bad_cells_may_spread = choose.below(2) == 0;
       mend_all();
       if (is_worth_it()) {
         trial.keep();
         return true;
       }
+      if (after().deficit > before().deficit + hopeless) return false;
       given_up_.clear();
       target = next_bad();
     }
     return false;
   }
   bool open(CellIndex target, Chooser& choose) {
-    tools_.bad_cells_may_spread = true;
     for (unsigned k = 0; k < max_vain_openings; ++k)
       if (open_about_cell(tools_, target, choose)) return true;
     return false;
