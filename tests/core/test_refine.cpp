@@ -6,6 +6,8 @@
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/refine.hpp"
+#include "refine/domain_io.hpp"
+#include "refine/refinement.hpp"
 #include "refine_models.hpp"
 #include "search/closest_point.hpp"
 #include "search/proven_distance.hpp"
@@ -214,6 +216,34 @@ TEST_CASE("The estimate is within a factor of one and a half of what comes out",
   CHECK(estimate == Approx(r.statistics.estimated_elements));
   CHECK(static_cast<double>(r.mesh.tetrahedra.size()) < 1.5 * estimate);
   CHECK(static_cast<double>(r.mesh.tetrahedra.size()) > estimate / 1.5);
+}
+
+TEST_CASE("The estimate does not depend on the cells that sizes are looked at in", "[refine]") {
+  RefineOptions options;
+  options.honour = Honour::tolerance;  // cells that are given ask for nothing
+  options.tolerance = 1e-3;
+  SizeField::Limits limits;
+  limits.global = 0.2;
+  const SizeField size({{{0.31, 0.47, 0.13}, 1e-4, 0, 0.5}, {{1, 0.6, 0.2}, 1e-3, 0, 0.3}}, limits);
+  const auto estimate = [&](unsigned n) {
+    const Model model = two_boxes(n);
+    return remesh::estimate_elements(remesh::import_domain(model.plc, model.mesh, options), size, options);
+  };
+  const double coarse = estimate(1), fine = estimate(6);
+  CHECK(fine > 5000);
+  CHECK(coarse == Approx(fine).epsilon(0.03));
+}
+
+TEST_CASE("The estimate ends soon after the limit", "[refine]") {
+  RefineOptions options;
+  options.max_elements = 1'000'000;
+  SizeField::Limits limits;
+  std::vector<SizeSource> sources;
+  for (int k = 0; k <= 1000; ++k) sources.push_back({{0.001 * k, 0.5, 0.5}, 1e-6, 1e-2, 0.5});
+  const Model model = two_boxes(1);
+  const double estimate = remesh::estimate_elements(remesh::import_domain(model.plc, model.mesh, options), SizeField(sources, limits), options);
+  CHECK(estimate > static_cast<double>(options.max_elements));
+  CHECK(estimate < 8.0 * static_cast<double>(options.max_elements));
 }
 
 TEST_CASE("A cancelled refinement ends with interrupted", "[refine]") {

@@ -269,24 +269,4 @@ SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh&
   return SizeFieldBuilder(plc, mesh, options, tolerance).run();
 }
 
-double estimate_elements(const DomainMesh& mesh, const SizeField& size) {
-  constexpr double volume_of_unit_size =
-      0.105;  // measured: mean volume over the cube of the asked size; 0.118 for the regular one
-  double sum = 0;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c)) continue;
-    const Tetrahedron& t = mesh.vertices(c);
-    const std::array<Vec3, 4> p{mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])};
-    const double volume = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6;
-    const Vec3 middle = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    double density = 0;
-    for (const Vec3& q : p) {
-      const double h = size.at(0.6 * middle + 0.4 * q, mesh.component(c));
-      density += 0.25 / (h * h * h);
-    }
-    sum += volume * density / volume_of_unit_size;
-  }
-  return std::max(sum, static_cast<double>(mesh.n_cells()));
-}
-
 }  // namespace geomesh::remesh

@@ -28,8 +28,8 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
                          const RefineOptions& options) {
   check_options(plc, options);
   const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
-  return remesh::estimate_elements(
-      domain, remesh::build_size_field(plc, domain, options, remesh::size_tolerance(options)).all);
+  const SizeField sizes = remesh::build_size_field(plc, domain, options, remesh::size_tolerance(options)).all;
+  return remesh::estimate_elements(domain, sizes, options);
 }
 
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,

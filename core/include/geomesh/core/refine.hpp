@@ -115,8 +115,8 @@ struct RefineResult {
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization mesh,
                                 const RefineOptions& options = {}, const RunContext& context = {});
 
-/// The number of tetrahedra that the options ask for: the integral of the inverse volume of an element of the asked size over the
-/// mesh, at least the number there is. Within about a third of what comes out where sizes vary slowly.
+/// The number of tetrahedra that the options ask for: integrals of the inverse of what an element of the asked size takes of volume and of
+/// surfaces, and where those stay the cells that given points need. Within a third of what comes out; not counted far beyond the limit.
 double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options);
 
