@@ -43,7 +43,7 @@ constexpr double rescue_angle = 12;
 constexpr std::array rescue_rooms{0.15, 0.03};
 /// Slivers that are more than this share of all cells are forced by the surfaces: then the worst alone are rescued, with points however near.
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
-constexpr double evening_floor_share = 0.01, evening_floor_angle = 30;
+constexpr double evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
 constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 8, rescue_steps = 40;
 /// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many in each that follows; and about all of them together, least_trials or by
@@ -125,8 +125,9 @@ class Improver {
 
   /// Points that the rescue put near others in vain, or that later ones have made needless, would be out of size for nothing.
   void thin_out() {
+    const double floor = std::max(shape_of_angle(rescue_angle), first_percentile());
     for (unsigned k = 0; k < thinning_passes && !out_of_time(); ++k)
-      if (thin_out_inside(tools_, shape_of_angle(rescue_angle), context_) == 0) break;
+      if (thin_out_inside(tools_, floor, context_) == 0) break;
   }
 
   /// What is still bad is mended by sequences of operations that look ahead, and again where something has changed since.
@@ -179,12 +180,15 @@ class Improver {
   /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what it exchanged about those
   /// is arbitrary but for the worst. A few of the cells may get worse for the many.
   void even_out() {
+    raise_mean(tools_, std::min(first_percentile(), shape_of_angle(evening_floor_angle)), schedule_.smoothing_steps / 2, context_, flips_in_vain_);
+  }
+  double first_percentile() const {
     std::vector<double> shapes;
     for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
       if (mesh_.is_live(c)) shapes.push_back(mesh_.shape_of(c));
-    const auto at = shapes.begin() + static_cast<std::ptrdiff_t>(evening_floor_share * static_cast<double>(shapes.size()));
+    const auto at = shapes.begin() + static_cast<std::ptrdiff_t>(0.01 * static_cast<double>(shapes.size()));
     std::nth_element(shapes.begin(), at, shapes.end());
-    raise_mean(tools_, std::min(*at, shape_of_angle(evening_floor_angle)), schedule_.smoothing_steps / 2, context_, flips_in_vain_);
+    return *at;
   }
 
   bool is_poor_altogether() const {
