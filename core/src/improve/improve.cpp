@@ -45,10 +45,10 @@ constexpr std::array rescue_rooms{0.15, 0.03};
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
 constexpr double evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
-constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 8, rescue_steps = 40;
-/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many in each that follows; and about all of them together, least_trials or by
-/// the number of the mesh's cells, so that it takes no more than a few hundredths of the whole.
-constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 150;
+constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 64, rescue_steps = 40;
+/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many after each sweep that has left one of them as it was; and about
+/// all of them together, least_trials or by the number of the mesh's cells, so that it takes less than a tenth of the whole.
+constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 50;
 constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
 
 struct BadCell {
@@ -164,7 +164,7 @@ class Improver {
       }
       if (n == 0 && search.trials_left == 0) return;
       last_sweep = this_sweep;
-      search.trials_a_cell *= 2;
+      if (n < bad.size()) search.trials_a_cell *= 2;
     }
   }
   std::vector<BadCell> free_bad_cells() const {

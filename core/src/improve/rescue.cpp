@@ -15,7 +15,8 @@ constexpr double room = 0.03;  ///< of a new point, as a share of the asked size
 constexpr double notable_rise = 1.05;
 constexpr double notable_relief = 0.02;  ///< of one cell's way from flat to good
 constexpr std::size_t max_given_up = 3;  ///< cells about which all was in vain
-constexpr unsigned max_openings = 4;     ///< of one sequence of a search
+constexpr unsigned max_openings = 8;     ///< of one sequence of a search
+constexpr std::size_t trials_a_clearing = 4;
 constexpr double hopeless = 2;           ///< lacking so much more than before, in cells that are flat
 constexpr unsigned max_vain_openings = 12;
 
@@ -84,14 +85,16 @@ class Rescue {
     return true;
   }
 
-  /// Openings and repair in turns, each opening about the worst cell that the repair before has left.
+  /// Openings and repair in turns, each opening about the worst cell that the repair before has left. The first one may be a clearing.
   bool search_once(Chooser& choose) {
     Trial trial(tools_);
     mends_own_alone_ = choose.below(4) != 0;
     tools_.bad_cells_may_spread = false;
+    const bool clears = choose.below(trials_a_clearing) == 0;
     CellIndex target = seed_.cell;
     for (unsigned k = 0; k < max_openings && target != no_cell; ++k) {
-      if (!open(target, choose)) return false;
+      const bool is_open = k == 0 && clears ? clear_about(seed_.vertices) : open(target, choose);
+      if (!is_open) return false;
       mend_all();
       if (is_worth_it()) {
         trial.keep();

@@ -30,7 +30,7 @@ struct RescueSearch {
   std::function<bool()> out_of_time;
 };
 
-/// The same where that was in vain, by trials of up to four openings, each chosen at random about the worst cell that the repair of the one before
+/// The same where that was in vain, by trials of up to eight openings, each chosen at random about the worst cell that the repair of the one before
 /// has left. The first trial is kept that leaves fewer bad cells, or as many that together lack notably less, and none worse than the worst was: beside a
 /// cell that cannot be mended the worst alone tells nothing. A trial costs less than a millisecond.
 bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
