@@ -5,6 +5,7 @@
 /// peers: beside `tetgen -pq1.414` and `gmsh -3 -optimize_netgen` (command-line programs) on the same surfaces and, within a
 /// tenth, the same number of tetrahedra; `--model`: on the models whose names contain NAME. levels: fast, default and best, surfaces
 /// kept and within 0.2 % of a grain's size. growth: to a million tetrahedra, by stage. `--limit`: processor seconds of one run.
+#include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -38,23 +39,55 @@ void compare_levels(double limit_s) {
   }
 }
 
+constexpr const char* usage =
+    "usage: quality_bench [--section peers|levels|growth]... [--model NAME] [--limit SECONDS]\n"
+    "peers: beside tetgen and gmsh, with --model on the models whose names contain NAME; levels: fast, default, best;\n"
+    "growth: to a million tetrahedra. --limit: processor seconds of one run. Without --section: all three.\n";
+
+struct Settings {
+  std::set<std::string> sections;
+  std::string model;
+  double limit_s = 0;
+};
+
+/// Ends the program where the words are not of `usage`.
+Settings parse(int argc, char** argv) {
+  const auto refuse = [](const std::string& what) {
+    std::fprintf(stderr, "%s\n%s", what.c_str(), usage);
+    std::exit(2);
+  };
+  Settings s;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (name == "--help" || name == "-h") {
+      std::fputs(usage, stdout);
+      std::exit(0);
+    }
+    if (i + 1 == argc) refuse(name + " needs a value");
+    const std::string value = argv[i + 1];
+    if (name == "--section" && (value == "peers" || value == "levels" || value == "growth"))
+      s.sections.insert(value);
+    else if (name == "--model")
+      s.model = value;
+    else if (name == "--limit" && std::atof(value.c_str()) > 0)
+      s.limit_s = std::atof(value.c_str());
+    else
+      refuse("not understood: " + name + " " + value);
+  }
+  return s;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   // One thread: runs are processes that fork from this one, and comparisons are by processor time.
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  std::set<std::string> sections;
+  const Settings settings = parse(argc, argv);
   CompareOptions options;
-  double limit_s = 0;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i], value = argv[i + 1];
-    if (name == "--section") sections.insert(value);
-    if (name == "--model") options.only = value;
-    if (name == "--limit") limit_s = std::atof(value.c_str());
-  }
-  if (limit_s > 0) options.peer_limit_s = options.own_limit_s = limit_s;
-  const auto wants = [&](const char* s) { return sections.empty() || sections.contains(s); };
+  options.only = settings.model;
+  if (settings.limit_s > 0) options.peer_limit_s = options.own_limit_s = settings.limit_s;
+  const auto wants = [&](const char* section) { return settings.sections.empty() || settings.sections.contains(section); };
   if (wants("peers")) compare_peers(options);
   if (wants("levels")) compare_levels(options.own_limit_s);
-  if (wants("growth")) measure_growth(limit_s > 0 ? limit_s : 600);
+  if (wants("growth")) measure_growth(settings.limit_s > 0 ? settings.limit_s : 600);
 }
