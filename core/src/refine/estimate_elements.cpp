@@ -17,7 +17,7 @@ class Evenness {
   bool holds(double length, double size_at_centre) const { return even_share * growth_ * length <= size_at_centre; }
 
  private:
-  static constexpr double usual_growth = 0.5, even_share = 1.5;
+  static constexpr double usual_growth = 0.5, even_share = 1;
   double growth_;
 };
 

@@ -276,27 +276,37 @@ double SurfaceGuard::direction_cosine(const SurfaceFace& f) const {
 
 bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const {
   constexpr double least_cosine = 0.2;  // 78 degrees
-  for (const SurfaceFace& f : after) {
-    if (f.patch >= oriented_.size() || !oriented_[f.patch]) continue;
-    double sum = 0, least = least_cosine;
+  struct Direction {
+    Index patch;
+    double sum = 0, least = least_cosine;  // of the cosines of the patch's faces that go
+  };
+  std::vector<Direction> directions;
+  const auto direction_of = [&](Index patch) -> const Direction& {
+    const auto known = std::find_if(directions.begin(), directions.end(), [&](const Direction& d) { return d.patch == patch; });
+    if (known != directions.end()) return *known;
+    Direction& d = directions.emplace_back(Direction{patch});
     for (const SurfaceFace& b : before) {
-      if (b.patch != f.patch) continue;
+      if (b.patch != patch) continue;
       const double cosine = direction_cosine(b);
-      sum += cosine;
-      least = std::min(least, std::abs(cosine));
+      d.sum += cosine;
+      d.least = std::min(d.least, std::abs(cosine));
     }
-    if ((sum < 0 ? -1 : 1) * direction_cosine(f) < least) return false;
-  }
-  return true;
+    return d;
+  };
+  return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
+    if (f.patch >= oriented_.size() || !oriented_[f.patch]) return true;
+    const Direction& d = direction_of(f.patch);
+    return (d.sum < 0 ? -1 : 1) * direction_cosine(f) >= d.least;
+  });
 }
 
 bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                           const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
                           const std::vector<CurvePiece>& curves_after) const {
   if (exact()) return true;
-  return curves_near(curves_before, curves_after) && keeps_direction(before, after) &&
+  return curves_near(curves_before, curves_after) &&
          std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_within(f, faces_over_samples * tolerance_); }) &&
-         reference_near(before, after, around);
+         keeps_direction(before, after) && reference_near(before, after, around);
 }
 
 Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {
