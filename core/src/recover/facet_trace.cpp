@@ -13,7 +13,7 @@ class Tracer {
   Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)
       : mesh_(mesh), sides_(sides), border_list_(border) {
     for (const DirectedEdge& e : border) {
-      front_.push_back({e, no_cell});
+      front_.push_back({e, no_cell, no_vertex});
       border_.insert(e);
     }
   }
@@ -22,7 +22,7 @@ class Tracer {
     while (!front_.empty() && out_.status != FacetTrace::Status::touched) {
       const FrontEdge next = front_.back();
       front_.pop_back();
-      advance(next.edge[0], next.edge[1], next.cell);
+      advance(next.edge[0], next.edge[1], next.right, next.cell);
     }
     if (out_.status == FacetTrace::Status::complete && !out_.piercing.empty()) out_.status = FacetTrace::Status::pierced;
     if (out_.status == FacetTrace::Status::complete && !covers_once()) out_.status = FacetTrace::Status::unclear;
@@ -30,10 +30,12 @@ class Tracer {
   }
 
  private:
-  /// An edge whose left side is still to be looked at, and a cell that has it (no_cell: not known).
+  /// An edge whose left side is still to be looked at, a cell that has it (no_cell: not known) and the corner of the face on its right
+  /// (no_vertex: the edge is the border's).
   struct FrontEdge {
     DirectedEdge edge;
     CellIndex cell;
+    VertexIndex right;
   };
 
   /// The faces' border is the subfacet's: each directed edge is the border's or cancels with its reverse, and none stands twice.
@@ -57,17 +59,19 @@ class Tracer {
   }
 
   /// What lies to the left of p->q, seen from above: a face of the facet, or a cell that the facet cuts.
-  void advance(VertexIndex p, VertexIndex q, CellIndex hint) {
+  /// The face on the right is none of them, however rounding turns it.
+  void advance(VertexIndex p, VertexIndex q, VertexIndex right, CellIndex hint) {
     if (!done_.insert({p, q})) return;
     const CellIndex cell = mesh_.find_edge(p, q, hint);
     if (cell == no_cell || !mesh_.ring(cell, p, q, ring_)) return fail(FacetTrace::Status::unclear);
     const std::size_t n = ring_.ring.size();
+    const auto may_follow = [&](VertexIndex u) { return u != right && sides_.is_member(u); };
     // A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them) the first one is
     // taken: such cells count as above. Signs do not help here, as rounding bends the faces about an added point.
     constexpr double clearly_left = 0.5;
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i];
-      if (sides_.is_member(u) && !sides_.is_member(ring_.ring[(i + n - 1) % n]) && leftness(p, q, mesh_.point(u)) > clearly_left)
+      if (may_follow(u) && !may_follow(ring_.ring[(i + n - 1) % n]) && leftness(p, q, mesh_.point(u)) > clearly_left)
         return accept(p, q, i);
     }
     // Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so on the left. Where
@@ -86,7 +90,7 @@ class Tracer {
     // Members on the line of p-q, but for rounding, point nowhere: a face with one of them is a part of no width.
     std::size_t thin = n;
     for (std::size_t i = 0; i < n; ++i)
-      if (sides_.is_member(ring_.ring[i]) && (thin == n || leftness(p, q, mesh_.point(ring_.ring[i])) > leftness(p, q, mesh_.point(ring_.ring[thin]))))
+      if (may_follow(ring_.ring[i]) && (thin == n || leftness(p, q, mesh_.point(ring_.ring[i])) > leftness(p, q, mesh_.point(ring_.ring[thin]))))
         thin = i;
     if (thin < n) return accept(p, q, thin);
     // A vertex in the plane that is no member: it lies in the facet, for an edge of the mesh would cross the border else.
@@ -119,8 +123,8 @@ class Tracer {
     out_.cells.push_back(cell);
     done_.insert({q, v});
     done_.insert({v, p});
-    for (const DirectedEdge e : {DirectedEdge{v, q}, DirectedEdge{p, v}})
-      if (!done_.contains(e) && !border_.contains({e[1], e[0]})) front_.push_back({e, cell});
+    for (const FrontEdge& next : {FrontEdge{{v, q}, cell, p}, FrontEdge{{p, v}, cell, q}})
+      if (!done_.contains(next.edge) && !border_.contains({next.edge[1], next.edge[0]})) front_.push_back(next);
   }
 
   void pierce(VertexIndex below, VertexIndex above) {

@@ -85,12 +85,17 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   RunContext quiet;
   quiet.cancel = context.cancel;
   quiet.threads = context.threads;
+  quiet.log = [&context](LogLevel level, std::string_view text) {
+    if (level == LogLevel::debug) context.note(level, text);
+  };
+  TetrahedralizeOptions options;
+  options.recover.max_attempts = 8;  // the caller has another way
   try {
-    ConstrainedTetrahedralization fresh = tetrahedralize(plc, {}, quiet);
+    ConstrainedTetrahedralization fresh = tetrahedralize(plc, options, quiet);
     auto match = match_components(mesh, row_of_facet, fresh);
     if (match && std::find(match->begin(), match->end(), no_index) != match->end()) {
       seed_holes(fresh, *match, plc);
-      fresh = tetrahedralize(plc, {}, quiet);
+      fresh = tetrahedralize(plc, options, quiet);
       match = match_components(mesh, row_of_facet, fresh);
     }
     if (!match || !is_complete(*match, mesh.n_components)) return std::nullopt;

@@ -94,7 +94,6 @@ struct MeshingRun {
   /// Where rounding of added points has led recovery into a dead end, it is begun again. What recovery found wrong with the
   /// model is believed at once where the exact search finds a crossing, else after the last attempt.
   ConstrainedMesh recover(StartTriangulation first) {
-    constexpr unsigned max_attempts = 64;
     CrossingsOf crossings(plc);
     for (unsigned attempt = 0;; ++attempt) {
       StartTriangulation from = attempt == 0 ? std::move(first) : start(attempt);
@@ -109,10 +108,10 @@ struct MeshingRun {
         return mesh;
       } catch (const Error& e) {
         if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
-        const bool is_last = attempt + 1 == max_attempts || options.recover.mode == MeshMode::conforming;
+        const bool is_last = attempt + 1 >= options.recover.max_attempts || options.recover.mode == MeshMode::conforming;
         if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
         if (is_last || (e.kind() == ErrorKind::invalid_input && recovery.has_crossings())) throw;
-        context.note(LogLevel::debug, "attempt " + std::to_string(attempt + 1) + " of " + std::to_string(max_attempts) + " ends: " + e.what());
+        context.note(LogLevel::debug, "attempt " + std::to_string(attempt + 1) + " of " + std::to_string(options.recover.max_attempts) + " ends: " + e.what());
         hard_parts.learn(recovery, model);
       }
     }
