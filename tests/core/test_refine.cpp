@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/refine.hpp"
@@ -232,6 +233,27 @@ TEST_CASE("The estimate does not depend on the cells that sizes are looked at in
   const double coarse = estimate(1), fine = estimate(6);
   CHECK(fine > 5000);
   CHECK(coarse == Approx(fine).epsilon(0.03));
+}
+
+TEST_CASE("Sizes found from one that is known are those found from nothing", "[refine]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto place = [&] { return Vec3{unit(random), unit(random), unit(random)}; };
+  std::vector<SizeSource> sources;
+  for (int k = 0; k < 400; ++k) sources.push_back({place(), 0.01 + 0.1 * unit(random), 0.02 * unit(random), 0.3 + 0.4 * unit(random)});
+  SizeField::Limits limits;
+  limits.global = 0.2;
+  limits.min_size = 0.02;
+  limits.component_size = GENERATE(std::vector<double>{}, std::vector<double>{0, 0.03});
+  const SizeField size(sources, limits);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p = place(), q = p + 0.1 * place();
+    const Index component = k % 2;
+    const double all = size.at(p, component), at_most = 0.1 * unit(random), known = size.at(q, component);
+    CHECK(size.at_beside(p, component, q, known) == all);
+    const double found = size.at_beside(p, component, q, known, at_most);
+    CHECK((found < at_most ? found == all : all >= at_most));
+  }
 }
 
 TEST_CASE("The estimate ends soon after the limit", "[refine]") {

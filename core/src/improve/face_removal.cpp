@@ -51,6 +51,7 @@ class FaceRemoval {
   /// Sum of the worths of the three new cells; nothing where one is not above `needed` or not positive.
   std::optional<double> worth_of_new(double needed) const {
     const Vec3 &p = mesh_.point(top_), &q = mesh_.point(bottom_);
+    if (needed >= 0 && !may_all_be_positive(p, q)) return std::nullopt;
     double sum = 0;
     for (unsigned k = 0; k < 3; ++k) {
       const Vec3 &x = mesh_.point(face_[k]), &y = mesh_.point(face_[(k + 1) % 3]);
@@ -59,6 +60,13 @@ class FaceRemoval {
       sum += MeanGoal::worth(s);
     }
     return sum;
+  }
+
+  /// The volumes that shapes are made of, before the first shape: mostly the edge passes beside the face.
+  bool may_all_be_positive(const Vec3& p, const Vec3& q) const {
+    const Vec3 &x = mesh_.point(face_[0]), &y = mesh_.point(face_[1]), &z = mesh_.point(face_[2]);
+    const Vec3 a = x - p, b = y - p, c = z - p, d = q - p;
+    return dot(a, cross(b, d)) < 0 && dot(b, cross(c, d)) < 0 && dot(c, cross(a, d)) < 0;
   }
 
   bool replace() {

@@ -24,12 +24,11 @@ double worst_shape(const DomainMesh& mesh) {
 }
 
 /// `context` is told what is to come.
-void find_sizes_and_patches(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
+void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, const RunContext& context, RefineResult& result) {
   SizeFields sizes = build_size_field(plc, mesh, options, size_tolerance(options));
   result.size_field = std::move(sizes.all);
   result.asked = std::move(sizes.without_gaps);
   result.statistics.sizes_on_surfaces = sizes_surfaces(options);
-  result.kept_patch = patches_of_facets(plc, options);
   if (options.refine) announce_estimate(plc, mesh, options, context, result);
 }
 
@@ -38,9 +37,8 @@ double least_share_of_points(const RefineOptions& o) { return o.honour == Honour
 
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them one by one would
 /// start from the slivers between them. False where that cannot be; the mesh is then as it was.
-bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& mesh,
+bool add_surface_points(const PiecewiseLinearComplex& plc, const MergedFacets& merged, const RefineOptions& options, ConstrainedTetrahedralization& mesh,
                         const RunContext& context, RefineResult& result) {
-  const MergedFacets merged = merge_pieces(plc, options.facet_parent);
   const SizeField none({}, {});
   SampledComplex sampled = sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none, context);
   const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
@@ -56,10 +54,11 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, const RefineOptions& 
 }
 
 /// Gives surfaces their points and keeps them as they were given for reference.
-SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& input,
-                              DomainMesh& mesh, const RunContext& context, RefineResult& result) {
+SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& plc, const MergedFacets& merged, const RefineOptions& options,
+                              ConstrainedTetrahedralization& input, DomainMesh& mesh, const RunContext& context, RefineResult& result) {
   std::optional<DomainMesh> given;
-  if (options.refine && add_surface_points(plc, options, input, context, result)) given = std::exchange(mesh, import_domain(plc, input, options));
+  if (options.refine && add_surface_points(plc, merged, options, input, context, result))
+    given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
   return SurfaceGuard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
 }
 
@@ -88,14 +87,14 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
 
 /// Where far too long edges are left, cells are far from Delaunay and points beside them too near for more: flips do not get there any more. The same points
 /// are meshed anew, and refinement goes on from there.
-void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, ConstrainedTetrahedralization& input,
-                      const RunContext& context) {
+void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, const std::vector<Index>& patches,
+                      ConstrainedTetrahedralization& input, const RunContext& context) {
   constexpr unsigned most_rounds = 2;
   for (unsigned round = 0; round < most_rounds && is_stuck(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
     auto fresh = mesh_anew(export_domain(tools.mesh, plc, input), context);
     if (!fresh) return;
     input = std::move(*fresh);
-    tools.mesh = import_domain(plc, input, options);
+    tools.mesh = import_domain(plc, input, options, patches);
     tools.vertex_size.clear();
     flip_towards_delaunay(tools, context);
     refine_inside(tools, options.max_elements, context);
@@ -145,15 +144,17 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
                         const RunContext& context) {
   Attempt attempt;
   RefineResult& result = attempt.result;
-  DomainMesh mesh = import_domain(plc, input, options);
-  find_sizes_and_patches(plc, mesh, options, hold.run == 0 ? context : RunContext{}, result);
+  const MergedFacets merged = merge_pieces(plc, options.facet_parent);
+  result.kept_patch = options.honour == Honour::exact ? merged.row_of_facet : named_patches(plc, options);
+  DomainMesh mesh = import_domain(plc, input, options, result.kept_patch);
+  find_sizes(plc, mesh, options, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  const SurfaceGuard guard = prepare_surfaces(hold, plc, options, input, mesh, context, result);
+  const SurfaceGuard guard = prepare_surfaces(hold, plc, merged, options, input, mesh, context, result);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   if (options.refine) refine_to_size(tools, options, context);
-  if (options.refine && guard.exact() && sizes_surfaces(options)) refine_from_anew(tools, plc, options, input, context);
+  if (options.refine && guard.exact() && sizes_surfaces(options)) refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
   if (!attempt.holds()) return attempt;

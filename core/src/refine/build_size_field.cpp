@@ -12,6 +12,14 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// Per facet a number that pieces of one have in common. Surfaces that are kept have it as their patches.
+std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {
+  if (options.honour == Honour::tolerance) return merge_pieces(plc, options.facet_parent).row_of_facet;
+  std::vector<Index> rows;
+  for (Index f = 0; f < plc.n_facets(); ++f) rows.push_back(mesh.patch_of_facet(f));
+  return rows;
+}
+
 class SizeFieldBuilder {
  public:
   SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options, double tolerance)
@@ -20,7 +28,7 @@ class SizeFieldBuilder {
         mesh_(mesh),
         options_(options.size),
         patch_(named_patches(plc, options)),
-        merged_(merge_pieces(plc, options.facet_parent).row_of_facet),
+        merged_(pieces_merged(plc, mesh, options)),
         sources_(options.size.sources),
         at_vertex_(mesh.n_vertices(), infinity) {}
 

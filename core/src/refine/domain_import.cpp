@@ -32,12 +32,12 @@ bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b) {
 
 class Importer {
  public:
-  Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options)
+  Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options, std::vector<Index> patches)
       : plc_(plc),
         input_(input),
         exact_(options.honour == Honour::exact),
         cos_sharp_(std::cos(options.sharp_angle * std::acos(-1.0) / 180)) {
-    domain_.set_facet_patches(patches_of_facets(plc, options));
+    domain_.set_facet_patches(std::move(patches));
     std::map<Index, Index> first;
     for (Index s = 0; s < plc.segments.size(); ++s) {
       const Index curve = exact_ || options.segment_curve.empty() ? no_index : options.segment_curve[s];
@@ -247,9 +247,12 @@ std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const Re
   return merge_pieces(plc, options.facet_parent).row_of_facet;
 }
 
-DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
-                         const RefineOptions& options) {
-  return Importer(plc, mesh, options).run();
+DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const RefineOptions& options,
+                         std::vector<Index> patches) {
+  return Importer(plc, mesh, options, std::move(patches)).run();
+}
+DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const RefineOptions& options) {
+  return import_domain(plc, mesh, options, patches_of_facets(plc, options));
 }
 
 }  // namespace geomesh::remesh

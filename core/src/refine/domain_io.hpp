@@ -15,8 +15,10 @@ std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const Refine
 
 /// Vertices and cells keep their rows. Curves: edges where not exactly two faces of one patch meet, or two that turn by more than
 /// the sharp angle, and listed segments. O(n log n). Throws InternalError where the mesh breaks its invariants.
-DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
-                         const RefineOptions& options);
+/// `patches`: patches_of_facets(plc, options), where they are known.
+DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const RefineOptions& options,
+                         std::vector<Index> patches);
+DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const RefineOptions& options);
 
 /// Input vertices that are still where they were first, in input order, then the others by row. Cells by row; faces by facet.
 ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const PiecewiseLinearComplex& plc,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "quality/shape.hpp"
 #include "refine/refinement.hpp"
@@ -23,23 +25,70 @@ class Evenness {
 
 constexpr unsigned greatest_depth = 100;
 
+/// From the size at one place those at places about it are found sooner.
+struct KnownSize {
+  Vec3 place;
+  double size;
+  KnownSize at(const Vec3& p, Index component, const SizeField& field) const { return {p, field.at_beside(p, component, place, size)}; }
+};
+
+/// A cell with what it takes to tell what it reaches into, computed once: there are many more cubes than cells.
+class CellReach {
+ public:
+  CellReach(const DomainMesh& mesh, CellIndex c) : component_(mesh.component(c)) {
+    const Tetrahedron& t = mesh.vertices(c);
+    for (const VertexIndex v : t) box_.add(mesh.point(v));
+    for (unsigned i = 0; i < 4; ++i) {
+      const auto& f = face_vertices[i];
+      const Vec3 &a = mesh.point(t[f[0]]), n = cross(mesh.point(t[f[1]]) - a, mesh.point(t[f[2]]) - a);
+      faces_[i] = {a, n, std::abs(n.x) + std::abs(n.y) + std::abs(n.z)};
+    }
+  }
+
+  const Box3& box() const { return box_; }
+  Index component() const { return component_; }
+
+  /// False only where cell and cube have nothing in common.
+  bool may_reach(const Vec3& centre, double half) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (box_.min[axis] > centre[axis] + half || box_.max[axis] < centre[axis] - half) return false;
+    return reaches(centre, half);
+  }
+
+  /// Whether no plane of a face has the whole cube about p on its other side; with a half side of 0 whether p is in the cell.
+  bool reaches(const Vec3& p, double half) const {
+    return std::none_of(faces_.begin(), faces_.end(), [&](const Face& f) { return dot(f.inward, p - f.corner) + half * f.spread < 0; });
+  }
+
+ private:
+  struct Face {
+    Vec3 corner, inward;
+    double spread;  ///< of a cube's half side, along the normal
+  };
+  Box3 box_;
+  std::array<Face, 4> faces_;
+  Index component_;
+};
+
 /// Integral over the mesh of 1 / size^3, by cubes that are cut in eighths: the mesh's cells may be long, with sizes at their ends that differ by orders
 /// of magnitude. A cube hands the cells that reach into it on to its eighths.
 class VolumeOverSizes {
  public:
-  VolumeOverSizes(const DomainMesh& mesh, const SizeField& size, double enough) : mesh_(mesh), size_(size), enough_(enough), evenness_(size) {}
+  VolumeOverSizes(const DomainMesh& mesh, const SizeField& size, double enough) : size_(size), enough_(enough), evenness_(size) {
+    cells_.reserve(mesh.n_cells());
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+      if (mesh.is_live(c)) cells_.emplace_back(mesh, c);
+  }
 
   double run() {
+    if (cells_.empty()) return 0;
     Box3 box;
-    std::vector<CellIndex> cells;
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
-      if (!mesh_.is_live(c)) continue;
-      cells.push_back(c);
-      for (const VertexIndex v : mesh_.vertices(c)) box.add(mesh_.point(v));
-    }
-    if (cells.empty()) return 0;
+    for (const CellReach& c : cells_) box.add(c.box().min), box.add(c.box().max);
+    std::vector<Index> all(cells_.size());
+    std::iota(all.begin(), all.end(), 0);
     const Vec3 extent = box.max - box.min;
-    visit({0.5 * (box.min + box.max), 0.5 * std::max({extent.x, extent.y, extent.z}), 0}, cells);
+    const Cube whole{0.5 * (box.min + box.max), 0.5 * std::max({extent.x, extent.y, extent.z}), 0};
+    visit(whole, {whole.centre, size_.at(whole.centre)}, all);
     return sum_;
   }
 
@@ -56,53 +105,36 @@ class VolumeOverSizes {
     return {q.centre + Vec3{k & 1 ? h : -h, k & 2 ? h : -h, k & 4 ? h : -h}, h, q.depth + 1};
   }
 
-  void visit(const Cube& q, const std::vector<CellIndex>& above) {
+  /// `near`: a known size; `above`: of cells_, those that reach into a cube about this one.
+  void visit(const Cube& q, const KnownSize& near, const std::vector<Index>& above) {
     if (sum_ > enough_) return;
-    std::vector<CellIndex> cells;
-    for (const CellIndex c : above)
-      if (may_reach(c, q)) cells.push_back(c);
+    std::vector<Index> cells;
+    for (const Index c : above)
+      if (cells_[c].may_reach(q.centre, q.half)) cells.push_back(c);
     if (cells.empty()) return;
-    if (q.depth >= greatest_depth || (q.depth >= least_depth && evenness_.holds(2 * q.half, size_.at(q.centre)))) {
-      add(q, cells);
+    const KnownSize here = near.at(q.centre, no_index, size_);
+    if (q.depth >= greatest_depth || (q.depth >= least_depth && evenness_.holds(2 * q.half, here.size))) {
+      add(q, here, cells);
       return;
     }
-    for (unsigned k = 0; k < 8; ++k) visit(eighth(q, k), cells);
+    for (unsigned k = 0; k < 8; ++k) visit(eighth(q, k), here, cells);
   }
 
-  void add(const Cube& q, const std::vector<CellIndex>& cells) {
+  void add(const Cube& q, const KnownSize& near, const std::vector<Index>& cells) {
     const double volume = q.half * q.half * q.half;
     for (unsigned k = 0; k < 8; ++k) {
       const Vec3 p = eighth(q, k).centre;
-      const auto home = std::find_if(cells.begin(), cells.end(), [&](CellIndex c) { return reaches(c, p, 0); });
+      const auto home = std::find_if(cells.begin(), cells.end(), [&](Index c) { return cells_[c].reaches(p, 0); });
       if (home == cells.end()) continue;
-      const double h = size_.at(p, mesh_.component(*home));
+      const double h = near.at(p, cells_[*home].component(), size_).size;
       sum_ += volume / (h * h * h);
     }
   }
 
-  /// False only where cell and cube have nothing in common.
-  bool may_reach(CellIndex c, const Cube& q) const {
-    Box3 box;
-    for (const VertexIndex v : mesh_.vertices(c)) box.add(mesh_.point(v));
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (box.min[axis] > q.centre[axis] + q.half || box.max[axis] < q.centre[axis] - q.half) return false;
-    return reaches(c, q.centre, q.half);
-  }
-
-  /// Whether no plane of a face has the whole cube about p on its other side; with a half side of 0 whether p is in the cell.
-  bool reaches(CellIndex c, const Vec3& p, double half) const {
-    const Tetrahedron& t = mesh_.vertices(c);
-    for (const auto& f : face_vertices) {
-      const Vec3 &a = mesh_.point(t[f[0]]), n = cross(mesh_.point(t[f[1]]) - a, mesh_.point(t[f[2]]) - a);  // inward
-      if (dot(n, p - a) + half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) < 0) return false;
-    }
-    return true;
-  }
-
-  const DomainMesh& mesh_;
   const SizeField& size_;
   double enough_;
   Evenness evenness_;
+  std::vector<CellReach> cells_;
   double sum_ = 0;
 };
 
@@ -128,7 +160,8 @@ class AreaOverSizes {
 
   void visit(const Corners& p, unsigned depth) {
     if (sum_ > enough_) return;
-    const double h = size_.at((1.0 / 3) * (p[0] + p[1] + p[2]), component_);
+    near_ = near_.at((1.0 / 3) * (p[0] + p[1] + p[2]), component_, size_);
+    const double h = near_.size;
     unsigned longest = 0;
     for (unsigned k = 1; k < 3; ++k)
       if (side(p, k) > side(p, longest)) longest = k;
@@ -147,6 +180,7 @@ class AreaOverSizes {
   double enough_;
   Evenness evenness_;
   Index component_ = no_index;
+  KnownSize near_{{}, std::numeric_limits<double>::infinity()};  // of the piece before
   double sum_ = 0;
 };
 

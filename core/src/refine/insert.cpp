@@ -92,9 +92,10 @@ class Insertion {
       if (squared_distance(mesh_.point(v), p_) < rule.spacing * rule.spacing) return std::nullopt;
     bases_.assign(1, *home);
     grow(rule.spheres);
-    if (!shrink_until_visible() || !keeps_spacing(rule.spacing) || !keeps_constraints()) return std::nullopt;
+    if (!find_cavity(rule.spacing)) return std::nullopt;
     const std::vector<double>& shapes = new_shapes();
     if (rule.min_shape > 0 && !(*std::min_element(shapes.begin(), shapes.end()) > rule.min_shape)) return std::nullopt;
+    if (!keeps_constraints()) return std::nullopt;
     const VertexIndex v = mesh_.add_vertex(p_, VertexKind::inside);
     fill_with_star(mesh_, tools_.work.cavity, v, tools_.work, shapes);
     ++tools_.statistics.points_inside;
@@ -105,7 +106,7 @@ class Insertion {
     const FaceRef home = locate_on_surface(mesh_, p_, start);
     if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
     grow(rule.spheres);
-    if (!shrink_until_visible() || !keeps_spacing(0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
+    if (!find_cavity(0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
     add_spokes(cavity);
     if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;
@@ -173,37 +174,50 @@ class Insertion {
       }
   }
 
-  bool sees_border(CellIndex c) const {
+  bool sees_face(CellIndex c, unsigned i) const {
     const Tetrahedron& t = mesh_.vertices(c);
+    const auto& f = face_vertices[i];
+    return is_positive(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p_);
+  }
+  bool sees_border(CellIndex c) const {
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef n = mesh_.topology().neighbor(c, i);
       if (mesh_.tag(c, i).constrained() ? is_opened(c, i) : tools_.work.marks.marked(n.cell())) continue;
-      const auto& f = face_vertices[i];
-      if (!is_positive(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p_)) return false;
+      if (!sees_face(c, i)) return false;
     }
     return true;
   }
 
   bool is_base(CellIndex c) const { return std::find(bases_.begin(), bases_.end(), c) != bases_.end(); }
 
-  /// Gives up cells whose border face p does not see, then those cut off by that, until all is seen. False where a base does not
-  /// see.
-  bool shrink_until_visible() {
-    auto& cells = tools_.work.cells;
-    CellMarks& marks = tools_.work.marks;
-    for (bool shrunk = true; shrunk;) {
-      shrunk = false;
-      for (const CellIndex c : cells)
-        if (marks.marked(c) && !sees_border(c)) {
-          if (is_base(c)) return false;
-          marks.unmark(c);
-          shrunk = true;
-        }
-      if (shrunk) keep_connected();
-    }
-    tools_.work.created.assign(cells.begin(), cells.end());  // gather_cells uses the marks anew
-    gather_cells(mesh_, marks, tools_.work.created, tools_.work.cavity);
+  /// Of what was grown, the part that p sees, with no vertex nearer than `spacing`. False where there is none.
+  bool find_cavity(double spacing) {
+    if (!shrink_until_visible() || !keeps_spacing(spacing)) return false;
+    tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());  // gather_cells uses the marks anew
+    gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
     if (!opened_.empty()) drop_opened_hull_faces();
+    return true;
+  }
+
+  /// Gives up cells whose border face p does not see, those whose faces are at the border by that, and in the end those cut off. False where a base does
+  /// not see.
+  bool shrink_until_visible() {
+    CellMarks& marks = tools_.work.marks;
+    std::vector<CellIndex> given_up;
+    const auto give_up = [&](CellIndex c) {
+      marks.unmark(c);
+      given_up.push_back(c);
+      return !is_base(c);
+    };
+    for (const CellIndex c : tools_.work.cells)
+      if (!sees_border(c) && !give_up(c)) return false;
+    for (std::size_t k = 0; k < given_up.size(); ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        if (mesh_.tag(given_up[k], i).constrained()) continue;
+        const FaceRef n = mesh_.topology().neighbor(given_up[k], i);
+        if (marks.marked(n.cell()) && !sees_face(n.cell(), n.face()) && !give_up(n.cell())) return false;
+      }
+    if (!given_up.empty()) keep_connected();
     return true;
   }
 
@@ -263,10 +277,11 @@ class Insertion {
     return tools_.guard.admits(before, after, {}, {}, {});
   }
 
+  /// All vertices of the cells are asked: those that are not on the cavity's border may not be there at all.
   bool keeps_spacing(double spacing) const {
     const double limit = spacing * spacing;
-    for (const LinkFace& f : tools_.work.cavity.link)
-      for (const VertexIndex v : f.vertices)
+    for (const CellIndex c : tools_.work.cells)
+      for (const VertexIndex v : mesh_.vertices(c))
         if (squared_distance(mesh_.point(v), p_) < limit) return false;
     return true;
   }
@@ -287,7 +302,7 @@ class Insertion {
     return false;
   }
 
-  /// No vertex, no constrained face and no curve edge may be swallowed.
+  /// No vertex, no constrained face and no curve edge may be swallowed. The marks are those of the cavity's cells.
   bool keeps_constraints() const {
     CellMarks& on_border = tools_.work.vertex_marks;
     on_border.begin(mesh_.n_vertices());
@@ -299,8 +314,7 @@ class Insertion {
         if (!on_border.marked(t[i])) return false;
         if (!mesh_.tag(c, i).constrained() || is_opened(c, i)) continue;
         const FaceRef n = mesh_.topology().neighbor(c, i);
-        const auto& cells = tools_.work.cavity.cells;
-        if (n.valid() && std::find(cells.begin(), cells.end(), n.cell()) != cells.end()) return false;
+        if (n.valid() && tools_.work.marks.marked(n.cell())) return false;
       }
       for (const auto& e : edge_vertices)
         if (mesh_.curve_of(t[e[0]], t[e[1]]) != no_index && !on_link(t[e[0]], t[e[1]])) return false;

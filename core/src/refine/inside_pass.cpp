@@ -136,9 +136,10 @@ class InsideRefiner {
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
   }
 
-  double size_near(const Vec3& p, CellIndex c) {
+  /// The lesser of the size at p and `at_most`.
+  double size_near(const Vec3& p, CellIndex c, double at_most = std::numeric_limits<double>::infinity()) {
     const VertexIndex v = mesh_.vertices(c)[0];
-    return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v));
+    return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v), at_most);
   }
 
   /// Whether a corner of the cell is nearer than the spacing at p, by the sizes at the corners and how fast sizes may fall: most refusals are
@@ -152,11 +153,20 @@ class InsideRefiner {
     });
   }
 
+  /// With this size at p or a larger one a corner of the cell is too near.
+  double crowded_size(const Vec3& p, CellIndex c) const {
+    constexpr double rounding = 1 + 1e-9;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const VertexIndex v : mesh_.vertices(c)) nearest = std::min(nearest, squared_distance(mesh_.point(v), p));
+    return rounding / spacing_ratio * std::sqrt(nearest);
+  }
+
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
     if (crowds_corner(p, c)) return std::nullopt;
     const std::optional<CellIndex> home = locate(mesh_, p, c);
     if (!home || surely_crowds(p, *home)) return std::nullopt;
-    const double h = size_near(p, c);
+    const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
+    if (h >= crowded) return std::nullopt;
     const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, 1e-3, &spheres_});
     if (v) tools_.set_size(*v, h);
     return v;

@@ -110,11 +110,11 @@ double SizeField::least_over_sources(const Vec3& p, double bound) const {
 
 double SizeField::at(const Vec3& p, Index component) const { return at(p, component, std::numeric_limits<double>::infinity()); }
 
-double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q) const {
+double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q, double at_most) const {
   constexpr double rounding = 1 + 1e-9;
-  if (may_jump()) return at(p, component);
+  if (may_jump()) return at(p, component, at_most);
   const Vec3 d = p - q;
-  return at(p, component, rounding * (size_at_q + steepest_ * std::sqrt(dot(d, d))));
+  return at(p, component, std::min(at_most, rounding * (size_at_q + steepest_ * std::sqrt(dot(d, d)))));
 }
 
 double SizeField::at(const Vec3& p, Index component, double at_most) const {

@@ -42,8 +42,8 @@ class SizeField {
 
   /// Size asked at a place of a component (no_index: of none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// The same, sooner, where the size at a place q nearby is known.
-  double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q) const;
+  /// The same, sooner, where the size at a place q nearby is known, and sooner again where no size beyond `at_most` matters: those come out as at least that.
+  double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q, double at_most = std::numeric_limits<double>::infinity()) const;
   /// By which sizes differ at most, a unit of distance; infinity where they may jump.
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
