@@ -30,7 +30,7 @@ inline std::array<VertexIndex, 3> sorted(Triangle t) {
 /// Facets of the PLC are the triangles between regions and on the outside; provenance: the caller's surface of a triangle.
 class GridModel {
  public:
-  using Region = std::function<Index(const Vec3& centroid)>;
+  using Region = std::function<Index(const Vec3& centroid)>;  ///< no_index: the outside
   using Surface = std::function<Index(const Vec3& centroid)>;
   using Map = std::function<Vec3(const Vec3&)>;
 
@@ -57,8 +57,11 @@ class GridModel {
     m.mesh.points = m.plc.points;
     for (VertexIndex v = 0; v < m.plc.points.size(); ++v) m.mesh.input_vertex.push_back(v);
     m.mesh.origin.assign(m.plc.points.size(), VertexOrigin::input);
+    std::vector<bool> is_used(points_.size(), false);
+    for (const Tetrahedron& t : cells_)
+      for (const VertexIndex v : t) is_used[v] = true;
     for (VertexIndex v = 0; v < points_.size(); ++v)
-      if (row[v] == no_vertex) {
+      if (row[v] == no_vertex && is_used[v]) {
         row[v] = static_cast<VertexIndex>(m.mesh.points.size());
         m.mesh.points.push_back(points_[v]);
         m.mesh.input_vertex.push_back(no_vertex);
@@ -98,10 +101,12 @@ class GridModel {
       for (unsigned j = 0; j < n; ++j)
         for (unsigned i = 0; i < n; ++i)
           for (const auto& o : orders) {  // Kuhn's six along the diagonal: conforming between cubes
+            const Index component = region(0.5 * (points_[at(i, j, k, 0)] + points_[at(i, j, k, 7)]));
+            if (component == no_index) continue;
             Tetrahedron t{at(i, j, k, 0), at(i, j, k, o[0]), at(i, j, k, o[0] | o[1]), at(i, j, k, 7)};
             if (orient3d(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]) != Sign::positive) std::swap(t[2], t[3]);
             cells_.push_back(t);
-            component_.push_back(region(0.5 * (points_[at(i, j, k, 0)] + points_[at(i, j, k, 7)])));
+            component_.push_back(component);
           }
   }
 
@@ -139,6 +144,14 @@ inline Index side_of_cube(const Vec3& p, Index inner) {
 inline Model two_boxes(unsigned n) {
   return GridModel(
              2 * n, {1, 1, 1}, [](const Vec3& p) { return p.x < 0.5 ? 0u : 1u; },
+             [](const Vec3& p) { return side_of_cube(p, 6); })
+      .model();
+}
+
+/// Two quarters of the unit cube that meet along the line through its middle in z alone, the outside between them.
+inline Model blocks_at_an_edge(unsigned n) {
+  return GridModel(
+             2 * n, {1, 1, 1}, [](const Vec3& p) { return (p.x < 0.5) == (p.y < 0.5) ? 0u : no_index; },
              [](const Vec3& p) { return side_of_cube(p, 6); })
       .model();
 }

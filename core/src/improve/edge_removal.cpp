@@ -233,8 +233,10 @@ class EdgeRemoval {
   }
 
   /// The new surface edge x-y must not be one already: its faces would fold onto others. Where the edge removed is on the outside the other
-  /// may be beyond it, so all cells at x are asked.
+  /// may be beyond it, so all cells at x are asked, or at y where those are not found.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
+    if (mesh_.is_pinched(x)) std::swap(x, y);
+    if (!closed_ && mesh_.is_pinched(x)) return true;
     std::vector<CellIndex> about_x;
     if (!closed_) mesh_.star(x, tools_.work.marks, about_x);
     for (const CellIndex c : closed_ ? tools_.work.cells : about_x) {

@@ -148,6 +148,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
 
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room) {
   DomainMesh& mesh = tools.mesh;
+  if (mesh.is_pinched(a, b)) return false;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
   const double before = removed_shape(mesh, cavity);

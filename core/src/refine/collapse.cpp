@@ -79,6 +79,7 @@ class Collapse {
   /// edge, and no face may be there already. (Two faces with nothing but the outside between them are told by no cell.)
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
+    if (mesh_.is_pinched(v_)) return false;  // its star is not all of its surface
     std::vector<VertexIndex> beside;
     std::vector<std::array<VertexIndex, 2>> link;
     for (const Spoke& s : star_.spokes)

@@ -50,6 +50,7 @@ class Importer {
     tag_faces();
     collect_edges();
     register_curves();
+    find_pinched();
     classify_vertices();
     return std::move(domain_);
   }
@@ -148,6 +149,39 @@ class Importer {
     for (const auto& [edge, rows] : segments_) add_curve(edge, {rows, {}});  // in the inside of regions
   }
 
+  /// Vertices of edges with more than two outer faces, and those on the outside that have more cells than a walk through faces finds.
+  void find_pinched() {
+    std::vector<bool> pinched(domain_.n_vertices(), false);
+    std::vector<std::uint32_t> n_cells(domain_.n_vertices(), 0);
+    std::vector<std::array<VertexIndex, 2>> outer_edges;
+    for (CellIndex c = 0; c < domain_.n_slots(); ++c) {
+      const Tetrahedron& t = domain_.vertices(c);
+      for (const VertexIndex v : t) ++n_cells[v];
+      for (unsigned i = 0; i < 4; ++i) {
+        if (domain_.has_neighbor(c, i)) continue;
+        for (unsigned k = 0; k < 3; ++k) {
+          const VertexIndex a = t[face_vertices[i][k]], b = t[face_vertices[i][(k + 1) % 3]];
+          outer_edges.push_back({std::min(a, b), std::max(a, b)});
+        }
+      }
+    }
+    std::sort(outer_edges.begin(), outer_edges.end());
+    CellMarks marks;
+    std::vector<CellIndex> star;
+    std::vector<bool> is_counted(domain_.n_vertices(), false);
+    for (std::size_t i = 0, j; i < outer_edges.size(); i = j) {
+      for (j = i; j < outer_edges.size() && outer_edges[j] == outer_edges[i];) ++j;
+      for (const VertexIndex v : outer_edges[i]) {
+        if (j - i > 2) pinched[v] = true;
+        if (is_counted[v]) continue;
+        is_counted[v] = true;
+        domain_.star(v, marks, star);
+        if (star.size() < n_cells[v]) pinched[v] = true;
+      }
+    }
+    domain_.set_pinched(std::move(pinched));
+  }
+
   bool is_fixed(VertexIndex v) const { return exact_ && input_.input_vertex[v] != no_vertex; }
 
   bool turns_sharply(VertexIndex v) const {
@@ -183,7 +217,7 @@ class Importer {
 
   void classify(VertexIndex v, std::span<const Index> faces, bool pinned) {
     const auto& curves = curve_ends_[v];
-    if (pinned || is_fixed(v)) return;  // corner, as set
+    if (pinned || is_fixed(v) || domain_.is_pinched(v)) return;  // corner, as set
     if (curves.size() == 2 && curves[0].second == curves[1].second && !turns_sharply(v)) {
       domain_.set_kind(v, VertexKind::curve, curves[0].second);
     } else if (curves.empty() && faces.empty()) {

@@ -90,6 +90,15 @@ class DomainMesh {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
     return possible ? curves_.find(a, b) : no_index;
   }
+  /// @name Where the outside passes through
+  /// Cells may meet at a vertex, or at an edge, that no way through faces about it joins, since the outside is between them. `star` and
+  /// `edge_ring` find those alone that are joined with the cell they start from. So such a vertex, or one of such an edge, is a corner, told here,
+  /// and a curve's edge between two of them is not split.
+  /// @{
+  bool is_pinched(VertexIndex v) const { return v < pinched_.size() && pinched_[v]; }
+  bool is_pinched(VertexIndex a, VertexIndex b) const { return is_pinched(a) && is_pinched(b) && curve_of(a, b) != no_index; }
+  void set_pinched(std::vector<bool> pinched) { pinched_ = std::move(pinched); }
+  /// @}
   void set_curve(VertexIndex a, VertexIndex b, Index curve_class) {
     note_curve(a, b);
     curves_.set(a, b, curve_class);
@@ -195,6 +204,7 @@ class DomainMesh {
   std::vector<Index> supports_;
   std::vector<CellIndex> incident_;
   std::vector<std::uint64_t> changed_;
+  std::vector<bool> pinched_;  // by vertex, of those there were at first
 
   TetMesh mesh_;
   std::vector<Index> component_;

@@ -87,7 +87,7 @@ class Mender {
   };
 
   void consider_split(const Breach& breach, CellIndex c, VertexIndex a, VertexIndex b) {
-    if (mesh_.curve_of(a, b) != (breach.on_curve ? breach.group : no_index)) return;
+    if (mesh_.curve_of(a, b) != (breach.on_curve ? breach.group : no_index) || mesh_.is_pinched(a, b)) return;
     StarCavity& cavity = tools_.work.cavity;
     gather_edge(mesh_, c, a, b, cavity);
     if (cavity.spokes.empty() && cavity.curves.empty()) return;

@@ -29,6 +29,7 @@ void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3
 std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape,
                                       const Vec3* place) {
   DomainMesh& mesh = tools.mesh;
+  if (mesh.is_pinched(a, b)) return std::nullopt;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
   const Vec3 p = place ? *place : 0.5 * (mesh.point(a) + mesh.point(b));
