@@ -79,20 +79,20 @@ Model shell() {
 TEST_CASE("A mesh made anew has the same points, faces, edges and components", "[refine]") {
   for (Model& model : std::vector<Model>{two_boxes(3), ball_in_box(4), box_with_well(4)}) {
     disturb_inside(model, 3);
-    const auto fresh = mesh_anew(model.mesh, {});
-    REQUIRE(fresh);
-    require_valid(*fresh);
-    CHECK(places(*fresh) == places(model.mesh));
-    CHECK(faces_of(*fresh) == faces_of(model.mesh));
-    CHECK(edges_of(*fresh) == edges_of(model.mesh));
-    const std::vector<double> before = component_volumes(model.mesh), after = component_volumes(*fresh);
+    ConstrainedTetrahedralization fresh = model.mesh;
+    REQUIRE(mesh_anew(fresh, {}));
+    require_valid(fresh);
+    CHECK(places(fresh) == places(model.mesh));
+    CHECK(faces_of(fresh) == faces_of(model.mesh));
+    CHECK(edges_of(fresh) == edges_of(model.mesh));
+    const std::vector<double> before = component_volumes(model.mesh), after = component_volumes(fresh);
     REQUIRE(before.size() == after.size());
     for (std::size_t c = 0; c < before.size(); ++c) CHECK(after[c] == Approx(before[c]).epsilon(1e-12));
-    for (VertexIndex v = 0; v < fresh->points.size(); ++v) {
-      const VertexIndex row = fresh->input_vertex[v];
-      if (row != no_vertex) CHECK(fresh->points[v] == model.plc.points[row]);
+    for (VertexIndex v = 0; v < fresh.points.size(); ++v) {
+      const VertexIndex row = fresh.input_vertex[v];
+      if (row != no_vertex) CHECK(fresh.points[v] == model.plc.points[row]);
     }
-    CHECK(import_domain(model.plc, *fresh, {}).validate() == "");
+    CHECK(import_domain(model.plc, fresh, {}).validate() == "");
   }
 }
 
@@ -100,9 +100,9 @@ TEST_CASE("A mesh far from Delaunay is near it when made anew", "[refine]") {
   Model model = two_boxes(3);
   disturb_inside(model, 8);
   const DomainMesh before = import_domain(model.plc, model.mesh, {});
-  const auto fresh = mesh_anew(model.mesh, {});
-  REQUIRE(fresh);
-  const DomainMesh after = import_domain(model.plc, *fresh, {});
+  ConstrainedTetrahedralization fresh = model.mesh;
+  REQUIRE(mesh_anew(fresh, {}));
+  const DomainMesh after = import_domain(model.plc, fresh, {});
   CAPTURE(n_far_from_delaunay(before), n_far_from_delaunay(after));
   CHECK(n_far_from_delaunay(before) > 50);
   CHECK(n_far_from_delaunay(after) * 20 < n_far_from_delaunay(before));
@@ -130,9 +130,9 @@ TEST_CASE("A mesh made anew leaves out what was left out", "[refine]") {
     for (VertexIndex& v : t) v = row[v];
   for (auto& f : packed.faces)
     for (VertexIndex& v : f.vertices) v = row[v];
-  const auto fresh = mesh_anew(packed, {});
-  REQUIRE(fresh);
-  require_valid(*fresh);
-  REQUIRE(fresh->n_components == 1);
-  CHECK(component_volumes(*fresh)[0] == Approx(64 - ball).epsilon(1e-9));
+  ConstrainedTetrahedralization fresh = packed;
+  REQUIRE(mesh_anew(fresh, {}));
+  require_valid(fresh);
+  REQUIRE(fresh.n_components == 1);
+  CHECK(component_volumes(fresh)[0] == Approx(64 - ball).epsilon(1e-9));
 }

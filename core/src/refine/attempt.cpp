@@ -85,17 +85,28 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
   return false;
 }
 
+/// Once it is imported: what an export asks of it is its points, and what they stand for.
+void release_elements(ConstrainedTetrahedralization& mesh) {
+  mesh.tetrahedra = {};
+  mesh.component = {};
+  mesh.faces = {};
+  mesh.edges = {};
+}
+
 /// Where far too long edges are left, cells are far from Delaunay and points beside them too near for more: flips do not get there any more. The same points
-/// are meshed anew, and refinement goes on from there.
+/// are meshed anew, and refinement goes on from there. What the engine needs memory for is let go before: where it fails, the mesh comes back from what it was
+/// given.
 void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options, const std::vector<Index>& patches,
                       ConstrainedTetrahedralization& input, const RunContext& context) {
   constexpr unsigned most_rounds = 2;
   for (unsigned round = 0; round < most_rounds && is_stuck(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
-    auto fresh = mesh_anew(export_domain(tools.mesh, plc, input), context);
-    if (!fresh) return;
-    input = std::move(*fresh);
+    input = export_domain(tools.mesh, plc, input);
+    tools.mesh = {};
+    tools.vertex_size = {};
+    const bool is_fresh = mesh_anew(input, context);
     tools.mesh = import_domain(plc, input, options, patches);
-    tools.vertex_size.clear();
+    release_elements(input);
+    if (!is_fresh) return;
     flip_towards_delaunay(tools, context);
     refine_inside(tools, options.max_elements, context);
     collapse_short_edges(tools, true, context);
@@ -151,6 +162,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
   const SurfaceGuard guard = prepare_surfaces(hold, plc, merged, options, input, mesh, context, result);
+  release_elements(input);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   if (options.refine) refine_to_size(tools, options, context);

@@ -2,8 +2,9 @@
 #include "refine/mesh_anew.hpp"
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <numeric>
+#include <utility>
 
 #include "geomesh/core/error.hpp"
 
@@ -11,29 +12,40 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Which component of `mesh` each component of `fresh` is, told by a facet and its side; no_index: none. Nothing where facets disagree.
-std::optional<std::vector<Index>> match_components(const ConstrainedTetrahedralization& mesh, const std::vector<Index>& row_of_facet,
-                                                   const ConstrainedTetrahedralization& fresh) {
-  std::map<std::pair<Index, bool>, Index> side;
-  std::vector<Index> match(fresh.n_components, no_index);
-  const auto for_each_side = [](const ConstrainedTetrahedralization& m, const auto& visit) {
-    for (const auto& f : m.faces)
-      for (const bool above : {false, true})
-        if (const Index t = above ? f.tetrahedron_above : f.tetrahedron_below; t != no_index)
-          if (!visit(f.facet, above, m.component[t])) return false;
-    return true;
-  };
-  if (!for_each_side(mesh, [&](Index facet, bool above, Index c) {
-        return side.try_emplace({row_of_facet[facet], above}, c).first->second == c;
-      }))
-    return std::nullopt;
-  const bool agrees = for_each_side(fresh, [&](Index row, bool above, Index c) {
-    const auto at = side.find({row, above});
-    if (at == side.end()) return true;
-    if (match[c] == no_index) match[c] = at->second;
-    return match[c] == at->second;
+/// By facet of a complex: the component below and the one above it, no_index where none is known.
+using ComponentsBeside = std::vector<std::array<Index, 2>>;
+
+/// visit(face, above, component) for each face and side; ends where it returns false. Returns whether it never did.
+template <class Visit>
+bool for_each_side(const ConstrainedTetrahedralization& mesh, const Visit& visit) {
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    for (const bool above : {false, true})
+      if (const Index t = above ? mesh.faces[f].tetrahedron_above : mesh.faces[f].tetrahedron_below; t != no_index)
+        if (!visit(f, above, mesh.component[t])) return false;
+  return true;
+}
+
+/// `row_of` tells the facet of the complex that a face of the mesh is part of. Nothing where faces of one facet disagree.
+template <class RowOf>
+std::optional<ComponentsBeside> components_beside(const ConstrainedTetrahedralization& mesh, std::size_t n_facets, const RowOf& row_of) {
+  ComponentsBeside beside(n_facets, {no_index, no_index});
+  const bool agrees = for_each_side(mesh, [&](Index f, bool above, Index c) {
+    Index& known = beside[row_of(f)][above];
+    if (known == no_index) known = c;
+    return known == c;
   });
-  return agrees ? std::optional(match) : std::nullopt;
+  return agrees ? std::optional(std::move(beside)) : std::nullopt;
+}
+
+/// Which component each of `fresh` is, told by a facet and its side; no_index: none. Nothing where facets disagree.
+std::optional<std::vector<Index>> match_components(const ComponentsBeside& beside, const ConstrainedTetrahedralization& fresh) {
+  std::vector<Index> match(fresh.n_components, no_index);
+  const bool agrees = for_each_side(fresh, [&](Index f, bool above, Index c) {
+    const Index known = beside[fresh.faces[f].facet][above];
+    if (known != no_index && match[c] == no_index) match[c] = known;
+    return known == no_index || match[c] == known;
+  });
+  return agrees ? std::optional(std::move(match)) : std::nullopt;
 }
 
 /// A point well inside each component that has no match.
@@ -52,7 +64,7 @@ void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<In
     if (match[c] == no_index) plc.hole_seeds.push_back({place[c], no_index});
 }
 
-/// No component of `mesh` is missing, and none is told twice.
+/// No component is missing, and none is told twice.
 bool is_complete(std::vector<Index> match, std::size_t n_components) {
   std::sort(match.begin(), match.end());
   std::vector<Index> all(n_components);
@@ -78,10 +90,9 @@ PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   return plc;
 }
 
-}  // namespace
-
-std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const ConstrainedTetrahedralization& mesh, const std::vector<Index>& row_of_facet,
-                                                               PiecewiseLinearComplex plc, const RunContext& context) {
+/// Nothing where the complex cannot be meshed, or components cannot be told.
+std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const ComponentsBeside& beside, std::size_t n_components, PiecewiseLinearComplex plc,
+                                                                   const RunContext& context) {
   RunContext quiet;
   quiet.cancel = context.cancel;
   quiet.threads = context.threads;
@@ -92,18 +103,15 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   options.recover.max_attempts = 8;  // the caller has another way
   try {
     ConstrainedTetrahedralization fresh = tetrahedralize(plc, options, quiet);
-    auto match = match_components(mesh, row_of_facet, fresh);
+    auto match = match_components(beside, fresh);
     if (match && std::find(match->begin(), match->end(), no_index) != match->end()) {
       seed_holes(fresh, *match, plc);
+      fresh = {};  // before there is a second one
       fresh = tetrahedralize(plc, options, quiet);
-      match = match_components(mesh, row_of_facet, fresh);
+      match = match_components(beside, fresh);
     }
-    if (!match || !is_complete(*match, mesh.n_components)) return std::nullopt;
+    if (!match || !is_complete(*match, n_components)) return std::nullopt;
     for (Index& c : fresh.component) c = (*match)[c];
-    fresh.n_components = mesh.n_components;
-    fresh.component_seed = mesh.component_seed;
-    fresh.recovery = mesh.recovery;
-    fresh.delaunay_statistics = mesh.delaunay_statistics;
     return fresh;
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::interrupted) throw;
@@ -112,13 +120,30 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   }
 }
 
-std::optional<ConstrainedTetrahedralization> mesh_anew(const ConstrainedTetrahedralization& mesh, const RunContext& context) {
-  ConstrainedTetrahedralization by_face = mesh;
-  for (Index f = 0; f < by_face.faces.size(); ++f) by_face.faces[f].facet = f;
-  std::vector<Index> rows(mesh.faces.size());
-  std::iota(rows.begin(), rows.end(), Index{0});
-  auto fresh = tetrahedralize_as(by_face, rows, complex_of(mesh), context);
-  if (!fresh) return std::nullopt;
+/// What is told of the components and of the run that made `mesh`.
+void inherit(const ConstrainedTetrahedralization& mesh, ConstrainedTetrahedralization& fresh) {
+  fresh.n_components = mesh.n_components;
+  fresh.component_seed = mesh.component_seed;
+  fresh.recovery = mesh.recovery;
+  fresh.delaunay_statistics = mesh.delaunay_statistics;
+}
+
+}  // namespace
+
+std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const ConstrainedTetrahedralization& mesh, const std::vector<Index>& row_of_facet,
+                                                               PiecewiseLinearComplex plc, const RunContext& context) {
+  const auto beside = components_beside(mesh, plc.n_facets(), [&](Index f) { return row_of_facet[mesh.faces[f].facet]; });
+  if (!beside) return std::nullopt;
+  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), context);
+  if (fresh) inherit(mesh, *fresh);
+  return fresh;
+}
+
+bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
+  const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
+  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), context);
+  if (!fresh) return false;
+  inherit(mesh, *fresh);
   for (auto& f : fresh->faces) f.facet = mesh.faces[f.facet].facet;
   for (auto& e : fresh->edges) e.segment = mesh.edges[e.segment].segment;
   std::vector<VertexIndex> row_in_fresh(mesh.points.size(), no_vertex);
@@ -131,7 +156,8 @@ std::optional<ConstrainedTetrahedralization> mesh_anew(const ConstrainedTetrahed
   }
   fresh->isolated_points.clear();
   for (const VertexIndex v : mesh.isolated_points) fresh->isolated_points.push_back(row_in_fresh[v]);
-  return fresh;
+  mesh = std::move(*fresh);
+  return true;
 }
 
 }  // namespace geomesh::remesh

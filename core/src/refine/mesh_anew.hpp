@@ -18,8 +18,9 @@ namespace geomesh::remesh {
 std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const ConstrainedTetrahedralization& mesh, const std::vector<Index>& row_of_facet,
                                                                PiecewiseLinearComplex plc, const RunContext& context);
 
-/// The constrained Delaunay start of the same points, faces and edges: rows of facets, segments, components and input vertices as they were, cells
-/// new, points perhaps a few more. Precondition: every face of the mesh's border is in `mesh.faces`. Nothing where that cannot be.
-std::optional<ConstrainedTetrahedralization> mesh_anew(const ConstrainedTetrahedralization& mesh, const RunContext& context);
+/// Exchanges the mesh for the constrained Delaunay start of the same points, faces and edges: rows of facets, segments, components and input vertices as
+/// they were, cells new, points perhaps a few more. Precondition: every face of the mesh's border is in `mesh.faces`. Where that cannot be the mesh stays as
+/// it is, and false is returned.
+bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context);
 
 }  // namespace geomesh::remesh
