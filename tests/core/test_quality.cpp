@@ -146,7 +146,7 @@ TEST_CASE("A sliver that nothing forces is listed first and as free", "[quality]
   REQUIRE(q.n_bad > 0);
   CHECK(q.worst[0].cause == ShapeCause::free);
   CHECK(q.n_bad_forced < q.n_bad);
-  const std::vector<Index> unforced = unforced_bad_elements(model.mesh, {});
+  const std::vector<Index> unforced = unforced_bad_elements(model.plc, model.mesh, {});
   REQUIRE(unforced.size() == q.n_bad - q.n_bad_forced);
   for (std::size_t k = 0; k < unforced.size(); ++k) CHECK(unforced[k] == q.worst[k].tetrahedron);
 }
@@ -204,6 +204,25 @@ TEST_CASE("How a facet is cut into faces makes no angle of the input", "[quality
   // Facets that are kept as one count as one.
   const std::vector<Index> patch{0, 1, 0};
   CHECK(SoupStars(cut, patch).least_angle(0).degrees == Approx(90));
+}
+
+TEST_CASE("A crease of a surface that may be remeshed forces where the input has it, and not where remeshing has made it", "[quality]") {
+  const auto height = [](double degrees) { return std::tan(degrees * std::acos(-1.0) / 180); };
+  Model m = one_element({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, height(3)}}, {0, 1, 2, 3}, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}});
+  QualityOptions options;
+  options.facet_patch = {0, 0, 0, 0};
+  options.tolerance = 0.1;
+  const WorstElement wedge = explained(m, options);
+  CHECK(wedge.cause == ShapeCause::input_angle);
+  CHECK(wedge.forcing_angle == Approx(3));
+  // Moved by less than the tolerance, and by more.
+  m.plc.points[0].x = m.plc.points[1].x = 0.09;
+  CHECK(explained(m, options).cause == ShapeCause::input_angle);
+  m.plc.points[0].x = m.plc.points[1].x = 0.11;
+  CHECK(explained(m, options).cause == ShapeCause::free);
+  m.plc.points[0].x = m.plc.points[1].x = 0;
+  m.plc.points[3].z = height(20);
+  CHECK(explained(m, options).cause == ShapeCause::free);
 }
 
 TEST_CASE("A side meets a facet, and a listed segment meets one, at the angle between them", "[quality]") {

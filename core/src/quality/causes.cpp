@@ -11,10 +11,21 @@ namespace {
 
 constexpr double share_of_size = 0.25;  // gaps below this share of the asked size force
 
+/// Facets that are kept as one without a tolerance lie in one plane.
+InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOptions& options) {
+  if (options.facet_patch.empty() || !(options.tolerance > 0)) return {};
+  return {plc, options.facet_patch, options.forcing_angle, options.tolerance};
+}
+
 }  // namespace
 
-CauseFinder::CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options)
-    : mesh_(mesh), options_(options), stars_(mesh, options.facet_patch), gaps_(stars_, options.forcing_angle, options.tolerance == 0), angles_(mesh.points.size(), MeetingAngle{.degrees = -1}) {}
+CauseFinder::CauseFinder(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options)
+    : mesh_(mesh),
+      options_(options),
+      creases_(find_creases(plc, options)),
+      stars_(mesh, options.facet_patch, &creases_),
+      gaps_(stars_, options.forcing_angle, options.tolerance == 0),
+      angles_(mesh.points.size(), MeetingAngle{.degrees = -1}) {}
 
 const MeetingAngle& CauseFinder::angle_at(VertexIndex v) {
   if (angles_[v].degrees < 0) angles_[v] = stars_.least_angle(v);
@@ -49,7 +60,7 @@ void CauseFinder::explain(WorstElement& w) {
   if (!explain_by_angle(w)) explain_by_gap(w);
 }
 
-std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options) {
+std::vector<Index> unforced_bad_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options) {
   std::vector<WorstElement> bad;
   for (Index row = 0; row < mesh.tetrahedra.size(); ++row) {
     const Tetrahedron& t = mesh.tetrahedra[row];
@@ -63,7 +74,7 @@ std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& me
     w.place = 0.25 * (a + b + c + d);
   }
   if (bad.empty()) return {};
-  CauseFinder causes(mesh, options);
+  CauseFinder causes(plc, mesh, options);
   for (WorstElement& w : bad) causes.explain(w);
   std::erase_if(bad, [](const WorstElement& w) { return w.cause != ShapeCause::free; });
   std::stable_sort(bad.begin(), bad.end(), [](const WorstElement& a, const WorstElement& b) { return a.min_dihedral < b.min_dihedral; });

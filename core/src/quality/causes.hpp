@@ -13,7 +13,7 @@ namespace geomesh {
 
 class CauseFinder {
  public:
-  CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
+  CauseFinder(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
   /// Sets the cause of an element and what goes with it. What is found at a vertex is kept for the next element there.
   void explain(WorstElement& w);
 
@@ -24,12 +24,13 @@ class CauseFinder {
 
   const ConstrainedTetrahedralization& mesh_;
   const QualityOptions& options_;
+  InputCreases creases_;
   SoupStars stars_;
   GapFinder gaps_;
   std::vector<MeetingAngle> angles_;  // by vertex; negative: not looked for yet
 };
 
 /// Rows of the elements below the bad angle that nothing forces, the worst first. O(n) but for what CauseFinder costs.
-std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
+std::vector<Index> unforced_bad_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
 
 }  // namespace geomesh

@@ -31,8 +31,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(remesh::length(cross(a, b)), dot(a, b)) * degrees_per_radian;
 }
 
-SoupStars::SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch)
-    : mesh_(mesh), facet_patch_(facet_patch), faces_at_(mesh.points.size()), edges_at_(mesh.points.size()) {
+SoupStars::SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch, const InputCreases* creases)
+    : mesh_(mesh), facet_patch_(facet_patch), creases_(creases), faces_at_(mesh.points.size()), edges_at_(mesh.points.size()) {
   for (Index f = 0; f < mesh.faces.size(); ++f)
     for (const VertexIndex v : mesh.faces[f].vertices) faces_at_[v].push_back(f);
   collect_edges();
@@ -62,13 +62,23 @@ void SoupStars::collect_edges() {
     Index n_faces = 0;
     for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j) n_faces += uses[j].face != no_index;
     const bool is_listed = uses[j - 1].face == no_index;
-    if (!is_listed && n_faces == 2 && patch_of(uses[i].face) == patch_of(uses[i + 1].face)) continue;
+    const bool is_within = !is_listed && n_faces == 2 && patch_of(uses[i].face) == patch_of(uses[i + 1].face);
+    if (is_within && !is_crease(uses[i].face, uses[i + 1].face, uses[i].a, uses[i].b)) continue;
     const Index segment = is_listed ? uses[i + n_faces].segment : no_index;
     edges_at_[uses[i].a].push_back({uses[i].b, segment, uses[i].face, n_faces});
     edges_at_[uses[i].b].push_back({uses[i].a, segment, uses[i].face, n_faces});
   }
   for (auto& edges : edges_at_)
     std::sort(edges.begin(), edges.end(), [](const SoupEdge& x, const SoupEdge& y) { return x.other < y.other; });
+}
+
+bool SoupStars::is_crease(Index face, Index other, VertexIndex a, VertexIndex b) const {
+  if (!creases_) return false;
+  const auto apex = [&](Index f) -> const Vec3& {
+    const Triangle& t = mesh_.faces[f].vertices;
+    return mesh_.points[*std::find_if(t.begin(), t.end(), [&](VertexIndex v) { return v != a && v != b; })];
+  };
+  return creases_->has_fold(patch_of(face), mesh_.points[a], mesh_.points[b], apex(face), apex(other));
 }
 
 std::array<VertexIndex, 2> SoupStars::sides(VertexIndex v, Index face) const {
@@ -132,7 +142,7 @@ void SoupStars::compare_fans(VertexIndex v, const Fan& a, const Fan& b, MeetingA
       const auto s = sides(v, f), t = sides(v, g);
       for (unsigned i = 0; i < 2; ++i)
         for (unsigned j = 0; j < 2; ++j) {
-          if (s[i] != t[j]) continue;
+          if (f == g || s[i] != t[j] || !is_side(v, s[i])) continue;
           const Vec3 along = direction(v, s[i]);
           const double degrees = angle_between(cross(along, direction(v, s[1 - i])), cross(along, direction(v, t[1 - j])));
           if (degrees < least.degrees) least = {degrees, facet_of(f), facet_of(g), no_index, no_index};
@@ -146,7 +156,7 @@ MeetingAngle SoupStars::least_angle(VertexIndex v) const {
   const std::vector<Fan> at = fans(v);
   for (std::size_t i = 0; i < at.size(); ++i) {
     for (const SoupEdge& e : edges_at_[v]) compare_edge_with_fan(v, e, at[i], least);
-    for (std::size_t j = i + 1; j < at.size(); ++j) compare_fans(v, at[i], at[j], least);
+    for (std::size_t j = i; j < at.size(); ++j) compare_fans(v, at[i], at[j], least);
   }
   return least;
 }

@@ -150,7 +150,7 @@ std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& me
 
 }  // namespace
 
-MeshQuality measure_quality(const PiecewiseLinearComplex&, const ConstrainedTetrahedralization& mesh,
+MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options) {
   MeshQuality q;
   const unsigned threads = thread_count(options.threads);
@@ -163,7 +163,7 @@ MeshQuality measure_quality(const PiecewiseLinearComplex&, const ConstrainedTetr
 
   q.worst = worst_elements(mesh, options, shapes);
   if (q.worst.empty()) return q;
-  CauseFinder causes(mesh, options);
+  CauseFinder causes(plc, mesh, options);
   for (WorstElement& w : q.worst) {
     causes.explain(w);
     q.n_bad += w.min_dihedral < options.bad_angle;

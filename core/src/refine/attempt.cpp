@@ -125,7 +125,7 @@ FindFreeCells find_free_cells(const PiecewiseLinearComplex& plc, const Constrain
     judging.asked = &result.asked;
     judging.tolerance = size_tolerance(options);
     judging.facet_patch = result.kept_patch;
-    for (const Index row : unforced_bad_elements(exported, judging)) bad.push_back(cells[row]);
+    for (const Index row : unforced_bad_elements(plc, exported, judging)) bad.push_back(cells[row]);
     return bad;
   };
 }
