@@ -56,6 +56,24 @@ TEST_CASE("A triangle over a crease is within what its middle says, and not with
   CHECK_FALSE(DistanceProver(0.1).is_within(flat, roof(0.1)));
 }
 
+TEST_CASE("A triangle of the sheet that is over all of a triangle is told, and none over a crease", "[search]") {
+  const auto flaps = [](double height) {
+    return std::vector<Corners>{{{{-2, -2, 0}, {2, 0, 0}, {-2, 2, 0}}}, {{{2, 0, 0}, {6, 2, height}, {-2, 2, 0}}}, {{{2, 0, 0}, {-2, -2, 0}, {6, -2, height}}}};
+  };
+  const Corners over_two{{{0, 0, 0.1}, {1, 1.5, 0.1}, {0, 1.2, 0.1}}};
+  DistanceProver prover(0.5);
+  CHECK(prover.is_within(over_two, flaps(0)));
+  CHECK(prover.sheet_row() < 2);
+  CHECK(prover.is_within(over_two, flaps(-0.2)));
+  CHECK(prover.sheet_row() < 2);
+  DistanceProver far(0.05);
+  CHECK_FALSE(far.is_within(over_two, flaps(0)));
+  CHECK(far.sheet_row() == geomesh::no_index);
+  const std::vector<Corners> crease{{{{-2, -2, 0}, {2, 0, 0}, {-2, 2, 0}}}, {{{2, 0, 0}, {1, 3, 4}, {-2, 2, 0}}}};
+  CHECK(prover.is_within({{{0.5, 0.6, 0.1}, {0.7, 0.8, 0.1}, {0.4, 0.8, 0.1}}}, crease));
+  CHECK(prover.sheet_row() == geomesh::no_index);
+}
+
 TEST_CASE("What is proven to be within a distance is, by dense samples", "[search]") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> u(-1, 1);

@@ -134,6 +134,32 @@ TEST_CASE("A face that folds over is not admitted, however near to the input it 
   }
 }
 
+TEST_CASE("Of faces over a sheet of the input one that folds over is told by its side, whichever way round all are given", "[refine]") {
+  const Model model = two_boxes(6);
+  const double tolerance = 0.01;
+  const DomainMesh mesh = import_domain(model.plc, model.mesh, within(tolerance, 1));
+  const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, tolerance);
+  CellMarks marks;
+  StarCavity star;
+  const VertexIndex v = vertex_of_kind(mesh, VertexKind::surface);
+  gather_star(mesh, v, marks, star);
+  const bool turned = GENERATE(false, true);
+  const auto faces_at = [&](const Vec3& p) {
+    std::vector<SurfaceFace> faces;
+    std::vector<CurvePiece> curves;
+    append_surface(mesh, star, p, faces, curves);
+    if (turned)
+      for (SurfaceFace& f : faces) std::swap(f.corners[0], f.corners[1]);
+    return faces;
+  };
+  REQUIRE(star.spokes.size() > 3);
+  for (const Spoke& s : star.spokes) {
+    const Vec3 way = 0.5 * (mesh.point(s.a) + mesh.point(s.b)) - mesh.point(v);
+    CHECK(guard.admits(faces_at(mesh.point(v)), faces_at(mesh.point(v) + 0.3 * way), {}, {}, {}));
+    CHECK_FALSE(guard.admits(faces_at(mesh.point(v)), faces_at(mesh.point(v) + 1.2 * way), {}, {}, {}));
+  }
+}
+
 TEST_CASE("What is off is mended by points on the input", "[refine]") {
   const bool told_by_input = GENERATE(false, true);  // alone: what faces of the result are off is then not used
   const Model model = ball_in_box(6);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "improve/half_angle.hpp"
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
 
@@ -11,14 +12,6 @@ namespace {
 
 constexpr std::size_t max_ring =
     12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
-
-/// The sine of half the cell's angle at its edge (x, y), the other two vertices being a and b: not less, NaN where a face has no area.
-double sine_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
-  constexpr double rounding = 1e-6;
-  const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);
-  const double cosine = dot(m, n) / std::sqrt(dot(m, m) * dot(n, n));
-  return std::sqrt(std::max(0.5 - 0.5 * cosine, 0.0)) + rounding;
-}
 
 /// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these two share the angle
 /// of one cell that goes, so that one has half of it at most: that rules out most rings before any shape is asked for.

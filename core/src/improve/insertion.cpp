@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "improve/half_angle.hpp"
 #include "improve/improve.hpp"
 #include "quality/shape.hpp"
 #include "search/closest_point.hpp"
@@ -14,19 +15,22 @@ constexpr double thin_gap = 0.25;  ///< of the asked size
 /// Grows a cavity about a cell, one cell at a time over the border face that makes the worst new cell.
 class CavityDigger {
  public:
-  CavityDigger(Toolbox& tools, CellIndex seed) : tools_(tools), mesh_(tools.mesh), cells_{seed} {}
+  CavityDigger(const DomainMesh& mesh, CellIndex seed) : mesh_(mesh), cells_{seed} {}
 
   /// The prefix of the growth with the best worst shape from p; false where p sees none of them whole.
   bool dig(const Vec3& p, std::size_t max_cells) {
     cells_.resize(1);
+    border_.clear();
+    add_border(p);
     std::size_t best_size = 0;
     double best = 0;
     while (cells_.size() <= max_cells) {
-      FaceRef worst_face;
-      const double worst = worst_border(p, worst_face);
-      if (worst > best) best = worst, best_size = cells_.size();
-      if (!worst_face.valid()) break;
-      cells_.push_back(worst_face.cell());
+      const BorderFace worst = worst_border();
+      if (worst.shape > best) best = worst.shape, best_size = cells_.size();
+      if (!worst.neighbor.valid() || worst.is_constrained) break;
+      cells_.push_back(worst.neighbor.cell());
+      std::erase_if(border_, [&](const BorderFace& f) { return f.neighbor.valid() && f.neighbor.cell() == cells_.back(); });
+      add_border(p);
     }
     cells_.resize(best_size);
     return best_size > 0;
@@ -34,28 +38,50 @@ class CavityDigger {
   const std::vector<CellIndex>& cells() const { return cells_; }
 
  private:
-  /// Worst shape over the border; the cell beyond that face, or an invalid reference where it is constrained.
-  double worst_border(const Vec3& p, FaceRef& beyond) const {
-    double worst = 1;
-    beyond = FaceRef();
-    for (const CellIndex c : cells_)
-      for (unsigned i = 0; i < 4; ++i) {
-        const FaceRef n = mesh_.topology().neighbor(c, i);
-        if (n.valid() && std::find(cells_.begin(), cells_.end(), n.cell()) != cells_.end()) continue;
-        const Tetrahedron& t = mesh_.vertices(c);
-        const auto& f = face_vertices[i];
-        const double s = shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p);
-        if (s >= worst) continue;
-        worst = s;
-        beyond = mesh_.tag(c, i).constrained() ? FaceRef() : n;
-      }
+  struct BorderFace {
+    double shape = 1;  ///< of the new cell over it
+    FaceRef neighbor;  ///< from the cell beyond, where there is one
+    bool is_constrained = false;
+  };
+
+  /// Of the cell that came last.
+  void add_border(const Vec3& p) {
+    const CellIndex c = cells_.back();
+    const Tetrahedron& t = mesh_.vertices(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef n = mesh_.topology().neighbor(c, i);
+      if (n.valid() && std::find(cells_.begin(), cells_.end(), n.cell()) != cells_.end()) continue;
+      const auto& f = face_vertices[i];
+      border_.push_back({shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p), n, mesh_.tag(c, i).constrained()});
+    }
+  }
+
+  /// The first of the worst.
+  BorderFace worst_border() const {
+    BorderFace worst;
+    for (const BorderFace& f : border_)
+      if (f.shape < worst.shape) worst = f;
     return worst;
   }
 
-  Toolbox& tools_;
   const DomainMesh& mesh_;
   std::vector<CellIndex> cells_;
+  std::vector<BorderFace> border_;
 };
+
+/// Whether a point put on the edge, at any place, leaves a cell hardly better than the worst that goes: each cell about the edge hands the angle at its opposite edge on
+/// to two.
+bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double least_rise) {
+  const DomainMesh& mesh = tools.mesh;
+  const auto& cells = tools.work.cells;
+  const auto& ring = tools.work.ring;
+  edge_ring(mesh, c, a, b, tools.work.cells, tools.work.ring);
+  double before = 1;
+  for (const CellIndex k : cells) before = std::min(before, mesh.shape_of(k));
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (sine_of_half_angle(mesh.point(a), mesh.point(b), mesh.point(ring[k]), mesh.point(ring[(k + 1) % ring.size()])) <= before * least_rise) return true;
+  return false;
+}
 
 bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, double room) {
   Index last = cavity.link[0].component;
@@ -128,7 +154,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
   DomainMesh& mesh = tools.mesh;
   const Tetrahedron& t = mesh.vertices(c);
   Vec3 p = 0.25 * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]) + mesh.point(t[3]));
-  CavityDigger digger(tools, c);
+  CavityDigger digger(mesh, c);
   StarCavity& cavity = tools.work.cavity;
   StarProblem problem{tools.work.link};
   for (unsigned round = 0; round < 3; ++round) {
@@ -147,6 +173,8 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
 }
 
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room) {
+  constexpr double least_rise = 1.01;
+  if (halves_a_bad_angle(tools, c, a, b, least_rise)) return false;
   DomainMesh& mesh = tools.mesh;
   if (mesh.is_pinched(a, b)) return false;
   StarCavity& cavity = tools.work.cavity;
@@ -168,7 +196,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
   }
   Vec3 p = optimize_place(problem, middle, {20, 2}).point;
   if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
-  if (!(problem.shape_at(p, before) > before * 1.01) || !star_is_positive(mesh, cavity, p) || tools.spoils(cavity, p)) return false;
+  if (!(problem.shape_at(p, before) > before * least_rise) || !star_is_positive(mesh, cavity, p) || tools.spoils(cavity, p)) return false;
   if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_barred_by_gap(tools, cavity, p))) return false;
   if (moves_on_patch && !tools.guard.exact()) {
     std::vector<SurfaceFace> before_faces, after_faces;

@@ -34,6 +34,7 @@ class Collapse {
 
   bool attempt(CollapseRule rule, double floor) {
     if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
+    if (!shapes_may_allow(rule, floor)) return false;
     gather_star(mesh_, u_, tools_.work.marks, star_);
     if (!support_allows() || !cells_at_edge_allow()) return false;
     target_ = star_;
@@ -96,9 +97,27 @@ class Collapse {
                         [&](const CurveSpoke& s) { return mesh_.curve_of(v_, s.a) != no_index; });
   }
 
+  static double needed_shape(double old, CollapseRule rule, double floor) {
+    return rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
+  }
+
+  /// By the cells about u alone: most collapses are told by them.
+  bool shapes_may_allow(CollapseRule rule, double floor) {
+    auto& cells = tools_.work.cells;
+    mesh_.star(u_, tools_.work.marks, cells);
+    double old = 1;
+    for (const CellIndex c : cells) old = std::min(old, mesh_.shape_of(c));
+    const double needed = needed_shape(old, rule, floor);
+    return std::all_of(cells.begin(), cells.end(), [&](CellIndex c) {
+      if (mesh_.topology().has_vertex(c, v_)) return true;
+      const Tetrahedron& t = mesh_.vertices(c);
+      const auto& f = face_vertices[mesh_.topology().index_of(c, u_)];
+      return shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), mesh_.point(v_)) > needed;
+    });
+  }
+
   bool shape_allows(CollapseRule rule, double floor) {
-    const double old = removed_shape(mesh_, star_);
-    const double needed = rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
+    const double needed = needed_shape(removed_shape(mesh_, star_), rule, floor);
     const Vec3& p = mesh_.point(v_);
     if (!(star_shape(mesh_, target_, p, needed) > needed) || !star_is_positive(mesh_, target_, p)) return false;
     if (rule != CollapseRule::coarsen && tools_.spoils(target_, p)) return false;

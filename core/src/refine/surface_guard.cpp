@@ -126,7 +126,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     : honour_(honour),
       tolerance_(hold.margin * tolerance),
       zones_(hold.zones),
-      proving_(Proving{search::DistanceProver(proven_share * tolerance), {}}),
+      proving_(Proving{search::DistanceProver(proven_share * tolerance), {}, {}}),
       reach_(tolerance) {
   if (exact()) {
     find_planes(mesh, plc);
@@ -257,16 +257,25 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
   return true;
 }
 
-bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit) const {
-  auto& [prover, nearby] = proving_.local();
+bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& over) const {
+  auto& [prover, nearby, rows] = proving_.local();
   nearby.clear();
+  rows.clear();
   limit *= share_about(f.corners);
   prover.set_limit(limit);
-  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) { nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]}); });
-  return prover.is_within(f.corners, nearby);
+  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) {
+    nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
+    rows.push_back(row);
+  });
+  const bool is_within = prover.is_within(f.corners, nearby);
+  over = prover.sheet_row() == no_index ? no_index : given_.faces.items()[rows[prover.sheet_row()]].id;
+  return is_within;
 }
 
-bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const { return is_proven_within(f, proven_share * reach_); }
+bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
+  Index over;
+  return is_proven_within(f, proven_share * reach_, over);
+}
 
 double SurfaceGuard::direction_cosine(const SurfaceFace& f) const {
   const auto& [a, b, c] = f.corners;
@@ -274,10 +283,27 @@ double SurfaceGuard::direction_cosine(const SurfaceFace& f) const {
   return dot(n, n) > 0 ? dot(n, normal(f.patch, (1.0 / 3) * (a + b + c))) : 1;
 }
 
-bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const {
+bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const {
+  double side = 0;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k].patch != patch) continue;
+    if (over[k] == no_index) return false;
+    const auto& [a, b, c] = faces[k].corners;
+    const double s = dot(cross(b - a, c - a), planes_[over[k]].normal);
+    if (!(s * side >= 0) || s == 0) return false;
+    side = s < 0 ? -1 : 1;
+  }
+  return true;
+}
+
+/// Where curves stay, faces that come have the border of those that go, about which they wind the same way. So if they are over sheets, none steep to them, and all turned
+/// to the same side, that is the side of those that go, and the reference need not be asked.
+bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after, const std::vector<Index>& over,
+                                   bool curves_stay) const {
   constexpr double least_cosine = 0.2;  // 78 degrees
   struct Direction {
     Index patch;
+    bool is_that_of_sheet = false;
     double sum = 0, least = least_cosine;  // of the cosines of the patch's faces that go
   };
   std::vector<Direction> directions;
@@ -285,6 +311,8 @@ bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const
     const auto known = std::find_if(directions.begin(), directions.end(), [&](const Direction& d) { return d.patch == patch; });
     if (known != directions.end()) return *known;
     Direction& d = directions.emplace_back(Direction{patch});
+    d.is_that_of_sheet = curves_stay && are_turned_alike(patch, after, over);
+    if (d.is_that_of_sheet) return d;
     for (const SurfaceFace& b : before) {
       if (b.patch != patch) continue;
       const double cosine = direction_cosine(b);
@@ -296,7 +324,7 @@ bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const
   return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
     if (f.patch >= oriented_.size() || !oriented_[f.patch]) return true;
     const Direction& d = direction_of(f.patch);
-    return (d.sum < 0 ? -1 : 1) * direction_cosine(f) >= d.least;
+    return d.is_that_of_sheet || (d.sum < 0 ? -1 : 1) * direction_cosine(f) >= d.least;
   });
 }
 
@@ -304,9 +332,11 @@ bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vec
                           const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
                           const std::vector<CurvePiece>& curves_after) const {
   if (exact()) return true;
-  return curves_near(curves_before, curves_after) &&
-         std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) { return is_proven_within(f, faces_over_samples * tolerance_); }) &&
-         keeps_direction(before, after) && reference_near(before, after, around);
+  if (!curves_near(curves_before, curves_after)) return false;
+  std::vector<Index> over(after.size(), no_index);
+  for (std::size_t k = 0; k < after.size(); ++k)
+    if (!is_proven_within(after[k], faces_over_samples * tolerance_, over[k])) return false;
+  return keeps_direction(before, after, over, curves_before.empty() && curves_after.empty()) && reference_near(before, after, around);
 }
 
 Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {

@@ -81,12 +81,16 @@ class SurfaceGuard {
   };
   /// The least share of the tolerance that holds somewhere about these points.
   double share_about(std::span<const Vec3> points) const;
-  /// Whether each new face is turned from the reference by no more than the faces that go, or not by much.
-  bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
+  /// Whether each new face is turned from the reference by no more than the faces that go, or not by much. `over`: by new face what is_proven_within tells;
+  /// `curves_stay`: faces that go and that come have the same border.
+  bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after, const std::vector<Index>& over, bool curves_stay) const;
+  /// Whether the patch's faces are all over sheets of the reference (`over`) and turned to the same side.
+  bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
   /// Cosine between the face's normal and the reference's nearest to its middle; 1 for a face without area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
-  bool is_proven_within(const SurfaceFace& f, double limit) const;
+  /// `over`: a facet that is over the face, where the reference is a sheet over all of it; else no_index.
+  bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
   /// Whether the reference in the box is nearly the graph of a function over a plane. Then faces with the same border as those before that are near to
@@ -104,8 +108,9 @@ class SurfaceGuard {
   struct Proving {
     search::DistanceProver prover;
     std::vector<search::SheetTriangle> nearby;
+    std::vector<Index> rows;  // of nearby, in given_.faces
   };
-  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}}};  // scratch
+  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}, {}}};  // scratch
   double reach_ = 0;                              // the tolerance: what is farther away has no say
   std::vector<Plane> planes_;                     // by patch in exact mode, else by facet
   std::vector<bool> oriented_;                    // by patch: whether its faces in the reference are oriented alike

@@ -50,7 +50,8 @@ bool DistanceProver::is_within(const Corners& triangle, std::span<const SheetTri
   n_pieces_ = 0;
   for (Index row = 0; row < set.size(); ++row) candidates_.push_back({row, {}});
   const Range all{0, candidates_.size()};
-  if (by_sheet(triangle, all)) return true;
+  sheet_row_ = find_sheet(triangle, all);
+  if (sheet_row_ != no_index) return true;
   for (Candidate& c : candidates_) c.at = {spot(triangle[0], c.row), spot(triangle[1], c.row), spot(triangle[2], c.row)};
   centres_.resize(candidates_.size());
   return !has_corner_beyond(all) && covers(triangle, all);
@@ -98,12 +99,15 @@ bool DistanceProver::by_two_triangles(Range range) {
   return false;
 }
 
-bool DistanceProver::by_sheet(const Corners& piece, Range range) const {
+Index DistanceProver::find_sheet(const Corners& piece, Range range) const {
   SheetProof proof(piece, limit_);
-  if (!proof.is_possible()) return false;
-  for (std::size_t k = range.first; k < range.last; ++k)
-    if (proof.judge(set_[candidates_[k].row]) == Over::border) return false;
-  return proof.is_proven();
+  if (!proof.is_possible()) return no_index;
+  Index row = no_index;
+  for (std::size_t k = range.first; k < range.last; ++k) {
+    if (proof.judge(set_[candidates_[k].row]) == Over::border) return no_index;
+    if (row == no_index && proof.is_proven()) row = candidates_[k].row;
+  }
+  return row;
 }
 
 bool DistanceProver::covers(const Corners& piece, Range range) {
@@ -121,7 +125,7 @@ bool DistanceProver::covers(const Corners& piece, Range range) {
   }
   if (nearest + radius <= limit_) return true;
   if (nearest > limit_) return false;
-  if (by_one_triangle(range) || (n_pieces_ > 0 && by_sheet(piece, range)) || by_two_triangles(range)) return true;
+  if (by_one_triangle(range) || (n_pieces_ > 0 && find_sheet(piece, range) != no_index) || by_two_triangles(range)) return true;
   if (longest <= least_piece * limit_ || ++n_pieces_ >= most_pieces) return false;
   for (const std::size_t replaced : {b, a}) {
     Corners corners = piece;

@@ -33,6 +33,9 @@ class DistanceProver {
   /// halves down to a 16th of the limit or by a hundred of them. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
+  /// Where that was told in one look, as the set is a sheet over all of the triangle (test d): a triangle of that sheet; else no_index. The triangles over it are all
+  /// turned from it by less than 53 degrees, or all from its other side.
+  Index sheet_row() const { return sheet_row_; }
 
  private:
   struct Spot {
@@ -52,7 +55,8 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  bool by_sheet(const Corners& piece, Range range) const;
+  /// A triangle of the sheet that is over all of the piece; no_index: there is none.
+  Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;
 
@@ -62,6 +66,7 @@ class DistanceProver {
   std::vector<std::size_t> by_two_;    // candidates that are near to two corners
   std::vector<Spot> centres_;  // by candidate: nearest to the middle of the piece's longest edge
   std::size_t n_pieces_ = 0;
+  Index sheet_row_ = no_index;
 };
 
 }  // namespace geomesh::search

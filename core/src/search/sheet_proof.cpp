@@ -68,11 +68,12 @@ SheetProof::SheetProof(const std::array<Vec3, 3>& triangle, double limit) : corn
   is_possible_ = std::sqrt(dot(n, n)) > 1e-6 * longest && limit_ > 0;
 }
 
-SheetProof::Point SheetProof::point(const Vec3& p) const {
-  Point q;
-  for (std::size_t k = 0; k < 3; ++k) q.inside[k] = dot(p - corners_[k], inward_[k]);
-  q.height = dot(p - corners_[0], normal_);
-  return q;
+bool SheetProof::is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) part[i].inside[k] = dot(t[i] - corners_[k], inward_[k]);
+    if (part[0].inside[k] < -tiny_ && part[1].inside[k] < -tiny_ && part[2].inside[k] < -tiny_) return true;
+  }
+  return false;
 }
 
 /// Whether a part of the segment is inside F by more than next to nothing.
@@ -88,11 +89,10 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 }
 
 Over SheetProof::judge(const SheetTriangle& t) {
-  constexpr std::size_t most = 8;
   const auto& corners = t.triangle->corners();
-  std::array<Point, most> part{point(corners[0]), point(corners[1]), point(corners[2])}, rest;
-  for (unsigned k = 0; k < 3; ++k)
-    if (part[0].inside[k] < -tiny_ && part[1].inside[k] < -tiny_ && part[2].inside[k] < -tiny_) return Over::nothing;
+  std::array<Point, most_corners> part, rest;
+  if (is_beside(corners, part)) return Over::nothing;
+  for (std::size_t i = 0; i < 3; ++i) part[i].height = dot(corners[i] - corners_[0], normal_);
   for (unsigned k = 0; k < 3; ++k)
     if ((t.open_edges >> k & 1u) != 0 && has_within(part[k], part[(k + 1) % 3])) return Over::border;
   std::size_t n = 3;

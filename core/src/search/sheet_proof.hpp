@@ -49,7 +49,9 @@ class SheetProof {
     std::array<double, 3> inside;
     double height;
   };
-  Point point(const Vec3& p) const;
+  static constexpr std::size_t most_corners = 8;  ///< of what is left of a triangle between three sides
+  /// Whether all of the triangle is beyond one side of F; else the distances of its corners from all sides come with it.
+  bool is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const;
   bool has_within(const Point& p, const Point& q) const;
 
   std::array<Vec3, 3> corners_, inward_;
