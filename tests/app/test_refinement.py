@@ -291,6 +291,17 @@ class Refinement(ProgramTest):
         self.assertEqual({s["runs"] for s in report["stages"]}, {1})
         self.assertEqual(report["quality"]["below_8_degrees"]["tetrahedra"], 0)
 
+    def test_kept_needles_force_all_that_is_bad(self):
+        """Where much is poor for good, what is done for the mean in the end leaves nothing bad that the needles do not force."""
+        solid = self.path("plate.off")
+        with open(solid, "w") as file:
+            file.write(plate_with_holes(segments=64, rows=1))
+        self.run_program("mesh", solid, "-o", self.path("plate.vtu"), "--size", "2", "--quality", "default")
+        self.check(self.path("plate.vtu"))
+        bad = self.report(self.path("plate.report.json"))["quality"]["below_8_degrees"]
+        self.assertGreater(bad["tetrahedra"], 100)
+        self.assertEqual(bad["forced"], bad["tetrahedra"])
+
     def test_surfaces_within_a_tolerance(self):
         """The project's tolerance is what `check` judges by; a tenth of it is not met."""
         for name, mesh, regions in (("sediment-grains", "{size: {global: 35, input_edges: false}, honour: tolerance, tolerance: 0.5}", 9),

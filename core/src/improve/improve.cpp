@@ -90,16 +90,15 @@ class Improver {
       ++tools_.statistics.passes;
       idle = n == 0 ? idle + 1 : 0;
     }
-    if (schedule_.last_passes > 0) {
-      rescue_worst();
-      if (!tools_.bad_cells_may_spread) {
-        thin_out();
-        rescue_bad();
-        if (free_cells_) rescue_free();
-      }
+    const bool rescues_bad = schedule_.last_passes > 0 && !tools_.bad_cells_may_spread;
+    if (schedule_.last_passes > 0) rescue_worst();
+    if (rescues_bad) {
+      thin_out();
+      rescue_bad();
     }
     if (is_poor_altogether())
       for (unsigned k = 0; k < poor_even_passes * schedule_.even_passes && !out_of_time(); ++k) even_out();
+    if (rescues_bad && free_cells_) rescue_free();
   }
 
  private:
@@ -180,7 +179,9 @@ class Improver {
   /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what it exchanged about those
   /// is arbitrary but for the worst. A few of the cells may get worse for the many.
   void even_out() {
-    raise_mean(tools_, std::min(first_percentile(), shape_of_angle(evening_floor_angle)), schedule_.smoothing_steps / 2, context_, flips_in_vain_);
+    const double least = tools_.bad_cells_may_spread ? 0 : shape_of_angle(bad_angle);
+    const double floor = std::clamp(first_percentile(), least, shape_of_angle(evening_floor_angle));
+    raise_mean(tools_, floor, schedule_.smoothing_steps / 2, context_, flips_in_vain_);
   }
   double first_percentile() const {
     std::vector<double> shapes;
