@@ -146,7 +146,7 @@ TEST_CASE("A sliver that nothing forces is listed first and as free", "[quality]
   REQUIRE(q.n_bad > 0);
   CHECK(q.worst[0].cause == ShapeCause::free);
   CHECK(q.n_bad_forced < q.n_bad);
-  const std::vector<Index> unforced = unforced_bad_elements(model.plc, model.mesh, {});
+  const std::vector<Index> unforced = unforced_bad_elements(model.mesh, {}, {});
   REQUIRE(unforced.size() == q.n_bad - q.n_bad_forced);
   for (std::size_t k = 0; k < unforced.size(); ++k) CHECK(unforced[k] == q.worst[k].tetrahedron);
 }

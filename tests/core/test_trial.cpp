@@ -126,10 +126,17 @@ TEST_CASE("What is kept stays", "[trial]") {
 
 namespace {
 
+std::vector<CellIndex> first_of(const DomainMesh&, std::span<const CellIndex> cells) {
+  return {cells.begin(), cells.begin() + (cells.empty() ? 0 : 1)};
+}
+/// To them one is free, none is, or there are always several.
+const FreeCellJudge one_is_free{{}, first_of}, none_is_free{{}, [](const DomainMesh&, auto) { return std::vector<CellIndex>(); }},
+    several_are_free{{}, [](const DomainMesh&, std::span<const CellIndex> cells) { return std::vector<CellIndex>(2 * cells.size(), cells.empty() ? no_cell : cells[0]); }};
+
 /// A search of its own about each cell.
 template <std::size_t n_trials>
 bool rescue_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule) {
-  RescueSearch search{Chooser(c), n_trials, n_trials, [] { return false; }};
+  RescueSearch search{Chooser(c), n_trials, n_trials, [] { return false; }, several_are_free};
   return rescue_cell_by_search(tools, c, rule, search);
 }
 
@@ -172,6 +179,35 @@ TEST_CASE("So does one that opens by making the place worse", "[trial]") { judge
 
 TEST_CASE("So does a search", "[trial]") { judge_rescue(rescue_by_search<2>, 35, 1); }
 
+TEST_CASE("A search makes no cell worse than the worst, and more bad ones only where they are forced", "[trial]") {
+  for (const FreeCellJudge* judge : {&one_is_free, &none_is_free}) {
+    std::size_t n_more = 0, n_mended = 0;
+    Model model = ball_in_box(4);
+    disturb_inside(model, 1);
+    Bench bench(std::move(model));
+    const RescueRule rule{shape_of_angle(50), 12, 30};
+    for (CellIndex c = 0; c < bench.mesh.n_slots(); c += 4) {
+      if (!bench.mesh.is_live(c) || bench.mesh.shape_of(c) >= rule.bad_shape) continue;
+      const DomainMesh copy = bench.mesh;
+      const Tetrahedron vertices = copy.vertices(c);
+      double before = 1, after = 1;
+      const std::size_t n_before = n_below(copy, rule.bad_shape, before);
+      RescueSearch search{Chooser(c), 3, 3, [] { return false; }, *judge};
+      const bool is_mended = rescue_cell_by_search(bench.tools, c, rule, search);
+      const std::size_t n_after = n_below(bench.mesh, rule.bad_shape, after);
+      CHECK(after >= before);
+      CHECK(n_after <= n_before + (judge == &none_is_free));
+      if (is_mended) CHECK_FALSE((bench.mesh.is_live(c) && bench.mesh.vertices(c) == vertices && bench.mesh.shape_of(c) == copy.shape_of(c)));
+      n_more += n_after > n_before;
+      n_mended += is_mended;
+      REQUIRE(bench.mesh.validate() == "");
+    }
+    CAPTURE(judge == &none_is_free, n_more, n_mended);
+    CHECK(n_mended > 0);
+    if (judge == &none_is_free) CHECK(n_more > 0);
+  }
+}
+
 TEST_CASE("Openings mend cells that are beyond a rescue without, a search cells that are beyond openings", "[trial]") {
   std::size_t n_by_openings = 0, n_by_search = 0;
   for (unsigned seed = 1; seed <= 4 && n_by_openings * n_by_search == 0; ++seed) {
@@ -196,13 +232,13 @@ TEST_CASE("A search tries no more often than it may, and not at all when time is
   disturb_inside(model, 1);
   Bench bench(std::move(model));
   const RescueRule rule{shape_of_angle(60), 12, 30};  // nothing is that good, so all is in vain or little is gained
-  RescueSearch search{Chooser(1), 3, 4, [] { return false; }};
+  RescueSearch search{Chooser(1), 3, 4, [] { return false; }, several_are_free};
   CellIndex c = 0;
   while (!bench.mesh.is_live(c)) ++c;
   const bool first = rescue_cell_by_search(bench.tools, c, rule, search);
   CHECK(search.trials_left >= 1);
   if (!first) CHECK(search.trials_left == 1);
-  RescueSearch late{Chooser(1), 3, 4, [] { return true; }};
+  RescueSearch late{Chooser(1), 3, 4, [] { return true; }, several_are_free};
   CHECK_FALSE(rescue_cell_by_search(bench.tools, c, rule, late));
   CHECK(late.trials_left == 4);
 }

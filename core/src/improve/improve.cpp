@@ -5,7 +5,8 @@
 #include <array>
 #include <chrono>
 
-#include "improve/rescue.hpp"
+#include "improve/bad_cells.hpp"
+#include "improve/rescue_sweeps.hpp"
 #include "quality/shape.hpp"
 #include "refine/refinement.hpp"
 
@@ -45,25 +46,16 @@ constexpr std::array rescue_rooms{0.15, 0.03};
 constexpr double few_slivers = 0.05, forced_rescue_share = 0.001, forced_rescue_room = 0.01;
 constexpr double evening_floor_angle = 30;
 constexpr double many_poor = 0.1;
-constexpr unsigned thinning_passes = 4, rescue_sweeps = 4, free_sweeps = 64, rescue_steps = 40;
-/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many after each sweep that has left one of them as it was; and about
-/// all of them together, least_trials or by the number of the mesh's cells, so that it takes less than a tenth of the whole.
-constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 50;
+constexpr unsigned thinning_passes = 4, rescue_steps = 40;
 constexpr unsigned poor_even_passes = 4;  ///< times as many as before the repair, which left many poor cells
-
-struct BadCell {
-  double shape;
-  CellIndex cell;
-  Tetrahedron vertices;
-};
 
 class Improver {
  public:
-  Improver(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells)
+  Improver(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge)
       : tools_(tools),
         mesh_(tools.mesh),
         context_(context),
-        free_cells_(free_cells),
+        judge_(judge),
         schedule_(schedule_of(options.quality)),
         may_add_points_(options.size_surfaces || options.honour != Honour::exact),
         budget_(options.time_budget),
@@ -74,7 +66,7 @@ class Improver {
     for (unsigned k = 0; k < schedule_.even_passes && !out_of_time(); ++k) even_out();
     std::size_t idle = 0, fewest = mesh_.n_cells(), fewest_worst = mesh_.n_cells();
     for (unsigned k = 0; k < schedule_.repair_passes && idle < 2 && !out_of_time(); ++k) {
-      const std::vector<BadCell> bad = cells_below(shape_of_angle(schedule_.target_angle));
+      const std::vector<BadCell> bad = cells_below(mesh_, shape_of_angle(schedule_.target_angle));
       // Where surfaces force poor shapes everywhere, repair only moves them about: passes that do not lower their number end it.
       const std::size_t worst = count_below(bad, shape_of_angle(worst_angle));
       const auto falls = [&](std::size_t now, std::size_t least) {
@@ -91,14 +83,15 @@ class Improver {
       idle = n == 0 ? idle + 1 : 0;
     }
     const bool rescues_bad = schedule_.last_passes > 0 && !tools_.bad_cells_may_spread;
+    const OutOfTime late = [&] { return out_of_time(); };
     if (schedule_.last_passes > 0) rescue_worst();
     if (rescues_bad) {
       thin_out();
-      rescue_bad();
+      rescue_bad_cells(tools_, rescue_rule(), late);
     }
     if (is_poor_altogether())
       for (unsigned k = 0; k < poor_even_passes * schedule_.even_passes && !out_of_time(); ++k) even_out();
-    if (rescues_bad && free_cells_) rescue_free();
+    if (rescues_bad && judge_) rescue_free_cells(tools_, rescue_rule(), *judge_, late);
   }
 
  private:
@@ -114,7 +107,7 @@ class Improver {
     }
   }
   std::size_t rescue_pass(double room) {
-    std::vector<BadCell> worst = cells_below(shape_of_angle(rescue_angle));
+    std::vector<BadCell> worst = cells_below(mesh_, shape_of_angle(rescue_angle));
     const double n_cells = static_cast<double>(mesh_.n_cells());
     const bool are_forced = static_cast<double>(worst.size()) > few_slivers * n_cells;
     if (are_forced) worst.resize(static_cast<std::size_t>(forced_rescue_share * n_cells));
@@ -129,51 +122,6 @@ class Improver {
       if (thin_out_inside(tools_, floor, context_) == 0) break;
   }
 
-  /// What is still bad is mended by sequences of operations that look ahead, and again where something has changed since.
-  void rescue_bad() {
-    const RescueRule rule = rescue_rule();
-    std::uint64_t last_sweep = 0;
-    for (unsigned k = 0; k < rescue_sweeps; ++k) {
-      const std::uint64_t this_sweep = mesh_.tick();
-      std::size_t n = 0;
-      for (const BadCell& b : cells_below(rule.bad_shape)) {
-        if (out_of_time()) return;
-        if (changed_since(b, last_sweep) && unchanged(b) && rescue_cell(tools_, b.cell, rule)) ++n;
-      }
-      if (n == 0) return;
-      last_sweep = this_sweep;
-    }
-  }
-
-  /// What is bad by our own doing, and not by the input's, is worth sequences that make the place worse at first, and a search among these.
-  void rescue_free() {
-    const RescueRule rule = rescue_rule();
-    RescueSearch search{Chooser(0), first_trials, std::max(least_trials, mesh_.n_cells() / cells_a_trial), [&] { return out_of_time(); }};
-    std::uint64_t last_sweep = 0;
-    for (unsigned k = 0; k < free_sweeps; ++k) {
-      const std::uint64_t this_sweep = mesh_.tick();
-      const std::vector<BadCell> bad = free_bad_cells();
-      if (bad.empty()) return;
-      std::size_t n = 0;
-      for (const BadCell& b : bad) {
-        if (out_of_time()) return;
-        if (!unchanged(b) || !(mesh_.shape_of(b.cell) < rule.bad_shape)) continue;
-        const bool is_rescued = changed_since(b, last_sweep) && (rescue_cell(tools_, b.cell, rule) || rescue_cell_by_openings(tools_, b.cell, rule));
-        n += is_rescued || rescue_cell_by_search(tools_, b.cell, rule, search);
-      }
-      if (n == 0 && search.trials_left == 0) return;
-      last_sweep = this_sweep;
-      if (n < bad.size()) search.trials_a_cell *= 2;
-    }
-  }
-  std::vector<BadCell> free_bad_cells() const {
-    std::vector<BadCell> bad;
-    for (const CellIndex c : free_cells_(mesh_)) bad.push_back({mesh_.shape_of(c), c, mesh_.vertices(c)});
-    return bad;
-  }
-  bool changed_since(const BadCell& b, std::uint64_t time) const {
-    return std::any_of(b.vertices.begin(), b.vertices.end(), [&](VertexIndex v) { return mesh_.changed_at(v) > time; });
-  }
   RescueRule rescue_rule() const { return {shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps}; }
 
   /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what it exchanged about those
@@ -193,7 +141,7 @@ class Improver {
   }
 
   bool is_poor_altogether() const {
-    const std::size_t n = cells_below(shape_of_angle(schedule_.target_angle)).size();
+    const std::size_t n = cells_below(mesh_, shape_of_angle(schedule_.target_angle)).size();
     return static_cast<double>(n) > many_poor * static_cast<double>(mesh_.n_cells());
   }
 
@@ -205,25 +153,16 @@ class Improver {
     return tools_.statistics.out_of_time;
   }
 
-  std::vector<BadCell> cells_below(double limit) const {
-    std::vector<BadCell> bad;
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c) && mesh_.shape_of(c) < limit) bad.push_back({mesh_.shape_of(c), c, mesh_.vertices(c)});
-    std::sort(bad.begin(), bad.end(),
-              [](const BadCell& a, const BadCell& b) { return a.shape != b.shape ? a.shape < b.shape : a.cell < b.cell; });
-    return bad;
-  }
   static std::size_t count_below(const std::vector<BadCell>& sorted, double limit) {
     return static_cast<std::size_t>(
         std::partition_point(sorted.begin(), sorted.end(), [&](const BadCell& b) { return b.shape < limit; }) - sorted.begin());
   }
-  bool unchanged(const BadCell& b) const { return mesh_.is_live(b.cell) && mesh_.vertices(b.cell) == b.vertices; }
 
   std::size_t repair(const std::vector<BadCell>& bad, unsigned pass) {
     std::size_t n = 0;
     for (const BadCell& b : bad) {
       if (++visited_ % 64 == 0 && out_of_time()) break;
-      if (unchanged(b) && repair_cell(b, pass)) ++n;
+      if (is_left(mesh_, b) && repair_cell(b, pass)) ++n;
     }
     return n;
   }
@@ -234,9 +173,7 @@ class Improver {
   /// What is known to fail: nothing about the cell has changed since.
   Tried tried_at(CellIndex c) const {
     if (c >= tried_.size()) return Tried::nothing;
-    const auto& t = mesh_.vertices(c);
-    const bool changed = std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return mesh_.changed_at(v) > tried_[c].when; });
-    return changed ? Tried::nothing : tried_[c].what;
+    return changed_since(mesh_, bad_cell(mesh_, c), tried_[c].when) ? Tried::nothing : tried_[c].what;
   }
   void remember(CellIndex c, Tried what) {
     if (c >= tried_.size()) tried_.resize(mesh_.n_slots() + mesh_.n_slots() / 8 + 1);
@@ -275,7 +212,7 @@ class Improver {
   Toolbox& tools_;
   DomainMesh& mesh_;
   const RunContext& context_;
-  const FindFreeCells& free_cells_;
+  const FreeCellJudge* judge_;
   Schedule schedule_;
   bool may_add_points_;
   double budget_;
@@ -293,8 +230,8 @@ class Improver {
 
 }  // namespace
 
-void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells) {
-  Improver(tools, options, context, free_cells).run();
+void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge) {
+  Improver(tools, options, context, judge).run();
 }
 
 }  // namespace geomesh::remesh

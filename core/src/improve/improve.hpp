@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "geomesh/core/run_context.hpp"
 #include "improve/star_optimizer.hpp"
@@ -101,11 +102,15 @@ bool collapse_about_cell(Toolbox& tools, CellIndex c);
 bool add_point_about_cell(Toolbox& tools, CellIndex c, double room);
 /// @}
 
-/// The mesh's bad cells that nothing of the input forces.
-using FindFreeCells = std::function<std::vector<CellIndex>(const DomainMesh&)>;
+/// Tells the bad cells that nothing of the input forces.
+struct FreeCellJudge {
+  std::function<std::vector<CellIndex>(const DomainMesh&)> find;
+  /// Those of some cells that are such, the worst first, by what is near to them: quick, and in doubt they are.
+  std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;
+};
 
-/// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What `free_cells` finds in the end, where given, is
+/// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What the judge finds in the end, where given, is
 /// worth a longer search.
-void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells = {});
+void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge = nullptr);
 
 }  // namespace geomesh::remesh

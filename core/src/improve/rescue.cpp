@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "improve/bad_cells.hpp"
 #include "improve/openings.hpp"
 #include "improve/trial.hpp"
 
@@ -19,6 +20,8 @@ constexpr unsigned max_openings = 8;     ///< of one sequence of a search
 constexpr std::size_t trials_a_clearing = 4;
 constexpr double hopeless = 2;           ///< lacking so much more than before, in cells that are flat
 constexpr unsigned max_vain_openings = 12;
+constexpr std::size_t forced_instead = 1;  ///< bad cells more, forced ones all, that one that is not may cost
+constexpr double detour = 0.2;             ///< lacking so much more, in cells that are flat, where a search goes on from another place
 
 /// Bad cells about a place.
 struct Tally {
@@ -42,7 +45,7 @@ struct Tally {
 class Rescue {
  public:
   Rescue(Toolbox& tools, CellIndex seed, const RescueRule& rule)
-      : tools_(tools), mesh_(tools.mesh), rule_(rule), seed_{seed, mesh_.vertices(seed), mesh_.shape_of(seed)} {}
+      : tools_(tools), mesh_(tools.mesh), rule_(rule), seed_(bad_cell(mesh_, seed)) {}
 
   bool run() {
     return attempt(true, [&] { return mend(seed_.cell); });
@@ -51,10 +54,9 @@ class Rescue {
   bool run_by_openings() { return run_by_openings(false) || run_by_openings(true); }
 
   bool run_by_search(RescueSearch& search) {
-    all_count_ = true;
     for (std::size_t k = 0; k < search.trials_a_cell && search.trials_left > 0 && !search.out_of_time(); ++k) {
       --search.trials_left;
-      if (search_once(search.choose)) return true;
+      if (search_once(search) == Outcome::mended) return true;
     }
     return false;
   }
@@ -85,27 +87,53 @@ class Rescue {
     return true;
   }
 
+  /// What a trial of a search is worth: nothing, no free cell, or one that is elsewhere now, from which to go on.
+  enum class Outcome : std::uint8_t { none, mended, elsewhere };
+
   /// Openings and repair in turns, each opening about the worst cell that the repair before has left. The first one may be a clearing.
-  bool search_once(Chooser& choose) {
+  Outcome search_once(RescueSearch& search) {
     Trial trial(tools_);
+    Chooser& choose = search.choose;
     mends_own_alone_ = choose.below(4) != 0;
     tools_.bad_cells_may_spread = false;
     const bool clears = choose.below(trials_a_clearing) == 0;
     CellIndex target = seed_.cell;
     for (unsigned k = 0; k < max_openings && target != no_cell; ++k) {
       const bool is_open = k == 0 && clears ? clear_about(seed_.vertices) : open(target, choose);
-      if (!is_open) return false;
+      if (!is_open) return Outcome::none;
       mend_all();
-      if (is_worth_it()) {
+      if (const Outcome outcome = judge_trial(search.judge); outcome != Outcome::none) {
         trial.keep();
-        return true;
+        return outcome;
       }
-      if (after().deficit > before().deficit + hopeless) return false;
+      if (after().deficit > before().deficit + hopeless) return Outcome::none;
       given_up_.clear();
       target = next_bad();
     }
-    return false;
+    return Outcome::none;
   }
+
+  /// Beside cells that cannot be mended the worst tells nothing, and their number not much: what counts is that nothing is left that is not forced. Where one
+  /// such cell has made way for another and the place is hardly worse, that one is the seed from now on.
+  Outcome judge_trial(const FreeCellJudge& judge) {
+    if (is_seed_as_it_was()) return Outcome::none;
+    const Tally was = before(), is = after();
+    if (is.is_less_bad_than(was)) return Outcome::mended;
+    if (is.worst < was.worst || is.n_bad > was.n_bad + forced_instead) return Outcome::none;
+    const std::vector<CellIndex> free = judge.find_among(mesh_, bad_cells_of_trial());
+    if (free.empty()) return Outcome::mended;
+    if (free.size() > 1 || is.n_bad > was.n_bad || is.deficit > was.deficit + detour) return Outcome::none;
+    seed_ = bad_cell(mesh_, free.front());
+    return Outcome::elsewhere;
+  }
+  std::vector<CellIndex> bad_cells_of_trial() const {
+    std::vector<CellIndex> bad;
+    mesh_.for_each_cell_of_trial([&](CellIndex c) {
+      if (mesh_.shape_of(c) < rule_.bad_shape) bad.push_back(c);
+    });
+    return bad;
+  }
+
   bool open(CellIndex target, Chooser& choose) {
     for (unsigned k = 0; k < max_vain_openings; ++k)
       if (open_about_cell(tools_, target, choose)) return true;
@@ -203,11 +231,8 @@ class Rescue {
   }
 
   /// Not where only others about the cell have gained.
-  bool is_worth_it() const {
-    const bool is_left = mesh_.is_live(seed_.cell) && mesh_.vertices(seed_.cell) == seed_.vertices && !(mesh_.shape_of(seed_.cell) > notable_rise * seed_.shape);
-    if (is_left) return false;
-    return all_count_ ? after().is_less_bad_than(before()) : after().is_better_than(before());
-  }
+  bool is_worth_it() const { return !is_seed_as_it_was() && after().is_better_than(before()); }
+  bool is_seed_as_it_was() const { return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > notable_rise * seed_.shape); }
   Tally before() const {
     Tally tally;
     mesh_.for_each_cell_before_trial([&](double shape) { tally.add(shape, rule_.bad_shape); });
@@ -235,13 +260,8 @@ class Rescue {
   DomainMesh& mesh_;
   RescueRule rule_;
   std::vector<Tetrahedron> given_up_;
-  bool all_count_ = false;        ///< whether all bad cells count for what is worth it, not their number and the worst
   bool mends_own_alone_ = false;  ///< not bad cells beside those that came of the trial
-  const struct Seed {
-    CellIndex cell;
-    Tetrahedron vertices;
-    double shape;
-  } seed_;
+  BadCell seed_;
 };
 
 }  // namespace

@@ -11,19 +11,17 @@ namespace {
 
 constexpr double share_of_size = 0.25;  // gaps below this share of the asked size force
 
-/// Facets that are kept as one without a tolerance lie in one plane.
+}  // namespace
+
 InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOptions& options) {
   if (options.facet_patch.empty() || !(options.tolerance > 0)) return {};
   return {plc, options.facet_patch, options.forcing_angle, options.tolerance};
 }
 
-}  // namespace
-
-CauseFinder::CauseFinder(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options)
+CauseFinder::CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases)
     : mesh_(mesh),
       options_(options),
-      creases_(find_creases(plc, options)),
-      stars_(mesh, options.facet_patch, &creases_),
+      stars_(mesh, options.facet_patch, &creases),
       gaps_(stars_, options.forcing_angle, options.tolerance == 0),
       angles_(mesh.points.size(), MeetingAngle{.degrees = -1}) {}
 
@@ -60,9 +58,10 @@ void CauseFinder::explain(WorstElement& w) {
   if (!explain_by_angle(w)) explain_by_gap(w);
 }
 
-std::vector<Index> unforced_bad_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options) {
+std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases,
+                                         std::size_t n_judged) {
   std::vector<WorstElement> bad;
-  for (Index row = 0; row < mesh.tetrahedra.size(); ++row) {
+  for (Index row = 0; row < std::min(n_judged, mesh.tetrahedra.size()); ++row) {
     const Tetrahedron& t = mesh.tetrahedra[row];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
     if (remesh::shape(a, b, c, d) > remesh::shape_of_angle(options.bad_angle)) continue;  // quick: the shape is not above the least sine
@@ -74,7 +73,7 @@ std::vector<Index> unforced_bad_elements(const PiecewiseLinearComplex& plc, cons
     w.place = 0.25 * (a + b + c + d);
   }
   if (bad.empty()) return {};
-  CauseFinder causes(plc, mesh, options);
+  CauseFinder causes(mesh, options, creases);
   for (WorstElement& w : bad) causes.explain(w);
   std::erase_if(bad, [](const WorstElement& w) { return w.cause != ShapeCause::free; });
   std::stable_sort(bad.begin(), bad.end(), [](const WorstElement& a, const WorstElement& b) { return a.min_dihedral < b.min_dihedral; });

@@ -3,6 +3,7 @@
 /// Why an element is bad: an input angle or a thin gap that nothing but a change of the input could widen.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "geomesh/core/quality.hpp"
@@ -11,9 +12,13 @@
 
 namespace geomesh {
 
+/// Those that count as sides of facets: none where surfaces are kept, since facets that are kept as one lie in one plane.
+InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOptions& options);
+
 class CauseFinder {
  public:
-  CauseFinder(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
+  /// All of them must outlive this.
+  CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
   /// Sets the cause of an element and what goes with it. What is found at a vertex is kept for the next element there.
   void explain(WorstElement& w);
 
@@ -24,13 +29,13 @@ class CauseFinder {
 
   const ConstrainedTetrahedralization& mesh_;
   const QualityOptions& options_;
-  InputCreases creases_;
   SoupStars stars_;
   GapFinder gaps_;
   std::vector<MeetingAngle> angles_;  // by vertex; negative: not looked for yet
 };
 
-/// Rows of the elements below the bad angle that nothing forces, the worst first. O(n) but for what CauseFinder costs.
-std::vector<Index> unforced_bad_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const QualityOptions& options);
+/// Rows of the elements (of the first `n_judged`) below the bad angle that nothing forces, the worst first. O(n) but for what CauseFinder costs.
+std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases,
+                                         std::size_t n_judged = std::numeric_limits<std::size_t>::max());
 
 }  // namespace geomesh

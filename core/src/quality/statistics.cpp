@@ -163,7 +163,8 @@ MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const Constrained
 
   q.worst = worst_elements(mesh, options, shapes);
   if (q.worst.empty()) return q;
-  CauseFinder causes(plc, mesh, options);
+  const InputCreases creases = find_creases(plc, options);
+  CauseFinder causes(mesh, options, creases);
   for (WorstElement& w : q.worst) {
     causes.explain(w);
     q.n_bad += w.min_dihedral < options.bad_angle;

@@ -5,9 +5,9 @@
 
 #include "geomesh/core/error.hpp"
 #include "improve/improve.hpp"
-#include "quality/causes.hpp"
 #include "refine/domain_io.hpp"
 #include "refine/hold_surfaces.hpp"
+#include "refine/judge_cells.hpp"
 #include "refine/mesh_anew.hpp"
 #include "refine/refinement.hpp"
 #include "refine/sample_surfaces.hpp"
@@ -113,26 +113,9 @@ void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const R
   }
 }
 
-/// For the improvement: the mesh as it would be given out is judged as users will judge it.
-FindFreeCells find_free_cells(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
-                              const RefineResult& result) {
-  return [&](const DomainMesh& mesh) {
-    std::vector<CellIndex> cells, bad;
-    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-      if (mesh.is_live(c)) cells.push_back(c);
-    const ConstrainedTetrahedralization exported = export_domain(mesh, plc, input);
-    QualityOptions judging;
-    judging.asked = &result.asked;
-    judging.tolerance = size_tolerance(options);
-    judging.facet_patch = result.kept_patch;
-    for (const Index row : unforced_bad_elements(plc, exported, judging)) bad.push_back(cells[row]);
-    return bad;
-  };
-}
-
-void improve_holding(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FindFreeCells& free_cells, Attempt& attempt) {
+void improve_holding(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge& judge, Attempt& attempt) {
   const StageScope stage(context, "improve");
-  improve_mesh(tools, options, context, free_cells);
+  improve_mesh(tools, options, context, &judge);
   Deviations found = hold_to_tolerance(tools, context);
   attempt.result.statistics.deviation_result_to_input = found.result_to_input;
   attempt.result.statistics.deviation_input_to_result = found.input_to_result;
@@ -171,7 +154,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
   if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_before = worst_shape(mesh);
-  improve_holding(tools, options, context, find_free_cells(plc, input, options, result), attempt);
+  improve_holding(tools, options, context, free_cell_judge(plc, input, options, result), attempt);
   if (attempt.holds()) finish(tools, plc, input, result);
   return attempt;
 }

@@ -29,11 +29,7 @@ class Exporter {
   }
 
  private:
-  /// Row of v in the input PLC where it is still at its place.
-  VertexIndex input_of(VertexIndex v) const {
-    if (v >= before_.input_vertex.size() || before_.input_vertex[v] == no_vertex) return no_vertex;
-    return domain_.point(v) == before_.points[v] ? before_.input_vertex[v] : no_vertex;
-  }
+  VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
 
   /// An input vertex that moved, or a curve's, is told by its kind now.
   VertexOrigin origin_of(VertexIndex v) const {
@@ -114,6 +110,11 @@ class Exporter {
 };
 
 }  // namespace
+
+VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v) {
+  if (v >= before.input_vertex.size() || before.input_vertex[v] == no_vertex) return no_vertex;
+  return domain.point(v) == before.points[v] ? before.input_vertex[v] : no_vertex;
+}
 
 ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const PiecewiseLinearComplex& plc,
                                             const ConstrainedTetrahedralization& before) {

@@ -24,4 +24,12 @@ DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTet
 ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const PiecewiseLinearComplex& plc,
                                             const ConstrainedTetrahedralization& before);
 
+/// Row of v in the input PLC where it is still at its place.
+VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v);
+
+/// A piece of the mesh: the given cells, in their order, then those that share a vertex with them, and so on by rings; with points, faces and edges of them
+/// alone, and faces without the cells beside them. O(k log k) in what it has.
+ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
+                                           const ConstrainedTetrahedralization& before);
+
 }  // namespace geomesh::remesh
