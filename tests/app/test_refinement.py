@@ -302,6 +302,14 @@ class Refinement(ProgramTest):
         self.assertGreater(bad["tetrahedra"], 100)
         self.assertEqual(bad["forced"], bad["tetrahedra"])
 
+    def test_a_tolerance_as_large_as_the_model_is_refused(self):
+        solid = self.path("plate.off")
+        with open(solid, "w") as file:
+            file.write(plate_with_holes(segments=8, rows=1))
+        told = self.run_program("mesh", solid, "-o", self.path("plate.vtu"), "--size", "2", "--tolerance", "500", status=USAGE)
+        self.assertIn("a tolerance of 500 is more than a tenth of the model's diagonal of ", told)
+        self.assertFalse(os.path.exists(self.path("plate.vtu")))
+
     def test_surfaces_within_a_tolerance(self):
         """The project's tolerance is what `check` judges by; a tenth of it is not met."""
         for name, mesh, regions in (("sediment-grains", "{size: {global: 35, input_edges: false}, honour: tolerance, tolerance: 0.5}", 9),

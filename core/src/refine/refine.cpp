@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geomesh/core/refine.hpp"
 
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "geomesh/core/error.hpp"
@@ -12,11 +14,36 @@ namespace geomesh {
 
 namespace {
 
+/// Of the model's diagonal: beyond it nothing but the box would be left of most surfaces, and nearly every place of one is near to every other.
+constexpr double greatest_tolerance = 0.1;
+
+double diagonal_of(const std::vector<Vec3>& points) {
+  Box3 box;
+  for (const Vec3& p : points) box.add(p);
+  const Vec3 extent = box.max - box.min;
+  return std::sqrt(dot(extent, extent));
+}
+
+std::string rounded(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+void check_tolerance(const PiecewiseLinearComplex& plc, double tolerance) {
+  const double diagonal = diagonal_of(plc.points);
+  if (tolerance > greatest_tolerance * diagonal)
+    throw Error(ErrorKind::usage, "a tolerance of " + rounded(tolerance) + " is more than a tenth of the model's diagonal of " + rounded(diagonal) +
+                                      ": little would be left of its surfaces. Ask for a smaller one, in the model's units: a thousandth of the diagonal, " +
+                                      rounded(0.001 * diagonal) + ", is a good start");
+}
+
 void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorKind::usage, what); };
   if (!(o.size.gradation > 0)) refuse("the gradation of sizes must be positive");
   if (o.size.global < 0 || o.size.min_size < 0 || o.size.max_size < 0) refuse("a size cannot be negative");
   if (o.honour == Honour::tolerance && !(o.tolerance > 0)) refuse("honouring surfaces to a tolerance needs a distance above 0");
+  if (o.honour == Honour::tolerance) check_tolerance(plc, o.tolerance);
   if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets()) refuse("one patch must be given for each facet");
   if (!o.segment_curve.empty() && o.segment_curve.size() != plc.segments.size()) refuse("one curve must be given for each segment");
   if (!o.facet_parent.empty() && o.facet_parent.size() != plc.n_facets()) refuse("one parent must be given for each facet");
