@@ -11,8 +11,8 @@ namespace {
 
 constexpr unsigned bad_sweeps = 4, free_sweeps = 64;
 /// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many after each sweep that has left one of them as it was; and about
-/// all of them together, least_trials or by the number of the mesh's cells, so that it takes less than a tenth of the whole.
-constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 50;
+/// all of them together, least_trials or by the number of the mesh's cells, so that it takes less than a fifth of the whole.
+constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 25;
 
 }  // namespace
 
