@@ -47,8 +47,8 @@ TEST_CASE("A piece of a mesh has the cells about the given ones, and faces, edge
   const Bench bench(box_with_well(4));
   const ConstrainedTetrahedralization whole = export_domain(bench.mesh, bench.model.plc, bench.model.mesh);
   const CellIndex given = 3;
-  const auto one = export_about(bench.mesh, std::span(&given, 1), 1, bench.model.mesh);
   CellMarks marks;
+  const auto one = export_about(bench.mesh, std::span(&given, 1), 1, bench.model.mesh, marks);
   std::vector<CellIndex> star, about;
   for (const VertexIndex v : bench.mesh.vertices(given)) {
     bench.mesh.star(v, marks, star);
@@ -58,7 +58,7 @@ TEST_CASE("A piece of a mesh has the cells about the given ones, and faces, edge
   about.erase(std::unique(about.begin(), about.end()), about.end());
   CHECK(one.tetrahedra.size() == about.size());
   for (unsigned i = 0; i < 4; ++i) CHECK(one.points[one.tetrahedra[0][i]] == bench.mesh.point(bench.mesh.vertices(given)[i]));
-  const auto all = export_about(bench.mesh, std::span(&given, 1), 100, bench.model.mesh);
+  const auto all = export_about(bench.mesh, std::span(&given, 1), 100, bench.model.mesh, marks);
   CHECK(all.points.size() == whole.points.size());
   CHECK(all.tetrahedra.size() == whole.tetrahedra.size());
   CHECK(all.faces.size() == whole.faces.size());

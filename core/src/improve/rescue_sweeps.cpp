@@ -11,8 +11,14 @@ namespace {
 
 constexpr unsigned bad_sweeps = 4, free_sweeps = 64;
 /// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many after each sweep that has left one of them as it was; and about
-/// all of them together, least_trials or by the number of the mesh's cells, so that it takes less than a fifth of the whole.
-constexpr std::size_t first_trials = 200, least_trials = 500, cells_a_trial = 25;
+/// all of them together by the number of the mesh's cells, so that it takes less than a fifth of the whole, within bounds.
+constexpr std::size_t first_trials = 200, least_trials = 500, most_trials = 60'000, cells_a_trial = 25;
+
+std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& judge) {
+  std::vector<BadCell> bad;
+  for (const CellIndex c : judge.find(mesh)) bad.push_back(bad_cell(mesh, c));
+  return bad;
+}
 
 }  // namespace
 
@@ -32,13 +38,11 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
 
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge, const OutOfTime& out_of_time) {
   const DomainMesh& mesh = tools.mesh;
-  RescueSearch search{Chooser(0), first_trials, std::max(least_trials, mesh.n_cells() / cells_a_trial), out_of_time, judge};
+  RescueSearch search{Chooser(0), first_trials, std::clamp(mesh.n_cells() / cells_a_trial, least_trials, most_trials), out_of_time, judge};
+  std::vector<BadCell> bad = free_cells(mesh, judge);
   std::uint64_t last_sweep = 0;
-  for (unsigned k = 0; k < free_sweeps; ++k) {
+  for (unsigned k = 0; k < free_sweeps && !bad.empty(); ++k) {
     const std::uint64_t this_sweep = tools.mesh.tick();
-    std::vector<BadCell> bad;
-    for (const CellIndex c : judge.find(mesh)) bad.push_back(bad_cell(mesh, c));
-    if (bad.empty()) return;
     std::size_t n = 0;
     for (const BadCell& b : bad) {
       if (out_of_time()) return;
@@ -49,6 +53,8 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
     if (n == 0 && search.trials_left == 0) return;
     last_sweep = this_sweep;
     if (n < bad.size()) search.trials_a_cell *= 2;
+    const bool is_changed = std::any_of(bad.begin(), bad.end(), [&](const BadCell& b) { return changed_since(mesh, b, this_sweep); });
+    if (is_changed) bad = free_cells(mesh, judge);
   }
 }
 

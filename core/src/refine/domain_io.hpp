@@ -28,8 +28,8 @@ ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const Piec
 VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v);
 
 /// A piece of the mesh: the given cells, in their order, then those that share a vertex with them, and so on by rings; with points, faces and edges of them
-/// alone, and faces without the cells beside them. O(k log k) in what it has.
+/// alone, and faces without the cells beside them. O(k log k) in what it has; `marks` are scratch, kept from call to call.
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
-                                           const ConstrainedTetrahedralization& before);
+                                           const ConstrainedTetrahedralization& before, CellMarks& marks);
 
 }  // namespace geomesh::remesh

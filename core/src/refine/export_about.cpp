@@ -9,7 +9,7 @@ namespace {
 
 class LocalExporter {
  public:
-  LocalExporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before) : domain_(domain), before_(before) {}
+  LocalExporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before, CellMarks& marks) : domain_(domain), before_(before), marks_(marks) {}
 
   ConstrainedTetrahedralization run(std::span<const CellIndex> seeds, unsigned rings) {
     collect_cells(seeds, rings);
@@ -33,14 +33,13 @@ class LocalExporter {
     sorted_ = cells_;
     std::sort(sorted_.begin(), sorted_.end());
     std::vector<VertexIndex> done;
-    CellMarks marks;
     std::vector<CellIndex> star, found;
     for (unsigned k = 0; k < rings; ++k) {
       const std::vector<VertexIndex> all = vertices_of_cells();
       found.clear();
       for (const VertexIndex v : all) {
         if (std::binary_search(done.begin(), done.end(), v)) continue;
-        domain_.star(v, marks, star);
+        domain_.star(v, marks_, star);
         found.insert(found.end(), star.begin(), star.end());
       }
       std::sort(found.begin(), found.end());
@@ -104,6 +103,7 @@ class LocalExporter {
 
   const DomainMesh& domain_;
   const ConstrainedTetrahedralization& before_;
+  CellMarks& marks_;
   ConstrainedTetrahedralization out_;
   std::vector<CellIndex> cells_, sorted_;
   std::vector<VertexIndex> vertices_;  // by row
@@ -112,8 +112,8 @@ class LocalExporter {
 }  // namespace
 
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
-                                           const ConstrainedTetrahedralization& before) {
-  return LocalExporter(domain, before).run(cells, rings);
+                                           const ConstrainedTetrahedralization& before, CellMarks& marks) {
+  return LocalExporter(domain, before, marks).run(cells, rings);
 }
 
 }  // namespace geomesh::remesh

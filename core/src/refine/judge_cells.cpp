@@ -32,9 +32,9 @@ class Judge {
     return bad;
   }
 
-  std::vector<CellIndex> find_among(const DomainMesh& mesh, std::span<const CellIndex> cells) const {
+  std::vector<CellIndex> find_among(const DomainMesh& mesh, std::span<const CellIndex> cells) {
     std::vector<CellIndex> bad;
-    const ConstrainedTetrahedralization about = export_about(mesh, cells, rings, input_);
+    const ConstrainedTetrahedralization about = export_about(mesh, cells, rings, input_, marks_);
     for (const Index row : unforced_bad_elements(about, judging_, creases_, cells.size())) bad.push_back(cells[row]);
     return bad;
   }
@@ -44,13 +44,14 @@ class Judge {
   const ConstrainedTetrahedralization& input_;
   QualityOptions judging_;
   InputCreases creases_;
+  CellMarks marks_;  // scratch: of the size of the mesh
 };
 
 }  // namespace
 
 FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
                               const RefineResult& result) {
-  const auto judge = std::make_shared<const Judge>(plc, input, options, result);
+  const auto judge = std::make_shared<Judge>(plc, input, options, result);
   return {[judge](const DomainMesh& mesh) { return judge->find(mesh); },
           [judge](const DomainMesh& mesh, std::span<const CellIndex> cells) { return judge->find_among(mesh, cells); }};
 }
