@@ -110,53 +110,66 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
   }
 }
 
+namespace {
+
+/// A vertex on a surface, and what a guard says of its moves.
+class SurfaceVertex {
+ public:
+  /// `turned`: all faces are given the other way round.
+  SurfaceVertex(const Model& model, double tolerance, bool turned = false)
+      : mesh_(import_domain(model.plc, model.mesh, within(tolerance, 1))),
+        guard_(mesh_, mesh_, model.plc, Honour::tolerance, tolerance),
+        place_(mesh_.point(vertex_of_kind(mesh_, VertexKind::surface))),
+        turned_(turned) {
+    CellMarks marks;
+    gather_star(mesh_, vertex_of_kind(mesh_, VertexKind::surface), marks, star_);
+    REQUIRE(star_.spokes.size() > 3);
+  }
+
+  /// To the middle of each side of the star.
+  std::vector<Vec3> ways() const {
+    std::vector<Vec3> ways;
+    for (const Spoke& s : star_.spokes) ways.push_back(0.5 * (mesh_.point(s.a) + mesh_.point(s.b)) - place_);
+    return ways;
+  }
+  bool may_move_by(const Vec3& way) const { return guard_.admits(faces_at(place_), faces_at(place_ + way), {}, {}, {}); }
+
+ private:
+  std::vector<SurfaceFace> faces_at(const Vec3& p) const {
+    std::vector<SurfaceFace> faces;
+    std::vector<CurvePiece> curves;
+    append_surface(mesh_, star_, p, faces, curves);
+    if (turned_)
+      for (SurfaceFace& f : faces) std::swap(f.corners[0], f.corners[1]);
+    return faces;
+  }
+
+  DomainMesh mesh_;
+  SurfaceGuard guard_;
+  StarCavity star_;
+  Vec3 place_;
+  bool turned_;
+};
+
+}  // namespace
+
 TEST_CASE("A face that folds over is not admitted, however near to the input it is", "[refine]") {
   const Model model = ball_in_box(6);
   const double tolerance = 1;  // of the order of the ball: distances allow nearly all
-  const DomainMesh mesh = import_domain(model.plc, model.mesh, within(tolerance, 1));
-  const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, tolerance);
-  CellMarks marks;
-  StarCavity star;
-  const VertexIndex v = vertex_of_kind(mesh, VertexKind::surface);
-  gather_star(mesh, v, marks, star);
-  const auto admits_at = [&](const Vec3& p) {
-    std::vector<SurfaceFace> before, after;
-    std::vector<CurvePiece> curves;
-    append_surface(mesh, star, mesh.point(v), before, curves);
-    append_surface(mesh, star, p, after, curves);
-    return guard.admits(before, after, {}, {}, {});
-  };
-  REQUIRE(star.spokes.size() > 3);
-  for (const Spoke& s : star.spokes) {
-    const Vec3 way = 0.5 * (mesh.point(s.a) + mesh.point(s.b)) - mesh.point(v);
-    CHECK(admits_at(mesh.point(v) + 0.5 * way));
-    CHECK_FALSE(admits_at(mesh.point(v) + 1.5 * way));  // beyond the side opposite to it
+  const SurfaceVertex v(model, tolerance);
+  for (const Vec3& way : v.ways()) {
+    CHECK(v.may_move_by(0.5 * way));
+    CHECK_FALSE(v.may_move_by(1.5 * way));  // beyond the side opposite to it
   }
 }
 
 TEST_CASE("Of faces over a sheet of the input one that folds over is told by its side, whichever way round all are given", "[refine]") {
   const Model model = two_boxes(6);
   const double tolerance = 0.01;
-  const DomainMesh mesh = import_domain(model.plc, model.mesh, within(tolerance, 1));
-  const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, tolerance);
-  CellMarks marks;
-  StarCavity star;
-  const VertexIndex v = vertex_of_kind(mesh, VertexKind::surface);
-  gather_star(mesh, v, marks, star);
-  const bool turned = GENERATE(false, true);
-  const auto faces_at = [&](const Vec3& p) {
-    std::vector<SurfaceFace> faces;
-    std::vector<CurvePiece> curves;
-    append_surface(mesh, star, p, faces, curves);
-    if (turned)
-      for (SurfaceFace& f : faces) std::swap(f.corners[0], f.corners[1]);
-    return faces;
-  };
-  REQUIRE(star.spokes.size() > 3);
-  for (const Spoke& s : star.spokes) {
-    const Vec3 way = 0.5 * (mesh.point(s.a) + mesh.point(s.b)) - mesh.point(v);
-    CHECK(guard.admits(faces_at(mesh.point(v)), faces_at(mesh.point(v) + 0.3 * way), {}, {}, {}));
-    CHECK_FALSE(guard.admits(faces_at(mesh.point(v)), faces_at(mesh.point(v) + 1.2 * way), {}, {}, {}));
+  const SurfaceVertex v(model, tolerance, GENERATE(false, true));
+  for (const Vec3& way : v.ways()) {
+    CHECK(v.may_move_by(0.3 * way));
+    CHECK_FALSE(v.may_move_by(1.2 * way));
   }
 }
 

@@ -174,9 +174,8 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
 
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room) {
   constexpr double least_rise = 1.01;
-  if (halves_a_bad_angle(tools, c, a, b, least_rise)) return false;
   DomainMesh& mesh = tools.mesh;
-  if (mesh.is_pinched(a, b)) return false;
+  if (mesh.is_pinched(a, b) || halves_a_bad_angle(tools, c, a, b, least_rise)) return false;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
   const double before = removed_shape(mesh, cavity);

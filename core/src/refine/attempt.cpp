@@ -139,7 +139,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   Attempt attempt;
   RefineResult& result = attempt.result;
   const MergedFacets merged = merge_pieces(plc, options.facet_parent);
-  result.kept_patch = options.honour == Honour::exact ? merged.row_of_facet : named_patches(plc, options);
+  result.kept_patch = patches_of_facets(plc, options, merged);
   DomainMesh mesh = import_domain(plc, input, options, result.kept_patch);
   find_sizes(plc, mesh, options, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;

@@ -277,8 +277,10 @@ std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const Refine
 }
 
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options) {
-  if (options.honour == Honour::tolerance) return named_patches(plc, options);
-  return merge_pieces(plc, options.facet_parent).row_of_facet;
+  return options.honour == Honour::tolerance ? named_patches(plc, options) : merge_pieces(plc, options.facet_parent).row_of_facet;
+}
+std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options, const MergedFacets& merged) {
+  return options.honour == Honour::tolerance ? named_patches(plc, options) : merged.row_of_facet;
 }
 
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh, const RefineOptions& options,

@@ -5,11 +5,14 @@
 
 #include "geomesh/core/refine.hpp"
 #include "refine/domain_mesh.hpp"
+#include "refine/merge_pieces.hpp"
 
 namespace geomesh::remesh {
 
 /// Patch of each facet as the options say: exact: what is kept as one facet; else facet_patch, or facets of equal provenance.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options);
+/// The same, where pieces of facets are merged already.
+std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options, const MergedFacets& merged);
 /// The patches that users name (sizes), whatever the honour mode.
 std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options);
 
