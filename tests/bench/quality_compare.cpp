@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 
 #include "geomesh/core/refine.hpp"
 #include "quality_runs.hpp"
@@ -20,10 +19,7 @@ enum class Surfaces { kept, kept_unsized, within_a_thousandth };
 
 /// One number that makes meshes coarser as it grows, from 0 to 1, and what it means for a model.
 RefineOptions options_of(const QualityModel& model, Surfaces surfaces, double knob) {
-  Box3 box;
-  for (const Vec3& p : model.plc.points) box.add(p);
-  const Vec3 d = box.max - box.min;
-  const double length = std::sqrt(dot(d, d));
+  const double length = model.diagonal();
   RefineOptions options;
   options.facet_parent = model.facet_parent;
   if (surfaces == Surfaces::within_a_thousandth) options.honour = Honour::tolerance, options.tolerance = 0.001 * length;
@@ -98,14 +94,15 @@ std::string judge(const Row& ours, const Row& peer) {
   return is_better_in_all(ours, peer) ? "yes" : "no";
 }
 
-std::vector<std::function<QualityModel()>> models() {
-  std::vector<std::function<QualityModel()>> m{[] { return grains(0, 1); }, [] { return grains(0.25, 1); }};
+std::vector<NamedModel> models() {
+  std::vector<NamedModel> m{{"round grains", [] { return grains(0, 1); }}, {"irregular grains", [] { return grains(0.25, 1); }}};
 #ifdef GEOMESH_BENCH_GEOMODEL
-  for (const char* name : {"salt-dome", "faulted-layers"}) m.push_back([name] { return sample(name); });
-  m.push_back([] { return model_a4(); });
+  for (const char* name : {"salt-dome", "faulted-layers"}) m.push_back({name, [name] { return sample(name); }});
+  m.push_back({"modelA4", model_a4});
+  m.push_back({"modelA4, remeshed surfaces", model_a4_remeshed});
 #endif
   for (const char* file : {"sphere1.obj", "cube_minus_sphere.obj", "sphere2.obj", "soccerball.obj", "bunny25k.obj"})
-    m.push_back([file] { return solid(file); });
+    m.push_back({file, [file] { return solid(file); }});
   return m;
 }
 
@@ -117,9 +114,9 @@ void compare_peers(const CompareOptions& options) {
   std::filesystem::create_directories(folder);
   const std::string stem = (folder / "model").string();
   std::vector<Verdict> verdicts;
-  for (const auto& make : models()) {
+  for (const auto& [name, make] : models()) {
+    if (name.find(options.only) == std::string::npos) continue;
     const QualityModel model = make();
-    if (!options.only.empty() && model.name.find(options.only) == std::string::npos) continue;
     if (model.plc.points.empty()) {
       std::fprintf(stderr, "skipped: %s is absent\n", model.name.c_str());
       continue;

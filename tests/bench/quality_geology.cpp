@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 
+#include "geomesh/core/refine.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "pipeline/prepare.hpp"
 #include "pipeline/refine_model.hpp"
@@ -34,6 +35,33 @@ QualityModel model_a4() {
   geomodel::PreparedModel model;
   geomodel::prepare_mesh(request, model, {});
   return prepared("modelA4", model);
+}
+
+QualityModel model_a4_remeshed() {
+  QualityModel given = model_a4(), remeshed;
+  remeshed.name = "modelA4, remeshed surfaces";
+  if (given.plc.points.empty()) return remeshed;
+  const double length = given.diagonal();
+  RefineOptions options;
+  options.facet_parent = given.facet_parent;
+  options.honour = Honour::tolerance;
+  options.tolerance = length / 1000;
+  options.size.from_input_edges = false;
+  options.size.global = length / 50;
+  const RefineResult result = refine_and_improve(given.plc, tetrahedralize(given.plc), options);
+  std::vector<VertexIndex> row(result.mesh.points.size(), no_vertex);  // in the new complex
+  for (const auto& face : result.mesh.faces) {
+    Triangle t = face.vertices;
+    for (VertexIndex& v : t) {
+      if (row[v] == no_vertex) {
+        row[v] = static_cast<VertexIndex>(remeshed.plc.points.size());
+        remeshed.plc.points.push_back(result.mesh.points[v]);
+      }
+      v = row[v];
+    }
+    remeshed.plc.add_triangle(t, given.plc.facet_provenance[face.facet]);
+  }
+  return remeshed;
 }
 
 }  // namespace geomesh::bench

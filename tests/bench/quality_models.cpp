@@ -96,6 +96,13 @@ void add_gridded_box(QualityModel& model, const Vec3& low, const Vec3& high, int
 
 PiecewiseLinearComplex QualityModel::merged() const { return remesh::merge_pieces(plc, facet_parent).plc; }
 
+double QualityModel::diagonal() const {
+  Box3 box;
+  for (const Vec3& p : plc.points) box.add(p);
+  const Vec3 d = box.max - box.min;
+  return std::sqrt(dot(d, d));
+}
+
 QualityModel grains(double roughness, unsigned seed) {
   QualityModel model;
   model.name = roughness > 0 ? "irregular grains" : "round grains";

@@ -3,6 +3,7 @@
 /// Models of the quality benchmark.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct QualityModel {
   std::vector<Index> facet_parent = {};  ///< RefineOptions::facet_parent; empty where nothing was intersected
   /// The same surfaces for programs that know no parents: pieces of one triangle merged.
   PiecewiseLinearComplex merged() const;
+  double diagonal() const;  ///< of the box of its points
+};
+
+/// The same by name, made only where it is asked for.
+struct NamedModel {
+  std::string name;
+  std::function<QualityModel()> make;
 };
 
 /// Eight grains of 320 triangles on a 2 x 2 x 2 lattice in a box whose sides are gridded at the grains' edge length: nine
@@ -29,5 +37,8 @@ QualityModel solid(const std::string& file);
 /// A sample of this repository, or modelA4 of the outside test data, read, intersected and clipped as the program does. Needs geomodel.
 QualityModel sample(const std::string& name);
 QualityModel model_a4();
+/// The surfaces of modelA4 as geomesh remeshes them within a thousandth of its diagonal at the default level, at a fiftieth of it: each face of the
+/// result a facet of its own. No program but geomesh was seen to mesh modelA4 as it is; these surfaces are the same for each.
+QualityModel model_a4_remeshed();
 
 }  // namespace geomesh::bench
