@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 
+#include "geomesh/geomodel/words.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "refinement_flags.hpp"
 
@@ -91,7 +92,7 @@ void check_output_extension(const std::filesystem::path& output) {
 void check_file_exists(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) usage_error("no such file: " + file.string());
+  if (status.type() == std::filesystem::file_type::not_found) usage_error("no such file: " + file.string() + geomodel::file_was_meant(file));
   if (status.type() == std::filesystem::file_type::none) usage_error(file.string() + ": " + error.message());
   if (std::filesystem::is_directory(status)) usage_error(file.string() + " is a folder, not a file");
   if (!std::filesystem::is_regular_file(status))
@@ -100,8 +101,21 @@ void check_file_exists(const std::filesystem::path& file) {
 
 void check_stage(const std::string& stage) {
   const auto& names = geomodel::stage_names();
-  if (!stage.empty() && std::find(names.begin(), names.end(), stage) == names.end())
-    usage_error("--stop-after " + stage + ": no such stage; stages are " + joined(names));
+  if (stage.empty() || std::find(names.begin(), names.end(), stage) != names.end()) return;
+  const std::string meant = geomodel::was_meant(stage, {names.begin(), names.end()});
+  usage_error("--stop-after " + stage + ": no such stage" + (meant.empty() ? ";" : meant) + " stages are " + joined(names));
+}
+
+/// Refuses the first word that looks like an option and is none of the command's.
+void check_option_names(const CLI::App& app) {
+  for (const std::string& word : app.remaining()) {
+    if (word.size() < 2 || word[0] != '-') continue;
+    std::vector<std::string> known;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    const std::string name = word.substr(0, word.find('='));
+    usage_error(name + ": no such option" + geomodel::was_meant(name, {known.begin(), known.end()}) + "\nSee " + app.get_name() + " --help");
+  }
 }
 
 /// Runs CLI11 and turns its exceptions into ours; true where help was asked for (its text is then in `help`).
@@ -113,6 +127,7 @@ bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) 
     help = app.help();
     return true;
   } catch (const CLI::ParseError& error) {
+    check_option_names(app);  // first: a misspelt option's value was taken for a file, or what it gives is missing
     usage_error(std::string(error.what()) + "\nSee " + app.get_name() + " --help");
   }
 }
@@ -291,10 +306,22 @@ CommandLine parse_init(int argc, const char* const* argv) {
   return line;
 }
 
+using Commands = std::map<std::string, std::function<CommandLine(int, const char* const*)>>;
+
+/// The first word is a project, unless it is nearly a command and no file.
+void check_is_no_misspelt_command(const std::string& word, const Commands& commands) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, parse] : commands) names.push_back(name);
+  const std::string meant = geomodel::was_meant(word, names);
+  std::error_code error;
+  if (word[0] == '-' || meant.empty() || std::filesystem::exists(word, error)) return;
+  usage_error("no such command or file: " + word + meant);
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  static const std::map<std::string, std::function<CommandLine(int, const char* const*)>> commands{
+  static const Commands commands{
       {"mesh", parse_mesh}, {"delaunay", parse_delaunay}, {"check", parse_check}, {"info", parse_info}, {"init", parse_init}};
   CommandLine line;
   if (argc < 2) usage_error(std::string("what should be meshed?\n\n") + overview);
@@ -313,6 +340,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   const auto command = commands.find(first);
   if (command != commands.end()) return command->second(argc - 1, argv + 1);
+  check_is_no_misspelt_command(first, commands);
   return parse_project(argc, argv);
 }
 

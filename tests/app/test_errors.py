@@ -73,6 +73,16 @@ class WrongCommandLines(ProgramTest):
     def test_unknown_option(self):
         self.assertIn("--frobnicate", self.run_program("mesh", "a.off", "-o", "a.vtu", "--frobnicate", status=USAGE))
 
+    def test_misspelt_words_say_what_was_meant(self):
+        surface = self.write("top.ts", level("top", 5))
+        for words, meant in ((("mesh", surface, "-o", "a.vtu", "--sise", "389"), "--sise: no such option; was '--size' meant?"),
+                             (("mesh", surface, "-o", "a.vtu", "--toleranse=3"), "--toleranse: no such option; was '--tolerance' meant?"),
+                             (("mesh", surface, "--frobnicate"), "--frobnicate: no such option\n"),  # and not that -o is missing
+                             (("chek", "a.vtu"), "no such command or file: chek; was 'check' meant?"),
+                             (("info", self.path("tpo.ts")), "tpo.ts; was 'top.ts' meant?"),
+                             (("mesh", surface, "-o", "a.vtu", "--stop-after", "recoverr"), "no such stage; was 'recover' meant?")):
+            self.assertIn(meant, self.run_program(*words, status=USAGE))
+
     def test_nothing_given(self):
         self.run_program("mesh", status=USAGE)
 

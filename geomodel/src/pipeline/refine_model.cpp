@@ -7,7 +7,7 @@
 
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine_conforming.hpp"
-#include "project/problems.hpp"
+#include "geomesh/geomodel/words.hpp"
 #include "sets/name_regions.hpp"
 
 namespace geomesh::geomodel {
@@ -21,15 +21,14 @@ void ask(AskedSize& at, const AskedSize& asked) {
 }
 
 [[noreturn]] void refuse_name(const char* what, const std::string& name, const std::set<std::string>& known) {
-  const std::string_view near = nearest_word(name, {known.begin(), known.end()});
+  const std::string meant = was_meant(name, {known.begin(), known.end()});
   constexpr std::size_t most = 30;
   std::string list;
   std::size_t n = 0;
   for (const std::string& k : known)
     if (++n <= most) list += (list.empty() ? "" : ", ") + k;
-  throw Error(ErrorKind::usage, std::string("mesh.size: no ") + what + " of the model is named '" + name + "'; " +
-                                    (near.empty() ? "" : "was '" + std::string(near) + "' meant? ") + "known are " + list +
-                                    (n > most ? ", ..." : ""));
+  throw Error(ErrorKind::usage, std::string("mesh.size: no ") + what + " of the model is named '" + name + "'" +
+                                    (meant.empty() ? ";" : meant) + " known are " + list + (n > most ? ", ..." : ""));
 }
 
 /// Per component the size asked inside of it: that of its region's own name, else of its unit.

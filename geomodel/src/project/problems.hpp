@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geomesh/geomodel/words.hpp"
+
 namespace geomesh::geomodel {
 
 /// Line and column, from 1; 0: not known.
@@ -30,12 +32,5 @@ class Problems {
   std::string file_;
   std::vector<Problem> list_;
 };
-
-/// The word of `known` that was most likely meant by `word`, or an empty view where none is near (edit distance with swaps of
-/// neighbours, at most a third of the length, at least one).
-std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);
-
-/// "a, b or c".
-std::string listed(const std::vector<std::string_view>& words);
 
 }  // namespace geomesh::geomodel

@@ -34,9 +34,8 @@ void read_named(const YamlValue& value, const std::vector<std::string_view>& kno
   for (const auto& [name, entry] : named_entries(value, "NAME: size")) {
     sizes[name] = read_asked(entry);
     if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string_view near = nearest_word(name, known);
-    entry.problem("there is no " + std::string(what) + " of this name" +
-                  (near.empty() ? "; known are " + listed(known) : "; was '" + std::string(near) + "' meant?"));
+    const std::string meant = was_meant(name, known);
+    entry.problem("there is no " + std::string(what) + " of this name" + (meant.empty() ? "; known are " + listed(known) : meant));
   }
 }
 

@@ -33,15 +33,6 @@ std::string yaml_advice(const std::string& text, int line) {
   return "; keys of one entry begin in the same column, and brackets and quotes are closed";
 }
 
-/// The file's name in the same folder that may have been meant.
-std::string nearest_file(const std::filesystem::path& file) {
-  std::error_code ec;
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path(), ec)) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return std::string(nearest_word(file.filename().string(), {names.begin(), names.end()}));
-}
-
 const std::vector<std::string_view> box_sides{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
 
 class ProjectReader {
@@ -146,9 +137,7 @@ class ProjectReader {
     std::error_code ec;
     const auto status = std::filesystem::status(file, ec);
     if (!std::filesystem::exists(status)) {
-      const std::string near = nearest_file(file);
-      value.problem("there is no file '" + *text + "' (looked for as " + file.string() + ")" +
-                    (near.empty() ? std::string() : "; was '" + near + "' meant?"));
+      value.problem("there is no file '" + *text + "' (looked for as " + file.string() + ")" + file_was_meant(file));
     } else if (std::filesystem::is_directory(status)) {
       value.problem(in_quotes(*text) + " is a folder; a file was expected");
     }
@@ -232,9 +221,9 @@ class ProjectReader {
       std::vector<std::string_view> horizons;
       for (const SurfaceSpec& s : project_.surfaces)
         if (s.kind == SurfaceKind::horizon) horizons.push_back(s.name);
-      const std::string_view near = nearest_word(name, horizons);
+      const std::string meant = was_meant(name, horizons);
       value.problem("a horizon was expected here, but no surface is named '" + name + "'" +
-                    (near.empty() ? "; horizons are " + (horizons.empty() ? "none" : listed(horizons)) : "; was '" + std::string(near) + "' meant?"));
+                    (meant.empty() ? "; horizons are " + (horizons.empty() ? "none" : listed(horizons)) : meant));
     } else if (it->kind != SurfaceKind::horizon) {
       value.problem("a horizon was expected here, but '" + name + "' is a " + to_string(it->kind) + " (line " +
                     std::to_string(it->line) + ")");

@@ -105,10 +105,7 @@ std::optional<bool> YamlValue::boolean() const {
 
 std::optional<std::string> YamlValue::choice(const std::vector<std::string_view>& words) const {
   if (node_.IsScalar() && std::find(words.begin(), words.end(), node_.Scalar()) != words.end()) return node_.Scalar();
-  std::string message = listed(words) + " was expected, found " + described();
-  const std::string_view near = node_.IsScalar() ? nearest_word(node_.Scalar(), words) : std::string_view{};
-  if (!near.empty()) message += "; was '" + std::string(near) + "' meant?";
-  problem(message);
+  problem(listed(words) + " was expected, found " + described() + (node_.IsScalar() ? was_meant(node_.Scalar(), words) : std::string()));
   return std::nullopt;
 }
 
@@ -161,12 +158,10 @@ YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& kn
       continue;
     }
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      const std::string_view near = nearest_word(key, known);
+      const std::string meant = was_meant(key, known);
       const std::string home = home_of(key);
       problems.add(place, "unknown key " + in_quotes(key) + (value.name() == "project" ? "" : " in " + value.name()) +
-                              (!home.empty()   ? "; it belongs to " + home
-                               : near.empty() ? "; known are " + listed(known)
-                                              : "; was '" + std::string(near) + "' meant?"));
+                              (!home.empty() ? "; it belongs to " + home : meant.empty() ? "; known are " + listed(known) : meant));
       continue;
     }
     if (find(key)) {
