@@ -25,10 +25,10 @@ double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }
 
-/// Collisions cost time only: points are compared by distance.
-std::uint64_t key(int level, double x, double y) {
-  const auto cell = [&](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(std::ldexp(c, -level)))); };
-  return (cell(x) * 0x9E3779B97F4A7C15u) ^ (cell(y) * 0xC2B2AE3D27D4EB4Fu) ^ static_cast<std::uint64_t>(level + 2000);
+/// Of a cell by its column and row, whole numbers. Collisions cost time only: points are compared by distance.
+std::uint64_t key(double column, double row) {
+  const auto whole = [](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(c)); };
+  return (whole(column) * 0x9E3779B97F4A7C15u) ^ (whole(row) * 0xC2B2AE3D27D4EB4Fu);
 }
 
 }  // namespace
@@ -68,10 +68,10 @@ void PlanarSampler::block(const Place& a, const Place& b) {
 }
 
 void PlanarSampler::add(const Vec2& p, double size) {
-  const int level = level_of(size);
-  least_level_ = std::min(least_level_, level);
-  greatest_level_ = std::max(greatest_level_, level);
-  cells_[key(level, p.x, p.y)].push_back(p);
+  const int number = level_of(size);
+  auto level = std::lower_bound(levels_.begin(), levels_.end(), number, [](const Level& l, int n) { return l.number < n; });
+  if (level == levels_.end() || level->number != number) level = levels_.insert(level, {number, std::ldexp(1.0, number), {}});
+  level->cells[key(std::floor(p.x / level->cell), std::floor(p.y / level->cell))].push_back(p);
 }
 
 bool PlanarSampler::is_inside(const Vec2& p) const {
@@ -89,12 +89,14 @@ bool PlanarSampler::is_inside(const Vec2& p) const {
 /// Sizes vary slowly, so points of much smaller size are not near; those of any larger size may be.
 bool PlanarSampler::is_free(const Vec2& p, double size) const {
   const double radius = spacing_ratio * size, limit = radius * radius;
-  for (int level = std::max(least_level_, level_of(size) - 2); level <= greatest_level_; ++level) {
-    const double cell = std::ldexp(1.0, level);
-    for (double x = std::floor((p.x - radius) / cell); x * cell <= p.x + radius; ++x)
-      for (double y = std::floor((p.y - radius) / cell); y * cell <= p.y + radius; ++y) {
-        const auto at = cells_.find(key(level, (x + 0.5) * cell, (y + 0.5) * cell));
-        if (at == cells_.end()) continue;
+  const int least = level_of(size) - 2;
+  for (const auto& [number, cell, cells] : levels_) {
+    if (number < least) continue;
+    const double last_column = std::floor((p.x + radius) / cell), last_row = std::floor((p.y + radius) / cell);
+    for (double column = std::floor((p.x - radius) / cell); column <= last_column; ++column)
+      for (double row = std::floor((p.y - radius) / cell); row <= last_row; ++row) {
+        const auto at = cells.find(key(column, row));
+        if (at == cells.end()) continue;
         for (const Vec2& q : at->second)
           if (squared_distance(p, q) < limit) return false;
       }

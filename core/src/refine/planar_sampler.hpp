@@ -53,8 +53,13 @@ class PlanarSampler {
   std::vector<Edge> edges_, inner_edges_;
   std::vector<std::vector<Index>> rows_, inner_rows_;  // edges by strip in y
   double low_ = 0, strip_ = 1;
-  std::unordered_map<std::uint64_t, std::vector<Vec2>> cells_;  // by level of size and place
-  int least_level_ = 1000, greatest_level_ = -1000;
+  /// Points of sizes from one power of two up to the next, in cells as large as that.
+  struct Level {
+    int number;
+    double cell;
+    std::unordered_map<std::uint64_t, std::vector<Vec2>> cells;
+  };
+  std::vector<Level> levels_;  // ascending
   std::vector<Seed> seeds_;
   std::vector<Vec2> taken_;
 };
