@@ -36,7 +36,7 @@ class Smoother {
     const Vec3 centre = surface_centroid();
     for (const double t : {1.0, 0.5}) {
       const Vec3 p = project(old_ + t * (centre - old_));
-      if (worst_face(p) > before * 1.001 && problem_.shape_at(p, 0.9 * needed) > 0.9 * needed && place(p)) return true;
+      if (worst_face(p) > before * 1.001 && place(p, 0.9 * needed)) return true;
     }
     return false;
   }
@@ -58,7 +58,7 @@ class Smoother {
       problem_.direction = tools_.guard.normal(mesh_.support(v_), old_);
     } else if (mesh_.kind(v_) == VertexKind::curve) {
       if (cavity_.curves.size() != 2) return false;
-      for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(tools_.guard.exact() ? end_of_edge(cavity_.curves[k]) : cavity_.curves[k].a);
+      for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(cavity_.curves[k].a);
       const Vec3 d = ends_[1] - ends_[0];
       problem_.freedom = StarProblem::Freedom::line;
       problem_.direction = (1 / length(d)) * d;
@@ -82,9 +82,17 @@ class Smoother {
     return at;
   }
 
-  /// From the ends of the edge, not from where v is: so that rounding does not add up over moves.
   Vec3 project_to_edge(const Vec3& p) const {
     return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
+  }
+
+  /// A place that was found along the line of the vertices before and after, brought to that of the input edge's own ends, so that rounding does not
+  /// add up over moves. To find those is a walk, so they are asked for where v is about to move and not before.
+  Vec3 on_input_edge(const Vec3& p) {
+    for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
+    const Vec3 d = ends_[1] - ends_[0];
+    problem_.direction = (1 / length(d)) * d;
+    return project_to_edge(p);
   }
 
   Vec3 project(const Vec3& p) const {
@@ -101,7 +109,7 @@ class Smoother {
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
     const Vec3 p = project(optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain));
-    return problem_.shape_at(p, needed) > needed && place(p);
+    return place(p, needed);
   }
 
   Vec3 surface_centroid() const {
@@ -127,13 +135,19 @@ class Smoother {
     // On a curved patch the tolerance may allow part of the way only.
     for (const double t : {1.0, 0.5, 0.25}) {
       const Vec3 p = project(old_ + t * (best.point - old_));
-      if (problem_.shape_at(p, before) > before * rule.least_rise && place(p)) return true;
+      if (place(p, before * rule.least_rise)) return true;
       if (mesh_.kind(v_) == VertexKind::inside) break;
     }
     return false;
   }
 
-  bool place(const Vec3& p) {
+  /// Moves v there, where the worst shape about it is then above `least`.
+  bool place(Vec3 p, double least) {
+    if (!(problem_.shape_at(p, least) > least)) return false;
+    if (mesh_.kind(v_) == VertexKind::curve && tools_.guard.exact()) {
+      p = on_input_edge(p);
+      if (!(problem_.shape_at(p, least) > least)) return false;
+    }
     if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
     const std::vector<double>& shapes = problem_.link.shapes(p);  // one by cell of the star
     if (tools_.spoils(cavity_, shapes) || !guard_allows(p)) return false;
@@ -159,7 +173,7 @@ class Smoother {
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
-  std::array<Vec3, 2> ends_{};  // of the curve: in `exact` of the input edge, else the vertices before and after
+  std::array<Vec3, 2> ends_{};  // the vertices before and after on the curve; in on_input_edge the ends of the input edge
 };
 
 bool counted(Toolbox& tools, bool moved) {
