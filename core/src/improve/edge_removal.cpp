@@ -138,7 +138,8 @@ class EdgeRemoval {
     if (mesh_.curve_of(a_, b_) != no_index) return false;
     auto& cells = tools_.work.cells;
     closed_ = edge_ring(mesh_, c, a_, b_, cells, tools_.work.ring);
-    if (cells.size() > max_ring || cells.size() < 2) return false;
+    if (cells.size() == 1) return shell_off(cells[0]);
+    if (cells.size() > max_ring) return false;
     for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
     if (goal_ && before_ > goal_->mean) return false;
     const bool may_be_on_surface = mesh_.kind(a_) != VertexKind::inside && mesh_.kind(b_) != VertexKind::inside;
@@ -222,6 +223,32 @@ class EdgeRemoval {
     const FaceTag tag = faces_.tag[0];
     for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
       tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));
+    return true;
+  }
+
+  /// A flat cell whose two faces at the edge are both on the outside goes for nothing: the faces that it has with its neighbours are the surface then.
+  bool shell_off(CellIndex c) {
+    if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < shape_of_angle(bad_angle))) return false;
+    const TetMesh& topology = mesh_.topology();
+    const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
+    const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)), other = mesh_.tag(c, topology.index_of(c, y));  // of (a, b, y) and (a, b, x)
+    const unsigned opposite_a = topology.index_of(c, a_), opposite_b = topology.index_of(c, b_);
+    if (!tag.constrained() || !other.constrained() || mesh_.tag(c, opposite_a).constrained() || mesh_.tag(c, opposite_b).constrained()) return false;
+    const Index patch = mesh_.patch_of(tag);
+    if (patch == hull_patch || patch != mesh_.patch_of(other) || tag.above() != other.above()) return false;
+    if (joined_on_surface(x, y) || !guard_allows(patch, x, y)) return false;
+    auto& cells = tools_.work.cells;
+    tools_.work.added.clear();
+    for (const unsigned i : {opposite_b, opposite_a}) {
+      const FaceRef beyond = topology.neighbor(c, i);
+      if (beyond.cell() == cells.back()) return false;
+      NewCell same{mesh_.vertices(beyond.cell()), mesh_.component(beyond.cell()), {}, mesh_.shape_of(beyond.cell())};
+      for (unsigned k = 0; k < 4; ++k) same.tags[k] = k == beyond.face() ? tag : mesh_.tag(beyond.cell(), k);
+      cells.push_back(beyond.cell());
+      tools_.work.added.push_back(same);
+    }
+    mesh_.replace(cells, tools_.work.added, tools_.work.created);
+    ++tools_.statistics.edge_removals;
     return true;
   }
 

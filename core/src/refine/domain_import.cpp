@@ -6,29 +6,15 @@
 
 #include "quality/shape.hpp"
 #include "refine/domain_io.hpp"
+#include "refine/face_directions.hpp"
 #include "refine/merge_pieces.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
 
-/// One constrained face at one of its edges.
-struct EdgeUse {
-  std::array<VertexIndex, 2> edge;
-  Index face;
-};
-
-Vec3 unit_normal(const std::vector<Vec3>& points, const Triangle& t) {
-  const Vec3 n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
-  const double l = length(n);
-  return l > 0 ? (1 / l) * n : n;
-}
-
-bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b) {
-  for (unsigned i = 0; i < 3; ++i)
-    if (t[i] == a && t[(i + 1) % 3] == b) return true;
-  return false;
-}
+/// Of the tolerance: lower faces have no direction of their own.
+constexpr double narrow_share = 1e-3;
 
 class Importer {
  public:
@@ -36,6 +22,7 @@ class Importer {
       : plc_(plc),
         input_(input),
         exact_(options.honour == Honour::exact),
+        narrow_(narrow_share * options.tolerance),
         cos_sharp_(std::cos(options.sharp_angle * std::acos(-1.0) / 180)) {
     domain_.set_facet_patches(std::move(patches));
     std::map<Index, Index> first;
@@ -102,12 +89,21 @@ class Importer {
     for (auto& [edge, rows] : segments_) std::sort(rows.begin(), rows.end());
   }
 
-  bool is_sharp(const EdgeUse& a, const EdgeUse& b) const {
+  /// By face; empty where edges are not sharp whatever their faces' directions.
+  std::vector<Vec3> directions() const {
+    if (exact_) return {};
+    std::vector<Index> patches;
+    for (const Index f : facets_) patches.push_back(domain_.patch_of_facet(f));
+    return face_directions(input_.points, faces_, patches, uses_, narrow_);
+  }
+
+  /// Not where a face is so narrow that it has no direction.
+  bool is_sharp(const EdgeUse& a, const EdgeUse& b, const std::vector<Vec3>& directions) const {
     if (exact_) return false;
-    const Triangle &s = faces_[a.face], &t = faces_[b.face];
-    const bool consistent = runs_along(s, a.edge[0], a.edge[1]) != runs_along(t, a.edge[0], a.edge[1]);
-    const double cosine = dot(unit_normal(input_.points, s), unit_normal(input_.points, t));
-    return (consistent ? cosine : -cosine) < cos_sharp_;
+    const Vec3 &n = directions[a.face], &m = directions[b.face];
+    if (n == Vec3{} || m == Vec3{}) return false;
+    const bool consistent = runs_along(faces_[a.face], a.edge[0], a.edge[1]) != runs_along(faces_[b.face], a.edge[0], a.edge[1]);
+    return (consistent ? dot(n, m) : -dot(n, m)) < cos_sharp_;
   }
 
   std::vector<Index> first_of_their_curves(std::vector<Index> rows) const {
@@ -133,6 +129,7 @@ class Importer {
     for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
       domain_.set_kind(v, VertexKind::corner, no_index);  // curve_of must not filter
     curve_ends_.resize(domain_.n_vertices());
+    const std::vector<Vec3> looks = directions();
     for (std::size_t i = 0, j; i < uses_.size(); i = j) {
       for (j = i; j < uses_.size() && uses_[j].edge == uses_[i].edge;) ++j;
       CurveClass c;
@@ -143,7 +140,7 @@ class Importer {
         c.segments = first_of_their_curves(listed->second);
         segments_.erase(listed);
       }
-      if (!c.segments.empty() || j - i != 2 || c.patches[0] != c.patches[1] || is_sharp(uses_[i], uses_[i + 1]))
+      if (!c.segments.empty() || j - i != 2 || c.patches[0] != c.patches[1] || is_sharp(uses_[i], uses_[i + 1], looks))
         add_curve(uses_[i].edge, std::move(c));
     }
     for (const auto& [edge, rows] : segments_) add_curve(edge, {rows, {}});  // in the inside of regions
@@ -250,7 +247,7 @@ class Importer {
   const PiecewiseLinearComplex& plc_;
   const ConstrainedTetrahedralization& input_;
   bool exact_;
-  double cos_sharp_;
+  double narrow_, cos_sharp_;
   std::vector<Index> first_of_curve_;  // per segment: the first of those that are pieces of one curve with it
   DomainMesh domain_;
   std::vector<Triangle> faces_;
