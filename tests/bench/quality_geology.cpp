@@ -46,7 +46,6 @@ QualityModel model_a4_remeshed() {
   options.facet_parent = given.facet_parent;
   options.honour = Honour::tolerance;
   options.tolerance = length / 1000;
-  options.size.from_input_edges = false;
   options.size.global = length / 50;
   const RefineResult result = refine_and_improve(given.plc, tetrahedralize(given.plc), options);
   std::vector<VertexIndex> row(result.mesh.points.size(), no_vertex);  // in the new complex

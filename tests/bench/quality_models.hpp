@@ -37,7 +37,7 @@ QualityModel solid(const std::string& file);
 /// A sample of this repository, or modelA4 of the outside test data, read, intersected and clipped as the program does. Needs geomodel.
 QualityModel sample(const std::string& name);
 QualityModel model_a4();
-/// The surfaces of modelA4 as geomesh remeshes them within a thousandth of its diagonal at the default level, at a fiftieth of it: each face of the
+/// The surfaces of modelA4 as geomesh remeshes them by default within a thousandth of its diagonal at a size of a fiftieth of it: each face of the
 /// result a facet of its own. No program but geomesh was seen to mesh modelA4 as it is; these surfaces are the same for each.
 QualityModel model_a4_remeshed();
 

@@ -12,6 +12,7 @@
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/refine.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
 
 namespace refine_models {
 
@@ -255,6 +256,21 @@ inline std::vector<double> facet_areas(const PiecewiseLinearComplex& plc, const 
     area[f.facet] += std::sqrt(dot(n, n)) / 2;
   }
   return area;
+}
+
+/// A box of side 4 with a ridge along a diagonal of its top, from vertex 4 to 6, and one flat cell below it, which has both faces of the ridge.
+inline Model box_with_ridge(double height) {
+  Model m;
+  m.plc.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 4 + height}, {4, 0, 4}, {4, 4, 4 + height}, {0, 4, 4}};
+  Index surface = 0;
+  for (const std::array<VertexIndex, 4>& s : {std::array<VertexIndex, 4>{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}) {
+    m.plc.add_triangle({s[0], s[1], s[2]}, surface);
+    m.plc.add_triangle({s[0], s[2], s[3]}, surface++);
+  }
+  m.plc.add_triangle({4, 5, 6}, surface);
+  m.plc.add_triangle({4, 6, 7}, surface);
+  m.mesh = tetrahedralize(m.plc);
+  return m;
 }
 
 }  // namespace refine_models

@@ -229,17 +229,7 @@ TEST_CASE("Where surfaces are kept, points added on input edges slide along them
 
 TEST_CASE("A flat cell with two faces on the outside goes where surfaces may be remeshed, and stays where they are kept", "[improve]") {
   for (const double tolerance : {0.0, 0.01}) {
-    Model model;  // a box with a ridge of 1e-6 along a diagonal of its top
-    model.plc.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 4 + 1e-6}, {4, 0, 4}, {4, 4, 4 + 1e-6}, {0, 4, 4}};
-    Index surface = 0;
-    for (const std::array<VertexIndex, 4>& s : {std::array<VertexIndex, 4>{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}) {
-      model.plc.add_triangle({s[0], s[1], s[2]}, surface);
-      model.plc.add_triangle({s[0], s[2], s[3]}, surface++);
-    }
-    model.plc.add_triangle({4, 5, 6}, surface);
-    model.plc.add_triangle({4, 6, 7}, surface);
-    model.mesh = tetrahedralize(model.plc);
-    Bench bench(std::move(model), tolerance);
+    Bench bench(box_with_ridge(1e-6), tolerance);
     const auto flat_cell = [&] {
       for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
         if (bench.mesh.is_live(c) && bench.mesh.shape_of(c) < 1e-5) return c;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "improve/bad_cells.hpp"
 #include "improve/rescue.hpp"
 #include "improve/trial.hpp"
 #include "quality/shape.hpp"
@@ -241,6 +242,20 @@ TEST_CASE("A search tries no more often than it may, and not at all when time is
   RescueSearch late{Chooser(1), 3, 4, [] { return true; }, several_are_free};
   CHECK_FALSE(rescue_cell_by_search(bench.tools, c, rule, late));
   CHECK(late.trials_left == 4);
+}
+
+TEST_CASE("Openings open cells however flat, and not only those about them", "[trial]") {
+  Bench bench(box_with_ridge(1e-4));
+  CellIndex flat = 0;
+  while (!bench.mesh.is_live(flat) || bench.mesh.shape_of(flat) > 1e-3) ++flat;
+  const BadCell seed = bad_cell(bench.mesh, flat);
+  Chooser choose(1);
+  std::size_t n = 0;
+  for (unsigned k = 0; k < 200; ++k) {
+    const Trial trial(bench.tools);
+    n += open_about_cell(bench.tools, flat, choose) && !is_left(bench.mesh, seed);
+  }
+  CHECK(n > 35);
 }
 
 TEST_CASE("Openings keep the mesh valid and its domain, and are the same from the same seed", "[trial]") {

@@ -9,7 +9,8 @@
 
 namespace geomesh::remesh {
 
-inline constexpr double opening_shape = 1e-3;  ///< below this an opening leaves nothing
+/// No flatter cell may an opening leave: far flatter than bad ones may be, else those themselves could not be opened.
+inline constexpr double opening_shape = 1e-7;
 
 /// The same choices from the same seed, on every machine.
 class Chooser {
