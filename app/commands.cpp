@@ -74,7 +74,8 @@ int run_command(const InfoCommand& command, const RunContext&, Verbosity) {
 
 int run_command(const InitCommand& command, const RunContext&, Verbosity verbosity) {
   const auto project = geomodel::init_project(command.directory, command.template_name);
-  if (verbosity != Verbosity::quiet) std::cout << "wrote " << project.string() << "\nNow run: geomesh " << project.string() << '\n';
+  if (verbosity != Verbosity::quiet)
+    std::cout << "wrote " << project.string() << "\nNow run: geomesh " << project.string() << '\n';
   return 0;
 }
 

@@ -21,7 +21,8 @@ int report_error(const char* kind, const char* text, int status) {
   return status;
 }
 
-/// Where the caller closed a standard stream, the next file opened would take its number, and messages would go into that file.
+/// Where the caller closed a standard stream, the next file opened would take its number, and messages would go into
+/// that file.
 void occupy_standard_streams() {
   for (int descriptor = open("/dev/null", O_RDWR); descriptor >= 0; descriptor = dup(descriptor)) {
     if (descriptor <= STDERR_FILENO) continue;
@@ -45,7 +46,9 @@ int main(int argc, char** argv) {
     app::Progress progress(line.verbosity, terminal);
     progress.attach(context);
     const int status = app::run(line, context);
-    if (!std::cout.flush()) throw Error(ErrorKind::usage, "what was to be printed could not be written to the standard output (a full disk?)");
+    if (!std::cout.flush())
+      throw Error(ErrorKind::usage,
+                  "what was to be printed could not be written to the standard output (a full disk?)");
     return status;
   } catch (const Error& error) {
     if (terminal) std::fputs("\r\033[K", stderr);
@@ -54,12 +57,14 @@ int main(int argc, char** argv) {
     }
     return report_error("error", error.what(), static_cast<int>(error.kind()));
   } catch (const std::bad_alloc&) {
-    return report_error("error", "out of memory: the model needs more than this machine has", static_cast<int>(ErrorKind::cannot_mesh));
+    return report_error("error", "out of memory: the model needs more than this machine has",
+                        static_cast<int>(ErrorKind::cannot_mesh));
   } catch (const std::filesystem::filesystem_error& error) {
     return report_error("error", error.what(), static_cast<int>(ErrorKind::usage));
   } catch (const std::system_error& error) {  // no further thread, no further open file
-    return report_error("error", (std::string("the system refuses what the run needs: ") + error.what() + "; try --threads 1").c_str(),
-                        static_cast<int>(ErrorKind::cannot_mesh));
+    return report_error(
+        "error", (std::string("the system refuses what the run needs: ") + error.what() + "; try --threads 1").c_str(),
+        static_cast<int>(ErrorKind::cannot_mesh));
   } catch (const std::exception& error) {
     return report_error("internal error", error.what(), status_bug);
   }

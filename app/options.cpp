@@ -36,7 +36,8 @@ struct Common {
   std::string report;
 
   void add_to(CLI::App& app) {
-    app.add_option("--threads", threads, "Number of threads (default: all cores); the result is the same")->check(CLI::Range(1u, 1024u));
+    app.add_option("--threads", threads, "Number of threads (default: all cores); the result is the same")
+        ->check(CLI::Range(1u, 1024u));
     auto* q = app.add_flag("--quiet", quiet, "Print warnings and errors only");
     app.add_flag("--verbose", verbose, "Print details")->excludes(q);
     app.add_option("--report", report, "Write a report (JSON) to this file")->type_name("FILE");
@@ -69,10 +70,12 @@ Box3 parse_box(const std::string& text) {
     if (comma == std::string_view::npos) break;
     rest.remove_prefix(comma + 1);
   }
-  if (values.size() != 6) usage_error("--box: expected six numbers x0,y0,z0,x1,y1,z1, found " + std::to_string(values.size()));
+  if (values.size() != 6)
+    usage_error("--box: expected six numbers x0,y0,z0,x1,y1,z1, found " + std::to_string(values.size()));
   const Box3 box{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
   for (std::size_t i = 0; i < 3; ++i)
-    if (!(box.min[i] < box.max[i])) usage_error(std::string("--box: the smaller ") + "xyz"[i] + " must come first, and differ from the larger");
+    if (!(box.min[i] < box.max[i]))
+      usage_error(std::string("--box: the smaller ") + "xyz"[i] + " must come first, and differ from the larger");
   return box;
 }
 
@@ -92,7 +95,8 @@ void check_output_extension(const std::filesystem::path& output) {
 void check_file_exists(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) usage_error("no such file: " + file.string() + geomodel::file_was_meant(file));
+  if (status.type() == std::filesystem::file_type::not_found)
+    usage_error("no such file: " + file.string() + geomodel::file_was_meant(file));
   if (status.type() == std::filesystem::file_type::none) usage_error(file.string() + ": " + error.message());
   if (std::filesystem::is_directory(status)) usage_error(file.string() + " is a folder, not a file");
   if (!std::filesystem::is_regular_file(status))
@@ -103,7 +107,8 @@ void check_stage(const std::string& stage) {
   const auto& names = geomodel::stage_names();
   if (stage.empty() || std::find(names.begin(), names.end(), stage) != names.end()) return;
   const std::string meant = geomodel::was_meant(stage, {names.begin(), names.end()});
-  usage_error("--stop-after " + stage + ": no such stage" + (meant.empty() ? ";" : meant) + " stages are " + joined(names));
+  usage_error("--stop-after " + stage + ": no such stage" + (meant.empty() ? ";" : meant) + " stages are " +
+              joined(names));
 }
 
 /// Refuses the first word that looks like an option and is none of the command's.
@@ -114,7 +119,8 @@ void check_option_names(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
       for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
     const std::string name = word.substr(0, word.find('='));
-    usage_error(name + ": no such option" + geomodel::was_meant(name, {known.begin(), known.end()}) + "\nSee " + app.get_name() + " --help");
+    usage_error(name + ": no such option" + geomodel::was_meant(name, {known.begin(), known.end()}) + "\nSee " +
+                app.get_name() + " --help");
   }
 }
 
@@ -138,7 +144,8 @@ CommandLine parse_project(int argc, const char* const* argv) {
   std::string project, directory, stop_after, help;
   app.add_option("PROJECT", project, "The project file (docs/project-file.md)")->required();
   app.add_option("-o", directory, "Output folder (default: the project's output.directory)")->type_name("DIR");
-  app.add_option("--stop-after", stop_after, "Stop after this stage (intersect writes the soup and its offending spots for viewing)")
+  app.add_option("--stop-after", stop_after,
+                 "Stop after this stage (intersect writes the soup and its offending spots for viewing)")
       ->type_name("STAGE");
   common.add_to(app);
   CommandLine line;
@@ -164,17 +171,24 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
   bool no_refine = false, preserve = false;
   geomodel::MeshRequest request;
   app.add_option("INPUT", inputs, "Surface files, or one PLC file")->required();
-  app.add_option("-o", output, "Output: OUT.vtu (mesh, faces, curves, report), or another extension for that file alone")
-      ->required()->type_name("OUT");
+  app.add_option("-o", output,
+                 "Output: OUT.vtu (mesh, faces, curves, report), or another extension for that file alone")
+      ->required()
+      ->type_name("OUT");
   app.add_option("--mode", mode, "constrained: fewest added points; conforming: Delaunay by added points")
-      ->check(CLI::IsMember({"constrained", "conforming"}))->capture_default_str();
+      ->check(CLI::IsMember({"constrained", "conforming"}))
+      ->capture_default_str();
   app.add_option("--intersect", intersect, "auto: resolve crossings and warn; always: resolve; never: refuse crossings")
-      ->check(CLI::IsMember({"auto", "always", "never"}))->capture_default_str();
-  app.add_flag("--no-refine", no_refine, "Add only the points that recovery needs (the default without the options below)");
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_flag("--no-refine", no_refine,
+               "Add only the points that recovery needs (the default without the options below)");
   app.add_flag("--preserve-boundary", preserve, "No added point on any surface or segment, only inside");
   app.add_flag("--hull", request.keep_hull, "Keep the convex hull, as region \"hull\" where nothing else encloses it");
-  app.add_option("--merge-within", request.tolerance, "Merge points, edges and facets nearer to each other than this; 0: only what is equal")
-      ->check(CLI::NonNegativeNumber)->type_name("L");
+  app.add_option("--merge-within", request.tolerance,
+                 "Merge points, edges and facets nearer to each other than this; 0: only what is equal")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("L");
   app.add_option("--box", box, "Cut by a box and mesh its inside")->type_name("x0,y0,z0,x1,y1,z1");
   refinement.add_to(app);
   app.add_option("--stop-after", stop_after, "Stop after this stage")->type_name("STAGE");
@@ -194,10 +208,13 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
   request.options.recover.mode = mode == "conforming" ? MeshMode::conforming : MeshMode::constrained;
   request.options.recover.preserve_boundary = preserve;
   using Intersect = geomodel::MeshRequest::Intersect;
-  request.intersect = intersect == "never" ? Intersect::never : intersect == "always" ? Intersect::always : Intersect::automatic;
+  request.intersect = intersect == "never"    ? Intersect::never
+                      : intersect == "always" ? Intersect::always
+                                              : Intersect::automatic;
   if (!box.empty()) request.box = parse_box(box);
   request.refinement = refinement.settings();
-  if (no_refine && request.refinement.refine) usage_error("--no-refine contradicts the options that ask for sizes or quality");
+  if (no_refine && request.refinement.refine)
+    usage_error("--no-refine contradicts the options that ask for sizes or quality");
   const std::string contradiction = geomodel::contradiction(request.refinement, request.options.recover);
   if (!contradiction.empty()) usage_error(contradiction);
   request.report = common.report_file();
@@ -211,11 +228,14 @@ CommandLine parse_delaunay(int argc, const char* const* argv) {
   CLI::App app("Delaunay tetrahedralization of points.", "geomesh delaunay");
   Common common;
   std::string points, output, algorithm = "cavity", cluster = "auto", help;
-  app.add_option("POINTS", points, "Lines of x y z (blanks or commas, a header line allowed), or a surface file")->required();
+  app.add_option("POINTS", points, "Lines of x y z (blanks or commas, a header line allowed), or a surface file")
+      ->required();
   app.add_option("-o", output, "Output file")->required()->type_name("OUT");
   app.add_option("--algorithm", algorithm, "cavity or flip: the result is the same")
-      ->check(CLI::IsMember({"cavity", "flip"}))->capture_default_str();
-  app.add_option("--cluster-distance", cluster, "Points nearer than this to an inserted one wait until the end: auto, or a length")
+      ->check(CLI::IsMember({"cavity", "flip"}))
+      ->capture_default_str();
+  app.add_option("--cluster-distance", cluster,
+                 "Points nearer than this to an inserted one wait until the end: auto, or a length")
       ->capture_default_str();
   common.add_to(app);
   CommandLine line;
@@ -247,11 +267,15 @@ CommandLine parse_check(int argc, const char* const* argv) {
   CheckCommand command;
   app.add_option("MESH", mesh, "The mesh (.vtu)")->required();
   auto* p = app.add_option("--project", project, "Check against this project's box and surfaces")->type_name("P");
-  app.add_option("--surfaces", surfaces, "Check that these surfaces are covered by mesh faces")->type_name("FILE...")->excludes(p);
+  app.add_option("--surfaces", surfaces, "Check that these surfaces are covered by mesh faces")
+      ->type_name("FILE...")
+      ->excludes(p);
   app.add_flag("--delaunay", command.delaunay, "Check that the mesh is (constrained) Delaunay");
   app.add_option("--within", command.within,
-                 "Surfaces may lie this far off the input, both ways (default: the project's tolerance where it has one, else 0)")
-      ->check(CLI::NonNegativeNumber)->type_name("L");
+                 "Surfaces may lie this far off the input, both ways (default: the project's tolerance where it has "
+                 "one, else 0)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("L");
   common.add_to(app);
   CommandLine line;
   if (parse(app, argc, argv, help)) {
@@ -321,8 +345,11 @@ void check_is_no_misspelt_command(const std::string& word, const Commands& comma
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  static const Commands commands{
-      {"mesh", parse_mesh}, {"delaunay", parse_delaunay}, {"check", parse_check}, {"info", parse_info}, {"init", parse_init}};
+  static const Commands commands{{"mesh", parse_mesh},
+                                 {"delaunay", parse_delaunay},
+                                 {"check", parse_check},
+                                 {"info", parse_info},
+                                 {"init", parse_init}};
   CommandLine line;
   if (argc < 2) usage_error(std::string("what should be meshed?\n\n") + overview);
   const std::string first = argv[1];

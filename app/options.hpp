@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The command line as understood. Parsing throws Error{usage}; `--help` gives a Help command whose text is to be printed.
+/// The command line as understood. Parsing throws Error{usage}; `--help` gives a Help command whose text is to be
+/// printed.
 #pragma once
 
 #include <filesystem>
@@ -39,7 +40,9 @@ struct InitCommand {
 };
 
 struct CommandLine {
-  std::variant<Help, ProjectCommand, geomodel::MeshRequest, geomodel::DelaunayRequest, CheckCommand, InfoCommand, InitCommand> command;
+  std::variant<Help, ProjectCommand, geomodel::MeshRequest, geomodel::DelaunayRequest, CheckCommand, InfoCommand,
+               InitCommand>
+      command;
   unsigned threads = 0;
   Verbosity verbosity = Verbosity::normal;
 };

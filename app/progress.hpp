@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Draws what a job says while it runs: one line a stage, with counts, time and time left. On a terminal the running stage's line is
-/// redrawn in place; elsewhere only finished lines are printed.
+/// Draws what a job says while it runs: one line a stage, with counts, time and time left. On a terminal the running
+/// stage's line is redrawn in place; elsewhere only finished lines are printed.
 #pragma once
 
 #include <chrono>

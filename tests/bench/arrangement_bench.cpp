@@ -4,19 +4,19 @@
 ///
 ///     arrangement_bench [--all] [--alone] [--repeats N] [--limit SECONDS] [--threads N] [--grid CELLS]... [FOLDER...]
 ///
-/// The .ts files of each folder together, then two crossing grids of 20,000 and 200,000 triangles each (--all: also 400,000 and 1,000,000; --grid:
-/// of CELLS x CELLS cells instead). --alone: without the peers. The best of N runs in seconds of processor time (all threads) and on the
-/// clock; CGAL without the time to build its mesh. Every run is in a process of its own, which is stopped after the limit.
-/// Between more than two surfaces corefine goes from pair to pair. Every soup of ours is validated. Prints a Markdown table.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+/// The .ts files of each folder together, then two crossing grids of 20,000 and 200,000 triangles each (--all: also
+/// 400,000 and 1,000,000; --grid: of CELLS x CELLS cells instead). --alone: without the peers. The best of N runs in
+/// seconds of processor time (all threads) and on the clock; CGAL without the time to build its mesh. Every run is in a
+/// process of its own, which is stopped after the limit. Between more than two surfaces corefine goes from pair to
+/// pair. Every soup of ours is validated. Prints a Markdown table.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -24,7 +24,7 @@
 #include <functional>
 #include <iostream>
 
-#include "../geomodel/arrangement_inputs.hpp"
+#include "../geomodel/support/arrangement_inputs.hpp"
 
 namespace {
 
@@ -174,13 +174,15 @@ void compare(const std::string& name, const std::vector<TriangulatedSurface>& su
   std::size_t n = 0;
   for (const auto& s : surfaces) n += s.triangles.size();
   const Outcome ours = in_a_child(options.limit, [&](Outcome& o) { run_arrange(surfaces, options, o); });
-  std::printf("| %s | %zu | %zu | %zu | %s%s | %.0f |", name.c_str(), n, ours.facets, ours.crossings, cell(ours, options.limit).c_str(),
-              ours.sound ? "" : " **faulty**", static_cast<double>(ours.peak_bytes) / static_cast<double>(n + ours.facets));
+  std::printf("| %s | %zu | %zu | %zu | %s%s | %.0f |", name.c_str(), n, ours.facets, ours.crossings,
+              cell(ours, options.limit).c_str(), ours.sound ? "" : " **faulty**",
+              static_cast<double>(ours.peak_bytes) / static_cast<double>(n + ours.facets));
   if (!options.alone) {
     const Outcome corefine = in_a_child(options.limit, [&](Outcome& o) { run_corefine(surfaces, options.repeats, o); });
     std::printf(" %s |", cell(corefine, options.limit).c_str());
     std::fflush(stdout);
-    const Outcome autorefine = in_a_child(options.limit, [&](Outcome& o) { run_autorefine(surfaces, options.repeats, o); });
+    const Outcome autorefine =
+        in_a_child(options.limit, [&](Outcome& o) { run_autorefine(surfaces, options.repeats, o); });
     const double fastest = std::min(corefine.done ? corefine.cpu : 1e300, autorefine.done ? autorefine.cpu : 1e300);
     std::printf(" %s | %.2f |", cell(autorefine, options.limit).c_str(), fastest < 1e300 ? ours.cpu / fastest : 0.0);
   }
@@ -212,7 +214,8 @@ int main(int n, char** arguments) {
   CGAL::set_warning_behaviour(CGAL::CONTINUE);
   const Options options = parse(n, arguments);
   std::printf("| input | triangles | facets | crossing pairs | arrange | bytes |%s\n|---|---|---|---|---|---|%s\n",
-              options.alone ? "" : " corefine | autorefine | arrange / fastest peer |", options.alone ? "" : "---|---|---|");
+              options.alone ? "" : " corefine | autorefine | arrange / fastest peer |",
+              options.alone ? "" : "---|---|---|");
   for (const std::string& folder : options.folders)
     compare(std::filesystem::path(folder).filename().string(), load_folder(folder), options);
   for (const unsigned cells : options.grids)

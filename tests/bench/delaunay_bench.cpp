@@ -23,7 +23,8 @@ constexpr unsigned seed = 42;
 
 constexpr const char* usage =
     "delaunay_bench [options]: the Delaunay stage beside CGAL and TetGen, each run in a process of its own\n"
-    "  --section NAME           ratios, small, degenerate, growth, threads, clusters or verify; may be repeated (default: all)\n"
+    "  --section NAME           ratios, small, degenerate, growth, threads, clusters or verify; may be repeated "
+    "(default: all)\n"
     "  --peer NAME              only triangulators whose names begin so: geomesh, CGAL, TetGen; may be repeated\n"
     "  --size N                 points of an input (1000000)\n"
     "  --largest N              largest input of growth (10000000)\n"
@@ -36,7 +37,8 @@ struct Settings {
   std::set<std::string> sections, peers;
   /// Whether a triangulator runs in repetition r: geomesh, CGAL, or TetGen, which is slow.
   bool runs(const std::string& name, int r) const {
-    if (!peers.empty() && std::none_of(peers.begin(), peers.end(), [&](const std::string& p) { return name.starts_with(p); }))
+    if (!peers.empty() &&
+        std::none_of(peers.begin(), peers.end(), [&](const std::string& p) { return name.starts_with(p); }))
       return false;
     return name != "TetGen" || r < tetgen_repetitions;
   }
@@ -54,14 +56,16 @@ double bytes_a_tetrahedron(const Measurement& m) {
 
 void compare_peers(const std::vector<std::string>& inputs, std::size_t n, const Settings& settings) {
   std::printf(
-      "| input | points | triangulator | CPU s | million tetrahedra a CPU second | times geomesh | bytes a tetrahedron |\n");
+      "| input | points | triangulator | CPU s | million tetrahedra a CPU second | times geomesh | bytes a tetrahedron "
+      "|\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   for (const std::string& input : inputs) {
     const std::vector<Vec3> points = make_points(input, n, seed);
-    const std::vector<std::pair<const char*, Job>> peers{{"geomesh", [&] { return run_geomesh(points, {}, 1); }},
-                                                         {"CGAL, compact location", [&] { return run_cgal_compact(points); }},
-                                                         {"CGAL, fast location", [&] { return run_cgal_fast_location(points); }},
-                                                         {"TetGen", [&] { return run_tetgen(points); }}};
+    const std::vector<std::pair<const char*, Job>> peers{
+        {"geomesh", [&] { return run_geomesh(points, {}, 1); }},
+        {"CGAL, compact location", [&] { return run_cgal_compact(points); }},
+        {"CGAL, fast location", [&] { return run_cgal_fast_location(points); }},
+        {"TetGen", [&] { return run_tetgen(points); }}};
     std::map<std::string, std::vector<Measurement>> runs;
     for (int r = 0; r < settings.repetitions; ++r)
       for (const auto& [name, job] : peers)
@@ -110,21 +114,27 @@ void threads(const Settings& settings) {
   const double t1 = median(alone, &Measurement::wall_s).wall_s, tb = median(beside, &Measurement::wall_s).wall_s,
                t2 = median(two, &Measurement::wall_s).wall_s;
   std::printf("| run | wall s | speed-up |\n|---|---|---|\n");
-  std::printf("| one thread | %.2f | 1 |\n| two runs of one thread side by side | %.2f | %.2f |\n| two threads | %.2f | %.2f |\n",
-              t1, tb, 2 * t1 / tb, t2, t1 / t2);
+  std::printf(
+      "| one thread | %.2f | 1 |\n| two runs of one thread side by side | %.2f | %.2f |\n| two threads | %.2f | %.2f "
+      "|\n",
+      t1, tb, 2 * t1 / tb, t2, t1 / t2);
   const double c1 = median(cgal_one, &Measurement::wall_s).wall_s, c2 = median(cgal_two, &Measurement::wall_s).wall_s;
-  std::printf("| CGAL with TBB, one thread | %.2f | 1 |\n| CGAL with TBB, two threads | %.2f | %.2f |\n", c1, c2, c1 / c2);
-  std::printf("\nTwo threads reach %.0f %% of the speed-up of two independent runs.\n", 100 * (t1 / t2) / (2 * t1 / tb));
+  std::printf("| CGAL with TBB, one thread | %.2f | 1 |\n| CGAL with TBB, two threads | %.2f | %.2f |\n", c1, c2,
+              c1 / c2);
+  std::printf("\nTwo threads reach %.0f %% of the speed-up of two independent runs.\n",
+              100 * (t1 / t2) / (2 * t1 / tb));
 }
 
 void clusters(const Settings& settings) {
   const std::vector<Vec3> points = make_points("clusters", settings.size, seed);
-  std::printf("| cluster distance | points deferred | CPU s | expansions | walk steps a point |\n|---|---|---|---|---|\n");
+  std::printf(
+      "| cluster distance | points deferred | CPU s | expansions | walk steps a point |\n|---|---|---|---|---|\n");
   for (const double distance : {0.0, -1.0, 1e-7, 1e-4, 1e-1, 1e2}) {
     std::vector<Measurement> runs;
     DelaunayOptions options;
     options.cluster_distance = distance;
-    for (int r = 0; r < settings.repetitions; ++r) runs.push_back(measure({[&] { return run_geomesh(points, options, 1); }})[0]);
+    for (int r = 0; r < settings.repetitions; ++r)
+      runs.push_back(measure({[&] { return run_geomesh(points, options, 1); }})[0]);
     const Measurement m = median(runs, &Measurement::cpu_s);
     char label[32];
     std::snprintf(label, sizeof label, "%g", distance);
@@ -137,14 +147,16 @@ void clusters(const Settings& settings) {
 /// Returns whether all is right.
 bool verify_all(const Settings& settings) {
   bool right = true;
-  std::printf("| input | points | tetrahedra | validator's faults | flips | two threads | CGAL |\n|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| input | points | tetrahedra | validator's faults | flips | two threads | CGAL "
+      "|\n|---|---|---|---|---|---|---|\n");
   for (const char* input : {"uniform", "horizons", "clusters", "grid", "sphere"}) {
     const std::size_t n = input == std::string("sphere") ? settings.size / 10 : settings.size;
     const std::vector<Vec3> points = make_points(input, n, seed);
     const Verification v = verify(points);
     const auto word = [](bool same) { return same ? "same" : "DIFFERENT"; };
-    std::printf("| %s | %zu | %zu | %zu | %s | %s | %s |\n", input, points.size(), v.tetrahedra, v.faults, word(v.flips_agree),
-                word(v.threads_agree), word(v.cgal_agrees));
+    std::printf("| %s | %zu | %zu | %zu | %s | %s | %s |\n", input, points.size(), v.tetrahedra, v.faults,
+                word(v.flips_agree), word(v.threads_agree), word(v.cgal_agrees));
     std::fflush(stdout);
     right = right && v.faults == 0 && v.flips_agree && v.threads_agree && v.cgal_agrees;
   }
@@ -196,7 +208,8 @@ int main(int argc, char** argv) {
   section(settings, "ratios", "One core", [&] {
     compare_peers({"uniform", "horizons", "clusters", "grid"}, settings.size, settings);
   });
-  section(settings, "small", "A tenth of the points", [&] { compare_peers({"uniform"}, settings.size / 10, settings); });
+  section(settings, "small", "A tenth of the points",
+          [&] { compare_peers({"uniform"}, settings.size / 10, settings); });
   section(settings, "degenerate", "Degenerate inputs", [&] {
     compare_peers({"sphere", "plane", "line"}, settings.size / 10, settings);
   });

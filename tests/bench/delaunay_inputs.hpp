@@ -10,9 +10,9 @@
 
 namespace geomesh::bench {
 
-/// `uniform`: the unit cube. `horizons`: ten undulating surfaces, spacing much wider in x, y than in z. `clusters`: spacings from
-/// 1e-7 to 1e4. `grid`: a cospherical lattice of about n points. `sphere`: on a sphere up to rounding. `plane`, `line`: no
-/// volume. Throws std::invalid_argument on another name.
+/// `uniform`: the unit cube. `horizons`: ten undulating surfaces, spacing much wider in x, y than in z. `clusters`:
+/// spacings from 1e-7 to 1e4. `grid`: a cospherical lattice of about n points. `sphere`: on a sphere up to rounding.
+/// `plane`, `line`: no volume. Throws std::invalid_argument on another name.
 std::vector<Vec3> make_points(const std::string& name, std::size_t n, unsigned seed);
 
 }  // namespace geomesh::bench

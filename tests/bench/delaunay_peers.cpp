@@ -15,8 +15,9 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Compact = CGAL::Delaunay_triangulation_3<Kernel>;
 using FastLocation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Fast_location>;
-using ParallelData = CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
-                                                          CGAL::Delaunay_triangulation_cell_base_3<Kernel>, CGAL::Parallel_tag>;
+using ParallelData =
+    CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
+                                         CGAL::Delaunay_triangulation_cell_base_3<Kernel>, CGAL::Parallel_tag>;
 using Parallel = CGAL::Delaunay_triangulation_3<Kernel, ParallelData>;
 
 std::vector<Kernel::Point_3> converted(std::span<const Vec3> points) {

@@ -66,7 +66,8 @@ Verification verify(std::span<const Vec3> points) {
   DelaunayOptions flips;
   flips.algorithm = DelaunayAlgorithm::flip;
   const DelaunayTetrahedralization flipped = delaunay_tetrahedralization(points, flips, context);
-  r.flips_agree = flipped.statistics.stuck_faces == 0 && flipped.representative == cavity.representative && finite_cells(flipped.mesh) == cells;
+  r.flips_agree = flipped.statistics.stuck_faces == 0 && flipped.representative == cavity.representative &&
+                  finite_cells(flipped.mesh) == cells;
   r.cgal_agrees = oracle_cells(points, cavity.representative) == cells;
   return r;
 }

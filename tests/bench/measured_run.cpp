@@ -103,7 +103,8 @@ std::vector<Measurement> measure(const std::vector<Job>& side_by_side) {
       m = {packet.ok, packet.message, packet.cpu_s, packet.wall_s, packet.peak_bytes, packet.answer};
     else
       m.message = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? "exceeds its time"
-                  : WIFSIGNALED(status) ? "died of signal " + std::to_string(WTERMSIG(status)) : "ended without an answer";
+                  : WIFSIGNALED(status) ? "died of signal " + std::to_string(WTERMSIG(status))
+                                        : "ended without an answer";
     results.push_back(m);
   }
   return results;

@@ -23,7 +23,7 @@ struct Answer {
   std::size_t exact_calls = 0, walk_steps = 0, deferred = 0;
   std::size_t added_points = 0;  ///< recovery only
   ElementShapes shapes;          ///< refinement only
-  double meshing_cpu_s = 0;      ///< refinement only: from the start of the run to the mesh, its shapes not yet measured
+  double meshing_cpu_s = 0;  ///< refinement only: from the start of the run to the mesh, its shapes not yet measured
   std::array<double, 4> stage_cpu_s{};  ///< refinement only: delaunay, recover and classify, refine, improve
 };
 using Job = std::function<Answer()>;
@@ -39,8 +39,8 @@ struct Measurement {
 /// Ends this process (signal SIGXCPU) once it has used that much more processor time: for a job that may take too long.
 void limit_cpu_seconds(double seconds);
 
-/// Forks, runs each job and measures it there, so that no run sees the heap that another left and a crash is a result. Several
-/// jobs run side by side.
+/// Forks, runs each job and measures it there, so that no run sees the heap that another left and a crash is a result.
+/// Several jobs run side by side.
 std::vector<Measurement> measure(const std::vector<Job>& side_by_side);
 
 }  // namespace geomesh::bench

@@ -2,14 +2,16 @@
 /// @file
 /// Writes the tables of the Refinement section of docs/performance.md to standard output:
 ///     quality_bench [--section peers|levels|growth]... [--model NAME] [--limit SECONDS]
-/// peers: beside `tetgen -pq1.414` and `gmsh -3 -optimize_netgen` (command-line programs) on the same surfaces and, within a
-/// tenth, the same number of tetrahedra; `--model`: on the models whose names contain NAME. levels: fast, default and best, surfaces
-/// kept and within 0.2 % of a grain's size. growth: to a million tetrahedra, by stage. `--limit`: processor seconds of one run.
+/// peers: beside `tetgen -pq1.414` and `gmsh -3 -optimize_netgen` (command-line programs) on the same surfaces and,
+/// within a tenth, the same number of tetrahedra; `--model`: on the models whose names contain NAME. levels: fast,
+/// default and best, surfaces kept and within 0.2 % of a grain's size. growth: to a million tetrahedra, by stage.
+/// `--limit`: processor seconds of one run.
+#include <tbb/global_control.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <string>
-#include <tbb/global_control.h>
 
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine.hpp"
@@ -27,13 +29,15 @@ void compare_levels(double limit_s) {
   for (const double roughness : {0.0, 0.25}) {
     const QualityModel model = grains(roughness, 1);
     for (const double tolerance : {0.0, 0.002 * 2 * 3.435})
-      for (const auto& [name, level] : {std::pair{"fast", QualityLevel::fast}, std::pair{"default", QualityLevel::standard},
-                                        std::pair{"best", QualityLevel::best}}) {
+      for (const auto& [name, level] :
+           {std::pair{"fast", QualityLevel::fast}, std::pair{"default", QualityLevel::standard},
+            std::pair{"best", QualityLevel::best}}) {
         RefineOptions options;
         options.quality = level;
         options.size.gradation = 0.5;
         if (tolerance > 0) options.honour = Honour::tolerance, options.tolerance = tolerance;
-        const Row r = run_geomesh(model, options, std::string(name) + (tolerance > 0 ? ", within 0.2 %" : ", surfaces kept"), limit_s);
+        const Row r = run_geomesh(model, options,
+                                  std::string(name) + (tolerance > 0 ? ", within 0.2 %" : ", surfaces kept"), limit_s);
         print_row(model.name, r);
       }
   }
@@ -86,7 +90,9 @@ int main(int argc, char** argv) {
   CompareOptions options;
   options.only = settings.model;
   if (settings.limit_s > 0) options.peer_limit_s = options.own_limit_s = settings.limit_s;
-  const auto wants = [&](const char* section) { return settings.sections.empty() || settings.sections.contains(section); };
+  const auto wants = [&](const char* section) {
+    return settings.sections.empty() || settings.sections.contains(section);
+  };
   if (wants("peers")) compare_peers(options);
   if (wants("levels")) compare_levels(options.own_limit_s);
   if (wants("growth")) measure_growth(settings.limit_s > 0 ? settings.limit_s : 600);

@@ -13,8 +13,9 @@
 namespace geomesh::bench {
 namespace {
 
-/// How surfaces are honoured: as the input has them, with points on them (as TetGen does) or hardly any (as gmsh does with discrete surfaces), or
-/// within a thousandth of the model's diagonal. The last two are for intersected models, whose seams are full of short edges.
+/// How surfaces are honoured: as the input has them, with points on them (as TetGen does) or hardly any (as gmsh does
+/// with discrete surfaces), or within a thousandth of the model's diagonal. The last two are for intersected models,
+/// whose seams are full of short edges.
 enum class Surfaces { kept, kept_unsized, within_a_thousandth };
 
 /// One number that makes meshes coarser as it grows, from 0 to 1, and what it means for a model.
@@ -34,16 +35,19 @@ RefineOptions options_of(const QualityModel& model, Surfaces surfaces, double kn
     options.size.from_input_edges = false;
     options.size.gap_layers = 0;
     options.size.global = length * knob;
-    options.size.gradation = std::max(options.size.gradation, 3 * knob);  // from the short chords that the tolerance asks for
+    options.size.gradation =
+        std::max(options.size.gradation, 3 * knob);  // from the short chords that the tolerance asks for
   }
   return options;
 }
 
 constexpr double within_a_tenth = 0.1, close_enough = 0.03;
 
-/// The knob is chosen so that the count is that of the peer, as close as eight runs bring it; those within three hundredths end the search.
+/// The knob is chosen so that the count is that of the peer, as close as eight runs bring it; those within three
+/// hundredths end the search.
 Row run_matched(const QualityModel& model, Surfaces surfaces, std::size_t wanted, double limit_s) {
-  const std::string label = surfaces == Surfaces::within_a_thousandth ? "geomesh, as many, surfaces within 0.1 %" : "geomesh, as many";
+  const std::string label =
+      surfaces == Surfaces::within_a_thousandth ? "geomesh, as many, surfaces within 0.1 %" : "geomesh, as many";
   double low = 0.001, high = 0.9;
   if (model.sizes_from_edges) low = 0.02;
   if (!model.sizes_from_edges) low = 0.05;
@@ -58,7 +62,8 @@ Row run_matched(const QualityModel& model, Surfaces surfaces, std::size_t wanted
       low = knob;
       continue;
     }
-    const double ratio = static_cast<double>(row.tetrahedra) / static_cast<double>(wanted), off = std::abs(std::log(ratio));
+    const double ratio = static_cast<double>(row.tetrahedra) / static_cast<double>(wanted),
+                 off = std::abs(std::log(ratio));
     if (off < best_off) best = row, best_off = off;
     if (std::abs(ratio - 1) < close_enough) return best;
     (ratio > 1 ? low : high) = knob;
@@ -84,18 +89,21 @@ struct Verdict {
 std::string judge_speed(const Row& ours, const Row& peer) {
   if (peer.tetrahedra == 0) return "gives no mesh";
   char text[80];
-  std::snprintf(text, sizeof text, "%s (%.2f times its time)", ours.cpu_s <= peer.cpu_s ? "yes" : "no", ours.cpu_s / peer.cpu_s);
+  std::snprintf(text, sizeof text, "%s (%.2f times its time)", ours.cpu_s <= peer.cpu_s ? "yes" : "no",
+                ours.cpu_s / peer.cpu_s);
   return text;
 }
 
 std::string judge(const Row& ours, const Row& peer) {
   if (peer.tetrahedra == 0) return "gives no mesh";
-  if (!is_matched(ours, peer)) return is_better_in_all(ours, peer) ? "yes, but the count differs" : "no, and the count differs";
+  if (!is_matched(ours, peer))
+    return is_better_in_all(ours, peer) ? "yes, but the count differs" : "no, and the count differs";
   return is_better_in_all(ours, peer) ? "yes" : "no";
 }
 
 std::vector<NamedModel> models() {
-  std::vector<NamedModel> m{{"round grains", [] { return grains(0, 1); }}, {"irregular grains", [] { return grains(0.25, 1); }}};
+  std::vector<NamedModel> m{{"round grains", [] { return grains(0, 1); }},
+                            {"irregular grains", [] { return grains(0.25, 1); }}};
 #ifdef GEOMESH_BENCH_GEOMODEL
   for (const char* name : {"salt-dome", "faulted-layers"}) m.push_back({name, [name] { return sample(name); }});
   m.push_back({"modelA4", model_a4});
@@ -123,7 +131,8 @@ void compare_peers(const CompareOptions& options) {
     }
     QualityModel same = model;
     same.plc = model.merged();
-    const std::array<Row, 2> peers{run_tetgen(same, stem, options.peer_limit_s), run_gmsh(same, stem, options.peer_limit_s)};
+    const std::array<Row, 2> peers{run_tetgen(same, stem, options.peer_limit_s),
+                                   run_gmsh(same, stem, options.peer_limit_s)};
     std::array<Row, 2> ours;
     for (std::size_t i = 0; i < 2; ++i) {
       print_row(model.name, peers[i]);
@@ -134,7 +143,8 @@ void compare_peers(const CompareOptions& options) {
     }
     if (peers[0].tetrahedra + peers[1].tetrahedra == 0) {  // nothing to match
       constexpr double gradation = 1, fiftieth = 0.02;
-      print_row(model.name, run_geomesh(model, options_of(model, Surfaces::kept_unsized, gradation), "geomesh", options.own_limit_s));
+      print_row(model.name, run_geomesh(model, options_of(model, Surfaces::kept_unsized, gradation), "geomesh",
+                                        options.own_limit_s));
       RefineOptions sized;  // of the whole model, and by the edges of its surfaces
       sized.facet_parent = model.facet_parent;
       sized.size.global = options_of(model, Surfaces::within_a_thousandth, fiftieth).size.global;
@@ -148,11 +158,15 @@ void compare_peers(const CompareOptions& options) {
       print_row(model.name, free);
       within = judge(free, peers[1]) + "; speed: " + judge_speed(free, peers[1]);
     }
-    verdicts.push_back({model.name, judge(ours[0], peers[0]), judge(ours[1], peers[1]), judge_speed(ours[1], peers[1]), within});
+    verdicts.push_back(
+        {model.name, judge(ours[0], peers[0]), judge(ours[1], peers[1]), judge_speed(ours[1], peers[1]), within});
   }
-  std::printf("\n| model | all four better than tetgen | all four better than gmsh | no slower than gmsh | the same with surfaces within 0.1 %% |\n|---|---|---|---|---|\n");
+  std::printf(
+      "\n| model | all four better than tetgen | all four better than gmsh | no slower than gmsh | the same with "
+      "surfaces within 0.1 %% |\n|---|---|---|---|---|\n");
   for (const Verdict& v : verdicts)
-    std::printf("| %s | %s | %s | %s | %s |\n", v.model.c_str(), v.tetgen.c_str(), v.gmsh.c_str(), v.speed.c_str(), v.within.c_str());
+    std::printf("| %s | %s | %s | %s | %s |\n", v.model.c_str(), v.tetgen.c_str(), v.gmsh.c_str(), v.speed.c_str(),
+                v.within.c_str());
   std::filesystem::remove_all(folder);
 }
 

@@ -12,8 +12,8 @@ struct CompareOptions {
   std::string only;                              ///< models whose names contain this; empty: all
 };
 
-/// Prints a table of runs and one of verdicts. For each peer our number of tetrahedra is brought within a tenth of the peer's by the
-/// size that is asked; the time is that of the run that met it.
+/// Prints a table of runs and one of verdicts. For each peer our number of tetrahedra is brought within a tenth of the
+/// peer's by the size that is asked; the time is that of the run that met it.
 void compare_peers(const CompareOptions& options);
 
 }  // namespace geomesh::bench

@@ -3,7 +3,7 @@
 
 #include "geomesh/core/refine.hpp"
 #include "geomesh/geomodel/project.hpp"
-#include "pipeline/prepare.hpp"
+#include "pipeline/jobs/prepare.hpp"
 #include "pipeline/refine_model.hpp"
 #include "quality_models.hpp"
 

@@ -20,7 +20,9 @@ Measurement run(const QualityModel& model, double size, double limit_s) {
     limit_cpu_seconds(limit_s);
     std::map<std::string, double> spent;
     RunContext context;
-    context.stage = [&](std::string_view name, bool begins) { spent[std::string(name)] += begins ? -own_cpu() : own_cpu(); };
+    context.stage = [&](std::string_view name, bool begins) {
+      spent[std::string(name)] += begins ? -own_cpu() : own_cpu();
+    };
     RefineOptions options;
     options.size.global = size;
     const RefineResult r = refine_and_improve(model.plc, tetrahedralize(model.plc, {}, context), options, context);
@@ -35,7 +37,8 @@ Measurement run(const QualityModel& model, double size, double limit_s) {
 
 void measure_growth(double limit_s) {
   std::printf(
-      "| tetrahedra | Delaunay s (share) | recovery s (share) | refine s (share) | improve s (share) | whole s (CPU) | tetrahedra a CPU "
+      "| tetrahedra | Delaunay s (share) | recovery s (share) | refine s (share) | improve s (share) | whole s (CPU) | "
+      "tetrahedra a CPU "
       "second | peak bytes a tetrahedron |\n|---|---|---|---|---|---|---|---|\n");
   const QualityModel model = grains(0, 1);
   for (const double size : {0.8, 0.55, 0.365}) {

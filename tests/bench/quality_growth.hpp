@@ -5,8 +5,8 @@
 
 namespace geomesh::bench {
 
-/// Prints a table: round grains with one size for the whole model, from about 1e5 to 1e6 tetrahedra, with the share of each stage. A
-/// size that takes more than `limit_s` of processor time ends the table.
+/// Prints a table: round grains with one size for the whole model, from about 1e5 to 1e6 tetrahedra, with the share of
+/// each stage. A size that takes more than `limit_s` of processor time ends the table.
 void measure_growth(double limit_s);
 
 }  // namespace geomesh::bench

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quality_runs.hpp"
-
 #include <sys/resource.h>
 #include <sys/wait.h>
 
@@ -13,6 +11,7 @@
 #include <tuple>
 
 #include "geomesh/core/tetrahedralize.hpp"
+#include "quality_runs.hpp"
 
 namespace geomesh::bench {
 namespace {
@@ -28,8 +27,9 @@ double children_cpu() {
 std::string run(const std::string& command, const std::string& stem, double limit_s, double& cpu_s) {
   const double before = children_cpu();
   const std::string limited = "ulimit -t " + std::to_string(static_cast<long>(limit_s)) + "; exec " + command;
-  const int status = std::system(("timeout -s KILL " + std::to_string(static_cast<long>(10 * limit_s)) + " sh -c '" + limited + "' > " +
-                                  stem + ".log 2>&1").c_str());
+  const int status = std::system(("timeout -s KILL " + std::to_string(static_cast<long>(10 * limit_s)) + " sh -c '" +
+                                  limited + "' > " + stem + ".log 2>&1")
+                                     .c_str());
   cpu_s = children_cpu() - before;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   if (cpu_s >= 0.95 * limit_s) return "exceeds " + std::to_string(static_cast<long>(limit_s)) + " s";
@@ -59,7 +59,8 @@ void measure_into(Row& row, PlainMesh mesh) {
   row.shapes = shapes_of(s);
 }
 
-/// A facet's marker is its row, so that TetGen merges none. A polygon with holes goes out in triangles under its one marker.
+/// A facet's marker is its row, so that TetGen merges none. A polygon with holes goes out in triangles under its one
+/// marker.
 void write_poly(const PiecewiseLinearComplex& plc, const std::string& path) {
   const bool has_holes = plc.loop_offsets.size() - 1 > plc.n_facets();
   const ConstrainedTetrahedralization mesh = has_holes ? tetrahedralize(plc) : ConstrainedTetrahedralization{};
@@ -85,7 +86,8 @@ void write_poly(const PiecewiseLinearComplex& plc, const std::string& path) {
   std::ofstream out(path);
   out.precision(17);
   out << points.size() << " 3 0 0\n";
-  for (std::size_t v = 0; v < points.size(); ++v) out << v << ' ' << points[v].x << ' ' << points[v].y << ' ' << points[v].z << '\n';
+  for (std::size_t v = 0; v < points.size(); ++v)
+    out << v << ' ' << points[v].x << ' ' << points[v].y << ' ' << points[v].z << '\n';
   out << facets.size() << " 1\n";
   for (const auto& [facet, polygons] : facets) {
     out << polygons.size() << " 0 " << facet + 1 << '\n';
@@ -122,7 +124,8 @@ PlainMesh read_tetgen(const std::string& stem) {
 /// A part of a surface between two components (no_index: outside), in triangles.
 using PartKey = std::tuple<Index, Index, Index>;  ///< provenance, component, component; the lesser first
 
-std::map<PartKey, std::vector<Triangle>> surface_parts(const QualityModel& model, const ConstrainedTetrahedralization& mesh) {
+std::map<PartKey, std::vector<Triangle>> surface_parts(const QualityModel& model,
+                                                       const ConstrainedTetrahedralization& mesh) {
   std::map<PartKey, std::vector<Triangle>> parts;
   for (const auto& face : mesh.faces) {
     const auto component = [&](Index t) { return t == no_index ? no_index : mesh.component[t]; };
@@ -146,7 +149,8 @@ void write_gmsh(const QualityModel& model, const std::string& stem) {
   std::ofstream msh(stem + ".surface.msh"), geo(stem + ".geo");
   msh.precision(17);
   msh << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << node.size() << '\n';
-  for (const auto& [v, id] : node) msh << id << ' ' << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << mesh.points[v].z << '\n';
+  for (const auto& [v, id] : node)
+    msh << id << ' ' << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << mesh.points[v].z << '\n';
   msh << "$EndNodes\n$Elements\n" << n_triangles << '\n';
   std::map<Index, std::vector<std::size_t>> bounding, embedded;
   std::size_t part = 0, element = 0;
@@ -170,7 +174,8 @@ void write_gmsh(const QualityModel& model, const std::string& stem) {
     return text;
   };
   for (const auto& [c, parts_of] : bounding)
-    geo << "Surface Loop(" << c + 1 << ") = {" << list(parts_of) << "};\nVolume(" << c + 1 << ") = {" << c + 1 << "};\n";
+    geo << "Surface Loop(" << c + 1 << ") = {" << list(parts_of) << "};\nVolume(" << c + 1 << ") = {" << c + 1
+        << "};\n";
   for (const auto& [c, parts_of] : embedded) geo << "Surface {" << list(parts_of) << "} In Volume {" << c + 1 << "};\n";
 }
 
@@ -218,12 +223,16 @@ Row run_gmsh(const QualityModel& model, const std::string& stem, double limit_s)
   write_gmsh(model, stem);
   std::remove((stem + ".msh").c_str());
   Row row{"gmsh -optimize_netgen", 0, {}, 0};
-  const std::string failure = run("gmsh -3 -optimize_netgen -format msh2 " + stem + ".geo -o " + stem + ".msh", stem, limit_s, row.cpu_s);
+  const std::string failure =
+      run("gmsh -3 -optimize_netgen -format msh2 " + stem + ".geo -o " + stem + ".msh", stem, limit_s, row.cpu_s);
   const bool without_netgen = log_has(stem, "Netgen optimizer is not compiled in");
   if (without_netgen) row.tool = "gmsh -optimize (Netgen not compiled in)";
   measure_into(row, read_gmsh(stem + ".msh"));
   const char* const refusal = "Could not recover boundary mesh";
-  if (row.tetrahedra == 0) row.tool += std::string(": ") + (log_has(stem, refusal) ? refusal : failure.empty() ? "no tetrahedra" : failure.c_str());
+  if (row.tetrahedra == 0)
+    row.tool += std::string(": ") + (log_has(stem, refusal) ? refusal
+                                     : failure.empty()      ? "no tetrahedra"
+                                                            : failure.c_str());
   return row;
 }
 

@@ -31,10 +31,10 @@ Row run_geomesh(const QualityModel& model, const RefineOptions& options, const s
 /// Files go to STEM.poly, STEM.1.node ...; `limit_s` of processor time.
 Row run_tetgen(const QualityModel& model, const std::string& stem, double limit_s);
 
-/// `gmsh -3 -optimize_netgen`: a discrete surface for each part of a surface between two regions, and a volume for each region with
-/// the parts that bound it; parts with one region on both sides are embedded in it. Facets are triangulated as our recovery does
-/// without refinement, since gmsh keeps discrete surfaces as they are. Where gmsh says that Netgen is not compiled in, what its own
-/// optimiser left is the result, and the row says so.
+/// `gmsh -3 -optimize_netgen`: a discrete surface for each part of a surface between two regions, and a volume for each
+/// region with the parts that bound it; parts with one region on both sides are embedded in it. Facets are triangulated
+/// as our recovery does without refinement, since gmsh keeps discrete surfaces as they are. Where gmsh says that Netgen
+/// is not compiled in, what its own optimiser left is the result, and the row says so.
 Row run_gmsh(const QualityModel& model, const std::string& stem, double limit_s);
 
 }  // namespace geomesh::bench

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // recovery_bench --data DIR [--markdown FILE] [--limit SECONDS] [NAME...]
 //
-// Recovery beside the TetGen 1.5 library, each input a row, each run a process of its own on one core: CPU time of everything
-// from the model in memory to the classified mesh (delaunay, recover, classify and what lies between), added points, tetrahedra.
-// Constrained mode beside TetGen's `pY`, conforming mode beside `p`. Our meshes are judged exactly; a mesh that does not pass is
-// a failure here. With
+// Recovery beside the TetGen 1.5 library, each input a row, each run a process of its own on one core: CPU time of
+// everything from the model in memory to the classified mesh (delaunay, recover, classify and what lies between), added
+// points, tetrahedra. Constrained mode beside TetGen's `pY`, conforming mode beside `p`. Our meshes are judged exactly;
+// a mesh that does not pass is a failure here. With
 // --markdown, the section "Recovery" of that file is replaced. With names, only inputs whose name contains one of them.
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,8 @@ std::string cell(const Measurement& m, std::size_t n_triangles) {
 }
 
 /// Geometric mean of ours over theirs where both succeed, by time or by time per tetrahedron.
-std::string mean_ratio(const std::vector<Row>& rows, Measurement Row::*ours, Measurement Row::*theirs, bool per_tetrahedron) {
+std::string mean_ratio(const std::vector<Row>& rows, Measurement Row::*ours, Measurement Row::*theirs,
+                       bool per_tetrahedron) {
   double sum = 0;
   int n = 0;
   for (const Row& row : rows) {
@@ -105,9 +106,11 @@ std::string density(const std::vector<Row>& rows, std::span<const char* const> g
 
 std::string table(const std::vector<Row>& rows) {
   std::ostringstream out;
-  out << "CPU seconds on one core from the model in memory to the classified mesh / points added / tetrahedra per input "
+  out << "CPU seconds on one core from the model in memory to the classified mesh / points added / tetrahedra per "
+         "input "
          "triangle.\n\n"
-      << "| input | triangles | constrained | + | t/t | TetGen `pY` | + | t/t | boundary kept | + | t/t | conforming | + | t/t | "
+      << "| input | triangles | constrained | + | t/t | TetGen `pY` | + | t/t | boundary kept | + | t/t | conforming | "
+         "+ | t/t | "
          "TetGen `p` | + | t/t |\n"
       << "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
@@ -116,7 +119,8 @@ std::string table(const std::vector<Row>& rows) {
       out << " | " << cell(*m, r.n_triangles);
     out << " |\n";
   }
-  out << "\nInputs of at least 1,000 triangles, geometric mean of ours over TetGen's where both succeed: time, constrained over "
+  out << "\nInputs of at least 1,000 triangles, geometric mean of ours over TetGen's where both succeed: time, "
+         "constrained over "
          "`pY` "
       << mean_ratio(rows, &Row::constrained, &Row::tetgen_py, false) << "; time per tetrahedron, conforming over `p` "
       << mean_ratio(rows, &Row::conforming, &Row::tetgen_p, true)
@@ -128,8 +132,8 @@ std::string table(const std::vector<Row>& rows) {
   out << "\n| tetrahedra per input triangle | constrained | boundary kept | TetGen `pY` |\n|---|---|---|---|\n";
   const char* const groups[] = {"solids", "classic", "modelA4", "faults"};
   const auto density_row = [&](const std::string& name, std::span<const char* const> some) {
-    out << "| " << name << " | " << density(rows, some, &Row::constrained) << " | " << density(rows, some, &Row::preserved) << " | "
-        << density(rows, some, &Row::tetgen_py) << " |\n";
+    out << "| " << name << " | " << density(rows, some, &Row::constrained) << " | "
+        << density(rows, some, &Row::preserved) << " | " << density(rows, some, &Row::tetgen_py) << " |\n";
   };
   for (const char* const& group : groups) density_row(group, {&group, 1});
   density_row("all of these", groups);
@@ -163,10 +167,11 @@ void replace_section(const std::string& path, const std::string& body) {
   }
   std::size_t end = text.find("\n## ", begin + 1);
   if (end == std::string::npos) end = text.size();
-  const std::string section = heading +
-                              "\nMade by `build/nightly/bin/recovery_bench --data ../shared/data --markdown docs/performance.md` "
-                              "(preset `nightly`).\n\n" +
-                              body;
+  const std::string section =
+      heading +
+      "\nMade by `build/nightly/bin/recovery_bench --data ../shared/data --markdown docs/performance.md` "
+      "(preset `nightly`).\n\n" +
+      body;
   std::ofstream(path) << text.substr(0, begin) << section << text.substr(end);
 }
 

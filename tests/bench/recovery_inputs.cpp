@@ -54,9 +54,9 @@ std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder) {
       inputs.push_back({std::string("faults/") + group, [folder] { return intersected_faults(folder); }});
   }
 #endif
-  for (const char* name :
-       {"chazelle_8", "chazelle_16", "nested_spheres_fine", "cube_lattice_12", "pinching_layers", "pinching_layers_fine",
-        "flat_layers", "flat_layers_wide", "pyramids_and_block_0.5", "high_degree_vertex", "dodecahedron_icosahedron"})
+  for (const char* name : {"chazelle_8", "chazelle_16", "nested_spheres_fine", "cube_lattice_12", "pinching_layers",
+                           "pinching_layers_fine", "flat_layers", "flat_layers_wide", "pyramids_and_block_0.5",
+                           "high_degree_vertex", "dodecahedron_icosahedron"})
     inputs.push_back({std::string("corpus/") + name, test::corpus_model(name).make});
   return inputs;
 }

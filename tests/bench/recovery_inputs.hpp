@@ -16,8 +16,8 @@ struct RecoveryInput {
   std::function<PiecewiseLinearComplex()> make;
 };
 
-/// The valid complexes of the outside data (solids, classic, grains, modelA4), the faults of the outside data intersected in a
-/// box (where geomodel is built), and the larger models of the corpus.
+/// The valid complexes of the outside data (solids, classic, grains, modelA4), the faults of the outside data
+/// intersected in a box (where geomodel is built), and the larger models of the corpus.
 std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder);
 
 }  // namespace geomesh::bench

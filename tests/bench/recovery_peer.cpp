@@ -82,7 +82,8 @@ const char* tetgen_failure(int code) {
 
 }  // namespace
 
-Measurement measure_ours(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, unsigned limit_seconds) {
+Measurement measure_ours(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
+                         unsigned limit_seconds) {
   RunContext one_core;
   one_core.threads = 1;
   const Job mesh = [&] {

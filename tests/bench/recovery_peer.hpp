@@ -11,8 +11,10 @@
 
 namespace geomesh::bench {
 
-/// CPU time of tetrahedralize() on one thread; then, in another process, the result is judged, and faults make the run a failure.
-Measurement measure_ours(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, unsigned limit_seconds);
+/// CPU time of tetrahedralize() on one thread; then, in another process, the result is judged, and faults make the run
+/// a failure.
+Measurement measure_ours(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
+                         unsigned limit_seconds);
 /// CPU time of TetGen's tetrahedralize() with the switches given, the conversion of the model left out.
 Measurement measure_tetgen(const PiecewiseLinearComplex& plc, const std::string& switches, unsigned limit_seconds);
 

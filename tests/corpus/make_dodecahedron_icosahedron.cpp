@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the surface of the union of a regular dodecahedron and a regular icosahedron as triangles (OFF on standard output): the
-// model of Figure 3 of Cavalcanti and Mello (1999). Computed exactly, rounded to doubles, and checked for crossings after
-// rounding. Build: c++ -std=c++17 -O2 make_dodecahedron_icosahedron.cpp -lgmp -lmpfr
+// Writes the surface of the union of a regular dodecahedron and a regular icosahedron as triangles (OFF on standard
+// output): the model of Figure 3 of Cavalcanti and Mello (1999). Computed exactly, rounded to doubles, and checked for
+// crossings after rounding. Build: c++ -std=c++17 -O2 make_dodecahedron_icosahedron.cpp -lgmp -lmpfr
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>

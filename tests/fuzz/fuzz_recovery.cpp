@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fuzz_recovery [--boxes] [--mode constrained|preserve|conforming] [--image NAME] [--first SEED] [--count N] [--points N] [--seconds S]
+// fuzz_recovery [--boxes] [--mode constrained|preserve|conforming] [--image NAME] [--first SEED] [--count N] [--points
+// N] [--seconds S]
 // [--save DIR]
 //               [FILE|MODEL...|corpus]
-// Meshes random valid models (or the files and corpus models named), one child process each, and judges them. Prints one line a
-// failure; with --save, writes each failure made as small as it goes to DIR. --image: shuffled, mirrored, triangles, turned, utm,
-// turned_utm. --boxes: warped boxes (corpus_boxes.hpp) in place of distorted meshes (corpus_random.hpp). Exit status 1 where anything failed.
+// Meshes random valid models (or the files and corpus models named), one child process each, and judges them. Prints
+// one line a failure; with --save, writes each failure made as small as it goes to DIR. --image: shuffled, mirrored,
+// triangles, turned, utm, turned_utm. --boxes: warped boxes (corpus_boxes.hpp) in place of distorted meshes
+// (corpus_random.hpp). Exit status 1 where anything failed.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -86,8 +88,8 @@ bool run(const std::string& name, const PiecewiseLinearComplex& original, const 
     const std::string path = a.save + "/" + a.mode + "_" + std::filesystem::path(name).stem().string() +
                              (a.image.empty() ? "" : "_" + a.image) + ".poly";
     write_poly(small, path);
-    std::printf("  %s: %zu points, %zu facets, %zu segments: %.300s\n", path.c_str(), small.points.size(), small.n_facets(),
-                small.segments.size(), outcome_of(small, options, a.seconds).c_str());
+    std::printf("  %s: %zu points, %zu facets, %zu segments: %.300s\n", path.c_str(), small.points.size(),
+                small.n_facets(), small.segments.size(), outcome_of(small, options, a.seconds).c_str());
   }
   std::fflush(stdout);
   return false;
@@ -108,7 +110,8 @@ int main(int argc, char** argv) {
   }
   if (a.inputs.empty())
     for (std::uint64_t seed = a.first; seed < a.first + a.count; ++seed, ++n)
-      failures += !run("seed_" + std::to_string(seed), a.boxes ? random_boxes(seed) : random_plc(seed, a.points), a, options);
+      failures +=
+          !run("seed_" + std::to_string(seed), a.boxes ? random_boxes(seed) : random_plc(seed, a.points), a, options);
   std::printf("%zu of %zu models failed\n", failures, n);
   return failures == 0 ? 0 : 1;
 }

@@ -41,7 +41,8 @@ PiecewiseLinearComplex subset(const PiecewiseLinearComplex& plc, const std::vect
   for (const auto& p : plc.facet_points)
     if (keep_facet[p.facet]) out.facet_points.push_back({new_facet[p.facet], use(p.v)});
   for (std::size_t s = 0; s < plc.segments.size(); ++s)
-    if (keep_segment[s]) out.segments.push_back({use(plc.segments[s].a), use(plc.segments[s].b), plc.segments[s].curve});
+    if (keep_segment[s])
+      out.segments.push_back({use(plc.segments[s].a), use(plc.segments[s].b), plc.segments[s].curve});
   for (std::size_t i = 0; i < plc.isolated_points.size(); ++i)
     if (keep_point[i]) out.isolated_points.push_back(use(plc.isolated_points[i]));
   return out;

@@ -10,15 +10,15 @@
 
 namespace geomesh::test {
 
-/// What became of the model: empty where it is meshed and passes the judge, else "hangs", "crashes (signal N)" or what the run
-/// said. Runs in a child process that is stopped after `time_limit` seconds.
+/// What became of the model: empty where it is meshed and passes the judge, else "hangs", "crashes (signal N)" or what
+/// the run said. Runs in a child process that is stopped after `time_limit` seconds.
 std::string outcome_of(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, double time_limit);
 
 /// The word before the first colon: failures of one kind are taken as the same failure.
 std::string kind_of(const std::string& outcome);
 
-/// Deletes facets, segments and isolated points, by halves and then one by one, as long as the failure stays of the same kind;
-/// drops unused points. At most `budget` runs.
+/// Deletes facets, segments and isolated points, by halves and then one by one, as long as the failure stays of the
+/// same kind; drops unused points. At most `budget` runs.
 PiecewiseLinearComplex minimised(PiecewiseLinearComplex plc, const TetrahedralizeOptions& options, double time_limit,
                                  int budget = 1500);
 

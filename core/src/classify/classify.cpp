@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "recover/flood.hpp"
-#include "recover/presence.hpp"
+#include "common/flood.hpp"
+#include "recover/model/presence.hpp"
 
 namespace geomesh::classify {
 
@@ -29,7 +29,8 @@ class Classifier {
     number_components();
     if (out_.n_components == 0)
       throw Error(ErrorKind::cannot_mesh,
-                  "the facets enclose no space, so there is nothing to mesh: close the surfaces, add a box, or keep the convex hull");
+                  "the facets enclose no space, so there is nothing to mesh: close the surfaces, add a box, or keep "
+                  "the convex hull");
     mark_regions();
     emit_points();
     emit_cells();
@@ -138,12 +139,14 @@ class Classifier {
     std::vector<std::vector<Index>> parts(constraints.segments.size());
     for (Index i = 0; i < constraints.subsegments.size(); ++i) {
       const Subsegment& s = constraints.subsegments[i];
-      if (s.live && s.segment != no_index && constraints.segments[s.segment].row != no_index) parts[s.segment].push_back(i);
+      if (s.live && s.segment != no_index && constraints.segments[s.segment].row != no_index)
+        parts[s.segment].push_back(i);
     }
     for (Index row = 0; row < model_.segment_of_row.size(); ++row)
       for (const Index i : parts[model_.segment_of_row[row]]) {
         const Subsegment& s = constraints.subsegments[i];
-        if (point_[s.a] != no_vertex && point_[s.b] != no_vertex && is_kept_edge(i)) out_.edges.push_back({point_[s.a], point_[s.b], row});
+        if (point_[s.a] != no_vertex && point_[s.b] != no_vertex && is_kept_edge(i))
+          out_.edges.push_back({point_[s.a], point_[s.b], row});
       }
   }
   /// Some cell about the edge is kept; both ends may be though none is.

@@ -5,13 +5,14 @@
 
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
-#include "recover/constrained_mesh.hpp"
-#include "recover/declare.hpp"
+#include "recover/model/constrained_mesh.hpp"
+#include "recover/model/declare.hpp"
 
 namespace geomesh::classify {
 
-/// Components of the recovered mesh between its locked faces, numbered, seeded, without the outside, as ConstrainedTetrahedralization
-/// documents. Throws Error{cannot_mesh} where nothing is enclosed, Error{invalid_input} for a hole seed on a facet.
+/// Components of the recovered mesh between its locked faces, numbered, seeded, without the outside, as
+/// ConstrainedTetrahedralization documents. Throws Error{cannot_mesh} where nothing is enclosed, Error{invalid_input}
+/// for a hole seed on a facet.
 ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, recover::DeclaredModel& model,
                                        const PiecewiseLinearComplex& plc, const RunContext& context);
 

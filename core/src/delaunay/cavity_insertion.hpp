@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions: locate, find
-/// the conflict zone, stellate.
+/// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions:
+/// locate, find the conflict zone, stellate.
 #pragma once
 
 #include <limits>
@@ -12,13 +12,13 @@
 
 namespace geomesh {
 
-/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1); builds
-/// with expensive checks assert it by P2 for every face.
+/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1);
+/// builds with expensive checks assert it by P2 for every face.
 template <class Space, bool Shared = false>
 class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   using Base = IncrementalTriangulation<Space, Shared>;
-  using Base::cavity_flag, Base::cells_, Base::dimension, Base::flags_, Base::ghost_flag, Base::infinite_, Base::n_faces,
-      Base::space_;
+  using Base::cavity_flag, Base::cells_, Base::dimension, Base::flags_, Base::ghost_flag, Base::infinite_,
+      Base::n_faces, Base::space_;
   using typename Base::Cell, typename Base::CellVertices;
 
  public:
@@ -58,11 +58,11 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   std::size_t n_cavity_ = 0, n_boundary_ = 0;
   /// Squared distance of the new point from the nearest vertex, which it will be joined to. Not known in 2D.
   double nearest_ = std::numeric_limits<double>::infinity();
-  std::array<VertexIndex, table_side + 1> numbered_;  ///< vertices of the boundary by number
+  std::array<VertexIndex, table_side + 1> numbered_;                 ///< vertices of the boundary by number
   std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
   std::uint16_t infinite_local_ = PointRecord::no_local;
-  /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: that on boundary vertex b, in row 0 where
-  /// the new cell's edge begins with it.
+  /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: that on boundary vertex b, in
+  /// row 0 where the new cell's edge begins with it.
   std::array<FaceRef, table_side * table_side> table_;
   std::size_t cells_removed_ = 0, cells_made_ = 0;
 };
@@ -150,7 +150,10 @@ bool CavityInsertion<Space, Shared>::grow_cavity_by_lanes(const Vec3& p) {
         const CellIndex n = cell.neighbors[i].cell();
         const bool ghost = insertion.flags_[n] & ghost_flag;
         const CellVertices& v = insertion.cells_[n].vertices;
-        conflict |= (ghost ? insertion.space_.ghost_conflict(v, p) : insertion.space_.finite_conflict(v, p, value[i]) ? 1u : 0u) << i;
+        conflict |= (ghost                                              ? insertion.space_.ghost_conflict(v, p)
+                     : insertion.space_.finite_conflict(v, p, value[i]) ? 1u
+                                                                        : 0u)
+                    << i;
       }
       return conflict;
     }
@@ -231,8 +234,8 @@ inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexInde
   flags_[c] = ghost ? ghost_flag : 0;
 }
 
-/// Numbers the vertices of the boundary from 0 as they come and returns how many there are. Whether a vertex is new is not branched
-/// on: it is as good as random.
+/// Numbers the vertices of the boundary from 0 as they come and returns how many there are. Whether a vertex is new is
+/// not branched on: it is as good as random.
 template <class Space, bool Shared>
 unsigned CavityInsertion<Space, Shared>::number_boundary() {
   const Face* faces = boundary_.data();
@@ -258,8 +261,8 @@ unsigned CavityInsertion<Space, Shared>::number_boundary() {
   return count;
 }
 
-/// The common path: new faces in a square table by directed edge; each entry is written before it is read, so the table is never
-/// cleared.
+/// The common path: new faces in a square table by directed edge; each entry is written before it is read, so the table
+/// is never cleared.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   const unsigned shift = number_boundary() <= 32 ? 5 : table_bits;
@@ -317,7 +320,8 @@ void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
       // 3D: face j is on the edge that leads from vertex j + 1 to j + 2. 2D: face j is on the other vertex.
       const VertexIndex a = u[(j + 1) % dimension], b = dimension == 3 ? u[(j + 2) % dimension] : a;
       const FaceRef face(cavity_[k], j);
-      const auto [at, is_new] = open.try_emplace(dimension == 3 ? key(std::min(a, b), std::max(a, b)) : key(a, a), face);
+      const auto [at, is_new] =
+          open.try_emplace(dimension == 3 ? key(std::min(a, b), std::max(a, b)) : key(a, a), face);
       if (!is_new) this->mesh_.link(face, at->second);
     }
   }

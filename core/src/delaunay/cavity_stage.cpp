@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "parallel.hpp"
-#include "delaunay/spatial_order.hpp"
+#include "common/parallel.hpp"
+#include "mesh/spatial_order.hpp"
 
 namespace geomesh {
 namespace {
@@ -20,8 +20,8 @@ struct PartRun {
   std::vector<Twin> twins;
 };
 
-void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::vector<VertexIndex>& positions, std::size_t first,
-                 double distance, const RunContext& context) {
+void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::vector<VertexIndex>& positions,
+                 std::size_t first, double distance, const RunContext& context) {
   run.left.assign(positions.begin() + static_cast<std::ptrdiff_t>(run.begin),
                   positions.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t i = first; i < run.end; ++i) {
@@ -53,8 +53,8 @@ std::vector<PartRun> cut_curve(std::size_t n_parts) {
 
 }  // namespace
 
-CavityStage::CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit, double cluster_distance,
-                         const RunContext& context)
+CavityStage::CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit,
+                         double cluster_distance, const RunContext& context)
     : mesh_(mesh),
       records_(records),
       n_points_(n_points),
@@ -107,9 +107,10 @@ void CavityStage::insert_one_by_one(const std::vector<VertexIndex>& positions, d
   }
 }
 
-/// First position whose point lies in a cell that the part owns, which becomes its hint; `end` where a few tries find none.
-std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& positions, std::size_t begin, std::size_t end,
-                                    Ownership owned) {
+/// First position whose point lies in a cell that the part owns, which becomes its hint; `end` where a few tries find
+/// none.
+std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& positions, std::size_t begin,
+                                    std::size_t end, Ownership owned) {
   constexpr std::size_t step = 48, tries = 64;
   for (std::size_t i = begin; i < std::min(end, begin + step * tries); i += step) {
     const CellIndex c = sequential_.locate(records_[positions[i]]);
@@ -128,7 +129,8 @@ std::vector<VertexIndex> CavityStage::insert_in_parts(const std::vector<VertexIn
   const std::size_t n_parts = std::clamp<std::size_t>(positions.size() / points_a_part, 2, 256);
   std::vector<PartRun> runs = cut_curve(n_parts);
   const CellIndex base = sequential_.slots().used_end();
-  mesh_.grow_to(std::max<std::size_t>(mesh_.n_slots(), base + 8 * positions.size() + 2 * runs.size() * SlotSource::block));
+  mesh_.grow_to(
+      std::max<std::size_t>(mesh_.n_slots(), base + 8 * positions.size() + 2 * runs.size() * SlotSource::block));
   sequential_.refresh();
   std::deque<Part> parts;
   std::vector<std::size_t> first(runs.size());

@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "common/parallel.hpp"
 #include "delaunay/cavity_stage.hpp"
 #include "delaunay/flip_insertion.hpp"
-#include "parallel.hpp"
-#include "delaunay/spatial_order.hpp"
 #include "delaunay/twins.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "mesh/spatial_order.hpp"
 
 namespace geomesh {
 namespace {
@@ -22,9 +22,9 @@ constexpr std::size_t most_points = 120000000;
 
 void check_coordinates(std::span<const Vec3> points) {
   if (points.size() > most_points)
-    throw Error(ErrorKind::cannot_mesh, std::to_string(points.size()) + " points are more than the " +
-                                            std::to_string(most_points) +
-                                            " that cells with 32-bit indices can hold; mesh parts of the model one by one");
+    throw Error(ErrorKind::cannot_mesh,
+                std::to_string(points.size()) + " points are more than the " + std::to_string(most_points) +
+                    " that cells with 32-bit indices can hold; mesh parts of the model one by one");
   if (exponents_are_safe(points)) return;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (exponents_are_safe(points.subspan(i, 1))) continue;
@@ -42,7 +42,8 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
     return Error(ErrorKind::cannot_mesh, std::string("all points lie ") + what + ": there is no volume to triangulate");
   };
   const auto bring = [&](std::ptrdiff_t place, auto&& fits) {
-    const auto found = std::find_if(order.begin() + std::min<std::ptrdiff_t>(place, std::ssize(order)), order.end(), fits);
+    const auto found =
+        std::find_if(order.begin() + std::min<std::ptrdiff_t>(place, std::ssize(order)), order.end(), fits);
     if (found == order.end()) return false;
     std::rotate(order.begin() + place, found, found + 1);
     return true;
@@ -53,14 +54,15 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
   const Vec3& b = points[order[1]];
   if (!bring(2, [&](VertexIndex v) { return !collinear(a, b, points[v]); })) throw no_volume("on one line");
   const Vec3& c = points[order[2]];
-  if (!bring(3, [&](VertexIndex v) { return orient3d(a, b, c, points[v]) != Sign::zero; })) throw no_volume("in one plane");
+  if (!bring(3, [&](VertexIndex v) { return orient3d(a, b, c, points[v]) != Sign::zero; }))
+    throw no_volume("in one plane");
   if (orient3d(a, b, c, points[order[3]]) == Sign::negative) return {1, 0, 2, 3};
   return {0, 1, 2, 3};
 }
 
-/// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine bits, if any
-/// two points that follow each other on the curve are that near; else none. Waiting costs more than it saves at larger distances
-/// (docs/performance.md).
+/// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine
+/// bits, if any two points that follow each other on the curve are that near; else none. Waiting costs more than it
+/// saves at larger distances (docs/performance.md).
 double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   Box3 box;
   double least = std::numeric_limits<double>::infinity();
@@ -75,8 +77,9 @@ double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   return least < distance * distance ? distance : 0;
 }
 
-std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<PointRecord>& records, const Tetrahedron& first,
-                                  double unit, double cluster_distance, const RunContext& context) {
+std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<PointRecord>& records,
+                                  const Tetrahedron& first, double unit, double cluster_distance,
+                                  const RunContext& context) {
   const auto n = static_cast<VertexIndex>(records.size() - 1);
   FlipInsertion insertion(result.mesh, Space3(records.data(), n, unit), SlotSource(0, 0, 0, 1));
   insertion.start(first);
@@ -123,7 +126,8 @@ DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> poi
   TetMesh& mesh = result.mesh;
   mesh.reserve(8 * points.size() + 64 * SlotSource::block);
   // The cells' memory serves the sort first: 16 bytes a point of the 256 that follow.
-  SpatialOrder spatial = spatial_order(points, {reinterpret_cast<std::uint64_t*>(mesh.cells()), 2 * points.size()}, threads);
+  SpatialOrder spatial =
+      spatial_order(points, {reinterpret_cast<std::uint64_t*>(mesh.cells()), 2 * points.size()}, threads);
   const Tetrahedron first = first_tetrahedron(points, spatial.order);
 
   PodArray<PointRecord> records;

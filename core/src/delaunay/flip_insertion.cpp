@@ -15,7 +15,8 @@ TetMesh::CellVertices substituted(TetMesh::CellVertices v, VertexIndex from, Ver
 
 bool FlipInsertion::positive(const CellVertices& v) {
   if (has_infinite(v)) return true;
-  return space_.orientation(space_.record(v[0]), space_.record(v[1]), space_.record(v[2]), space_.record(v[3])) == Sign::positive;
+  return space_.orientation(space_.record(v[0]), space_.record(v[1]), space_.record(v[2]), space_.record(v[3])) ==
+         Sign::positive;
 }
 
 bool FlipInsertion::all_positive() {
@@ -64,7 +65,8 @@ void FlipInsertion::replace() {
   hint_ = made_.back();
 }
 
-/// The cells whose closure holds p: one, two about a face, or the ring about an edge; a ghost where p is beyond its face.
+/// The cells whose closure holds p: one, two about a face, or the ring about an edge; a ghost where p is beyond its
+/// face.
 void FlipInsertion::collect_holders(CellIndex c, const Vec3& p) {
   old_.assign(1, c);
   if (flags_[c] & ghost_flag) return;
@@ -113,7 +115,8 @@ InsertionOutcome FlipInsertion::insert(VertexIndex v, double cluster_distance) {
   if (cluster_distance > 0) {
     const CellIndex c = hint_ = walk(space_.record(v));
     for (const VertexIndex u : cells_[c].vertices) {
-      if (u == infinite_ || space_.squared_distance(u, space_.record(v)) >= cluster_distance * cluster_distance) continue;
+      if (u == infinite_ || space_.squared_distance(u, space_.record(v)) >= cluster_distance * cluster_distance)
+        continue;
       twin_ = equal_vertex(cells_[c].vertices, space_.record(v));
       return twin_ != no_vertex ? InsertionOutcome::duplicate : InsertionOutcome::too_near;
     }
@@ -141,8 +144,8 @@ std::size_t FlipInsertion::flip_all() {
   return stuck_ = flip_queue(no_vertex);
 }
 
-/// Flips until no queued face can be flipped; returns how many of those are not locally Delaunay. In the insertion of v only link
-/// faces, those opposite v, may be flipped: flips within the star would get stuck.
+/// Flips until no queued face can be flipped; returns how many of those are not locally Delaunay. In the insertion of v
+/// only link faces, those opposite v, may be flipped: flips within the star would get stuck.
 std::size_t FlipInsertion::flip_queue(VertexIndex v) {
   std::vector<Candidate> waiting;
   for (bool progress = true; progress;) {
@@ -168,7 +171,8 @@ std::size_t FlipInsertion::flip_queue(VertexIndex v) {
   return stuck;
 }
 
-/// The apex on one side is not in conflict with the cell on the other. The test is symmetric; it is made with a finite apex.
+/// The apex on one side is not in conflict with the cell on the other. The test is symmetric; it is made with a finite
+/// apex.
 bool FlipInsertion::locally_delaunay(FaceRef f) {
   FaceRef outer = cells_[f.cell()].neighbors[f.face()];
   if (cells_[f.cell()].vertices[f.face()] == infinite_) std::swap(f, outer);
@@ -188,8 +192,8 @@ bool FlipInsertion::try_flip(FaceRef f) {
   return try_3_to_2(f, outer) || try_2_to_3(f, outer) || try_4_to_4(f, outer);
 }
 
-// Below, v and d are the apexes of the two cells on face (a, b, c). Replacing one face vertex by d in v's cell gives the cells on
-// the new edge (v, d), with their orientation.
+// Below, v and d are the apexes of the two cells on face (a, b, c). Replacing one face vertex by d in v's cell gives
+// the cells on the new edge (v, d), with their orientation.
 
 /// Three cells about edge (a, b): v's, d's, and one on (v, d, a, b).
 bool FlipInsertion::try_3_to_2(FaceRef f, FaceRef outer) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split what holds the new point, then flip link faces
-/// until all are locally Delaunay. Edelsbrunner and Shah (1996) prove that in insertion this ends with no face left over.
+/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split what holds the new point, then flip
+/// link faces until all are locally Delaunay. Edelsbrunner and Shah (1996) prove that in insertion this ends with no
+/// face left over.
 #pragma once
 
 #include <array>
@@ -13,8 +14,9 @@
 
 namespace geomesh {
 
-/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own: a 4-4 flip with an
-/// infinite vertex is the 2-2 flip of two coplanar hull faces; a 3-2 flip about an edge to infinity takes a vertex off the hull.
+/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own: a 4-4 flip
+/// with an infinite vertex is the 2-2 flip of two coplanar hull faces; a 3-2 flip about an edge to infinity takes a
+/// vertex off the hull.
 class FlipInsertion : public IncrementalTriangulation<Space3, false> {
  public:
   using IncrementalTriangulation::IncrementalTriangulation;
@@ -23,12 +25,13 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
   /// Splits what holds v and flips nothing: the result need not be Delaunay.
   InsertionOutcome split_only(VertexIndex v);
-  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left (stuck). Each
-  /// flip lowers the lifted surface, so this ends from any triangulation.
+  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left
+  /// (stuck). Each flip lowers the lifted surface, so this ends from any triangulation.
   std::size_t flip_all();
 
-  /// The first flip of 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not; false where none is.
-  /// (At ghosts orientations alone would let a flip dent the hull; there the conflict test is what keeps it convex.)
+  /// The first flip of 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not; false where
+  /// none is. (At ghosts orientations alone would let a flip dent the hull; there the conflict test is what keeps it
+  /// convex.)
   bool flip_face(FaceRef f);
 
   std::size_t stuck_faces() const { return stuck_; }

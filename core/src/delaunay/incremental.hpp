@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1): the first
-/// simplex with its ghosts, point location, ownership of cells in parallel runs. The algorithms derive from it:
-/// cavity_insertion.hpp and flip_insertion.hpp.
+/// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1):
+/// the first simplex with its ghosts, point location, ownership of cells in parallel runs. The algorithms derive from
+/// it: cavity_insertion.hpp and flip_insertion.hpp.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "delaunay/lane_kernels.hpp"
+#include "delaunay/kernels/lane_kernels.hpp"
 #include "delaunay/slots.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 
@@ -58,8 +58,8 @@ class IncrementalTriangulation {
   }
 
  protected:
-  /// A cell in conflict with p: the cell that contains it, or the ghost of a hull face that it lies beyond. no_cell where the
-  /// walk leaves the owned part.
+  /// A cell in conflict with p: the cell that contains it, or the ghost of a hull face that it lies beyond. no_cell
+  /// where the walk leaves the owned part.
   CellIndex walk(const Vec3& p);
   /// Vertex of c equal to p, or no_vertex.
   VertexIndex equal_vertex(const CellVertices& v, const Vec3& p) const;

@@ -6,9 +6,9 @@
 
 #include "delaunay/cavity_insertion.hpp"
 #include "delaunay/plane_space.hpp"
-#include "delaunay/spatial_order.hpp"
 #include "delaunay/twins.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "mesh/spatial_order.hpp"
 
 namespace geomesh {
 namespace {
@@ -18,16 +18,19 @@ int bring_first_triangle(std::span<const Vec3> points, std::vector<VertexIndex>&
   const auto no_area = [] {
     return Error(ErrorKind::cannot_mesh, "all points lie on one line: there is no area to triangulate");
   };
-  const auto second = std::find_if(order.begin(), order.end(), [&](VertexIndex v) { return !(points[v] == points[order[0]]); });
+  const auto second =
+      std::find_if(order.begin(), order.end(), [&](VertexIndex v) { return !(points[v] == points[order[0]]); });
   if (second == order.end()) throw no_area();
   std::rotate(order.begin() + 1, second, second + 1);
   const Vec3 &a = points[order[0]], &b = points[order[1]];
-  const auto third = std::find_if(order.begin() + 2, order.end(), [&](VertexIndex v) { return !collinear(a, b, points[v]); });
+  const auto third =
+      std::find_if(order.begin() + 2, order.end(), [&](VertexIndex v) { return !collinear(a, b, points[v]); });
   if (third == order.end()) throw no_area();
   std::rotate(order.begin() + 2, third, third + 1);
   const Vec3& c = points[order[2]];
   for (int axis = 0;; ++axis) {
-    const Sign turn = orient2d(PlaneSpace::project(a, axis), PlaneSpace::project(b, axis), PlaneSpace::project(c, axis));
+    const Sign turn =
+        orient2d(PlaneSpace::project(a, axis), PlaneSpace::project(b, axis), PlaneSpace::project(c, axis));
     if (turn == Sign::zero) continue;
     if (turn == Sign::negative) std::swap(order[0], order[1]);
     return axis;

@@ -3,14 +3,14 @@
 /// The predicates of incremental triangulation in a plane in space.
 #pragma once
 
-#include "delaunay/point_record.hpp"
+#include "delaunay/kernels/point_record.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 
 namespace geomesh {
 
-/// As Space3, of exactly coplanar points. Orientations are those of the projection along `axis`, which is not parallel to the
-/// plane.
+/// As Space3, of exactly coplanar points. Orientations are those of the projection along `axis`, which is not parallel
+/// to the plane.
 class PlaneSpace {
  public:
   static constexpr int dimension = 2;

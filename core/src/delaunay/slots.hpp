@@ -10,9 +10,9 @@
 
 namespace geomesh {
 
-/// One of `n_sources` sources that share the mesh beyond `base`: source k owns the blocks k, k + n_sources, ... of `block` slots
-/// each. So the slots a source hands out depend on its own work alone, not on when the others ran. With one source the blocks
-/// join to one range.
+/// One of `n_sources` sources that share the mesh beyond `base`: source k owns the blocks k, k + n_sources, ... of
+/// `block` slots each. So the slots a source hands out depend on its own work alone, not on when the others ran. With
+/// one source the blocks join to one range.
 class SlotSource {
  public:
   SlotSource() = default;
@@ -22,7 +22,8 @@ class SlotSource {
   /// True where `n` more slots can be taken without a larger mesh.
   bool has(std::size_t n) const {
     std::size_t free = free_.size() + (block_end_ <= limit_ ? block_end_ - next_ : 0);
-    for (std::size_t b = std::size_t{block_end_} - block + stride_; free < n && b + block <= limit_; b += stride_) free += block;
+    for (std::size_t b = std::size_t{block_end_} - block + stride_; free < n && b + block <= limit_; b += stride_)
+      free += block;
     return free >= n;
   }
   CellIndex take() {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-#include "delaunay/point_record.hpp"
+#include "delaunay/kernels/point_record.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "predicates/exact_stage.hpp"
@@ -17,19 +17,20 @@
 
 namespace geomesh {
 
-/// A space answers, about points given by their records: on which side of a face a point lies, and which cells it conflicts with.
-/// It is the one part of the incremental algorithms that differs between the plane, a facet's plane and space, apart from the
-/// dimension.
+/// A space answers, about points given by their records: on which side of a face a point lies, and which cells it
+/// conflicts with. It is the one part of the incremental algorithms that differs between the plane, a facet's plane and
+/// space, apart from the dimension.
 ///
-/// Where all coordinates are multiples of one power of two (lattices, rounded data), differences of up to 512 units make the
-/// plain determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
+/// Where all coordinates are multiples of one power of two (lattices, rounded data), differences of up to 512 units
+/// make the plain determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
 class Space3 {
  public:
   static constexpr int dimension = 3;
   using Record = PointRecord;
   using CellVertices = TetMesh::CellVertices;
 
-  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter is certain of anything about it. `unit`: the coordinates are multiples of it, or 0.
+  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter is certain of anything about it.
+  /// `unit`: the coordinates are multiples of it, or 0.
   Space3(PointRecord* points, VertexIndex infinite, double unit)
       : points_(points), infinite_(infinite), exact_reach_(512 * unit) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -80,16 +81,19 @@ class Space3 {
     const filter::Estimate estimate = filter::orient3d(a, b, c, p);
     if (estimate.certain()) [[likely]]
       return estimate.sign();
-    if (within_exact_reach(a, p) && within_exact_reach(b, p) && within_exact_reach(c, p)) return sign_of(estimate.value);
+    if (within_exact_reach(a, p) && within_exact_reach(b, p) && within_exact_reach(c, p))
+      return sign_of(estimate.value);
     return detail::orient3d_after_filter(a, b, c, p, exact_calls_);
   }
 
  private:
   static Sign sign_of(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
   bool within_exact_reach(const Vec3& a, const Vec3& p) const {
-    return std::fabs(a.x - p.x) <= exact_reach_ && std::fabs(a.y - p.y) <= exact_reach_ && std::fabs(a.z - p.z) <= exact_reach_;
+    return std::fabs(a.x - p.x) <= exact_reach_ && std::fabs(a.y - p.y) <= exact_reach_ &&
+           std::fabs(a.z - p.z) <= exact_reach_;
   }
-  bool finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p, double value);
+  bool finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p,
+                                    double value);
   bool near_tie_conflict(const std::array<Vec3, 4>& r);
   bool tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "delaunay/point_record.hpp"
+#include "delaunay/kernels/point_record.hpp"
 
 namespace geomesh {
 
@@ -15,7 +15,8 @@ struct Twin {
   VertexIndex position, vertex;
 };
 
-/// Gives each vertex the least id of the points equal to it; returns that id for each point, its own where it has no twin.
+/// Gives each vertex the least id of the points equal to it; returns that id for each point, its own where it has no
+/// twin.
 inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
   std::vector<VertexIndex> representative(n);
   for (VertexIndex i = 0; i < n; ++i) representative[i] = i;

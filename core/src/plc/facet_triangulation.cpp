@@ -15,7 +15,8 @@ namespace {
 Vec3 loop_normal(std::span<const Vec3> points, const std::vector<VertexIndex>& loop) {
   Vec3 n;
   const Vec3 origin = points[loop[0]];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(points[loop[i]] - origin, points[loop[i + 1]] - origin);
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    n = n + cross(points[loop[i]] - origin, points[loop[i + 1]] - origin);
   return n;
 }
 
@@ -40,7 +41,8 @@ class FacetTriangulator {
     std::vector<Vec2> projected;
     for (VertexIndex v : vertices_) projected.push_back(project(points_[v], normal));
     PlanarTriangulation plane(projected, circle_test(projected));
-    if (!plane.triangulate()) return fail("the facet's vertices lie on one line or coincide in its plane", polygon_.loops[0]);
+    if (!plane.triangulate())
+      return fail("the facet's vertices lie on one line or coincide in its plane", polygon_.loops[0]);
     for (const auto& loop : polygon_.loops)
       for (std::size_t i = 0; i < loop.size(); ++i)
         if (!constrain(plane, loop[i], loop[(i + 1) % loop.size()])) return std::nullopt;
@@ -72,7 +74,8 @@ class FacetTriangulator {
   }
   void measure_planarity(const Vec3& normal) {
     std::array<VertexIndex, 3> base{vertices_[0], vertices_[0], vertices_[0]};
-    base[1] = *std::find_if(vertices_.begin(), vertices_.end(), [&](VertexIndex v) { return !(points_[v] == points_[base[0]]); });
+    base[1] = *std::find_if(vertices_.begin(), vertices_.end(),
+                            [&](VertexIndex v) { return !(points_[v] == points_[base[0]]); });
     for (VertexIndex v : vertices_)
       if (!collinear(points_[base[0]], points_[base[1]], points_[v])) {
         base[2] = v;
@@ -107,7 +110,8 @@ class FacetTriangulator {
     if (!obstacle) return true;
     std::vector<VertexIndex> culprits{a, b};
     for (unsigned v : *obstacle) culprits.push_back(vertices_[v]);
-    fail(obstacle->size() == 1 ? "a vertex of the facet lies on one of its edges" : "two edges of the facet cross", culprits);
+    fail(obstacle->size() == 1 ? "a vertex of the facet lies on one of its edges" : "two edges of the facet cross",
+         culprits);
     return false;
   }
   void mark_barriers() {
@@ -122,7 +126,8 @@ class FacetTriangulator {
     std::set<Edge> seen;
     std::vector<Edge> queue;
     const auto& outer = polygon_.loops[0];
-    for (std::size_t i = 0; i < outer.size(); ++i) queue.push_back({local(outer[i]), local(outer[(i + 1) % outer.size()])});
+    for (std::size_t i = 0; i < outer.size(); ++i)
+      queue.push_back({local(outer[i]), local(outer[(i + 1) % outer.size()])});
     while (!queue.empty()) {
       const auto [a, b] = queue.back();
       queue.pop_back();
@@ -146,7 +151,8 @@ class FacetTriangulator {
 
 }  // namespace
 
-std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon, FacetFault& fault) {
+std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon,
+                                                    FacetFault& fault) {
   return FacetTriangulator(points, polygon, fault).run();
 }
 

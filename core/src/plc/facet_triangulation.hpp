@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Triangulation of one polygonal facet (holes, inner segments, inner points): the paper's draft (section 3.2). A constrained Delaunay
-/// triangulation in the facet's plane, ties broken as in 3D.
+/// Triangulation of one polygonal facet (holes, inner segments, inner points): the paper's draft (section 3.2). A
+/// constrained Delaunay triangulation in the facet's plane, ties broken as in 3D.
 #pragma once
 
 #include <optional>
@@ -33,6 +33,7 @@ struct FacetFault {
 };
 
 /// O(n log n) plus flips. Without a value: `fault` says why (zero area, loop crosses itself, vertex on an edge ...).
-std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon, FacetFault& fault);
+std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon,
+                                                    FacetFault& fault);
 
 }  // namespace geomesh

@@ -26,7 +26,8 @@ class CrossingSearch {
   std::vector<PlcCrossing> run(bool all) {
     collect();
     const std::size_t axis = longest_axis();
-    std::stable_sort(edges_.begin(), edges_.end(), [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; });
+    std::stable_sort(edges_.begin(), edges_.end(),
+                     [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; });
     const search::ClosestPointTrees tree = tree_of_triangles();
     std::vector<PlcCrossing> crossings;
     for (const Item& e : edges_) {
@@ -35,7 +36,8 @@ class CrossingSearch {
         const Item& t = triangles_[found.id];
         if (meet(e, t)) crossings.push_back({e.a, e.b, e.facet, t.facet});
       });
-      std::sort(crossings.begin() + first, crossings.end(), [](const PlcCrossing& x, const PlcCrossing& y) { return x.facet < y.facet; });
+      std::sort(crossings.begin() + first, crossings.end(),
+                [](const PlcCrossing& x, const PlcCrossing& y) { return x.facet < y.facet; });
       if (!all && !crossings.empty()) break;
     }
     return crossings;
@@ -55,7 +57,8 @@ class CrossingSearch {
     for (Index f = 0; f < plc_.n_facets(); ++f) {
       for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
         const auto loop = plc_.loop(l);
-        for (std::size_t i = 0; i < loop.size(); ++i) edges_.push_back(make(loop[i], loop[(i + 1) % loop.size()], no_vertex, f));
+        for (std::size_t i = 0; i < loop.size(); ++i)
+          edges_.push_back(make(loop[i], loop[(i + 1) % loop.size()], no_vertex, f));
       }
       const auto outer = plc_.outer_loop(f);
       if (plc_.n_loops(f) == 1 && outer.size() == 3) triangles_.push_back(make(outer[0], outer[1], outer[2], f));
@@ -64,7 +67,8 @@ class CrossingSearch {
   }
   search::ClosestPointTrees tree_of_triangles() const {
     std::vector<search::ClosestPointTrees::Item> items;
-    for (const Item& t : triangles_) items.push_back({{point(t.a), point(t.b), point(t.c)}, 0, static_cast<Index>(items.size())});
+    for (const Item& t : triangles_)
+      items.push_back({{point(t.a), point(t.b), point(t.c)}, 0, static_cast<Index>(items.size())});
     return {std::move(items), 1};
   }
   std::size_t longest_axis() const {
@@ -81,7 +85,8 @@ class CrossingSearch {
     const Sign sb = orient3d(point(t.a), point(t.b), point(t.c), point(e.b));
     if (sa == Sign::zero && sb == Sign::zero) return meet_in_plane(e, t, has_a, has_b);
     if (has_a || has_b || sa * sb == Sign::positive) return false;
-    const Sign s0 = orient3d(point(e.a), point(e.b), point(t.a), point(t.b)), s1 = orient3d(point(e.a), point(e.b), point(t.b), point(t.c)),
+    const Sign s0 = orient3d(point(e.a), point(e.b), point(t.a), point(t.b)),
+               s1 = orient3d(point(e.a), point(e.b), point(t.b), point(t.c)),
                s2 = orient3d(point(e.a), point(e.b), point(t.c), point(t.a));
     const bool no_negative = s0 != Sign::negative && s1 != Sign::negative && s2 != Sign::negative;
     const bool no_positive = s0 != Sign::positive && s1 != Sign::positive && s2 != Sign::positive;
@@ -89,7 +94,9 @@ class CrossingSearch {
   }
   bool meet_in_plane(const Item& e, const Item& t, bool has_a, bool has_b) const {
     const Vec3 n = cross(point(t.b) - point(t.a), point(t.c) - point(t.a));
-    const unsigned axis = std::fabs(n.x) >= std::fabs(n.y) && std::fabs(n.x) >= std::fabs(n.z) ? 0 : std::fabs(n.y) >= std::fabs(n.z) ? 1 : 2;
+    const unsigned axis = std::fabs(n.x) >= std::fabs(n.y) && std::fabs(n.x) >= std::fabs(n.z) ? 0
+                          : std::fabs(n.y) >= std::fabs(n.z)                                   ? 1
+                                                                                               : 2;
     const auto flat = [&](VertexIndex v) { return Vec2{point(v)[(axis + 1) % 3], point(v)[(axis + 2) % 3]}; };
     std::array<Vec2, 3> c{flat(t.a), flat(t.b), flat(t.c)};
     if (orient2d(c[0], c[1], c[2]) == Sign::negative) std::swap(c[1], c[2]);
@@ -98,12 +105,15 @@ class CrossingSearch {
     for (unsigned i = 0; i < 3; ++i) {
       const Vec2 &u = c[i], &v = c[(i + 1) % 3];
       if (u == p || u == q || v == p || v == q) continue;
-      if (orient2d(p, q, u) * orient2d(p, q, v) == Sign::negative && orient2d(u, v, p) * orient2d(u, v, q) == Sign::negative) return true;
+      if (orient2d(p, q, u) * orient2d(p, q, v) == Sign::negative &&
+          orient2d(u, v, p) * orient2d(u, v, q) == Sign::negative)
+        return true;
     }
     return false;
   }
   static bool contains(const std::array<Vec2, 3>& c, const Vec2& p) {
-    return orient2d(c[0], c[1], p) != Sign::negative && orient2d(c[1], c[2], p) != Sign::negative && orient2d(c[2], c[0], p) != Sign::negative;
+    return orient2d(c[0], c[1], p) != Sign::negative && orient2d(c[1], c[2], p) != Sign::negative &&
+           orient2d(c[2], c[0], p) != Sign::negative;
   }
 
   const PiecewiseLinearComplex& plc_;

@@ -18,7 +18,9 @@ struct AxisFrame {
   std::array<double, 3> direction{1, 1, 1};   ///< ... times this, 1 or -1
 
   /// From the caller's frame; -0 becomes 0.
-  Vec3 enter(const Vec3& p) const { return {direction[0] * p[axis[0]] + 0.0, direction[1] * p[axis[1]] + 0.0, direction[2] * p[axis[2]] + 0.0}; }
+  Vec3 enter(const Vec3& p) const {
+    return {direction[0] * p[axis[0]] + 0.0, direction[1] * p[axis[1]] + 0.0, direction[2] * p[axis[2]] + 0.0};
+  }
   /// Back to the caller's frame; -0 becomes 0.
   Vec3 leave(const Vec3& p) const {
     Vec3 out;

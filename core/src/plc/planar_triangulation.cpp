@@ -9,7 +9,9 @@
 
 namespace geomesh {
 
-Sign PlanarTriangulation::orient(unsigned a, unsigned b, unsigned c) const { return orient2d(points_[a], points_[b], points_[c]); }
+Sign PlanarTriangulation::orient(unsigned a, unsigned b, unsigned c) const {
+  return orient2d(points_[a], points_[b], points_[c]);
+}
 
 std::optional<unsigned> PlanarTriangulation::apex(unsigned a, unsigned b) const {
   const auto it = apex_.find({a, b});
@@ -95,7 +97,8 @@ void PlanarTriangulation::restore_delaunay() {
   }
 }
 
-std::optional<PlanarTriangulation::Obstacle> PlanarTriangulation::crossed_edges(unsigned a, unsigned b, std::vector<Edge>& out) const {
+std::optional<PlanarTriangulation::Obstacle> PlanarTriangulation::crossed_edges(unsigned a, unsigned b,
+                                                                                std::vector<Edge>& out) const {
   // The triangle at a whose far edge r-l (r right of a-b, l left of it) the segment crosses.
   std::optional<Edge> entry;
   for (auto it = apex_.lower_bound({a, 0}); it != apex_.end() && it->first[0] == a; ++it) {

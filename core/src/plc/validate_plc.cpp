@@ -44,7 +44,8 @@ class Validator {
     });
     for (std::size_t i = 1; i < order.size(); ++i)
       if (plc_.points[order[i - 1]] == plc_.points[order[i]])
-        fault("vertices " + std::to_string(order[i - 1]) + " and " + std::to_string(order[i]) + " are equal: merge them first",
+        fault("vertices " + std::to_string(order[i - 1]) + " and " + std::to_string(order[i]) +
+                  " are equal: merge them first",
               {{}, {}, {order[i - 1], order[i]}, {plc_.points[order[i]]}});
   }
 
@@ -64,9 +65,11 @@ class Validator {
     if (is_triangle && std::all_of(loop.begin(), loop.end(), [&](VertexIndex v) { return in_range(v); })) return;
     const std::string name = "facet " + std::to_string(f);
     for (VertexIndex v : loop)
-      if (!in_range(v)) return fault(name + " names vertex " + std::to_string(v) + ", which does not exist", {{f}, {}, {}, {}});
+      if (!in_range(v))
+        return fault(name + " names vertex " + std::to_string(v) + ", which does not exist", {{f}, {}, {}, {}});
     for (std::size_t i = 0; i < loop.size(); ++i)
-      if (loop[i] == loop[(i + 1) % loop.size()]) fault(name + " repeats a vertex in a row", {{f}, {}, {loop[i]}, {plc_.points[loop[i]]}});
+      if (loop[i] == loop[(i + 1) % loop.size()])
+        fault(name + " repeats a vertex in a row", {{f}, {}, {loop[i]}, {plc_.points[loop[i]]}});
     std::vector<VertexIndex> distinct(loop.begin(), loop.end());
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
@@ -81,7 +84,8 @@ class Validator {
         fault(name + " joins a vertex with itself", {{}, {}, {a}, {plc_.points[a]}});
       }
     };
-    for (Index s = 0; s < plc_.segments.size(); ++s) check("segment " + std::to_string(s), plc_.segments[s].a, plc_.segments[s].b);
+    for (Index s = 0; s < plc_.segments.size(); ++s)
+      check("segment " + std::to_string(s), plc_.segments[s].a, plc_.segments[s].b);
     for (const auto& s : plc_.facet_segments) check("a segment inside facet " + std::to_string(s.facet), s.a, s.b);
     for (const auto& p : plc_.facet_points)
       if (!in_range(p.v)) fault("a point inside facet " + std::to_string(p.facet) + " does not exist", {});
@@ -115,10 +119,12 @@ class Validator {
   void check_repeated_triangles() {
     std::vector<std::size_t> begin;
     std::vector<Entry> entries = triangles_by_vertex(begin);
-    for (VertexIndex v = 0; v < plc_.points.size(); ++v) std::sort(entries.data() + begin[v], entries.data() + begin[v + 1]);
+    for (VertexIndex v = 0; v < plc_.points.size(); ++v)
+      std::sort(entries.data() + begin[v], entries.data() + begin[v + 1]);
     for (std::size_t i = 1; i < entries.size(); ++i)
       if (entries[i - 1].key == entries[i].key)
-        fault("facets " + std::to_string(entries[i - 1].facet) + " and " + std::to_string(entries[i].facet) + " are the same triangle",
+        fault("facets " + std::to_string(entries[i - 1].facet) + " and " + std::to_string(entries[i].facet) +
+                  " are the same triangle",
               {{entries[i - 1].facet, entries[i].facet}, {}, {}, {plc_.points[entries[i].key[0]]}});
   }
 

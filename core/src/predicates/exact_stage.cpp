@@ -92,7 +92,8 @@ Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
   Vec3 ae, be, ce, de;
-  if (exact_difference(a, e, ae) && exact_difference(b, e, be) && exact_difference(c, e, ce) && exact_difference(d, e, de))
+  if (exact_difference(a, e, ae) && exact_difference(b, e, be) && exact_difference(c, e, ce) &&
+      exact_difference(d, e, de))
     return in_sphere_of_differences(ae, be, ce, de);
   const auto wa = times_lift(orient3d_expansion(b, c, d, e), a), wb = times_lift(orient3d_expansion(a, c, d, e), b);
   const auto wc = times_lift(orient3d_expansion(a, b, d, e), c), wd = times_lift(orient3d_expansion(a, b, c, e), d);
@@ -107,8 +108,8 @@ namespace {
 
 constexpr double unit = 1.1102230246251565e-16;
 
-/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the magnitudes
-/// (of the product); differences of doubles are exact.
+/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the
+/// magnitudes (of the product); differences of doubles are exact.
 struct TwoDouble {
   double hi = 0, lo = 0;
   static TwoDouble difference(double a, double b) {
@@ -138,9 +139,12 @@ struct Vector {
   Number x, y, z;
 };
 
-Vector<double> vector_from(const Vec3& a, const Vec3& origin, double) { return {a.x - origin.x, a.y - origin.y, a.z - origin.z}; }
+Vector<double> vector_from(const Vec3& a, const Vec3& origin, double) {
+  return {a.x - origin.x, a.y - origin.y, a.z - origin.z};
+}
 Vector<TwoDouble> vector_from(const Vec3& a, const Vec3& origin, TwoDouble) {
-  return {TwoDouble::difference(a.x, origin.x), TwoDouble::difference(a.y, origin.y), TwoDouble::difference(a.z, origin.z)};
+  return {TwoDouble::difference(a.x, origin.x), TwoDouble::difference(a.y, origin.y),
+          TwoDouble::difference(a.z, origin.z)};
 }
 
 template <class Number>
@@ -171,27 +175,30 @@ Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
 
 }  // namespace
 
-// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its upper limit: 8
-// u and 17 u in doubles (10 and 22 here for terms of second order). In TwoDouble a product passes through at most 12 operations
-// of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 here.
+// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its
+// upper limit: 8 u and 17 u in doubles (10 and 22 here for terms of second order). In TwoDouble a product passes
+// through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 here.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
   const double det = det3(u, v, w), permanent = permanent3(u, v, w);
   if (std::fabs(det) > 10 * unit * permanent) return -sign_of(det);
   if (permanent == 0) return Sign::zero;  // a zero factor in each product: exact (a plane across an axis)
-  const TwoDouble fine = det3(vector_from(a, d, TwoDouble{}), vector_from(b, d, TwoDouble{}), vector_from(c, d, TwoDouble{}));
+  const TwoDouble fine =
+      det3(vector_from(a, d, TwoDouble{}), vector_from(b, d, TwoDouble{}), vector_from(c, d, TwoDouble{}));
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return -sign_of(fine.hi);
   ++exact_calls;
   return exact::orient3d(a, b, c, d);
 }
 
-Sign in_sphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e, std::size_t& exact_calls) {
-  const Vector<double> p[4] = {vector_from(a, e, 0.0), vector_from(b, e, 0.0), vector_from(c, e, 0.0), vector_from(d, e, 0.0)};
+Sign in_sphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                            std::size_t& exact_calls) {
+  const Vector<double> p[4] = {vector_from(a, e, 0.0), vector_from(b, e, 0.0), vector_from(c, e, 0.0),
+                               vector_from(d, e, 0.0)};
   const double det = in_sphere_det(p), permanent = in_sphere_permanent(p);
   if (std::fabs(det) > 22 * unit * permanent) return sign_of(det);
-  const Vector<TwoDouble> q[4] = {vector_from(a, e, TwoDouble{}), vector_from(b, e, TwoDouble{}), vector_from(c, e, TwoDouble{}),
-                                  vector_from(d, e, TwoDouble{})};
+  const Vector<TwoDouble> q[4] = {vector_from(a, e, TwoDouble{}), vector_from(b, e, TwoDouble{}),
+                                  vector_from(c, e, TwoDouble{}), vector_from(d, e, TwoDouble{})};
   const TwoDouble fine = in_sphere_det(q);
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return sign_of(fine.hi);
   ++exact_calls;

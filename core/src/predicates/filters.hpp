@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Semi-static filters of the predicates: the determinant in doubles against an error bound from the largest coordinate
-/// differences of this very call. One global bound would fail nearly always on models whose spacings span many orders of
-/// magnitude.
+/// differences of this very call. One global bound would fail nearly always on models whose spacings span many orders
+/// of magnitude.
 ///
-/// Bounds, with u = 2^-53. Each difference has relative error u. Every product of the expanded determinant passes through a
-/// number of roundings, each of relative size u of a quantity that is at most the sum of the magnitudes of the products:
+/// Bounds, with u = 2^-53. Each difference has relative error u. Every product of the expanded determinant passes
+/// through a number of roundings, each of relative size u of a quantity that is at most the sum of the magnitudes of
+/// the products:
 ///   orient2d : 2 products, 2 differences + product + final subtraction              = 4 u  -> 8 u X Y;
 ///   orient3d : 6 products, 3 differences + (2x2: 2) + product + two sums            = 8 u  -> 48 u X Y Z;
-///   in_circle: 6 products, 2 differences, lift (2 + product + sum = 4), 2, 1, 2     = 11 u -> 66 u X Y L, L = X^2 + Y^2 >= lift;
-///   in_sphere: 24 products, 3 differences, lift (2 + product + two sums = 5), 2x2 (2), 3x3 (product + two sums = 3), product,
-///   three
+///   in_circle: 6 products, 2 differences, lift (2 + product + sum = 4), 2, 1, 2     = 11 u -> 66 u X Y L, L = X^2 +
+///   Y^2 >= lift; in_sphere: 24 products, 3 differences, lift (2 + product + two sums = 5), 2x2 (2), 3x3 (product + two
+///   sums = 3), product, three
 ///              sums (3)                                                              = 17 u -> 408 u X Y Z L.
-/// The factors used are about a tenth larger, which covers the terms of second order and the rounding of the bound itself.
+/// The factors used are about a tenth larger, which covers the terms of second order and the rounding of the bound
+/// itself.
 #pragma once
 
 #include <cmath>

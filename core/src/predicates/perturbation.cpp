@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i grows by e_i, with e_i
-// much larger than e_j where i is lexicographically greater than j. The perturbed determinant is then led by the cofactor of the
-// greatest point whose cofactor does not vanish; that cofactor is the orientation of the others.
+// Ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i grows by e_i,
+// with e_i much larger than e_j where i is lexicographically greater than j. The perturbed determinant is then led by
+// the cofactor of the greatest point whose cofactor does not vanish; that cofactor is the orientation of the others.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,9 @@ std::array<std::size_t, N> greatest_first(const std::array<const Vec3*, N>& poin
   return order;
 }
 
-Vec2 drop_axis(const Vec3& p, int axis) { return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y}; }
+Vec2 drop_axis(const Vec3& p, int axis) {
+  return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
+}
 
 /// The tie of four cocircular points under any planar orientation function; `orientation` is that of a, b, c, not zero.
 template <class Point, class Orient>
@@ -78,8 +80,8 @@ Sign in_circle_coplanar_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, c
     if (orientation != Sign::zero) break;
   }
   GEOMESH_CHECK(orientation != Sign::zero);
-  // Any sphere through a, b, c and a point q off their plane meets the plane in their circle. q is a moved along the axis
-  // dropped, which is not parallel to the plane, by about the triangle's size so that the filters hold.
+  // Any sphere through a, b, c and a point q off their plane meets the plane in their circle. q is a moved along the
+  // axis dropped, which is not parallel to the plane, by about the triangle's size so that the filters hold.
   Vec3 q = a;
   const auto k = static_cast<std::size_t>(axis);
   const double size = std::max({std::fabs(b.x - a.x), std::fabs(b.y - a.y), std::fabs(b.z - a.z)});

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "quality/shape.hpp"
+#include "quality/measure/shape.hpp"
 
 namespace geomesh {
 
@@ -18,7 +18,8 @@ InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOption
   return {plc, options.facet_patch, options.forcing_angle, options.tolerance};
 }
 
-CauseFinder::CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases)
+CauseFinder::CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
+                         const InputCreases& creases)
     : mesh_(mesh),
       options_(options),
       stars_(mesh, options.facet_patch, &creases),
@@ -58,13 +59,14 @@ void CauseFinder::explain(WorstElement& w) {
   if (!explain_by_angle(w)) explain_by_gap(w);
 }
 
-std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases,
-                                         std::size_t n_judged) {
+std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
+                                         const InputCreases& creases, std::size_t n_judged) {
   std::vector<WorstElement> bad;
   for (Index row = 0; row < std::min(n_judged, mesh.tetrahedra.size()); ++row) {
     const Tetrahedron& t = mesh.tetrahedra[row];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
-    if (remesh::shape(a, b, c, d) > remesh::shape_of_angle(options.bad_angle)) continue;  // quick: the shape is not above the least sine
+    if (remesh::shape(a, b, c, d) > remesh::shape_of_angle(options.bad_angle))
+      continue;  // quick: the shape is not above the least sine
     const double least = tetrahedron_shape(a, b, c, d).min_dihedral;
     if (!(least < options.bad_angle)) continue;
     WorstElement& w = bad.emplace_back();
@@ -76,7 +78,8 @@ std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& me
   CauseFinder causes(mesh, options, creases);
   for (WorstElement& w : bad) causes.explain(w);
   std::erase_if(bad, [](const WorstElement& w) { return w.cause != ShapeCause::free; });
-  std::stable_sort(bad.begin(), bad.end(), [](const WorstElement& a, const WorstElement& b) { return a.min_dihedral < b.min_dihedral; });
+  std::stable_sort(bad.begin(), bad.end(),
+                   [](const WorstElement& a, const WorstElement& b) { return a.min_dihedral < b.min_dihedral; });
   std::vector<Index> rows;
   for (const WorstElement& w : bad) rows.push_back(w.tetrahedron);
   return rows;

@@ -12,7 +12,8 @@
 
 namespace geomesh {
 
-/// Those that count as sides of facets: none where surfaces are kept, since facets that are kept as one lie in one plane.
+/// Those that count as sides of facets: none where surfaces are kept, since facets that are kept as one lie in one
+/// plane.
 InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOptions& options);
 
 class CauseFinder {
@@ -34,8 +35,10 @@ class CauseFinder {
   std::vector<MeetingAngle> angles_;  // by vertex; negative: not looked for yet
 };
 
-/// Rows of the elements (of the first `n_judged`) below the bad angle that nothing forces, the worst first. O(n) but for what CauseFinder costs.
-std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases,
+/// Rows of the elements (of the first `n_judged`) below the bad angle that nothing forces, the worst first. O(n) but
+/// for what CauseFinder costs.
+std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
+                                         const InputCreases& creases,
                                          std::size_t n_judged = std::numeric_limits<std::size_t>::max());
 
 }  // namespace geomesh

@@ -21,7 +21,8 @@ struct Use {
 
 Vec3 loop_normal(const std::vector<Vec3>& points, std::span<const VertexIndex> loop) {
   Vec3 n;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(points[loop[i]] - points[loop[0]], points[loop[i + 1]] - points[loop[0]]);
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    n = n + cross(points[loop[i]] - points[loop[0]], points[loop[i + 1]] - points[loop[0]]);
   return n;
 }
 
@@ -45,7 +46,8 @@ bool are_along_one_edge(const Use& s, const Use& t) { return s.a == t.a && s.b =
 
 }  // namespace
 
-InputCreases::InputCreases(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch, double degrees, double reach)
+InputCreases::InputCreases(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch, double degrees,
+                           double reach)
     : degrees_(degrees), reach_(reach) {
   const std::vector<Use> uses = uses_of_edges(plc, facet_patch);
   std::vector<search::ClosestPointTrees::Item> creases;
@@ -64,7 +66,8 @@ bool InputCreases::has_fold(Index patch, const Vec3& a, const Vec3& b, const Vec
   const Vec3 along = b - a;
   if (!(angle_between(cross(along, x - a), cross(along, y - a)) < degrees_)) return false;
   const std::array places{a, 0.5 * (a + b), b};
-  return std::all_of(places.begin(), places.end(), [&](const Vec3& p) { return edges_.closest(p, patch, reach_).distance <= reach_; });
+  return std::all_of(places.begin(), places.end(),
+                     [&](const Vec3& p) { return edges_.closest(p, patch, reach_).distance <= reach_; });
 }
 
 }  // namespace geomesh

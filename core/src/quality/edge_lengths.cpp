@@ -5,9 +5,9 @@
 #include <limits>
 #include <tuple>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
-#include "parallel.hpp"
-#include "quality/shape.hpp"
+#include "quality/measure/shape.hpp"
 
 namespace geomesh {
 
@@ -40,7 +40,8 @@ std::uint8_t bin_of(double ratio) {
 /// Uses of edges by their lower vertex: a counting sort, then short sorts.
 class EdgeTable {
  public:
-  EdgeTable(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const CellParts& parts, const SizeField* size)
+  EdgeTable(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
+            const SizeField* size)
       : points_(points), size_(size), first_(points.size() + 1, 0) {
     const auto for_each_edge = [&](const auto& visit) {
       for (std::size_t t = 0; t < tetrahedra.size(); ++t)
@@ -100,8 +101,8 @@ class EdgeTable {
 
 }  // namespace
 
-std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
-                                       const SizeField* size, unsigned threads) {
+std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
+                                       const CellParts& parts, const SizeField* size, unsigned threads) {
   EdgeTable table(points, tetrahedra, parts, size);
   std::vector<std::vector<Measured>> chunks(table.n_chunks());
   for_each_task(chunks.size(), thread_count(threads), [&](std::size_t k) { chunks[k] = table.measure_chunk(k); });

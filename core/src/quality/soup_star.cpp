@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "quality/shape.hpp"
+#include "quality/measure/shape.hpp"
 
 namespace geomesh {
 
@@ -31,8 +31,13 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(remesh::length(cross(a, b)), dot(a, b)) * degrees_per_radian;
 }
 
-SoupStars::SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch, const InputCreases* creases)
-    : mesh_(mesh), facet_patch_(facet_patch), creases_(creases), faces_at_(mesh.points.size()), edges_at_(mesh.points.size()) {
+SoupStars::SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch,
+                     const InputCreases* creases)
+    : mesh_(mesh),
+      facet_patch_(facet_patch),
+      creases_(creases),
+      faces_at_(mesh.points.size()),
+      edges_at_(mesh.points.size()) {
   for (Index f = 0; f < mesh.faces.size(); ++f)
     for (const VertexIndex v : mesh.faces[f].vertices) faces_at_[v].push_back(f);
   collect_edges();
@@ -60,7 +65,8 @@ void SoupStars::collect_edges() {
   });
   for (std::size_t i = 0, j; i < uses.size(); i = j) {
     Index n_faces = 0;
-    for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j) n_faces += uses[j].face != no_index;
+    for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j)
+      n_faces += uses[j].face != no_index;
     const bool is_listed = uses[j - 1].face == no_index;
     const bool is_within = !is_listed && n_faces == 2 && patch_of(uses[i].face) == patch_of(uses[i + 1].face);
     if (is_within && !is_crease(uses[i].face, uses[i + 1].face, uses[i].a, uses[i].b)) continue;
@@ -89,7 +95,8 @@ std::array<VertexIndex, 2> SoupStars::sides(VertexIndex v, Index face) const {
 
 bool SoupStars::is_side(VertexIndex v, VertexIndex other) const {
   const auto& edges = edges_at_[v];
-  const auto at = std::lower_bound(edges.begin(), edges.end(), other, [](const SoupEdge& e, VertexIndex x) { return e.other < x; });
+  const auto at =
+      std::lower_bound(edges.begin(), edges.end(), other, [](const SoupEdge& e, VertexIndex x) { return e.other < x; });
   return at != edges.end() && at->other == other;
 }
 
@@ -127,7 +134,8 @@ void SoupStars::compare_edges(VertexIndex v, MeetingAngle& least) const {
 
 void SoupStars::compare_edge_with_fan(VertexIndex v, const SoupEdge& edge, const Fan& fan, MeetingAngle& least) const {
   for (const Index f : fan.faces)
-    if (const auto s = sides(v, f); s[0] == edge.other || s[1] == edge.other) return;  // a side of the facet, or within it
+    if (const auto s = sides(v, f); s[0] == edge.other || s[1] == edge.other)
+      return;  // a side of the facet, or within it
   const Vec3 d = direction(v, edge.other);
   for (const Index f : fan.faces) {
     const auto s = sides(v, f);
@@ -144,7 +152,8 @@ void SoupStars::compare_fans(VertexIndex v, const Fan& a, const Fan& b, MeetingA
         for (unsigned j = 0; j < 2; ++j) {
           if (f == g || s[i] != t[j] || !is_side(v, s[i])) continue;
           const Vec3 along = direction(v, s[i]);
-          const double degrees = angle_between(cross(along, direction(v, s[1 - i])), cross(along, direction(v, t[1 - j])));
+          const double degrees =
+              angle_between(cross(along, direction(v, s[1 - i])), cross(along, direction(v, t[1 - j])));
           if (degrees < least.degrees) least = {degrees, facet_of(f), facet_of(g), no_index, no_index};
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What of the input there is at each vertex of a mesh: the facets and segments that a user drew, not how they were meshed.
+/// What of the input there is at each vertex of a mesh: the facets and segments that a user drew, not how they were
+/// meshed.
 #pragma once
 
 #include <span>
@@ -11,8 +12,8 @@
 
 namespace geomesh {
 
-/// A mesh edge on a segment of the input: the side of a facet (or of a patch, where facets were remeshed together, or a sharp crease of it), or a
-/// listed one.
+/// A mesh edge on a segment of the input: the side of a facet (or of a patch, where facets were remeshed together, or a
+/// sharp crease of it), or a listed one.
 struct SoupEdge {
   VertexIndex other;
   Index segment;  ///< where listed
@@ -31,12 +32,13 @@ double angle_between(const Vec3& a, const Vec3& b);
 
 class SoupStars {
  public:
-  /// `facet_patch`: per facet of the input what it was meshed as one with; empty: each for itself. O(n log n) in the faces of the mesh,
-  /// which must outlive this, as must the creases.
-  SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch, const InputCreases* creases = nullptr);
+  /// `facet_patch`: per facet of the input what it was meshed as one with; empty: each for itself. O(n log n) in the
+  /// faces of the mesh, which must outlive this, as must the creases.
+  SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch,
+            const InputCreases* creases = nullptr);
 
-  /// The least angle at which two facets or segments of the input meet at v: two sides; a side and a facet that it is no side of; two
-  /// facets along a common side. 180 where no two meet. O(k^2) in the faces at v.
+  /// The least angle at which two facets or segments of the input meet at v: two sides; a side and a facet that it is
+  /// no side of; two facets along a common side. 180 where no two meet. O(k^2) in the faces at v.
   MeetingAngle least_angle(VertexIndex v) const;
   std::span<const Index> faces(VertexIndex v) const { return faces_at_[v]; }
   std::span<const SoupEdge> edges(VertexIndex v) const { return edges_at_[v]; }

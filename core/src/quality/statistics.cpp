@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/quality.hpp"
-#include "parallel.hpp"
 #include "quality/causes.hpp"
 #include "quality/edge_lengths.hpp"
 
@@ -35,7 +35,14 @@ std::size_t bin_of(double value, double top) {
 /// Shapes of all tetrahedra, an array for each measure.
 struct ShapeTable {
   explicit ShapeTable(std::size_t n)
-      : min_dihedral(n), max_dihedral(n), radius_ratio(n), aspect(n), mean_ratio(n), volume(n), solid_angle(n), dihedral_bin(n) {}
+      : min_dihedral(n),
+        max_dihedral(n),
+        radius_ratio(n),
+        aspect(n),
+        mean_ratio(n),
+        volume(n),
+        solid_angle(n),
+        dihedral_bin(n) {}
 
   std::vector<double> min_dihedral, max_dihedral, radius_ratio, aspect, mean_ratio, volume;
   std::vector<std::array<double, 4>> solid_angle;
@@ -54,7 +61,8 @@ ShapeTable measure_all(std::span<const Vec3> points, std::span<const Tetrahedron
     table.mean_ratio[i] = s.mean_ratio;
     table.volume[i] = s.volume;
     table.solid_angle[i] = s.solid_angle;
-    for (unsigned e = 0; e < 6; ++e) table.dihedral_bin[i][e] = static_cast<std::uint8_t>(bin_of<36>(s.dihedral[e], 180));
+    for (unsigned e = 0; e < 6; ++e)
+      table.dihedral_bin[i][e] = static_cast<std::uint8_t>(bin_of<36>(s.dihedral[e], 180));
   });
   return table;
 }
@@ -101,8 +109,9 @@ std::vector<std::vector<Index>> rows_by_group(std::span<const Index> group, std:
 }
 
 /// Of the whole, then of each group.
-std::vector<ShapeStatistics> summarize_all(const ShapeTable& table, std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
-                                           const CellParts& parts, const SizeField* size, unsigned threads) {
+std::vector<ShapeStatistics> summarize_all(const ShapeTable& table, std::span<const Vec3> points,
+                                           std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
+                                           const SizeField* size, unsigned threads) {
   const std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
   std::vector<EdgeLengths> edges = measure_edges(points, tetrahedra, parts, size, threads);
   std::vector<ShapeStatistics> out(rows.size());
@@ -119,18 +128,22 @@ std::vector<ShapeStatistics> summarize_all(const ShapeTable& table, std::span<co
 ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
   const unsigned threads = thread_count(0);
   const std::vector<Index> component(tetrahedra.size(), no_index), group(tetrahedra.size(), 0);
-  return summarize_all(measure_all(points, tetrahedra, threads), points, tetrahedra, {component, group, 1}, nullptr, threads).front();
+  return summarize_all(measure_all(points, tetrahedra, threads), points, tetrahedra, {component, group, 1}, nullptr,
+                       threads)
+      .front();
 }
 
 namespace {
 
-/// Elements below the bad angle, and the worst whatever they are up to the number that is to be listed; the worst first.
+/// Elements below the bad angle, and the worst whatever they are up to the number that is to be listed; the worst
+/// first.
 std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const ShapeTable& shapes) {
   const std::vector<double>& least = shapes.min_dihedral;
   std::vector<Index> order(least.size());
   std::iota(order.begin(), order.end(), Index{0});
-  const auto first_good = std::partition(order.begin(), order.end(), [&](Index t) { return least[t] < options.bad_angle; });
+  const auto first_good =
+      std::partition(order.begin(), order.end(), [&](Index t) { return least[t] < options.bad_angle; });
   const auto worse = [&](Index a, Index b) { return least[a] != least[b] ? least[a] < least[b] : a < b; };
   const auto n_bad = static_cast<std::size_t>(first_good - order.begin());
   const std::size_t n = std::max(n_bad, std::min(options.min_worst, order.size()));
@@ -171,7 +184,8 @@ MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const Constrained
     q.n_bad_forced += w.min_dihedral < options.bad_angle && w.cause != ShapeCause::free;
   }
   // Those that nothing forces are what a user should look at: they lead the list, each kind the worst first.
-  std::stable_partition(q.worst.begin(), q.worst.end(), [](const WorstElement& w) { return w.cause == ShapeCause::free; });
+  std::stable_partition(q.worst.begin(), q.worst.end(),
+                        [](const WorstElement& w) { return w.cause == ShapeCause::free; });
   if (q.worst.size() > options.max_worst) q.worst.resize(options.max_worst);
   return q;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "quality/shape.hpp"
+#include "quality/measure/shape.hpp"
 
 namespace geomesh {
 
@@ -59,7 +59,8 @@ bool GapFinder::has_side(VertexIndex v, VertexIndex other) const {
 }
 
 bool GapFinder::is_fixed(VertexIndex v) const {
-  return fixed_vertices_ && mesh_.input_vertex[v] != no_vertex && (!stars_.edges(v).empty() || !stars_.faces(v).empty());
+  return fixed_vertices_ && mesh_.input_vertex[v] != no_vertex &&
+         (!stars_.edges(v).empty() || !stars_.faces(v).empty());
 }
 
 /// A facet at the way's start that faces the one with `opposite_normal`. `step` is the way, of length one.
@@ -75,7 +76,8 @@ bool GapFinder::leaves_facet(const Way& way, const Vec3& step, const Vec3& oppos
 }
 
 /// A segment at v that the way leaves, along the facet with the normal or parallel to the direction, where given.
-bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel, Gap& found) const {
+bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel,
+                               Gap& found) const {
   for (const SoupEdge& e : stars_.edges(v)) {
     const Vec3 d = unit(mesh_.points[e.other] - mesh_.points[v]);
     if (std::abs(dot(d, step)) > least_cosine) continue;
@@ -87,7 +89,8 @@ bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* norm
   return false;
 }
 
-/// Where the segment ends that leaves the way's end by an edge: points that were added to it do not end it, a corner or a turn does, or the way's start.
+/// Where the segment ends that leaves the way's end by an edge: points that were added to it do not end it, a corner or
+/// a turn does, or the way's start.
 VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) const {
   VertexIndex before = way.to, at = first.other;
   while (at != way.from && mesh_.input_vertex[at] == no_vertex) {
@@ -110,8 +113,11 @@ void GapFinder::to_facets(const Way& way, double above, Gap& best) const {
     const Vec3 step = unit(nearest.point - from), normal = normal_towards(g, way.inside);
     if (-dot(normal, step) < least_cosine) continue;
     Gap found{.width = nearest.distance, .facet_b = mesh_.faces[g].facet};
-    if (is_fixed(way.from) && !stars_.faces(way.from).empty()) found.facet_a = mesh_.faces[stars_.faces(way.from).front()].facet;
-    if (leaves_facet(way, step, normal, found) || leaves_segment(way.from, step, &normal, nullptr, found) || is_fixed(way.from)) best = found;
+    if (is_fixed(way.from) && !stars_.faces(way.from).empty())
+      found.facet_a = mesh_.faces[stars_.faces(way.from).front()].facet;
+    if (leaves_facet(way, step, normal, found) || leaves_segment(way.from, step, &normal, nullptr, found) ||
+        is_fixed(way.from))
+      best = found;
   }
 }
 
@@ -120,13 +126,15 @@ void GapFinder::to_segments(const Way& way, double above, Gap& best) const {
   for (const SoupEdge& e : stars_.edges(way.to)) {
     const VertexIndex end = end_of_segment(way, e);
     if (end == way.from || has_side(way.from, e.other)) continue;
-    const Vec3 nearest = search::closest_on_segment(from, to, mesh_.points[end]), along = unit(mesh_.points[e.other] - to);
+    const Vec3 nearest = search::closest_on_segment(from, to, mesh_.points[end]),
+               along = unit(mesh_.points[e.other] - to);
     const double width = remesh::distance(from, nearest);
     if (!(width > above) || !(width < best.width)) continue;
     const Vec3 step = unit(nearest - from);
     if (std::abs(dot(along, step)) > least_cosine) continue;
     Gap found{.width = width, .facet_b = stars_.facet_of(e.face), .segment_b = e.segment};
-    if (is_fixed(way.from) && !stars_.faces(way.from).empty()) found.facet_a = mesh_.faces[stars_.faces(way.from).front()].facet;
+    if (is_fixed(way.from) && !stars_.faces(way.from).empty())
+      found.facet_a = mesh_.faces[stars_.faces(way.from).front()].facet;
     if (leaves_segment(way.from, step, nullptr, &along, found) || is_fixed(way.from)) best = found;
   }
 }
@@ -135,7 +143,9 @@ void GapFinder::to_vertex(const Way& way, double above, Gap& best) const {
   if (!is_fixed(way.from) || !is_fixed(way.to) || has_side(way.from, way.to)) return;
   const double width = remesh::distance(mesh_.points[way.from], mesh_.points[way.to]);
   if (!(width > above) || !(width < best.width)) return;
-  const auto facet_at = [&](VertexIndex v) { return stars_.faces(v).empty() ? no_index : mesh_.faces[stars_.faces(v).front()].facet; };
+  const auto facet_at = [&](VertexIndex v) {
+    return stars_.faces(v).empty() ? no_index : mesh_.faces[stars_.faces(v).front()].facet;
+  };
   best = {.width = width, .facet_a = facet_at(way.from), .facet_b = facet_at(way.to)};
 }
 

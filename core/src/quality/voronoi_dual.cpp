@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geomesh/core/simplex_mesh.hpp"
-#include "quality/shape.hpp"
-#include "refine/circumcentre.hpp"
+#include "mesh/circumcentre.hpp"
+#include "quality/measure/shape.hpp"
 
 namespace geomesh {
 
@@ -19,8 +19,8 @@ struct Part {
   double area;
 };
 
-/// The piece of the dual of edge a-b in a cell, next to face a,b,c: a right triangle from the edge's middle over the face's
-/// circumcentre to the cell's. Each leg has a sign: towards c in the face, towards the apex off it.
+/// The piece of the dual of edge a-b in a cell, next to face a,b,c: a right triangle from the edge's middle over the
+/// face's circumcentre to the cell's. Each leg has a sign: towards c in the face, towards the apex off it.
 double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex, const Vec3& cell_centre) {
   const auto face_centre = remesh::circumcentre(a, b, c);
   const Vec3 u = b - a, n = cross(u, c - a);
@@ -59,7 +59,8 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
   for (std::size_t i = 0, j = 0; i < faces.size(); i = j) {
     for (j = i; j < faces.size() && faces[j] == faces[i];) ++j;
     if (j - i == 1)
-      for (const auto& e : {std::array{faces[i][0], faces[i][1]}, std::array{faces[i][0], faces[i][2]}, std::array{faces[i][1], faces[i][2]}})
+      for (const auto& e : {std::array{faces[i][0], faces[i][1]}, std::array{faces[i][0], faces[i][2]},
+                            std::array{faces[i][1], faces[i][2]}})
         edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end());

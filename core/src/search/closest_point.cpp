@@ -36,7 +36,8 @@ Vec3 PreparedTriangle::closest_on_sides(const Vec3& p) const {
   const auto& [a, b, c] = corners_;
   if (b == c) return closest_on_segment(p, a, b);
   const std::array<Vec3, 3> q{closest_on_segment(p, a, b), closest_on_segment(p, b, c), closest_on_segment(p, c, a)};
-  return *std::min_element(q.begin(), q.end(), [&](const Vec3& u, const Vec3& v) { return dot(u - p, u - p) < dot(v - p, v - p); });
+  return *std::min_element(q.begin(), q.end(),
+                           [&](const Vec3& u, const Vec3& v) { return dot(u - p, u - p) < dot(v - p, v - p); });
 }
 
 Vec3 PreparedTriangle::closest_to(const Vec3& p) const {
@@ -55,7 +56,9 @@ Vec3 PreparedTriangle::closest_to(const Vec3& p) const {
   return a + (vb * w) * ab_ + (vc * w) * ac_;
 }
 
-Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) { return PreparedTriangle({a, b, c}).closest_to(p); }
+Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return PreparedTriangle({a, b, c}).closest_to(p);
+}
 
 ClosestPointTrees::ClosestPointTrees(std::vector<Item> items, std::size_t n_groups)
     : items_(std::move(items)), roots_(n_groups, no_index) {
@@ -81,8 +84,9 @@ Index ClosestPointTrees::build(Index first, Index last) {
     const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const Index middle = first + (last - first) / 2;
     const auto centre = [axis](const Item& t) { return t.corners[0][axis] + t.corners[1][axis] + t.corners[2][axis]; };
-    std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last,
-                     [&](const Item& a, const Item& b) { return centre(a) != centre(b) ? centre(a) < centre(b) : a.id < b.id; });
+    std::nth_element(
+        items_.begin() + first, items_.begin() + middle, items_.begin() + last,
+        [&](const Item& a, const Item& b) { return centre(a) != centre(b) ? centre(a) < centre(b) : a.id < b.id; });
     const Index left = build(first, middle);
     const Index right = build(middle, last);
     nodes_[n].left = left;

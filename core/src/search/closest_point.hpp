@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Distance from points to groups of triangles or line pieces: the input surfaces and curves that a remeshed one must stay near
-/// to.
+/// Distance from points to groups of triangles or line pieces: the input surfaces and curves that a remeshed one must
+/// stay near to.
 #pragma once
 
 #include <algorithm>
@@ -24,14 +24,15 @@ inline double squared_distance_to(const Box3& b, const Vec3& p) {
   return s;
 }
 
-/// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5). The corners may be equal in
-/// pairs.
+/// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5). The corners may be
+/// equal in pairs.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 /// Nearest points of the segments ab and cd, which may be points (Ericson 2005, section 5.1.9).
 std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// A triangle with what its nearest points take, computed once. Line pieces have their last two corners equal, points all three.
+/// A triangle with what its nearest points take, computed once. Line pieces have their last two corners equal, points
+/// all three.
 class PreparedTriangle {
  public:
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners);
@@ -53,7 +54,8 @@ struct ClosestPoint {
   Index item = no_index;  ///< the caller's id of the triangle or piece
 };
 
-/// Bounding-box trees, one a group (a patch, or a curve class). A line piece is a triangle with its last two corners equal.
+/// Bounding-box trees, one a group (a patch, or a curve class). A line piece is a triangle with its last two corners
+/// equal.
 class ClosestPointTrees {
  public:
   struct Item {
@@ -65,8 +67,8 @@ class ClosestPointTrees {
   /// O(n log n).
   ClosestPointTrees(std::vector<Item> items, std::size_t n_groups);
 
-  /// Nearest item of the group within `limit`; distance is infinite where there is none. O(log n) for limits of the size of an
-  /// item.
+  /// Nearest item of the group within `limit`; distance is infinite where there is none. O(log n) for limits of the
+  /// size of an item.
   ClosestPoint closest(const Vec3& p, Index group, double limit = std::numeric_limits<double>::infinity()) const;
   /// Calls visit(item) for the items of a group whose boxes meet the box.
   template <class Visit>

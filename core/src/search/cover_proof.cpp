@@ -61,8 +61,8 @@ struct Cut {
   Polygon over, beyond;
 };
 
-/// The parts of a convex polygon (of two points: of a line) on both sides of the plane; points within `tiny` of it are of both, and a part of
-/// such points alone is none.
+/// The parts of a convex polygon (of two points: of a line) on both sides of the plane; points within `tiny` of it are
+/// of both, and a part of such points alone is none.
 Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   Cut parts;
   bool is_over = false, is_beyond = false;
@@ -123,7 +123,8 @@ bool CoverProver::fails_at(const Vec3& p, double distance) {
 Cover CoverProver::judge(const Corners& item, Index group) {
   group_ = group;
   cover_ = {};
-  for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]), 0.5 * (item[2] + item[0]), middle_of(item)})
+  for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]),
+                        0.5 * (item[2] + item[0]), middle_of(item)})
     look_at(p, set_.closest(p, group).distance);
   if (cover_.farthest <= limit_) cover_.is_proven = is_over_sheet(item) || covers_large(item);
   return cover_;
@@ -170,7 +171,8 @@ bool CoverProver::covers(const Polygon& piece, std::vector<Index> rows) {
   std::vector<double> at_centre(near_.size());
   for (const Index row : rows) at_centre[row] = distance_to(centre, near_[row]);
   std::erase_if(rows, [&](Index row) { return at_centre[row] > limit_ + radius; });
-  std::sort(rows.begin(), rows.end(), [&](Index a, Index b) { return at_centre[a] != at_centre[b] ? at_centre[a] < at_centre[b] : a < b; });
+  std::sort(rows.begin(), rows.end(),
+            [&](Index a, Index b) { return at_centre[a] != at_centre[b] ? at_centre[a] < at_centre[b] : a < b; });
   if (rows.empty() || at_centre[rows[0]] > limit_) return fails_at(centre, set_.closest(centre, group_).distance);
   look_at(centre, at_centre[rows[0]]);
   if (at_centre[rows[0]] + radius <= limit_) return true;
@@ -207,8 +209,9 @@ bool CoverProver::covers_by_cuts(const Polygon& piece, const std::vector<Index>&
 
 bool CoverProver::covers_halves(const Polygon& piece, const std::vector<Index>& rows) {
   const Vec3 centre = middle_of(piece);
-  const Vec3 farthest =
-      *std::max_element(piece.begin(), piece.end(), [&](const Vec3& p, const Vec3& q) { return distance(centre, p) < distance(centre, q); });
+  const Vec3 farthest = *std::max_element(piece.begin(), piece.end(), [&](const Vec3& p, const Vec3& q) {
+    return distance(centre, p) < distance(centre, q);
+  });
   const double radius = distance(centre, farthest);
   const Cut parts = cut(piece, {centre, (1 / radius) * (farthest - centre)}, on_plane * radius);
   return covers(parts.over, rows) && covers(parts.beyond, rows);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proof that triangles, or line pieces, lie within a distance of many others: of whole surfaces, however large the one and small the others.
+/// Proof that triangles, or line pieces, lie within a distance of many others: of whole surfaces, however large the one
+/// and small the others.
 ///
-/// The distance to one triangle is a convex function, so a convex piece whose corners are within the limit of one and the same triangle is within
-/// it. Where there is no such triangle, the piece is cut by the planes that stand on the sides of the triangle nearest to its middle: what is
-/// between them lies over that triangle, what is not lies over others. So along the sides where two triangles take turns the cut is made there, and
-/// not by pieces that are small against the limit. Where no plane cuts, the piece is halved.
+/// The distance to one triangle is a convex function, so a convex piece whose corners are within the limit of one and
+/// the same triangle is within it. Where there is no such triangle, the piece is cut by the planes that stand on the
+/// sides of the triangle nearest to its middle: what is between them lies over that triangle, what is not lies over
+/// others. So along the sides where two triangles take turns the cut is made there, and not by pieces that are small
+/// against the limit. Where no plane cuts, the piece is halved.
 #pragma once
 
 #include <vector>
@@ -16,20 +18,24 @@
 namespace geomesh::search {
 
 struct Cover {
-  bool is_proven = false;  ///< all of it is within the limit; else one of its points, `place`, is not, or that was not decided about it
-  double farthest = 0;     ///< largest distance of a point looked at: corners, middles of sides, centroid, corners and centroids of pieces
+  bool is_proven = false;  ///< all of it is within the limit; else one of its points, `place`, is not, or that was not
+                           ///< decided about it
+  double farthest = 0;     ///< largest distance of a point looked at: corners, middles of sides, centroid, corners and
+                           ///< centroids of pieces
   Vec3 place;              ///< where that was; of what is not proven the point in question
 };
 
-/// For one thread. The rounding of cuts and distances (some ulps of the coordinates) is not accounted for: leave it a share of the limit.
+/// For one thread. The rounding of cuts and distances (some ulps of the coordinates) is not accounted for: leave it a
+/// share of the limit.
 class CoverProver {
  public:
   /// `open_edges` of the items of the set (find_open_edges): with them what lies over a smooth surface needs no cuts.
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
-  /// `item` (a line piece: its last two corners equal) against a group of the set. What is within the limit by next to nothing may be
-  /// undecided, and is then not proven. O(log n + k log k) for k items of the group about the item, but for creases and folds within the limit.
+  /// `item` (a line piece: its last two corners equal) against a group of the set. What is within the limit by next to
+  /// nothing may be undecided, and is then not proven. O(log n + k log k) for k items of the group about the item, but
+  /// for creases and folds within the limit.
   Cover judge(const Corners& item, Index group);
 
  private:

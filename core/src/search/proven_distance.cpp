@@ -52,7 +52,8 @@ bool DistanceProver::is_within(const Corners& triangle, std::span<const SheetTri
   const Range all{0, candidates_.size()};
   sheet_row_ = find_sheet(triangle, all);
   if (sheet_row_ != no_index) return true;
-  for (Candidate& c : candidates_) c.at = {spot(triangle[0], c.row), spot(triangle[1], c.row), spot(triangle[2], c.row)};
+  for (Candidate& c : candidates_)
+    c.at = {spot(triangle[0], c.row), spot(triangle[1], c.row), spot(triangle[2], c.row)};
   centres_.resize(candidates_.size());
   return !has_corner_beyond(all) && covers(triangle, all);
 }
@@ -125,7 +126,8 @@ bool DistanceProver::covers(const Corners& piece, Range range) {
   }
   if (nearest + radius <= limit_) return true;
   if (nearest > limit_) return false;
-  if (by_one_triangle(range) || (n_pieces_ > 0 && find_sheet(piece, range) != no_index) || by_two_triangles(range)) return true;
+  if (by_one_triangle(range) || (n_pieces_ > 0 && find_sheet(piece, range) != no_index) || by_two_triangles(range))
+    return true;
   if (longest <= least_piece * limit_ || ++n_pieces_ >= most_pieces) return false;
   for (const std::size_t replaced : {b, a}) {
     Corners corners = piece;

@@ -11,8 +11,8 @@ namespace geomesh::search {
 namespace {
 
 constexpr double smooth_cosine = 0.82;  ///< of the angle between two triangles at an edge
-/// Of the angle between the surface and F. Two triangles that turn to opposite sides of F's plane would be inclined to each other by more than the
-/// edges that are not open allow.
+/// Of the angle between the surface and F. Two triangles that turn to opposite sides of F's plane would be inclined to
+/// each other by more than the edges that are not open allow.
 constexpr double steep_cosine = 0.6;
 constexpr double on_side = 1e-9;  ///< of F's longest edge
 
@@ -30,7 +30,9 @@ struct EdgeUse {
 };
 
 bool go_on_smoothly(const EdgeUse& x, const EdgeUse& y, std::span<const ClosestPointTrees::Item> items) {
-  const auto normal = [&](const EdgeUse& e) { return unit(cross(e.b - e.a, items[e.item].corners[(e.k + 2) % 3] - e.a)); };
+  const auto normal = [&](const EdgeUse& e) {
+    return unit(cross(e.b - e.a, items[e.item].corners[(e.k + 2) % 3] - e.a));
+  };
   return dot(normal(x), normal(y)) <= -smooth_cosine;  // to opposite sides of the edge
 }
 
@@ -44,7 +46,9 @@ std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Ite
       if (std::tuple(use.b.x, use.b.y, use.b.z) < std::tuple(use.a.x, use.a.y, use.a.z)) std::swap(use.a, use.b);
       uses.push_back(use);
     }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) { return x.key() != y.key() ? x.key() < y.key() : x.item < y.item; });
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) {
+    return x.key() != y.key() ? x.key() < y.key() : x.item < y.item;
+  });
   std::vector<std::uint8_t> open(items.size(), 7);
   for (std::size_t i = 0, j; i < uses.size(); i = j) {
     for (j = i; j < uses.size() && uses[j].key() == uses[i].key();) ++j;

@@ -2,9 +2,10 @@
 /// @file
 /// Proof that a triangle lies within a distance of a surface that goes on under all of it, without cutting it up.
 ///
-/// Seen along the normal of triangle F, take what of the surface is over F. Where it is nowhere farther from F's plane than the limit, is nowhere
-/// steep, has no border and no crease there, the set of F's points that have the surface over them is closed, and open in F: about a point of the
-/// surface it goes on to all sides, to places within the limit too. So where it is not empty it is all of F, which is connected.
+/// Seen along the normal of triangle F, take what of the surface is over F. Where it is nowhere farther from F's plane
+/// than the limit, is nowhere steep, has no border and no crease there, the set of F's points that have the surface
+/// over them is closed, and open in F: about a point of the surface it goes on to all sides, to places within the limit
+/// too. So where it is not empty it is all of F, which is connected.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +16,15 @@
 
 namespace geomesh::search {
 
-/// A triangle of a surface, and which of its edges (bit k: from corner k to the next) the surface does not go on over smoothly.
+/// A triangle of a surface, and which of its edges (bit k: from corner k to the next) the surface does not go on over
+/// smoothly.
 struct SheetTriangle {
   const PreparedTriangle* triangle;
   std::uint8_t open_edges;
 };
 
-/// By item: bit k where its edge from corner k to the next is not shared by exactly two of its group that are inclined to each other by less than 35
-/// degrees. O(n log n).
+/// By item: bit k where its edge from corner k to the next is not shared by exactly two of its group that are inclined
+/// to each other by less than 35 degrees. O(n log n).
 std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Item> items);
 
 /// What the proof asks of one triangle of the surface.
@@ -40,7 +42,8 @@ class SheetProof {
   /// Whether the triangle has an area.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
-  /// Where no triangle of the surface that may be over F was judged to be `border`: whether all of F is within the limit.
+  /// Where no triangle of the surface that may be over F was judged to be `border`: whether all of F is within the
+  /// limit.
   bool is_proven() const { return has_seed_; }
 
  private:
@@ -50,7 +53,8 @@ class SheetProof {
     double height;
   };
   static constexpr std::size_t most_corners = 8;  ///< of what is left of a triangle between three sides
-  /// Whether all of the triangle is beyond one side of F; else the distances of its corners from all sides come with it.
+  /// Whether all of the triangle is beyond one side of F; else the distances of its corners from all sides come with
+  /// it.
   bool is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const;
   bool has_within(const Point& p, const Point& q) const;
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <tuple>
 
-#include "delaunay/spatial_order.hpp"
+#include "mesh/spatial_order.hpp"
 #include "tetrahedralize/canonical_frame.hpp"
 
 namespace geomesh {
@@ -28,8 +28,8 @@ std::vector<VertexIndex> used_vertices(const PiecewiseLinearComplex& plc) {
   return used;
 }
 
-/// Turns the loop to its least vertex and towards its lesser neighbour; where a vertex stands in it more than once, to the least of all
-/// sequences. True: it runs the other way now.
+/// Turns the loop to its least vertex and towards its lesser neighbour; where a vertex stands in it more than once, to
+/// the least of all sequences. True: it runs the other way now.
 bool begin_at_least(std::span<VertexIndex> loop) {
   const auto least = std::min_element(loop.begin(), loop.end());
   if (std::count(least, loop.end(), *least) == 1) {
@@ -121,8 +121,10 @@ class Builder {
     if (is_less(b, a)) return false;
     if (plc_.n_loops(f) > 1 || plc_.n_loops(g) > 1) {
       const auto holes_a = ordered_loops(f), holes_b = ordered_loops(g);
-      if (std::lexicographical_compare(holes_a.begin(), holes_a.end(), holes_b.begin(), holes_b.end(), is_less)) return true;
-      if (std::lexicographical_compare(holes_b.begin(), holes_b.end(), holes_a.begin(), holes_a.end(), is_less)) return false;
+      if (std::lexicographical_compare(holes_a.begin(), holes_a.end(), holes_b.begin(), holes_b.end(), is_less))
+        return true;
+      if (std::lexicographical_compare(holes_b.begin(), holes_b.end(), holes_a.begin(), holes_a.end(), is_less))
+        return false;
     }
     return f < g;
   }
@@ -137,7 +139,8 @@ class Builder {
     std::vector<Index> next(begin.begin(), begin.end() - 1);
     for (Index f = 0; f < plc_.n_facets(); ++f) order[next[first(f)]++] = f;
     for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-      std::sort(order.begin() + begin[v], order.begin() + begin[v + 1], [&](Index f, Index g) { return is_before(f, g); });
+      std::sort(order.begin() + begin[v], order.begin() + begin[v + 1],
+                [&](Index f, Index g) { return is_before(f, g); });
     row_of_facet_.resize(order.size());
     for (Index row = 0; row < order.size(); ++row) row_of_facet_[order[row]] = row;
   }
@@ -164,7 +167,8 @@ class Builder {
 
   void add_inner_items() {
     for (const auto& s : plc_.facet_segments)
-      out_.plc.facet_segments.push_back({row_of_facet_[s.facet], std::min(local_[s.a], local_[s.b]), std::max(local_[s.a], local_[s.b])});
+      out_.plc.facet_segments.push_back(
+          {row_of_facet_[s.facet], std::min(local_[s.a], local_[s.b]), std::max(local_[s.a], local_[s.b])});
     std::sort(out_.plc.facet_segments.begin(), out_.plc.facet_segments.end(),
               [](const auto& s, const auto& t) { return std::tie(s.facet, s.a, s.b) < std::tie(t.facet, t.a, t.b); });
     for (const auto& p : plc_.facet_points) out_.plc.facet_points.push_back({row_of_facet_[p.facet], local_[p.v]});
@@ -188,7 +192,8 @@ class Builder {
     }
   }
 
-  void add_seeds(const std::vector<PiecewiseLinearComplex::Seed>& from, std::vector<PiecewiseLinearComplex::Seed>& to) const {
+  void add_seeds(const std::vector<PiecewiseLinearComplex::Seed>& from,
+                 std::vector<PiecewiseLinearComplex::Seed>& to) const {
     for (const auto& seed : from) to.push_back({out_.names.frame.enter(seed.point), seed.id});
   }
 

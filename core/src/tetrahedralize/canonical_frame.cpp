@@ -21,8 +21,9 @@ constexpr Hash mix(Hash h) {
 }
 
 /// Kinds of items are told apart by a factor each.
-constexpr Hash facet_factor = 0x9E3779B97F4A7C15ull, segment_factor = 0xD1B54A32D192ED03ull, inner_segment_factor = 0x8CB92BA72F3D8DD7ull,
-               inner_point_factor = 0xA24BAED4963EE407ull, isolated_factor = 0x9FB21C651E98DF25ull;
+constexpr Hash facet_factor = 0x9E3779B97F4A7C15ull, segment_factor = 0xD1B54A32D192ED03ull,
+               inner_segment_factor = 0x8CB92BA72F3D8DD7ull, inner_point_factor = 0xA24BAED4963EE407ull,
+               isolated_factor = 0x9FB21C651E98DF25ull;
 
 class FrameChoice {
  public:
@@ -110,7 +111,8 @@ class FrameChoice {
       }
       sum += mix(of_facet[facet] * facet_factor);
     }
-    for (const auto& s : plc_.facet_segments) sum += mix((of_facet[s.facet] + of_edge(s.a, s.b)) * inner_segment_factor);
+    for (const auto& s : plc_.facet_segments)
+      sum += mix((of_facet[s.facet] + of_edge(s.a, s.b)) * inner_segment_factor);
     for (const auto& p : plc_.facet_points) sum += mix((of_facet[p.facet] + of_point[p.v]) * inner_point_factor);
     for (const auto& s : plc_.segments) sum += mix(of_edge(s.a, s.b) * segment_factor);
     for (const VertexIndex v : plc_.isolated_points) sum += mix(of_point[v] * isolated_factor);
@@ -126,6 +128,8 @@ class FrameChoice {
 
 }  // namespace
 
-AxisFrame canonical_frame(const PiecewiseLinearComplex& plc, const std::vector<VertexIndex>& used) { return FrameChoice(plc, used).run(); }
+AxisFrame canonical_frame(const PiecewiseLinearComplex& plc, const std::vector<VertexIndex>& used) {
+  return FrameChoice(plc, used).run();
+}
 
 }  // namespace geomesh

@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "geomesh/core/tetrahedralize.hpp"
-#include "recover/recover.hpp"
+#include "recover/model/recover.hpp"
 
 namespace geomesh {
 
-/// Makes segments and facets unions of Delaunay edges and faces. Sets the facets that were given up, sorted. False: more points than the
-/// budget were needed in all.
+/// Makes segments and facets unions of Delaunay edges and faces. Sets the facets that were given up, sorted. False:
+/// more points than the budget were needed in all.
 using ConformingStep = std::function<bool(recover::Recovery&, const RecoverOptions&, std::vector<Index>& given_up)>;
 
-/// As tetrahedralize in conforming mode with `step` in place of its own. Throws Error{cannot_mesh} where that would turn to
-/// constrained mode.
-ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
-                                                        const RunContext& context, const ConformingStep& step);
+/// As tetrahedralize in conforming mode with `step` in place of its own. Throws Error{cannot_mesh} where that would
+/// turn to constrained mode.
+ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearComplex& plc,
+                                                        const TetrahedralizeOptions& options, const RunContext& context,
+                                                        const ConformingStep& step);
 
-/// Adds to recovery.facets_not_recovered, sorted, each facet with a face between two cells one of which has the other's vertex in its
-/// circumsphere. Exact.
+/// Adds to recovery.facets_not_recovered, sorted, each facet with a face between two cells one of which has the other's
+/// vertex in its circumsphere. Exact.
 void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh);
 
 }  // namespace geomesh

@@ -26,7 +26,8 @@ class Translator {
     number_components();
     translate_edges();
     list_isolated_points();
-    mesh_.recovery.facets_not_recovered = facets_in_callers_terms(std::move(mesh_.recovery.facets_not_recovered), names_);
+    mesh_.recovery.facets_not_recovered =
+        facets_in_callers_terms(std::move(mesh_.recovery.facets_not_recovered), names_);
   }
 
  private:
@@ -94,7 +95,8 @@ class Translator {
       if (names_.segment_is_reversed[edge.segment]) std::swap(edge.a, edge.b);
       edge = {row_[edge.a], row_[edge.b], names_.segment[edge.segment]};
     }
-    std::stable_sort(mesh_.edges.begin(), mesh_.edges.end(), [](const auto& a, const auto& b) { return a.segment < b.segment; });
+    std::stable_sort(mesh_.edges.begin(), mesh_.edges.end(),
+                     [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
   void list_isolated_points() {
@@ -110,7 +112,8 @@ class Translator {
   std::vector<VertexIndex> row_of_input_;  ///< per row of plc_.points
 };
 
-std::shared_ptr<const MeshExcerpt> excerpt_in_callers_terms(const std::shared_ptr<const MeshExcerpt>& excerpt, const ModelNames& names) {
+std::shared_ptr<const MeshExcerpt> excerpt_in_callers_terms(const std::shared_ptr<const MeshExcerpt>& excerpt,
+                                                            const ModelNames& names) {
   if (!excerpt) return excerpt;
   auto out = std::make_shared<MeshExcerpt>(*excerpt);
   for (Vec3& p : out->points) p = names.frame.leave(p);
@@ -125,7 +128,8 @@ std::shared_ptr<const MeshExcerpt> excerpt_in_callers_terms(const std::shared_pt
 
 }  // namespace
 
-ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mesh, const ModelNames& names, const PiecewiseLinearComplex& plc) {
+ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mesh, const ModelNames& names,
+                                               const PiecewiseLinearComplex& plc) {
   Translator(mesh, names, plc).run();
   return mesh;
 }

@@ -8,11 +8,11 @@
 
 #include "classify/classify.hpp"
 #include "geomesh/core/predicates.hpp"
-#include "recover/conforming.hpp"
-#include "recover/declare.hpp"
-#include "recover/hard_parts_first.hpp"
-#include "recover/recover.hpp"
-#include "recover/start_triangulation.hpp"
+#include "recover/conforming/conforming.hpp"
+#include "recover/model/declare.hpp"
+#include "recover/model/recover.hpp"
+#include "recover/start/hard_parts_first.hpp"
+#include "recover/start/start_triangulation.hpp"
 #include "tetrahedralize/canonical_form.hpp"
 #include "tetrahedralize/conforming_step.hpp"
 
@@ -44,11 +44,13 @@ bool recover_conforming(Recovery& recovery, const RecoverOptions& options, std::
 /// Segments (3.1), facets (3.2), what is still missing (3.3).
 void recover_constraints(Recovery& recovery, const RecoverOptions& options, const ConformingStep& conform) {
   if (options.mode == MeshMode::conforming) {
-    if (!conform(recovery, options, recovery.statistics.facets_not_recovered)) throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
+    if (!conform(recovery, options, recovery.statistics.facets_not_recovered))
+      throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
   }
   recover::recover_segments(recovery);
   recover::recover_facets(recovery);
-  if (options.preserve_boundary || options.mode == MeshMode::constrained) recover::remove_added_points(recovery, options.preserve_boundary);
+  if (options.preserve_boundary || options.mode == MeshMode::constrained)
+    recover::remove_added_points(recovery, options.preserve_boundary);
   if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
   recover::validate_recovered(recovery);
 }
@@ -74,9 +76,11 @@ struct MeshingRun {
 
   StartTriangulation start(unsigned attempt = 0) {
     model = recover::declare_constraints(plc, names, context);
-    if (model.input_vertex.size() < 4) throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
+    if (model.input_vertex.size() < 4)
+      throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
     const bool may_scale = options.recover.mode == MeshMode::constrained && !begins_hard(attempt);
-    StartTriangulation out = recover::triangulate_start(plc, names, model, options.delaunay, context, may_scale, attempt);
+    StartTriangulation out =
+        recover::triangulate_start(plc, names, model, options.delaunay, context, may_scale, attempt);
     if (begins_hard(attempt)) out.mesh = hard_parts.triangulate(out.points, options.delaunay, context);
     statistics = {};
     statistics.facets_total = plc.n_facets();
@@ -88,11 +92,12 @@ struct MeshingRun {
     return out;
   }
 
-  /// A second attempt from another scale, with other points, is cheap and mostly enough; the others begin with what was hard.
+  /// A second attempt from another scale, with other points, is cheap and mostly enough; the others begin with what was
+  /// hard.
   bool begins_hard(unsigned attempt) const { return attempt > 1 && hard_parts.has_learned(); }
 
-  /// Where rounding of added points has led recovery into a dead end, it is begun again. What recovery found wrong with the
-  /// model is believed at once where the exact search finds a crossing, else after the last attempt.
+  /// Where rounding of added points has led recovery into a dead end, it is begun again. What recovery found wrong with
+  /// the model is believed at once where the exact search finds a crossing, else after the last attempt.
   ConstrainedMesh recover(StartTriangulation first) {
     CrossingsOf crossings(plc);
     for (unsigned attempt = 0;; ++attempt) {
@@ -108,10 +113,12 @@ struct MeshingRun {
         return mesh;
       } catch (const Error& e) {
         if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
-        const bool is_last = attempt + 1 >= options.recover.max_attempts || options.recover.mode == MeshMode::conforming;
+        const bool is_last =
+            attempt + 1 >= options.recover.max_attempts || options.recover.mode == MeshMode::conforming;
         if (e.kind() == ErrorKind::cannot_mesh) recovery.refuse_crossings();
         if (is_last || (e.kind() == ErrorKind::invalid_input && recovery.has_crossings())) throw;
-        context.note(LogLevel::debug, "attempt " + std::to_string(attempt + 1) + " of " + std::to_string(options.recover.max_attempts) + " ends: " + e.what());
+        context.note(LogLevel::debug, "attempt " + std::to_string(attempt + 1) + " of " +
+                                          std::to_string(options.recover.max_attempts) + " ends: " + e.what());
         hard_parts.learn(recovery, model);
       }
     }
@@ -139,8 +146,9 @@ ConstrainedTetrahedralization recover_and_classify(MeshingRun& run, StartTriangu
 }
 
 /// Sets `given_up` where it throws.
-ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, const RunContext& context,
-                                           const ConformingStep& conform, std::vector<Index>& given_up) {
+ConstrainedTetrahedralization mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
+                                           const RunContext& context, const ConformingStep& conform,
+                                           std::vector<Index>& given_up) {
   std::optional<StageScope> delaunay_stage(std::in_place, context, "delaunay");
   const CanonicalForm form = canonical_form(plc);
   MeshingRun run{form.plc, form.names, options, context, conform};
@@ -160,20 +168,23 @@ void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh) {
   std::vector<Index>& list = mesh.recovery.facets_not_recovered;
   for (const ConstrainedTetrahedralization::Face& face : mesh.faces) {
     if (face.tetrahedron_above == no_index || face.tetrahedron_below == no_index) continue;
-    const Tetrahedron &above = mesh.tetrahedra[face.tetrahedron_above], &below = mesh.tetrahedra[face.tetrahedron_below];
+    const Tetrahedron &above = mesh.tetrahedra[face.tetrahedron_above],
+                      &below = mesh.tetrahedra[face.tetrahedron_below];
     const auto opposite = std::find_if(below.begin(), below.end(), [&](VertexIndex v) {
       return std::find(face.vertices.begin(), face.vertices.end(), v) == face.vertices.end();
     });
     const auto point = [&](VertexIndex v) -> const Vec3& { return mesh.points[v]; };
-    if (in_sphere(point(above[0]), point(above[1]), point(above[2]), point(above[3]), point(*opposite)) == Sign::positive)
+    if (in_sphere(point(above[0]), point(above[1]), point(above[2]), point(above[3]), point(*opposite)) ==
+        Sign::positive)
       list.push_back(face.facet);
   }
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
-                                                        const RunContext& context, const ConformingStep& step) {
+ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearComplex& plc,
+                                                        const TetrahedralizeOptions& options, const RunContext& context,
+                                                        const ConformingStep& step) {
   std::vector<Index> given_up;
   ConstrainedTetrahedralization out = mesh_in_mode(plc, options, context, step, given_up);
   list_facets_off_delaunay(out);
@@ -186,14 +197,16 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
     throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
   refuse_invalid(plc);
   std::vector<Index> given_up;
-  if (options.recover.mode == MeshMode::constrained) return mesh_in_mode(plc, options, context, recover_conforming, given_up);
+  if (options.recover.mode == MeshMode::constrained)
+    return mesh_in_mode(plc, options, context, recover_conforming, given_up);
   try {
     ConstrainedTetrahedralization out = mesh_in_mode(plc, options, context, recover_conforming, given_up);
     list_facets_off_delaunay(out);
     return out;
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::cannot_mesh) throw;
-    context.note(LogLevel::warning, "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
+    context.note(LogLevel::warning,
+                 "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
   }
   // Points crowded by small angles can leave no room for what is still missing; without them there is.
   TetrahedralizeOptions constrained = options;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <memory>
 
-#include "clip.hpp"
-#include "diagnosis.hpp"
+#include "arrangement/clip/clip.hpp"
+#include "arrangement/diagnosis/diagnosis.hpp"
+#include "arrangement/model/memory_bound.hpp"
+#include "arrangement/snap/rounding.hpp"
+#include "arrangement/snap/snap.hpp"
 #include "geomesh/core/error.hpp"
-#include "memory_bound.hpp"
-#include "rounding.hpp"
-#include "snap.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -25,9 +25,13 @@ void check_box(const Box3& box) {
 
 class Arrangement {
  public:
-  Arrangement(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points,
-              const ArrangementOptions& options, const RunContext& context)
-      : polylines_(polylines), points_(points), options_(options), context_(context), surfaces_{surfaces, result_.box_sides} {
+  Arrangement(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
+              const std::vector<NamedPoint>& points, const ArrangementOptions& options, const RunContext& context)
+      : polylines_(polylines),
+        points_(points),
+        options_(options),
+        context_(context),
+        surfaces_{surfaces, result_.box_sides} {
     if (options.box) {
       check_box(*options.box);
       result_.box_sides = make_box_sides(*options.box);
@@ -62,7 +66,8 @@ class Arrangement {
       for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
-      if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets || contacts.facets.size() > most_contacts)
+      if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets ||
+          contacts.facets.size() > most_contacts)
         refuse(complex, contacts);
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
@@ -119,16 +124,19 @@ class Arrangement {
     Complex& complex = ingested_.complex;
     const double least = 1024 * unit_in_the_last_place(complex);
     if (options_.tolerance < least)
-      throw Error(ErrorKind::usage, "the tolerance must be at least " + std::to_string(least) + " for coordinates of this size, or 0");
+      throw Error(ErrorKind::usage,
+                  "the tolerance must be at least " + std::to_string(least) + " for coordinates of this size, or 0");
     std::vector<VertexIndex> now;
-    take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), {options_.tolerance, bounds_, options_.box.has_value()}, &now));
+    take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
+                   {options_.tolerance, bounds_, options_.box.has_value()}, &now));
     for (auto& vertices : ingested_.vertex_of_point)
       for (VertexIndex& v : vertices) v = now[v];
   }
 
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
-      take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), {options_.tolerance, bounds_, false}));
+      take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
+                     {options_.tolerance, bounds_, false}));
   }
 
   void take(const SnapOutcome& outcome) {
@@ -145,7 +153,10 @@ class Arrangement {
     if (more.largest > total.largest) total.where = more.where;
     total.largest += more.largest;
     const auto n = static_cast<double>(total.points_moved + more.points_moved);
-    if (n > 0) total.mean = (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
+    if (n > 0)
+      total.mean =
+          (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) /
+          n;
     total.points_moved += more.points_moved;
   }
 
@@ -162,9 +173,11 @@ class Arrangement {
   }
 
   void log_round(unsigned round, const Complex& complex, const Contacts& contacts) const {
-    context_.note(LogLevel::debug, "arrangement round " + std::to_string(round) + ": " + std::to_string(complex.facets.size()) + " facets, " +
-                                       std::to_string(contacts.n_pairs) + " pairs, " + std::to_string(contacts.facets.size()) +
-                                       " contacts, " + std::to_string(contacts.overlaps.size()) + " overlaps");
+    context_.note(LogLevel::debug, "arrangement round " + std::to_string(round) + ": " +
+                                       std::to_string(complex.facets.size()) + " facets, " +
+                                       std::to_string(contacts.n_pairs) + " pairs, " +
+                                       std::to_string(contacts.facets.size()) + " contacts, " +
+                                       std::to_string(contacts.overlaps.size()) + " overlaps");
   }
 
   [[noreturn]] void refuse(const Complex& complex, const Contacts& contacts) const {
@@ -230,9 +243,11 @@ class Arrangement {
 }  // namespace
 
 ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
-                          const std::vector<NamedPoint>& points, const ArrangementOptions& options, const RunContext& context) {
+                          const std::vector<NamedPoint>& points, const ArrangementOptions& options,
+                          const RunContext& context) {
   std::unique_ptr<tbb::global_control> limit;
-  if (context.threads > 0) limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, context.threads);
+  if (context.threads > 0)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, context.threads);
   return Arrangement(surfaces, polylines, points, options, context).run();
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
+#include "arrangement/model/planar_triangulation.hpp"
+#include "arrangement/snap/snap.hpp"
 #include "geomesh/core/error.hpp"
-#include "planar_triangulation.hpp"
-#include "snap.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -16,7 +16,9 @@ struct ConstraintsCross {};
 class FacetSplitter {
  public:
   FacetSplitter(const std::vector<Vec3>& points, const Projection& frame)
-      : points_(points), frame_(frame), mesh_(no_exact_points_, frame.i, frame.j, [](int, int) -> PlanarPoint { throw ConstraintsCross{}; }) {}
+      : points_(points),
+        frame_(frame),
+        mesh_(no_exact_points_, frame.i, frame.j, [](int, int) -> PlanarPoint { throw ConstraintsCross{}; }) {}
 
   /// False where two vertices are one as seen.
   bool add_vertices(const std::vector<VertexIndex>& border, const std::vector<VertexIndex>& inside) {
@@ -133,8 +135,10 @@ void remove_spikes(std::vector<VertexIndex>& walk) {
   }
 }
 
-std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame, const std::vector<VertexIndex>& walk,
-                                               const std::vector<VertexIndex>& inside, const std::vector<EdgeKey>& wanted) {
+std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame,
+                                               const std::vector<VertexIndex>& walk,
+                                               const std::vector<VertexIndex>& inside,
+                                               const std::vector<EdgeKey>& wanted) {
   FacetSplitter splitter(points, frame);
   if (!splitter.add_vertices(walk, inside)) return std::nullopt;
   try {
@@ -148,8 +152,10 @@ std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, 
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet, const std::vector<VertexIndex>& border,
-                                                 const std::vector<VertexIndex>& inside, const std::vector<EdgeKey>& wanted) {
+std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet,
+                                                 const std::vector<VertexIndex>& border,
+                                                 const std::vector<VertexIndex>& inside,
+                                                 const std::vector<EdgeKey>& wanted) {
   std::vector<VertexIndex> walk = border;
   remove_spikes(walk);
   if (walk.size() < 3) return std::vector<Triangle>{};

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No overlap, globally. With positive tetrahedra whose faces pair up from opposite sides, the number of tetrahedra over a point
-// equals the winding number of the boundary about it. So it is enough that the boundary is closed and embedded (its faces meet in
-// shared vertices and edges only: a hanging face is caught here, as two boundary faces that overlap) and that the winding number
-// outside each sheet of it is zero.
+// No overlap, globally. With positive tetrahedra whose faces pair up from opposite sides, the number of tetrahedra over
+// a point equals the winding number of the boundary about it. So it is enough that the boundary is closed and embedded
+// (its faces meet in shared vertices and edges only: a hanging face is caught here, as two boundary faces that overlap)
+// and that the winding number outside each sheet of it is zero.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
-#include "check/box_tree.hpp"
-#include "check/crossing.hpp"
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
+#include "check/exact/box_tree.hpp"
+#include "check/exact/crossing.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -24,7 +24,8 @@ std::vector<Triangle> outward_boundary(const JudgedMesh& mesh) {
   return faces;
 }
 
-/// An edge as one boundary face has it: ends in order, and whether the face runs along it from the lower to the higher vertex.
+/// An edge as one boundary face has it: ends in order, and whether the face runs along it from the lower to the higher
+/// vertex.
 struct HalfEdge {
   VertexIndex a, b;
   Index face;
@@ -39,8 +40,9 @@ std::vector<HalfEdge> sorted_half_edges(const std::vector<Triangle>& faces) {
       const VertexIndex a = faces[f][i], b = faces[f][(i + 1) % 3];
       edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
     }
-  std::sort(edges.begin(), edges.end(),
-            [](const HalfEdge& x, const HalfEdge& y) { return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face); });
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& x, const HalfEdge& y) {
+    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
+  });
   return edges;
 }
 
@@ -56,7 +58,8 @@ std::vector<Index> sheets_of(const JudgedMesh& mesh, const std::vector<Triangle>
   const std::vector<HalfEdge> edges = sorted_half_edges(faces);
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     int sum = 0;
-    for (j = i; j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b; ++j) sum += edges[j].forward ? 1 : -1;
+    for (j = i; j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b; ++j)
+      sum += edges[j].forward ? 1 : -1;
     if (sum != 0) open.add(edges[i].a, mesh.point(edges[i].a));
     if (j - i != 2) continue;
     const Index a = find(edges[i].face), b = find(edges[i + 1].face);
@@ -74,7 +77,8 @@ BoxTree tree_over(const JudgedMesh& mesh, const std::vector<Triangle>& faces) {
 }
 
 /// False where faces meet outside shared vertices and edges.
-bool check_embedded(const JudgedMesh& mesh, const std::vector<Triangle>& faces, const BoxTree& tree, CheckResult& result) {
+bool check_embedded(const JudgedMesh& mesh, const std::vector<Triangle>& faces, const BoxTree& tree,
+                    CheckResult& result) {
   FaultCollector hanging("hanging_faces"), crossing("boundary_crossings");
   for (Index f = 0; f < faces.size(); ++f) {
     const Triangle& t = faces[f];
@@ -93,13 +97,14 @@ bool check_embedded(const JudgedMesh& mesh, const std::vector<Triangle>& faces, 
     });
   }
   const bool embedded = hanging.count() + crossing.count() == 0;
-  hanging.report(
+  hanging.report(result,
+                 "pairs of boundary faces lie on each other in part: hanging faces (a tetrahedron whose neighbours "
+                 "have its face in "
+                 "pieces), or tetrahedra that overlap");
+  crossing.report(
       result,
-      "pairs of boundary faces lie on each other in part: hanging faces (a tetrahedron whose neighbours have its face in "
-      "pieces), or tetrahedra that overlap");
-  crossing.report(result,
-                  "pairs of boundary faces meet outside shared vertices and edges: tetrahedra overlap, or touch without sharing "
-                  "(a hanging point)");
+      "pairs of boundary faces meet outside shared vertices and edges: tetrahedra overlap, or touch without sharing "
+      "(a hanging point)");
   return embedded;
 }
 
@@ -123,9 +128,11 @@ void check_boundary(const JudgedMesh& mesh, CheckResult& result) {
   const bool embedded = check_embedded(mesh, faces, tree, result);
   if (embedded && mesh.sound) check_winding(mesh, faces, sheet, tree, result);
   result.checks_done.emplace_back(
-      "the boundary is closed, its faces meet in shared vertices and edges only, and it winds once: nothing overlaps (exact)");
+      "the boundary is closed, its faces meet in shared vertices and edges only, and it winds once: nothing overlaps "
+      "(exact)");
   if (!embedded || !mesh.sound)
-    result.checks_done.back() = "the boundary was judged face by face; overlap as a whole was not, for the faults above";
+    result.checks_done.back() =
+        "the boundary was judged face by face; overlap as a whole was not, for the faults above";
 }
 
 }  // namespace geomesh::geomodel::checking

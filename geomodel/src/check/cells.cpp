@@ -4,9 +4,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "check/exact.hpp"
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
+#include "check/exact/exact.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -82,12 +82,14 @@ bool check_cells(JudgedMesh& mesh, CheckResult& result) {
                              {}});
   if (mesh.cells.empty()) result.faults.push_back({"no_tetrahedra", "1 file holds no tetrahedron", 1, {}, {}});
   if (mesh.file.n_lower_cells > 0)
-    result.checks_done.push_back(std::to_string(mesh.file.n_lower_cells) + " cells that are no solids were passed over");
+    result.checks_done.push_back(std::to_string(mesh.file.n_lower_cells) +
+                                 " cells that are no solids were passed over");
   if (!judgeable) return false;
   check_orientations(mesh, result);
   check_equal_points(mesh, result);
   check_unused_points(mesh, result);
-  result.checks_done.emplace_back("every cell is a tetrahedron of positive volume (exact); points are used and distinct");
+  result.checks_done.emplace_back(
+      "every cell is a tetrahedron of positive volume (exact); points are used and distinct");
   return true;
 }
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "check/judged_mesh.hpp"
-#include "check/within_tolerance.hpp"
+#include "check/judged/judged_mesh.hpp"
+#include "check/within/within_tolerance.hpp"
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
@@ -63,7 +63,8 @@ bool may_be_trimmed(const Project& project, std::size_t row) {
   return orders && std::find(project.column.begin(), project.column.end(), spec.name) != project.column.end();
 }
 
-/// What rules may trim, and what a volume that is no box cuts, is judged by its area: what is not covered is what the report tells.
+/// What rules may trim, and what a volume that is no box cuts, is judged by its area: what is not covered is what the
+/// report tells.
 void claim_clipped_areas(const Project& project, const std::filesystem::path& mesh, Claim& claim) {
   const std::map<std::string, double> told = reported_clipping(mesh);
   for (Index s = 0; s < claim.surfaces.size(); ++s) {
@@ -86,7 +87,8 @@ Claim claim_of_project(const std::filesystem::path& file, const std::filesystem:
   claim.surfaces = build_surfaces(claim.surfaces, rules).model_surfaces();
   claim_clipped_areas(project, mesh, claim);
   const RefinementSettings& refinement = project.mesh.refinement;
-  if (refinement.refine && refinement.honour == Honour::tolerance) claim.within = refinement.tolerance;  // not together with crs.z_scale
+  if (refinement.refine && refinement.honour == Honour::tolerance)
+    claim.within = refinement.tolerance;  // not together with crs.z_scale
   return claim;
 }
 
@@ -94,7 +96,8 @@ Claim claim_of_surfaces(const std::vector<std::filesystem::path>& files) {
   Claim claim;
   for (const auto& file : files) {
     FileContents contents = read_surface_file(file);
-    if (contents.surfaces.empty()) throw Error(ErrorKind::invalid_input, file.string() + ": holds no triangulated surface");
+    if (contents.surfaces.empty())
+      throw Error(ErrorKind::invalid_input, file.string() + ": holds no triangulated surface");
     for (TriangulatedSurface& s : contents.surfaces) claim.surfaces.push_back(std::move(s));
   }
   return claim;
@@ -112,9 +115,10 @@ double tolerance_of(const CheckRequest& request, const MeshFile& mesh) {
   if (request.tolerance >= 0) return request.tolerance;
   double largest = 0;
   for (const Vec3& p : mesh.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double ulp = mesh.single_precision
-                         ? double(std::nextafter(float(largest), std::numeric_limits<float>::infinity())) - double(float(largest))
-                         : std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  const double ulp =
+      mesh.single_precision
+          ? double(std::nextafter(float(largest), std::numeric_limits<float>::infinity())) - double(float(largest))
+          : std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
   constexpr double ulps = 8;
   return std::max(ulps * ulp, 2 * reported_displacement(request.mesh));
 }
@@ -128,7 +132,8 @@ double surfaces_may_be_off(const CheckRequest& request, const Claim& claim) {
 void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
                     const std::vector<Triangle>& set_faces, CheckResult& result) {
   const double rounding = tolerance_of(request, mesh.file), within = surfaces_may_be_off(request, claim);
-  if (std::any_of(set_faces.begin(), set_faces.end(), [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) != t.end(); })) {
+  if (std::any_of(set_faces.begin(), set_faces.end(),
+                  [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) != t.end(); })) {
     result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
     return;
   }
@@ -148,7 +153,8 @@ void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const Face
     if (claim.volume) check_volume(mesh, claim, result);
     judge_surfaces(request, mesh, claim, faces, set_faces, result);
   }
-  if (!request.surfaces.empty()) judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
+  if (!request.surfaces.empty())
+    judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
 }
 
 }  // namespace
@@ -157,7 +163,8 @@ CheckResult check_mesh(const CheckRequest& request) {
   CheckResult result;
   const MeshFile file = read_mesh_file(request.mesh);
   JudgedMesh mesh{file, file.tetrahedra, {}, true};
-  result.checks_done.push_back("read as " + file.format + (file.single_precision ? " (coordinates in single precision)" : ""));
+  result.checks_done.push_back("read as " + file.format +
+                               (file.single_precision ? " (coordinates in single precision)" : ""));
   if (!check_cells(mesh, result)) return result;
   check_faces(mesh, result);
   check_boundary(mesh, result);

@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coverage. A mesh face stands for a part of an input triangle where all its points lie within the tolerance of the triangle's
-// plane. Mesh faces of a sound mesh never overlap, so a triangle is covered where the areas that such faces have in common with
-// it add up to the area that is due: all of it, or what of it lies in the box. What is short of that must be inside a body that
-// cuts: there the faces' open edges must run along that body (or the box or the triangle's sides), and points of the triangle
-// that no face covers must lie in the body, decided exactly.
+// Coverage. A mesh face stands for a part of an input triangle where all its points lie within the tolerance of the
+// triangle's plane. Mesh faces of a sound mesh never overlap, so a triangle is covered where the areas that such faces
+// have in common with it add up to the area that is due: all of it, or what of it lies in the box. What is short of
+// that must be inside a body that cuts: there the faces' open edges must run along that body (or the box or the
+// triangle's sides), and points of the triangle that no face covers must lie in the body, decided exactly.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
 
-#include "check/claimed_faces.hpp"
-#include "check/crossing.hpp"
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
-#include "check/plane_triangle.hpp"
+#include "check/exact/crossing.hpp"
+#include "check/exact/plane_triangle.hpp"
+#include "check/judged/claimed_faces.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// By how much the area that no face covers may exceed the clipped area that the report tells, relative to the surface's area.
+/// By how much the area that no face covers may exceed the clipped area that the report tells, relative to the
+/// surface's area.
 constexpr double area_agreement = 1e-9;
 
 class CoverageJudge : public ClaimedFaces {
  public:
-  CoverageJudge(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces, const std::vector<Triangle>& set_faces,
-                double tolerance)
-      : ClaimedFaces(mesh, claim, faces, set_faces), tolerance_(tolerance), tree_(tree_over(mesh.file.points, candidates_)) {
+  CoverageJudge(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
+                const std::vector<Triangle>& set_faces, double tolerance)
+      : ClaimedFaces(mesh, claim, faces, set_faces),
+        tolerance_(tolerance),
+        tree_(tree_over(mesh.file.points, candidates_)) {
     if (faces_) collect_clip_edges();
   }
 
@@ -38,12 +41,15 @@ class CoverageJudge : public ClaimedFaces {
   void collect_clip_edges();
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
-  bool uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces, Vec3& place) const;
-  bool may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces, Vec3& place) const;
+  bool uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+                            Vec3& place) const;
+  bool may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+                      Vec3& place) const;
 
   double tolerance_;
   BoxTree tree_;
-  std::vector<std::pair<VertexIndex, VertexIndex>> clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
+  std::vector<std::pair<VertexIndex, VertexIndex>>
+      clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
 };
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
@@ -80,18 +86,20 @@ void CoverageJudge::check_sources(CheckResult& result) {
     const PlaneTriangle triangle(surface.points[s[0]], surface.points[s[1]], surface.points[s[2]]);
     if (triangle.degenerate()) continue;
     double distance = 0;
-    for (int i = 0; i < 3; ++i) distance = std::max({distance, triangle.distance(corner(t, i)), triangle.outside(corner(t, i))});
+    for (int i = 0; i < 3; ++i)
+      distance = std::max({distance, triangle.distance(corner(t, i)), triangle.outside(corner(t, i))});
     largest = std::max(largest, distance);
     if (distance > tolerance_) off.add(f, centroid(mesh_, t));
   }
   char text[160];
-  std::snprintf(text, sizeof text, "faces lie farther off the input triangle that they name than %.3g (the largest: %.3g)",
-                tolerance_, largest);
+  std::snprintf(text, sizeof text,
+                "faces lie farther off the input triangle that they name than %.3g (the largest: %.3g)", tolerance_,
+                largest);
   no_source.report(result, "faces name a source_triangle that their surface does not have");
   off.report(result, text);
   std::snprintf(text, sizeof text,
-                "each face lies on the input triangle that it names, within %.3g (largest distance seen: %.3g)", tolerance_,
-                largest);
+                "each face lies on the input triangle that it names, within %.3g (largest distance seen: %.3g)",
+                tolerance_, largest);
   result.checks_done.emplace_back(text);
 }
 
@@ -111,8 +119,8 @@ void CoverageJudge::check_bodies(CheckResult& result) {
     const Triangle& t = candidates_[f];
     for (const Body& body : bodies_) {
       if (!body.surface->cuts_all) continue;
-      const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, corner(t, 0),
-                                                  corner(t, 1), corner(t, 2));
+      const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
+                                                  corner(t, 0), corner(t, 1), corner(t, 2));
       if (winding && *winding != 0) {
         inside.add(f, centroid(mesh_, t));
         break;
@@ -150,13 +158,15 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, co
   return true;
 }
 
-/// Judges a lattice of points of the triangle: what lies in the box and under no piece must have been taken away by rule.
+/// Judges a lattice of points of the triangle: what lies in the box and under no piece must have been taken away by
+/// rule.
 bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
                                          Vec3& place) const {
   constexpr int lattice = 14;
   const auto& c = triangle.corners();
   std::vector<PlaneTriangle> flat;
-  for (const Index f : pieces) flat.emplace_back(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
+  for (const Index f : pieces)
+    flat.emplace_back(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
   for (int i = 1; i < lattice; ++i)
     for (int j = 1; i + j < lattice; ++j) {
       const double u = double(i) / lattice, v = double(j) / lattice;
@@ -167,8 +177,9 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index su
         point.add(p);
         if (!overlap(inner, point)) continue;
       }
-      const bool covered = std::any_of(flat.begin(), flat.end(),
-                                       [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance_; });
+      const bool covered = std::any_of(flat.begin(), flat.end(), [&](const PlaneTriangle& f) {
+        return !f.degenerate() && f.outside(p) <= tolerance_;
+      });
       if (covered || is_removed(surface, p, (4 * tolerance_) * triangle.normal())) continue;
       place = p;
       return false;
@@ -203,7 +214,8 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       const std::vector<Index> pieces = faces_on(triangle, s);
       double covered = 0;  // of the triangle
       for (const Index f : pieces)
-        covered += triangle.common_area(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
+        covered +=
+            triangle.common_area(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
       if (told != claim_.clipped_area.end()) {
         uncovered += triangle.area() - covered;
         room += 4 * tolerance_ * triangle.perimeter();
@@ -232,17 +244,18 @@ void CoverageJudge::check_triangles(CheckResult& result) {
   for (const std::string& name : short_of) names += (names.empty() ? "" : ", ") + name;
   missing.report(result, "input triangles are not covered by mesh faces (surfaces: " + names + ")");
   char text[240];
-  std::snprintf(text, sizeof text,
-                "%zu input triangles are covered by mesh faces within %.3g; %zu of them are clipped by the box or a body; %zu of "
-                "zero area passed over",
-                n_triangles, tolerance_, n_clipped, n_degenerate);
+  std::snprintf(
+      text, sizeof text,
+      "%zu input triangles are covered by mesh faces within %.3g; %zu of them are clipped by the box or a body; %zu of "
+      "zero area passed over",
+      n_triangles, tolerance_, n_clipped, n_degenerate);
   result.checks_done.emplace_back(missing.count() == 0 ? text : "coverage of the input triangles was judged");
 }
 
 }  // namespace
 
-void check_coverage(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces, const std::vector<Triangle>& set_faces,
-                    double tolerance, CheckResult& result) {
+void check_coverage(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
+                    const std::vector<Triangle>& set_faces, double tolerance, CheckResult& result) {
   CoverageJudge judge(mesh, claim, faces, set_faces, tolerance);
   if (faces && claim.named) judge.check_sources(result);
   if (faces && claim.named) judge.check_box_sides(result);

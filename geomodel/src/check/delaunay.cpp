@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Locally Delaunay across every free face is Delaunay as far as vertices see each other: along the way from inside a tetrahedron
-// to a vertex that it sees, the power of that vertex falls from cell to cell (Shewchuk 2008, "General-dimensional constrained
-// Delaunay and constrained regular triangulations", the Delaunay lemma; ties allowed). So judging the faces judges guarantee 5.
+// Locally Delaunay across every free face is Delaunay as far as vertices see each other: along the way from inside a
+// tetrahedron to a vertex that it sees, the power of that vertex falls from cell to cell (Shewchuk 2008,
+// "General-dimensional constrained Delaunay and constrained regular triangulations", the Delaunay lemma; ties allowed).
+// So judging the faces judges guarantee 5.
 #include <algorithm>
 
-#include "check/exact.hpp"
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
+#include "check/exact/exact.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -35,15 +36,17 @@ void check_delaunay(const JudgedMesh& mesh, const FacesFile* faces, CheckResult&
     if (!is_inner(face)) continue;
     const Tetrahedron& cell = mesh.cells[face.even];
     const VertexIndex other = apex(mesh.cells[face.odd], face.key);
-    if (in_sphere(mesh.point(cell[0]), mesh.point(cell[1]), mesh.point(cell[2]), mesh.point(cell[3]), mesh.point(other)) !=
-        Sign::positive)
+    if (in_sphere(mesh.point(cell[0]), mesh.point(cell[1]), mesh.point(cell[2]), mesh.point(cell[3]),
+                  mesh.point(other)) != Sign::positive)
       continue;
     const bool is_constrained = std::binary_search(constrained.begin(), constrained.end(), face.key);
     (is_constrained ? on_surface : free_face).add(mesh.file.cell[face.even], centroid(mesh, face.key));
   }
-  free_face.report(result, "free faces are not Delaunay: the vertex across lies strictly inside the circumsphere (exact)");
+  free_face.report(result,
+                   "free faces are not Delaunay: the vertex across lies strictly inside the circumsphere (exact)");
   on_surface.report(
-      result, "faces of surfaces inside the mesh are not Delaunay: the vertex across lies strictly inside the circumsphere");
+      result,
+      "faces of surfaces inside the mesh are not Delaunay: the vertex across lies strictly inside the circumsphere");
   result.checks_done.emplace_back(
       "no vertex lies strictly inside the circumsphere of a tetrahedron that sees it (exact, ties allowed)");
 }

@@ -5,9 +5,9 @@
 #include <set>
 #include <tuple>
 
-#include "check/exact.hpp"
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
+#include "check/exact/exact.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -35,7 +35,8 @@ std::vector<const FacePair*> check_triangles(const JudgedMesh& mesh, const Faces
   }
   std::sort(keys.begin(), keys.end());
   for (std::size_t i = 1; i < keys.size(); ++i)
-    if (keys[i].first == keys[i - 1].first) repeated.add(keys[i].second, faces.points[faces.triangles[keys[i].second][0]]);
+    if (keys[i].first == keys[i - 1].first)
+      repeated.add(keys[i].second, faces.points[faces.triangles[keys[i].second][0]]);
   unknown_point.report(result, "triangles of the face set have a point that the mesh does not have");
   no_face.report(result, "triangles of the face set are no face of the mesh");
   repeated.report(result, "triangles are in the face set more than once");
@@ -75,7 +76,8 @@ void check_all_listed(const JudgedMesh& mesh, const std::vector<const FacePair*>
     if (listed[i] || a == b || (is_boundary(mesh.faces[i]) && is_hull(mesh, a + b))) continue;
     missing.add(i, centroid(mesh, mesh.faces[i].key));
   }
-  missing.report(result, "mesh faces lie between two regions, or outside and a region, and are in no surface of the face set");
+  missing.report(result,
+                 "mesh faces lie between two regions, or outside and a region, and are in no surface of the face set");
 }
 
 /// The listed faces about each region close up and enclose just its volume.
@@ -125,8 +127,8 @@ void check_names(const JudgedMesh& mesh, const FacesFile& faces, CheckResult& re
       if (region_ids.contains(id)) shared_id.add(f, place);
     }
     const auto set = static_cast<std::size_t>(faces.surface_set[f]);
-    const bool right = faces.surface_set[f] >= 0 && set < faces.surface_sets.size() && !faces.surface_sets[set].empty() &&
-                       faces.surface_sets[set].front() == id;
+    const bool right = faces.surface_set[f] >= 0 && set < faces.surface_sets.size() &&
+                       !faces.surface_sets[set].empty() && faces.surface_sets[set].front() == id;
     if (!right) wrong_set.add(f, place);
     if (faces.patch[f] < 1) wrong_patch.add(f, place);
   }
@@ -145,8 +147,8 @@ std::vector<VertexIndex> match_points(const JudgedMesh& mesh, const std::vector<
     return mesh.point(a) == mesh.point(b) ? a < b : less(mesh.point(a), mesh.point(b));
   });
   for (const Vec3& p : points) {
-    const auto it =
-        std::lower_bound(order.begin(), order.end(), p, [&](VertexIndex v, const Vec3& q) { return less(mesh.point(v), q); });
+    const auto it = std::lower_bound(order.begin(), order.end(), p,
+                                     [&](VertexIndex v, const Vec3& q) { return less(mesh.point(v), q); });
     rows.push_back(it != order.end() && mesh.point(*it) == p ? *it : no_vertex);
   }
   return rows;
@@ -157,15 +159,17 @@ std::vector<Triangle> check_face_set(const JudgedMesh& mesh, const FacesFile& fa
   std::vector<Triangle> triangles;
   for (const Triangle& t : faces.triangles) triangles.push_back({rows[t[0]], rows[t[1]], rows[t[2]]});
   const auto found = check_triangles(mesh, faces, triangles, result);
-  result.checks_done.push_back("the face set: " + std::to_string(triangles.size()) + " triangles, each a mesh face, once");
+  result.checks_done.push_back("the face set: " + std::to_string(triangles.size()) +
+                               " triangles, each a mesh face, once");
   if (!faces.missing_arrays.empty()) {
     std::string names;
     for (const std::string& name : faces.missing_arrays) names += (names.empty() ? "" : ", ") + name;
-    result.faults.push_back({"missing_face_arrays",
-                             std::to_string(faces.missing_arrays.size()) + " cell arrays are missing in the face set: " + names,
-                             faces.missing_arrays.size(),
-                             {},
-                             {}});
+    result.faults.push_back(
+        {"missing_face_arrays",
+         std::to_string(faces.missing_arrays.size()) + " cell arrays are missing in the face set: " + names,
+         faces.missing_arrays.size(),
+         {},
+         {}});
     return triangles;
   }
   check_names(mesh, faces, result);
@@ -174,7 +178,8 @@ std::vector<Triangle> check_face_set(const JudgedMesh& mesh, const FacesFile& fa
     check_all_listed(mesh, found, result);
     check_regions_closed(mesh, faces, triangles, found, result);
     result.checks_done.emplace_back(
-        "normals point from region_minus to region_plus; every face at a region's border is listed; the faces about each region "
+        "normals point from region_minus to region_plus; every face at a region's border is listed; the faces about "
+        "each region "
         "close");
   }
   return triangles;

@@ -3,8 +3,8 @@
 #include <tuple>
 #include <utility>
 
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -51,7 +51,8 @@ void check_faces(JudgedMesh& mesh, CheckResult& result) {
   const std::vector<HalfFace> halves = sorted_half_faces(mesh);
   for (std::size_t i = 0, j = 0; i < halves.size(); i = j) {
     FacePair face{halves[i].key};
-    for (j = i; j < halves.size() && halves[j].key == halves[i].key; ++j) (halves[j].odd ? face.odd : face.even) = halves[j].cell;
+    for (j = i; j < halves.size() && halves[j].key == halves[i].key; ++j)
+      (halves[j].odd ? face.odd : face.even) = halves[j].cell;
     if (j - i > 2) {
       crowded.add(mesh.file.cell[halves[i].cell], centroid(mesh, face.key));
     } else if (j - i == 2 && !is_inner(face)) {

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <map>
 
-#include "check/exact.hpp"
-#include "check/faults.hpp"
-#include "check/judged_mesh.hpp"
-#include "sets/sums.hpp"
+#include "check/exact/exact.hpp"
+#include "check/judged/faults.hpp"
+#include "check/judged/judged_mesh.hpp"
+#include "naming/sums.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -34,8 +34,11 @@ std::map<std::int32_t, RegionSum> sum_regions(const JudgedMesh& mesh) {
 void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result) {
   if (mesh.file.region.empty()) {
     if (contract)
-      result.faults.push_back(
-          {"no_region_array", "1 array is missing: the mesh has a face set beside it but no cell array \"region\"", 1, {}, {}});
+      result.faults.push_back({"no_region_array",
+                               "1 array is missing: the mesh has a face set beside it but no cell array \"region\"",
+                               1,
+                               {},
+                               {}});
     result.checks_done.emplace_back("no region array: regions were not judged");
     return;
   }
@@ -93,22 +96,27 @@ void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& resul
   const double error = result.volume / volume.volume - 1, tolerance = 1e-12 + 2 * ulp * side_area / volume.volume;
   char text[200];
   if (!(error <= tolerance && (claim.ends_inside || error >= -tolerance))) {
-    std::snprintf(text, sizeof text, "1 volume is wrong: the tetrahedra fill %.15g, the box %.15g (relative error %.2g)",
-                  result.volume, volume.volume, std::abs(error));
+    std::snprintf(text, sizeof text,
+                  "1 volume is wrong: the tetrahedra fill %.15g, the box %.15g (relative error %.2g)", result.volume,
+                  volume.volume, std::abs(error));
     result.faults.push_back({"box_volume", text, 1, {}, 0.5 * (box.min + box.max)});
   }
   FaultCollector outside("points_outside_box");
   for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
     const Vec3& p = mesh.point(v);
-    const bool in_bounds = !(p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x || p.y > box.max.y || p.z > box.max.z);
+    const bool in_bounds = !(p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x ||
+                             p.y > box.max.y || p.z > box.max.z);
     if (volume.box ? !in_bounds : !is_within(volume, p, 2 * ulp)) outside.add(v, p);
   }
   outside.report(result, "points lie outside the box");
   if (claim.ends_inside) {
-    std::snprintf(text, sizeof text, "the model fills %.6g of its box, the rest lies beyond the surface at which it ends; every point is in the box",
-                  1 + error);
+    std::snprintf(
+        text, sizeof text,
+        "the model fills %.6g of its box, the rest lies beyond the surface at which it ends; every point is in the box",
+        1 + error);
   } else {
-    std::snprintf(text, sizeof text, "the volume is the box's (relative error %.2g, at most %.2g), every point is in the box",
+    std::snprintf(text, sizeof text,
+                  "the volume is the box's (relative error %.2g, at most %.2g), every point is in the box",
                   std::abs(error), tolerance);
   }
   result.checks_done.emplace_back(text);

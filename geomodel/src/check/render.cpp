@@ -21,8 +21,8 @@ std::string to_text(const CheckResult& result) {
                 result.volume);
   std::string text = line;
   for (const auto& region : result.regions) {
-    std::snprintf(line, sizeof line, "  region %d  %-28s %10zu tetrahedra  volume %.15g\n", region.id, region.name.c_str(),
-                  region.n_tetrahedra, region.volume);
+    std::snprintf(line, sizeof line, "  region %d  %-28s %10zu tetrahedra  volume %.15g\n", region.id,
+                  region.name.c_str(), region.n_tetrahedra, region.volume);
     text += line;
   }
   text += "checked:\n";
@@ -33,8 +33,9 @@ std::string to_text(const CheckResult& result) {
     for (const std::size_t example : fault.examples) text += ' ' + std::to_string(example);
     text += '\n';
   }
-  text += result.faults.empty() ? "The mesh passes.\n"
-                                : "The mesh does not pass: " + std::to_string(result.faults.size()) + " kinds of fault.\n";
+  text += result.faults.empty()
+              ? "The mesh passes.\n"
+              : "The mesh does not pass: " + std::to_string(result.faults.size()) + " kinds of fault.\n";
   return text;
 }
 

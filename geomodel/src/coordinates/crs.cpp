@@ -10,12 +10,13 @@
 #include <optional>
 
 #include "geomesh/core/error.hpp"
-#include "readers/text.hpp"
+#include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-/// Polar stereographic systems: latitude of true scale (or the scale at the pole), central meridian, false easting and northing.
+/// Polar stereographic systems: latitude of true scale (or the scale at the pole), central meridian, false easting and
+/// northing.
 struct PolarSystem {
   int epsg;
   bool north;
@@ -23,8 +24,8 @@ struct PolarSystem {
   double meridian, false_origin;
 };
 constexpr PolarSystem polar_systems[] = {
-    {32661, true, 90, 0, 2e6}, {5041, true, 90, 0, 2e6},  {32761, false, 90, 0, 2e6}, {5042, false, 90, 0, 2e6},
-    {3413, true, 70, -45, 0},  {3995, true, 71, 0, 0},    {3031, false, 71, 0, 0},    {3976, false, 70, 0, 0},
+    {32661, true, 90, 0, 2e6}, {5041, true, 90, 0, 2e6}, {32761, false, 90, 0, 2e6}, {5042, false, 90, 0, 2e6},
+    {3413, true, 70, -45, 0},  {3995, true, 71, 0, 0},   {3031, false, 71, 0, 0},    {3976, false, 70, 0, 0},
 };
 
 const PolarSystem* polar_system(int epsg) {
@@ -127,19 +128,22 @@ HorizontalCrs parse_crs(std::string_view text) {
 std::string complaint_about_crs(std::string_view text) {
   const HorizontalCrs crs = parse_crs(text);
   if (crs.kind != HorizontalCrs::Kind::other || crs.epsg > 0) return {};
-  return "local, geographic, utm, utm 32N (zone 1 to 60 with N or S) or epsg:CODE was expected, found " + in_quotes(text);
+  return "local, geographic, utm, utm 32N (zone 1 to 60 with N or S) or epsg:CODE was expected, found " +
+         in_quotes(text);
 }
 
 bool same_system(const HorizontalCrs& a, const HorizontalCrs& b) {
   if (a.kind != b.kind) return false;
   if (a.kind == HorizontalCrs::Kind::utm) return a.zone == b.zone && a.north == b.north;
-  if (a.kind == HorizontalCrs::Kind::polar || a.kind == HorizontalCrs::Kind::other) return a.epsg == b.epsg && (a.epsg > 0 || a.text == b.text);
+  if (a.kind == HorizontalCrs::Kind::polar || a.kind == HorizontalCrs::Kind::other)
+    return a.epsg == b.epsg && (a.epsg > 0 || a.text == b.text);
   return true;
 }
 
 Vec2 to_geographic(const HorizontalCrs& crs, const Vec2& p) {
   if (crs.kind == HorizontalCrs::Kind::geographic) {
-    if (!(std::abs(p.y) <= 90) || !(std::abs(p.x) <= 540)) out_of_range(crs, p, "x is a longitude and y a latitude in degrees");
+    if (!(std::abs(p.y) <= 90) || !(std::abs(p.x) <= 540))
+      out_of_range(crs, p, "x is a longitude and y a latitude in degrees");
     return p;
   }
   double latitude = 0, longitude = 0;
@@ -167,7 +171,8 @@ Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& p) {
     int zone = 0;
     bool north = true;
     GeographicLib::UTMUPS::Forward(p.y, p.x, zone, north, q.x, q.y, crs.zone);
-    if (north != crs.north) q.y += north ? 1e7 : -1e7;  // across the equator the other hemisphere's false northing goes on
+    if (north != crs.north)
+      q.y += north ? 1e7 : -1e7;  // across the equator the other hemisphere's false northing goes on
   } catch (const std::exception& e) {
     out_of_range(crs, p, e.what());
   }

@@ -30,8 +30,8 @@ struct HorizontalCrs {
   std::string name() const;
 };
 
-/// "local", "geographic", "utm", "utm 32N" (also "UTM zone 32N", "utm32n"), "epsg:CODE"; case and blanks do not matter. Anything else is
-/// of kind other.
+/// "local", "geographic", "utm", "utm 32N" (also "UTM zone 32N", "utm32n"), "epsg:CODE"; case and blanks do not matter.
+/// Anything else is of kind other.
 HorizontalCrs parse_crs(std::string_view text);
 /// What is wrong with such a text in a project; empty where nothing is.
 std::string complaint_about_crs(std::string_view text);
@@ -40,8 +40,8 @@ std::string complaint_about_crs(std::string_view text);
 bool same_system(const HorizontalCrs& a, const HorizontalCrs& b);
 
 /// Longitude and latitude in degrees. Throws Error{invalid_input} where the point is beyond the system's range.
-/// Precondition: crs.converts(), zone known. Accurate to a micrometre (Karney, "Transverse Mercator with an accuracy of a few
-/// nanometers", J. Geodesy 85, 2011).
+/// Precondition: crs.converts(), zone known. Accurate to a micrometre (Karney, "Transverse Mercator with an accuracy of
+/// a few nanometers", J. Geodesy 85, 2011).
 Vec2 to_geographic(const HorizontalCrs& crs, const Vec2& p);
 /// Metres, or degrees. Errors and precondition as above.
 Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& longitude_latitude);

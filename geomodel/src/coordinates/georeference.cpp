@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "geomesh/core/error.hpp"
-#include "readers/frame.hpp"
-#include "readers/units.hpp"
+#include "readers/text/frame.hpp"
+#include "readers/text/units.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -35,7 +35,8 @@ std::string range_text(const Box3& b) {
 }
 
 bool is_named(const std::string& unit) {
-  return !unit.empty() && !equals_ignoring_case(unit, "none") && !equals_ignoring_case(unit, "unknown") && !equals_ignoring_case(unit, "unitless");
+  return !unit.empty() && !equals_ignoring_case(unit, "none") && !equals_ignoring_case(unit, "unknown") &&
+         !equals_ignoring_case(unit, "unitless");
 }
 double metres_of(const std::string& unit) { return is_named(unit) ? length_unit_in_metres(unit).value_or(1) : 1; }
 
@@ -46,9 +47,7 @@ std::string own_unit(const SourceFrame& frame, bool z) {
 }
 
 /// Coordinates that can only be degrees: no projected system has its places so near its origin.
-bool looks_like_degrees(const Box3& b) {
-  return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90;
-}
+bool looks_like_degrees(const Box3& b) { return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90; }
 
 constexpr double guessed_factors[] = {0.3048, 1 / 0.3048, 1000, 0.001};
 
@@ -61,8 +60,12 @@ std::string factor_words(double factor) {
 }  // namespace
 
 ModelFrame::ModelFrame(const Project& project, const std::vector<SourceInput>& inputs)
-    : given_(parse_crs(project.crs.horizontal)), system_(given_), unit_(project.crs.unit), metres_(metres_of(project.crs.unit)),
-      depth_(project.crs.depth), origin_(project.output.origin) {
+    : given_(parse_crs(project.crs.horizontal)),
+      system_(given_),
+      unit_(project.crs.unit),
+      metres_(metres_of(project.crs.unit)),
+      depth_(project.crs.depth),
+      origin_(project.output.origin) {
   const bool open = given_.kind == Kind::geographic || (given_.kind == Kind::utm && given_.zone == 0);
   if (!open) return;
   if (given_.kind == Kind::geographic && project.box && project.box->shape == VolumeSpec::Shape::box) {
@@ -75,11 +78,14 @@ ModelFrame::ModelFrame(const Project& project, const std::vector<SourceInput>& i
     if (system_of(input, unused).kind != Kind::geographic) continue;
     const Box3 bounds = bounds_of(*input.contents);
     if (bounds.empty()) continue;
-    system_ = utm_at(to_geographic(parse_crs("geographic"), {0.5 * (bounds.min.x + bounds.max.x), 0.5 * (bounds.min.y + bounds.max.y)}));
+    system_ = utm_at(to_geographic(parse_crs("geographic"),
+                                   {0.5 * (bounds.min.x + bounds.max.x), 0.5 * (bounds.min.y + bounds.max.y)}));
     return;
   }
-  throw Error(ErrorKind::usage, project.file.filename().string() + ": crs.horizontal is " + project.crs.horizontal +
-                                    ", whose zone is found from inputs in longitude and latitude, and there is none; name the zone (utm 32N)");
+  throw Error(
+      ErrorKind::usage,
+      project.file.filename().string() + ": crs.horizontal is " + project.crs.horizontal +
+          ", whose zone is found from inputs in longitude and latitude, and there is none; name the zone (utm 32N)");
 }
 
 HorizontalCrs ModelFrame::system_of(const SourceInput& input, std::vector<std::string>& notes) const {
@@ -89,7 +95,8 @@ HorizontalCrs ModelFrame::system_of(const SourceInput& input, std::vector<std::s
   const HorizontalCrs own = parse_crs(frame.crs);
   if (own.epsg > 0 && own.converts() && given_.kind != Kind::local) return own;
   if (!frame.crs.empty() && frame.crs != given_.text) {
-    notes.push_back(input.name + ": the file names its system '" + frame.crs + "'; its coordinates are taken for those of the project (" + given_.text + ") as they are");
+    notes.push_back(input.name + ": the file names its system '" + frame.crs +
+                    "'; its coordinates are taken for those of the project (" + given_.text + ") as they are");
   }
   return given_;
 }
@@ -101,36 +108,50 @@ Vec2 ModelFrame::to_system(const HorizontalCrs& from, const Vec2& p) const {
 void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty()) return;
-  const bool projected = from.kind == Kind::utm || from.kind == Kind::polar || (from.kind == Kind::other && from.epsg > 0);
+  const bool projected =
+      from.kind == Kind::utm || from.kind == Kind::polar || (from.kind == Kind::other && from.epsg > 0);
   if (projected && looks_like_degrees(bounds)) {
-    throw Error(ErrorKind::invalid_input, input.name + ": its coordinates (" + range_text(bounds) + ") look like longitude and latitude, but are to be " +
-                                              from.name() + "; if they are degrees, add 'crs: geographic' to this entry");
-  }
-  if (from.kind == Kind::geographic && (std::abs(bounds.min.y) > 90 || std::abs(bounds.max.y) > 90 || bounds.min.x < -360 || bounds.max.x > 360)) {
     throw Error(ErrorKind::invalid_input, input.name + ": its coordinates (" + range_text(bounds) +
-                                              ") are to be longitude and latitude in degrees, which they cannot be; name their system with 'crs: utm 32N' or the like");
+                                              ") look like longitude and latitude, but are to be " + from.name() +
+                                              "; if they are degrees, add 'crs: geographic' to this entry");
+  }
+  if (from.kind == Kind::geographic &&
+      (std::abs(bounds.min.y) > 90 || std::abs(bounds.max.y) > 90 || bounds.min.x < -360 || bounds.max.x > 360)) {
+    throw Error(ErrorKind::invalid_input, input.name + ": its coordinates (" + range_text(bounds) +
+                                              ") are to be longitude and latitude in degrees, which they cannot be; "
+                                              "name their system with 'crs: utm 32N' or the like");
   }
 }
 
-void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes, std::vector<std::string>& warnings) const {
+void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes,
+                       std::vector<std::string>& warnings) const {
   FileContents& contents = *input.contents;
   const SourceSpec& spec = *input.spec;
   const HorizontalCrs from = system_of(input, notes);
   const bool converts = !same_system(from, system_);
   if (converts && (!from.converts() || !system_.converts())) {
     const HorizontalCrs& stranger = from.converts() ? system_ : from;
-    throw Error(ErrorKind::usage, input.name + ": its coordinates are " + from.name() + ", those of the project " + system_.name() + ", and " +
-                                      (stranger.kind == Kind::local ? "a local system has no place on the globe"
-                                                                    : stranger.text + " is not served (WGS84 and ETRS89: geographic, UTM and polar stereographic are)") +
-                                      "; convert the file first (ogr2ogr, gdalwarp, cs2cs), or name another system for the project");
+    throw Error(
+        ErrorKind::usage,
+        input.name + ": its coordinates are " + from.name() + ", those of the project " + system_.name() + ", and " +
+            (stranger.kind == Kind::local
+                 ? "a local system has no place on the globe"
+                 : stranger.text + " is not served (WGS84 and ETRS89: geographic, UTM and polar stereographic are)") +
+            "; convert the file first (ogr2ogr, gdalwarp, cs2cs), or name another system for the project");
   }
   const std::string own_xy = own_unit(contents.frame, false), own_z = own_unit(contents.frame, true);
-  const auto wanted = [&](const std::string& asked, const std::string& own) { return !asked.empty() ? asked : !own.empty() ? own : unit_; };
-  const std::string xy_unit = wanted(spec.unit, own_xy), z_unit = wanted(!spec.z_unit.empty() ? spec.z_unit : spec.unit, own_z);
+  const auto wanted = [&](const std::string& asked, const std::string& own) {
+    return !asked.empty() ? asked : !own.empty() ? own : unit_;
+  };
+  const std::string xy_unit = wanted(spec.unit, own_xy),
+                    z_unit = wanted(!spec.z_unit.empty() ? spec.z_unit : spec.unit, own_z);
   const bool depth = spec.depth.value_or(contents.frame.z_named ? contents.frame.depth : depth_);
-  if (!own_z.empty() && metres_of(own_z) != metres_of(z_unit)) warnings.push_back(input.name + ": the file says z is in " + own_z + "; taken as " + z_unit + " as the project says");
+  if (!own_z.empty() && metres_of(own_z) != metres_of(z_unit))
+    warnings.push_back(input.name + ": the file says z is in " + own_z + "; taken as " + z_unit +
+                       " as the project says");
   if (contents.frame.z_named && depth != contents.frame.depth) {
-    warnings.push_back(input.name + ": the file says z is " + (contents.frame.depth ? "depth" : "elevation") + "; taken as " + (depth ? "depth" : "elevation") + " as the project says");
+    warnings.push_back(input.name + ": the file says z is " + (contents.frame.depth ? "depth" : "elevation") +
+                       "; taken as " + (depth ? "depth" : "elevation") + " as the project says");
   }
   // The reader has converted by what the file says; here follows what is still missing to metres with elevation up.
   AxisScale scale{metres_of(xy_unit) / metres_of(own_xy), metres_of(z_unit) / metres_of(own_z)};
@@ -142,8 +163,12 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
     const Vec2 q = converts ? to_system(from, {p.x, p.y}) : Vec2{p.x, p.y};
     p = Vec3{q.x / metres_, q.y / metres_, p.z / metres_ + spec.z_datum} - origin_;
   });
-  if (converts) notes.push_back(input.name + ": converted from " + from.name() + " to " + system_.name() + (from.etrs89 != system_.etrs89 ? " (WGS84 and ETRS89 taken for one; they are less than a metre apart)" : ""));
-  if (xy_unit != unit_ && from.kind != Kind::geographic) notes.push_back(input.name + ": x and y converted from " + xy_unit + " to " + unit_);
+  if (converts)
+    notes.push_back(
+        input.name + ": converted from " + from.name() + " to " + system_.name() +
+        (from.etrs89 != system_.etrs89 ? " (WGS84 and ETRS89 taken for one; they are less than a metre apart)" : ""));
+  if (xy_unit != unit_ && from.kind != Kind::geographic)
+    notes.push_back(input.name + ": x and y converted from " + xy_unit + " to " + unit_);
   if (z_unit != unit_) notes.push_back(input.name + ": z converted from " + z_unit + " to " + unit_);
   if (depth) notes.push_back(input.name + ": z is depth, negated");
   if (spec.z_datum != 0) {
@@ -176,12 +201,15 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
       placed.max.y = std::min(placed.max.y, point({x, box.max.y, 0}).y);
     }
     if (!(placed.min.x < placed.max.x) || !(placed.min.y < placed.max.y)) {
-      throw Error(ErrorKind::usage, "box: no upright rectangle of " + system_.name() + " lies inside these longitudes and latitudes; give surfaces and box in " + system_.name());
+      throw Error(ErrorKind::usage, "box: no upright rectangle of " + system_.name() +
+                                        " lies inside these longitudes and latitudes; give surfaces and box in " +
+                                        system_.name());
     }
     Box3 told = placed;
     told.min = told.min + origin_;
     told.max = told.max + origin_;
-    note = "the box in longitude and latitude becomes the largest upright rectangle inside it in " + system_.name() + ": " + range_text(told);
+    note = "the box in longitude and latitude becomes the largest upright rectangle inside it in " + system_.name() +
+           ": " + range_text(told);
   }
   return placed;
 }
@@ -205,12 +233,16 @@ std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) c
   const auto overlaps = [](double a0, double a1, double b0, double b1) { return a0 <= b1 && b0 <= a1; };
   const auto inside = [&](double factor) {
     for (std::size_t i = 0; i < 2; ++i)
-      if (!overlaps(factor * (bounds.min[i] + origin_[i]), factor * (bounds.max[i] + origin_[i]), box.min[i] + origin_[i], box.max[i] + origin_[i])) return false;
+      if (!overlaps(factor * (bounds.min[i] + origin_[i]), factor * (bounds.max[i] + origin_[i]),
+                    box.min[i] + origin_[i], box.max[i] + origin_[i]))
+        return false;
     return true;
   };
   if (!inside(1)) {
     for (const double factor : guessed_factors)
-      if (inside(factor)) return "it would lie over the box if its coordinates were in " + factor_words(factor) + ": if so, give 'unit' in its entry";
+      if (inside(factor))
+        return "it would lie over the box if its coordinates were in " + factor_words(factor) +
+               ": if so, give 'unit' in its entry";
     return {};
   }
   const auto z_inside = [&](double factor) {
@@ -218,10 +250,15 @@ std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) c
     return overlaps(std::min(a, b), std::max(a, b), box.min.z + shift, box.max.z + shift);
   };
   if (z_inside(1)) return {};
-  if (z_inside(-1)) return "it would lie inside the box if its z were counted the other way: if so, give 'z: depth' or 'z: elevation' in its entry";
+  if (z_inside(-1))
+    return "it would lie inside the box if its z were counted the other way: if so, give 'z: depth' or 'z: elevation' "
+           "in its entry";
   for (const double factor : guessed_factors)
     for (const double sign : {1.0, -1.0})
-      if (z_inside(sign * factor)) return "it would lie inside the box if its z were in " + factor_words(factor) + (sign < 0 ? " and counted the other way" : "") + ": if so, give 'z_unit' (or 'unit', where x and y are in it too) and 'z' in its entry";
+      if (z_inside(sign * factor))
+        return "it would lie inside the box if its z were in " + factor_words(factor) +
+               (sign < 0 ? " and counted the other way" : "") +
+               ": if so, give 'z_unit' (or 'unit', where x and y are in it too) and 'z' in its entry";
   return {};
 }
 

@@ -11,7 +11,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The object of the list that the entry means: the one of the name asked for, the one named as the entry, the only one; nullptr else.
+/// The object of the list that the entry means: the one of the name asked for, the one named as the entry, the only
+/// one; nullptr else.
 template <class Object>
 Object* object_of(std::vector<Object>& objects, const SurfaceSpec& spec, bool only_one) {
   const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
@@ -42,21 +43,29 @@ std::string gridding_note(const SurfaceSpec& spec, const GriddedSurface& g) {
   if (spec.gridding.method == GriddingSpec::Method::triangulate) {
     text += "triangulated as they are";
   } else {
-    text += "thin plate with smoothing length " + length_text(g.smoothing) + " on a grid of spacing " + length_text(g.spacing) + " (" + std::to_string(g.n_nodes) + " nodes)";
+    text += "thin plate with smoothing length " + length_text(g.smoothing) + " on a grid of spacing " +
+            length_text(g.spacing) + " (" + std::to_string(g.n_nodes) + " nodes)";
   }
-  return text + "; residual at the points: rms " + length_text(g.rms_residual) + ", largest " + length_text(g.largest_residual);
+  return text + "; residual at the points: rms " + length_text(g.rms_residual) + ", largest " +
+         length_text(g.largest_residual);
 }
 
-TriangulatedSurface surface_of_points(const PointSet& set, const SurfaceSpec& spec, const std::optional<Box3>& box, ProjectInputs& inputs) {
-  if (spec.gridding.to_box && !box) throw Error(ErrorKind::usage, "surface " + spec.name + ": gridding.extent is box, which is known beforehand for a box with min and max alone");
+TriangulatedSurface surface_of_points(const PointSet& set, const SurfaceSpec& spec, const std::optional<Box3>& box,
+                                      ProjectInputs& inputs) {
+  if (spec.gridding.to_box && !box)
+    throw Error(ErrorKind::usage,
+                "surface " + spec.name +
+                    ": gridding.extent is box, which is known beforehand for a box with min and max alone");
   const GraphOver over = spec.kind == SurfaceKind::horizon ? GraphOver::map : GraphOver::mean_plane;
   if (spec.kind == SurfaceKind::body) {
-    throw Error(ErrorKind::invalid_input, "surface " + spec.name + ": " + spec.file_as_written + " holds points; a body needs a closed triangulated surface");
+    throw Error(ErrorKind::invalid_input, "surface " + spec.name + ": " + spec.file_as_written +
+                                              " holds points; a body needs a closed triangulated surface");
   }
   GriddedSurface made = grid_points(set.points, spec.gridding, over, box ? &*box : nullptr);
   inputs.notes.push_back(gridding_note(spec, made));
   if (made.n_outside > 0) {
-    inputs.warnings.push_back(spec.name + ": " + std::to_string(made.n_outside) + " of its points are not over the surface made from them");
+    inputs.warnings.push_back(spec.name + ": " + std::to_string(made.n_outside) +
+                              " of its points are not over the surface made from them");
   }
   return std::move(made.surface);
 }
@@ -65,16 +74,20 @@ void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs
   const GraphOver over = spec.kind == SurfaceKind::horizon ? GraphOver::map : GraphOver::mean_plane;
   if (spec.smooth > 0) {
     const SurfaceChange change = smooth_surface(surface, spec.smooth, over);
-    inputs.notes.push_back(spec.name + ": smoothed in " + std::to_string(spec.smooth) + " passes; vertices moved by rms " + length_text(change.rms_move) + ", at most " + length_text(change.largest_move));
+    inputs.notes.push_back(spec.name + ": smoothed in " + std::to_string(spec.smooth) +
+                           " passes; vertices moved by rms " + length_text(change.rms_move) + ", at most " +
+                           length_text(change.largest_move));
   }
   if (spec.resample > 0) {
     const SurfaceChange change = resample_surface(surface, spec.resample, over);
-    inputs.notes.push_back(spec.name + ": remade with edges of about " + length_text(spec.resample) + " (" + std::to_string(change.n_triangles) + " triangles); former vertices are off it by rms " +
-                                   length_text(change.rms_move) + ", at most " + length_text(change.largest_move));
+    inputs.notes.push_back(spec.name + ": remade with edges of about " + length_text(spec.resample) + " (" +
+                           std::to_string(change.n_triangles) + " triangles); former vertices are off it by rms " +
+                           length_text(change.rms_move) + ", at most " + length_text(change.largest_move));
   }
 }
 
-TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box, ProjectInputs& inputs) {
+TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
+                                 ProjectInputs& inputs) {
   const bool one_object = contents.surfaces.size() + contents.point_sets.size() == 1;
   TriangulatedSurface surface;
   if (TriangulatedSurface* s = object_of(contents.surfaces, spec, one_object || contents.surfaces.size() == 1)) {
@@ -144,14 +157,17 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
   std::size_t n_triangles = 0;
   for (std::size_t i = 0; i < project.surfaces.size(); ++i) {
     inputs.surfaces.push_back(make_surface(contents[i], project.surfaces[i], box, inputs));
-    inputs.surfaces.back().ends_model = project.surfaces[i].name == project.rules.topography || project.surfaces[i].name == project.rules.floor;
+    inputs.surfaces.back().ends_model =
+        project.surfaces[i].name == project.rules.topography || project.surfaces[i].name == project.rules.floor;
     n_triangles += inputs.surfaces.back().triangles.size();
     if (box) warn_where_outside(inputs.surfaces.back(), *box, inputs);
     context.check_cancelled();
   }
-  for (std::size_t i = 0; i < project.wells.size(); ++i) take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
+  for (std::size_t i = 0; i < project.wells.size(); ++i)
+    take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
   for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});
-  context.note(LogLevel::info, std::to_string(inputs.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");
+  context.note(LogLevel::info,
+               std::to_string(inputs.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");
   return inputs;
 }
 

@@ -16,14 +16,16 @@ namespace geomesh::geomodel {
 /// Everything in the frame, less the origin.
 struct ProjectInputs {
   ModelFrame frame;
-  std::vector<TriangulatedSurface> surfaces{};  ///< in the project's order; points have become surfaces, `smooth` and `resample` are done
+  std::vector<TriangulatedSurface>
+      surfaces{};  ///< in the project's order; points have become surfaces, `smooth` and `resample` are done
   std::vector<Polyline> wells{};
   std::vector<NamedPoint> points{};
-  std::optional<VolumeSpec> volume{};           ///< for make_volume with the origin (0, 0, 0)
+  std::optional<VolumeSpec> volume{};  ///< for make_volume with the origin (0, 0, 0)
   std::vector<std::string> notes{}, warnings{};
 };
 
-/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} where a file does not hold what its entry means.
+/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} where a file does not hold what its
+/// entry means.
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context);
 
 }  // namespace geomesh::geomodel

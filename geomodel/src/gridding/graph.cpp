@@ -28,10 +28,10 @@ namespace {
 
 constexpr std::size_t triangles_a_bucket = 2;
 
-
 }  // namespace
 
-TriangleFinder::TriangleFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) : points_(points), triangles_(triangles) {
+TriangleFinder::TriangleFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+    : points_(points), triangles_(triangles) {
   Box3 bounds;
   for (const Triangle& t : triangles)
     for (const VertexIndex v : t) bounds.add(points[v]);
@@ -56,11 +56,14 @@ TriangleFinder::TriangleFinder(const std::vector<Vec3>& points, const std::vecto
   for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
   rows_.resize(first_.back());
   std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
-  for (Index t = 0; t < triangles_.size(); ++t) for_each_bucket(triangles_[t], [&](std::size_t b) { rows_[at[b]++] = t; });
+  for (Index t = 0; t < triangles_.size(); ++t)
+    for_each_bucket(triangles_[t], [&](std::size_t b) { rows_[at[b]++] = t; });
 }
 
 std::size_t TriangleFinder::bucket(double u, double v) const {
-  const auto clamped = [](double x, std::size_t n) { return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(n - 1))); };
+  const auto clamped = [](double x, std::size_t n) {
+    return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(n - 1)));
+  };
   return clamped((v - v0_) / size_, n_v_) * n_u_ + clamped((u - u0_) / size_, n_u_);
 }
 
@@ -73,7 +76,8 @@ std::optional<double> TriangleFinder::height(double u, double v) const {
     const auto area = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
     const double whole = area(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y);
     if (whole == 0) continue;
-    const double s = area(u - p.x, v - p.y, r.x - p.x, r.y - p.y) / whole, w = area(q.x - p.x, q.y - p.y, u - p.x, v - p.y) / whole;
+    const double s = area(u - p.x, v - p.y, r.x - p.x, r.y - p.y) / whole,
+                 w = area(q.x - p.x, q.y - p.y, u - p.x, v - p.y) / whole;
     constexpr double slack = 1e-12;  // places on an edge belong to one of its triangles, whichever way they round
     if (s < -slack || w < -slack || s + w > 1 + slack) continue;
     return p.z + s * (q.z - p.z) + w * (r.z - p.z);

@@ -6,16 +6,17 @@
 #include <optional>
 #include <vector>
 
-#include "build/borders.hpp"
 #include "geomesh/geomodel/gridding.hpp"
+#include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
 
-/// The frame in which points are a graph: the map, or the plane of least squares through them (w the direction of least extent, upward where
-/// it is not horizontal).
+/// The frame in which points are a graph: the map, or the plane of least squares through them (w the direction of least
+/// extent, upward where it is not horizontal).
 Frame graph_frame(const std::vector<Vec3>& points, GraphOver over);
 
-/// Finds the triangle over which a place of the (u, v) plane lies. Built in near-linear time; a query costs what lies in one bucket.
+/// Finds the triangle over which a place of the (u, v) plane lies. Built in near-linear time; a query costs what lies
+/// in one bucket.
 class TriangleFinder {
  public:
   TriangleFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);

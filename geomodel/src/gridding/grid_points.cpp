@@ -9,8 +9,8 @@
 #include "geomesh/core/planar_delaunay.hpp"
 #include "gridding/graph.hpp"
 #include "gridding/thin_plate.hpp"
-#include "readers/grid.hpp"
-#include "sets/sums.hpp"
+#include "naming/sums.hpp"
+#include "readers/grids/grid.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -19,7 +19,9 @@ constexpr std::size_t default_most_nodes = 40'000, most_nodes = 1'000'000;
 constexpr double least_smoothing = 0.1;  ///< of the spacing: what is smaller than the grid cannot be told anyway
 
 void require_area(const std::vector<Vec3>& q) {
-  if (q.size() < 3) throw Error(ErrorKind::invalid_input, "a surface needs at least three points, and there are " + std::to_string(q.size()));
+  if (q.size() < 3)
+    throw Error(ErrorKind::invalid_input,
+                "a surface needs at least three points, and there are " + std::to_string(q.size()));
   Box3 b;
   for (const Vec3& p : q) b.add(p);
   const double scale = std::max(b.max.x - b.min.x, b.max.y - b.min.y);
@@ -28,8 +30,14 @@ void require_area(const std::vector<Vec3>& q) {
   });
   double off_line = 0;
   const double length = std::hypot(farthest->x - q[0].x, farthest->y - q[0].y);
-  for (const Vec3& p : q) off_line = std::max(off_line, std::abs((farthest->x - q[0].x) * (p.y - q[0].y) - (farthest->y - q[0].y) * (p.x - q[0].x)) / (length > 0 ? length : 1));
-  if (!(off_line > 1e-9 * scale)) throw Error(ErrorKind::invalid_input, "all points lie on one line (seen along the direction in which the surface is a graph): no surface can be made from them");
+  for (const Vec3& p : q)
+    off_line =
+        std::max(off_line, std::abs((farthest->x - q[0].x) * (p.y - q[0].y) - (farthest->y - q[0].y) * (p.x - q[0].x)) /
+                               (length > 0 ? length : 1));
+  if (!(off_line > 1e-9 * scale))
+    throw Error(ErrorKind::invalid_input,
+                "all points lie on one line (seen along the direction in which the surface is a graph): no surface can "
+                "be made from them");
 }
 
 PlateGrid plate_over(const Box3& bounds, std::size_t n_points, double asked_spacing) {
@@ -42,10 +50,17 @@ PlateGrid plate_over(const Box3& bounds, std::size_t n_points, double asked_spac
   }
   const double n_u = std::ceil(width / spacing) + 1, n_v = std::ceil(height / spacing) + 1;
   if (n_u * n_v > static_cast<double>(most_nodes)) {
-    throw Error(ErrorKind::usage, "gridding.spacing " + std::to_string(spacing) + " makes " + std::to_string(static_cast<long long>(n_u)) + " by " + std::to_string(static_cast<long long>(n_v)) +
-                                      " nodes; at most " + std::to_string(most_nodes) + " are offered: give a greater spacing");
+    throw Error(ErrorKind::usage, "gridding.spacing " + std::to_string(spacing) + " makes " +
+                                      std::to_string(static_cast<long long>(n_u)) + " by " +
+                                      std::to_string(static_cast<long long>(n_v)) + " nodes; at most " +
+                                      std::to_string(most_nodes) + " are offered: give a greater spacing");
   }
-  PlateGrid grid{bounds.min.x, bounds.min.y, 1, 1, std::max<std::size_t>(static_cast<std::size_t>(n_u), 3), std::max<std::size_t>(static_cast<std::size_t>(n_v), 3)};
+  PlateGrid grid{bounds.min.x,
+                 bounds.min.y,
+                 1,
+                 1,
+                 std::max<std::size_t>(static_cast<std::size_t>(n_u), 3),
+                 std::max<std::size_t>(static_cast<std::size_t>(n_v), 3)};
   grid.du = width / static_cast<double>(grid.n_u - 1);
   grid.dv = height / static_cast<double>(grid.n_v - 1);
   return grid;
@@ -68,7 +83,9 @@ class Nearness {
 
  private:
   std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / distance_)); }
-  static std::uint64_t key(std::int64_t i, std::int64_t j) { return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15ULL ^ static_cast<std::uint64_t>(j); }
+  static std::uint64_t key(std::int64_t i, std::int64_t j) {
+    return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15ULL ^ static_cast<std::uint64_t>(j);
+  }
   const std::vector<Vec3>& points_;
   double distance_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> buckets_;
@@ -82,7 +99,8 @@ void make_plate(const std::vector<Vec3>& q, const GriddingSpec& spec, const Box3
   NodeLattice lattice{grid.n_u, grid.n_v, {}};
   for (std::size_t j = 0; j < grid.n_v; ++j)
     for (std::size_t i = 0; i < grid.n_u; ++i)
-      lattice.nodes.push_back({grid.u0 + static_cast<double>(i) * grid.du, grid.v0 + static_cast<double>(j) * grid.dv, heights[j * grid.n_u + i]});
+      lattice.nodes.push_back({grid.u0 + static_cast<double>(i) * grid.du, grid.v0 + static_cast<double>(j) * grid.dv,
+                               heights[j * grid.n_u + i]});
   if (spec.max_distance > 0) {
     const Nearness nearness(q, spec.max_distance);
     for (Vec3& node : lattice.nodes)
@@ -103,7 +121,8 @@ void make_triangulation(const std::vector<Vec3>& q, const GriddingSpec& spec, Gr
     const auto& v = mesh.vertices(c);
     const Triangle t{v[0], v[1], v[2]};
     double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::hypot(q[t[k]].x - q[t[(k + 1) % 3]].x, q[t[k]].y - q[t[(k + 1) % 3]].y));
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, std::hypot(q[t[k]].x - q[t[(k + 1) % 3]].x, q[t[k]].y - q[t[(k + 1) % 3]].y));
     if (spec.max_distance > 0 && longest > spec.max_distance) continue;
     made.surface.triangles.push_back(t);
   }
@@ -154,7 +173,9 @@ GriddedSurface grid_points(const std::vector<Vec3>& points, const GriddingSpec& 
   } else {
     make_triangulation(q, spec, made);
   }
-  if (made.surface.triangles.empty()) throw Error(ErrorKind::invalid_input, "no triangle is left of the surface: gridding.max_distance is shorter than the points are apart");
+  if (made.surface.triangles.empty())
+    throw Error(ErrorKind::invalid_input,
+                "no triangle is left of the surface: gridding.max_distance is shorter than the points are apart");
   made.n_nodes = made.surface.points.size();
   measure_residuals(points, q, made);
   for (Vec3& p : made.surface.points) p = frame.to_model(p);

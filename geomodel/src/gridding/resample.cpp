@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "build/planar_fill.hpp"
 #include "geomesh/core/error.hpp"
 #include "gridding/graph.hpp"
-#include "sets/sums.hpp"
+#include "naming/sums.hpp"
+#include "rules/planar/planar_fill.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -13,7 +13,8 @@ namespace {
 constexpr double least_corner_degrees = 30, most_triangles = 1e7;
 
 [[noreturn]] void refuse(const TriangulatedSurface& surface, const std::string& why) {
-  throw Error(ErrorKind::usage, "surface " + surface.name + " cannot be resampled: " + why + "; leave out 'resample' or remake it with other tools");
+  throw Error(ErrorKind::usage, "surface " + surface.name + " cannot be resampled: " + why +
+                                    "; leave out 'resample' or remake it with other tools");
 }
 
 double map_area(const std::vector<Vec3>& points, const Triangle& t) {
@@ -31,7 +32,8 @@ double graph_area(const TriangulatedSurface& surface, const std::vector<Vec3>& q
     n_right += a < 0;
     area.add(std::abs(a));
   }
-  if (n_left > 0 && n_right > 0) refuse(surface, "it is folded or upright somewhere, or its triangles are oriented differently");
+  if (n_left > 0 && n_right > 0)
+    refuse(surface, "it is folded or upright somewhere, or its triangles are oriented differently");
   return area.value();
 }
 
@@ -78,7 +80,8 @@ void add_inside(const TriangleFinder& finder, const Box3& bounds, double length,
   const std::size_t n_border = points.size();
   const auto cell = [&](double x, double low) { return static_cast<std::int64_t>(std::floor((x - low) / length)); };
   std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, std::size_t>> border;
-  for (std::size_t i = 0; i < n_border; ++i) border.push_back({{cell(points[i].y, bounds.min.y), cell(points[i].x, bounds.min.x)}, i});
+  for (std::size_t i = 0; i < n_border; ++i)
+    border.push_back({{cell(points[i].y, bounds.min.y), cell(points[i].x, bounds.min.x)}, i});
   std::sort(border.begin(), border.end());
   const auto near_border = [&](double u, double v) {
     const std::int64_t i = cell(u, bounds.min.x), j = cell(v, bounds.min.y);
@@ -99,7 +102,8 @@ void add_inside(const TriangleFinder& finder, const Box3& bounds, double length,
   }
 }
 
-SurfaceChange measure_change(const std::vector<Vec3>& old_points, const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+SurfaceChange measure_change(const std::vector<Vec3>& old_points, const std::vector<Vec3>& points,
+                             const std::vector<Triangle>& triangles) {
   SurfaceChange change;
   const TriangleFinder finder(points, triangles);
   CompensatedSum squares;
@@ -126,7 +130,8 @@ SurfaceChange resample_surface(TriangulatedSurface& surface, double length, Grap
   for (const Triangle& t : surface.triangles)
     for (const VertexIndex v : t) bounds.add(q[v]);
   const double area = graph_area(surface, q);
-  if (area / (length * length) * 2.4 > most_triangles) refuse(surface, "edges of " + std::to_string(length) + " would make more than ten million triangles");
+  if (area / (length * length) * 2.4 > most_triangles)
+    refuse(surface, "edges of " + std::to_string(length) + " would make more than ten million triangles");
   const BorderLoops borders = border_loops(border_edges(surface));
   if (borders.loops.empty()) refuse(surface, "it is closed");
   if (borders.n_edges_left > 0) refuse(surface, "its borders do not close");
@@ -145,7 +150,8 @@ SurfaceChange resample_surface(TriangulatedSurface& surface, double length, Grap
   std::vector<Vec2> map;
   for (const Vec3& p : points) map.push_back({p.x, p.y});
   const auto made = triangulate_plane(map, constraints);
-  if (!made) refuse(surface, "its borders, divided into edges of " + std::to_string(length) + ", cross or touch each other");
+  if (!made)
+    refuse(surface, "its borders, divided into edges of " + std::to_string(length) + ", cross or touch each other");
   std::vector<Triangle> triangles;
   CompensatedSum new_area;
   const bool turned = !surface.triangles.empty() && map_area(q, surface.triangles.front()) < 0;
@@ -155,7 +161,8 @@ SurfaceChange resample_surface(TriangulatedSurface& surface, double length, Grap
     new_area.add(map_area(points, triangles.back()));
     if (turned) std::swap(triangles.back()[1], triangles.back()[2]);
   }
-  if (!(std::abs(new_area.value() - area) < 0.25 * area)) refuse(surface, "parts of it lie above each other, or the edges asked for are longer than its parts");
+  if (!(std::abs(new_area.value() - area) < 0.25 * area))
+    refuse(surface, "parts of it lie above each other, or the edges asked for are longer than its parts");
   const SurfaceChange change = measure_change(q, points, triangles);
   surface.points.clear();
   for (const Vec3& p : points) surface.points.push_back(frame.to_model(p));

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geomesh/geomodel/gridding.hpp"
-#include "readers/merge_points.hpp"
-#include "sets/sums.hpp"
+#include "naming/sums.hpp"
+#include "readers/triangles/merge_points.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -13,10 +13,10 @@ namespace {
 /// Vertices with equal coordinates are one, so that seams move as one.
 struct WeldedSurface {
   std::vector<Vec3> points;
-  std::vector<VertexIndex> row;                       ///< of each given point
+  std::vector<VertexIndex> row;  ///< of each given point
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
-  std::vector<bool> fixed;                            ///< on a border, or of no triangle
+  std::vector<bool> fixed;                           ///< on a border, or of no triangle
 };
 
 WeldedSurface weld(const TriangulatedSurface& surface) {
@@ -51,8 +51,10 @@ std::vector<Vec3> vertex_normals(const WeldedSurface& w) {
   return normals;
 }
 
-/// Height at the vertex of the plane of least squares through it and its neighbours, seen along w; 0 where there is none.
-double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, const Vec3& v_axis, const Vec3& w_axis) {
+/// Height at the vertex of the plane of least squares through it and its neighbours, seen along w; 0 where there is
+/// none.
+double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, const Vec3& v_axis,
+                     const Vec3& w_axis) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
   Eigen::Vector3d r = Eigen::Vector3d::Zero();
   double scale = 0;
@@ -101,7 +103,8 @@ SurfaceChange smooth_surface(TriangulatedSurface& surface, int passes, GraphOver
     change.largest_move = std::max(change.largest_move, move);
     surface.points[i] = p;
   }
-  if (!surface.points.empty()) change.rms_move = std::sqrt(squares.value() / static_cast<double>(surface.points.size()));
+  if (!surface.points.empty())
+    change.rms_move = std::sqrt(squares.value() / static_cast<double>(surface.points.size()));
   change.n_triangles = surface.triangles.size();
   return change;
 }

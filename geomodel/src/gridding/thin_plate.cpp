@@ -21,11 +21,13 @@ class NormalEquations {
 
   /// Adds weight * (sum coefficient_k * x_k - value)^2.
   template <std::size_t N>
-  void add(const std::array<std::size_t, N>& nodes, const std::array<double, N>& coefficients, double value, double weight) {
+  void add(const std::array<std::size_t, N>& nodes, const std::array<double, N>& coefficients, double value,
+           double weight) {
     for (std::size_t i = 0; i < N; ++i) {
       right_side_[static_cast<Eigen::Index>(nodes[i])] += weight * coefficients[i] * value;
       for (std::size_t j = 0; j < N; ++j)
-        entries_.emplace_back(static_cast<int>(nodes[i]), static_cast<int>(nodes[j]), weight * coefficients[i] * coefficients[j]);
+        entries_.emplace_back(static_cast<int>(nodes[i]), static_cast<int>(nodes[j]),
+                              weight * coefficients[i] * coefficients[j]);
     }
   }
 
@@ -53,10 +55,13 @@ void add_bending(const PlateGrid& g, double du, double dv, NormalEquations& equa
   const std::array<double, 4> mixed{1, -1, -1, 1};
   for (std::size_t j = 0; j < g.n_v; ++j) {
     for (std::size_t i = 0; i < g.n_u; ++i) {
-      if (i + 2 < g.n_u) equations.add<3>({node(i, j), node(i + 1, j), node(i + 2, j)}, second, 0, area / std::pow(du, 4));
-      if (j + 2 < g.n_v) equations.add<3>({node(i, j), node(i, j + 1), node(i, j + 2)}, second, 0, area / std::pow(dv, 4));
+      if (i + 2 < g.n_u)
+        equations.add<3>({node(i, j), node(i + 1, j), node(i + 2, j)}, second, 0, area / std::pow(du, 4));
+      if (j + 2 < g.n_v)
+        equations.add<3>({node(i, j), node(i, j + 1), node(i, j + 2)}, second, 0, area / std::pow(dv, 4));
       if (i + 1 < g.n_u && j + 1 < g.n_v)
-        equations.add<4>({node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)}, mixed, 0, 2 * area / std::pow(du * dv, 2));
+        equations.add<4>({node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)}, mixed, 0,
+                         2 * area / std::pow(du * dv, 2));
     }
   }
 }
@@ -81,23 +86,27 @@ std::vector<double> fit_thin_plate(const PlateGrid& g, std::span<const Vec3> poi
   const Eigen::Vector3d plane = fit_plane(g, points);
   const auto plane_at = [&](double u, double v) { return plane[0] + plane[1] * (u - g.u0) + plane[2] * (v - g.v0); };
   NormalEquations equations(g.n_u * g.n_v);
-  // Lengths in units of the smoothing length: the functional is then (A / n) sum r^2 + bending, with one stiffness for all grids.
+  // Lengths in units of the smoothing length: the functional is then (A / n) sum r^2 + bending, with one stiffness for
+  // all grids.
   const double du = g.du / smoothing, dv = g.dv / smoothing;
   const double weight = du * dv * static_cast<double>((g.n_u - 1) * (g.n_v - 1)) / static_cast<double>(points.size());
   for (const Vec3& p : points) {
     const double u = (p.x - g.u0) / g.du, v = (p.y - g.v0) / g.dv;
-    const std::size_t i = std::min(static_cast<std::size_t>(std::max(u, 0.0)), g.n_u - 2), j = std::min(static_cast<std::size_t>(std::max(v, 0.0)), g.n_v - 2);
+    const std::size_t i = std::min(static_cast<std::size_t>(std::max(u, 0.0)), g.n_u - 2),
+                      j = std::min(static_cast<std::size_t>(std::max(v, 0.0)), g.n_v - 2);
     const double s = u - static_cast<double>(i), t = v - static_cast<double>(j);
     const std::size_t a = j * g.n_u + i;
     const bool lower = s >= t;  // of the two triangles of the cell
-    equations.add<3>({a, lower ? a + 1 : a + g.n_u, a + g.n_u + 1}, {1 - std::max(s, t), std::abs(s - t), std::min(s, t)}, p.z - plane_at(p.x, p.y), weight);
+    equations.add<3>({a, lower ? a + 1 : a + g.n_u, a + g.n_u + 1},
+                     {1 - std::max(s, t), std::abs(s - t), std::min(s, t)}, p.z - plane_at(p.x, p.y), weight);
   }
   add_bending(g, du, dv, equations);
   const Eigen::VectorXd x = equations.solve();
   std::vector<double> heights;
   for (std::size_t j = 0; j < g.n_v; ++j)
     for (std::size_t i = 0; i < g.n_u; ++i)
-      heights.push_back(plane_at(g.u0 + static_cast<double>(i) * g.du, g.v0 + static_cast<double>(j) * g.dv) + x[static_cast<Eigen::Index>(j * g.n_u + i)]);
+      heights.push_back(plane_at(g.u0 + static_cast<double>(i) * g.du, g.v0 + static_cast<double>(j) * g.dv) +
+                        x[static_cast<Eigen::Index>(j * g.n_u + i)]);
   return heights;
 }
 

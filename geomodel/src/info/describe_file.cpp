@@ -2,13 +2,13 @@
 #include <cmath>
 #include <map>
 
-#include "check/mesh_files.hpp"
+#include "check/read/mesh_files.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
-#include "readers/vtk_xml_guard.hpp"
-#include "sets/sums.hpp"
+#include "naming/sums.hpp"
+#include "readers/vtk/vtk_xml_guard.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -48,7 +48,8 @@ void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
 bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   checking::MeshFile file;
   if (!survives_sizes([&] { file = checking::read_mesh_file(path); }))
-    throw Error(ErrorKind::invalid_input, path.string() + ": reading it needs more memory than there is; its counts may be wrong");
+    throw Error(ErrorKind::invalid_input,
+                path.string() + ": reading it needs more memory than there is; its counts may be wrong");
   if (file.tetrahedra.empty()) return false;
   info.format = file.format;
   MeshInfo mesh;
@@ -61,7 +62,8 @@ bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   mesh.arrays = file.arrays;
   measure_regions(file, mesh);
   if (mesh.n_inverted > 0)
-    info.warnings.push_back(std::to_string(mesh.n_inverted) + " tetrahedra have no positive volume (decided exactly): `geomesh check` names them");
+    info.warnings.push_back(std::to_string(mesh.n_inverted) +
+                            " tetrahedra have no positive volume (decided exactly): `geomesh check` names them");
   if (file.region.empty()) info.warnings.push_back("no region array: the solver will see one material");
   if (file.n_other_solids > 0)
     info.warnings.push_back(std::to_string(file.n_other_solids) + " cells are solids other than tetrahedra");
@@ -77,7 +79,8 @@ void describe_plc(const std::filesystem::path& path, FileInfo& info) {
   info.n_facets = file.plc.n_facets();
   info.regions = file.region_names;
   info.warnings = file.warnings;
-  info.notes.push_back(std::to_string(file.plc.points.size()) + " points, " + std::to_string(file.plc.hole_seeds.size()) + " holes");
+  info.notes.push_back(std::to_string(file.plc.points.size()) + " points, " +
+                       std::to_string(file.plc.hole_seeds.size()) + " holes");
 }
 
 std::string place(const Vec3& p) {
@@ -88,13 +91,15 @@ std::string place(const Vec3& p) {
 
 void warn_of_surface(const SurfaceInfo& s, std::vector<std::string>& warnings) {
   if (s.n_triangles == 0) warnings.push_back(s.name + " has no triangle");
-  if (s.n_degenerate > 0) warnings.push_back(s.name + " has " + std::to_string(s.n_degenerate) + " triangles of zero area");
+  if (s.n_degenerate > 0)
+    warnings.push_back(s.name + " has " + std::to_string(s.n_degenerate) + " triangles of zero area");
   if (s.n_repeated > 0) warnings.push_back(s.name + " has " + std::to_string(s.n_repeated) + " repeated triangles");
   if (s.n_non_manifold_edges > 0)
-    warnings.push_back(s.name + " has " + std::to_string(s.n_non_manifold_edges) + " edges with more than two triangles, one near " +
-                       place(s.non_manifold_place));
+    warnings.push_back(s.name + " has " + std::to_string(s.n_non_manifold_edges) +
+                       " edges with more than two triangles, one near " + place(s.non_manifold_place));
   if (s.n_misoriented_edges > 0)
-    warnings.push_back(s.name + " has " + std::to_string(s.n_misoriented_edges) + " edges whose triangles are oriented differently");
+    warnings.push_back(s.name + " has " + std::to_string(s.n_misoriented_edges) +
+                       " edges whose triangles are oriented differently");
 }
 
 void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {

@@ -5,7 +5,7 @@
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/info.hpp"
-#include "sets/sums.hpp"
+#include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -49,7 +49,8 @@ std::size_t count_sets(DisjointSets& sets, std::vector<VertexIndex> vertices) {
 }
 
 /// Returns the vertices on borders.
-std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const std::vector<Vec3>& points, SurfaceInfo& info) {
+std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const std::vector<Vec3>& points,
+                                       SurfaceInfo& info) {
   std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
     return std::tie(a.low, a.high, a.forward) < std::tie(b.low, b.high, b.forward);
   });
@@ -63,7 +64,8 @@ std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const s
     odd = odd || (j - i) % 2 != 0;
     if (j - i == 1) {
       if (info.n_border_edges++ == 0) info.border_place = middle;
-      length.add(std::sqrt(dot(points[edges[i].high] - points[edges[i].low], points[edges[i].high] - points[edges[i].low])));
+      length.add(
+          std::sqrt(dot(points[edges[i].high] - points[edges[i].low], points[edges[i].high] - points[edges[i].low])));
       borders.join(edges[i].low, edges[i].high);
       border_vertices.push_back(edges[i].low);
     } else if (j - i > 2) {

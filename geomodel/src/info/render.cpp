@@ -13,13 +13,15 @@ std::string number(double value) {
   return text;
 }
 
-std::string count(std::size_t n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); }
+std::string count(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
 
 std::string bounds_text(const Box3& b) {
   if (b.empty()) return "no extent";
   char text[256];
-  std::snprintf(text, sizeof text, "x %.8g to %.8g, y %.8g to %.8g, z %.8g to %.8g", b.min.x, b.max.x, b.min.y, b.max.y, b.min.z,
-                b.max.z);
+  std::snprintf(text, sizeof text, "x %.8g to %.8g, y %.8g to %.8g, z %.8g to %.8g", b.min.x, b.max.x, b.min.y, b.max.y,
+                b.min.z, b.max.z);
   return text;
 }
 
@@ -30,15 +32,18 @@ nlohmann::ordered_json bounds_json(const Box3& b) {
 
 std::string surface_text(const SurfaceInfo& s) {
   std::string text = "surface " + s.name + ": " + count(s.n_triangles, "triangle", "triangles") + ", " +
-                     count(s.n_distinct_points, "point", "points") + ", " + count(s.n_components, "piece", "pieces") + "\n";
+                     count(s.n_distinct_points, "point", "points") + ", " + count(s.n_components, "piece", "pieces") +
+                     "\n";
   if (s.n_distinct_points != s.n_points)
-    text += "  " + std::to_string(s.n_points - s.n_distinct_points) + " points repeat the coordinates of another (one vertex when meshed)\n";
+    text += "  " + std::to_string(s.n_points - s.n_distinct_points) +
+            " points repeat the coordinates of another (one vertex when meshed)\n";
   text += "  " + bounds_text(s.bounds) + "\n  area " + number(s.area);
   if (s.closed) {
     text += s.volume > 0 ? ", closed, encloses " + number(s.volume) : std::string(", closed");
   } else {
-    text += ", open: " + count(s.n_borders, "border", "borders") + " of " + count(s.n_border_edges, "edge", "edges") + ", length " +
-            number(s.border_length) + ", " + (s.n_holes == 0 ? "no hole" : count(s.n_holes, "hole", "holes"));
+    text += ", open: " + count(s.n_borders, "border", "borders") + " of " + count(s.n_border_edges, "edge", "edges") +
+            ", length " + number(s.border_length) + ", " +
+            (s.n_holes == 0 ? "no hole" : count(s.n_holes, "hole", "holes"));
   }
   return text + "\n";
 }
@@ -50,11 +55,13 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string mesh_text(const MeshInfo& m) {
-  std::string text = "mesh: " + count(m.n_tetrahedra, "tetrahedron", "tetrahedra") + ", " + count(m.n_points, "point", "points") + "\n  " +
-                     bounds_text(m.bounds) + "\n";
-  if (!m.region_array.empty()) text += "  " + count(m.regions.size(), "region", "regions") + " from array " + m.region_array + ":\n";
+  std::string text = "mesh: " + count(m.n_tetrahedra, "tetrahedron", "tetrahedra") + ", " +
+                     count(m.n_points, "point", "points") + "\n  " + bounds_text(m.bounds) + "\n";
+  if (!m.region_array.empty())
+    text += "  " + count(m.regions.size(), "region", "regions") + " from array " + m.region_array + ":\n";
   for (const MeshInfo::Region& r : m.regions)
-    text += "    " + std::to_string(r.id) + "  " + r.name + "  " + count(r.n_tetrahedra, "tetrahedron", "tetrahedra") + ", volume " + number(r.volume) + "\n";
+    text += "    " + std::to_string(r.id) + "  " + r.name + "  " + count(r.n_tetrahedra, "tetrahedron", "tetrahedra") +
+            ", volume " + number(r.volume) + "\n";
   text += "  volume " + number(m.volume) + "\n";
   if (!m.arrays.empty()) text += "  arrays: " + joined(m.arrays) + "\n";
   return text;
@@ -62,21 +69,27 @@ std::string mesh_text(const MeshInfo& m) {
 
 /// What the coordinates were before they came to metres with elevation up.
 std::string frame_text(const SourceFrame& f) {
-  std::string text = f.geographic ? "x longitude, y latitude (degrees)" : "unit " + (f.unit.empty() ? "not named (m, or the project's)" : f.unit);
+  std::string text = f.geographic ? "x longitude, y latitude (degrees)"
+                                  : "unit " + (f.unit.empty() ? "not named (m, or the project's)" : f.unit);
   if (!f.z_unit.empty()) text += ", z in " + f.z_unit;
-  text += std::string(", z ") + (f.depth ? "depth" : f.z_named ? "elevation" : "not said to be depth or elevation (elevation, or the project's)");
+  text += std::string(", z ") + (f.depth     ? "depth"
+                                 : f.z_named ? "elevation"
+                                             : "not said to be depth or elevation (elevation, or the project's)");
   return "coordinates: " + text + ", system " + (f.crs.empty() ? "not named" : f.crs) + "\n";
 }
 
 std::string grid_text(const GridSummary& g) {
-  std::string text = "grid " + g.surface + ": " + count(g.n_columns, "column", "columns") + ", " + count(g.n_rows, "row", "rows");
+  std::string text =
+      "grid " + g.surface + ": " + count(g.n_columns, "column", "columns") + ", " + count(g.n_rows, "row", "rows");
   if (g.spacing.x != 0) {
     char numbers[200];
-    std::snprintf(numbers, sizeof numbers, ", spacing %.8g by %.8g from (%.10g, %.10g)", g.spacing.x, g.spacing.y, g.origin.x, g.origin.y);
+    std::snprintf(numbers, sizeof numbers, ", spacing %.8g by %.8g from (%.10g, %.10g)", g.spacing.x, g.spacing.y,
+                  g.origin.x, g.origin.y);
     text += numbers;
   }
   if (g.rotation != 0) text += ", turned by " + number(g.rotation) + " degrees";
-  return text + (g.cell_centred ? ", values of cells" : ", values at nodes") + ", " + std::to_string(g.n_blank) + " without a value\n";
+  return text + (g.cell_centred ? ", values of cells" : ", values at nodes") + ", " + std::to_string(g.n_blank) +
+         " without a value\n";
 }
 
 }  // namespace
@@ -87,7 +100,8 @@ std::string to_text(const FileInfo& info) {
   for (const GridSummary& g : info.grids) text += grid_text(g);
   for (const SurfaceInfo& s : info.surfaces) text += surface_text(s);
   for (const FileInfo::Line& l : info.polylines)
-    text += "polyline " + l.name + ": " + count(l.n_points, "point", "points") + ", length " + number(l.length) + "\n  " + bounds_text(l.bounds) + "\n";
+    text += "polyline " + l.name + ": " + count(l.n_points, "point", "points") + ", length " + number(l.length) +
+            "\n  " + bounds_text(l.bounds) + "\n";
   for (const FileInfo::Points& p : info.point_sets)
     text += "points " + p.name + ": " + std::to_string(p.n_points) + "\n  " + bounds_text(p.bounds) + "\n";
   if (info.n_named_points > 0) text += count(info.n_named_points, "point", "points") + "\n";
@@ -107,8 +121,13 @@ std::string to_text(const FileInfo& info) {
 std::string to_json(const FileInfo& info) {
   nlohmann::ordered_json json{{"command", "info"}, {"file", info.file}, {"format", info.format}};
   if (info.meshes.empty() && info.n_facets == 0)
-    json["coordinates"] = {{"unit", info.frame.unit},     {"z_unit", info.frame.z_unit}, {"z", info.frame.depth ? "depth" : info.frame.z_named ? "elevation" : ""},
-                           {"system", info.frame.crs},    {"geographic", info.frame.geographic}};
+    json["coordinates"] = {{"unit", info.frame.unit},
+                           {"z_unit", info.frame.z_unit},
+                           {"z", info.frame.depth     ? "depth"
+                                 : info.frame.z_named ? "elevation"
+                                                      : ""},
+                           {"system", info.frame.crs},
+                           {"geographic", info.frame.geographic}};
   for (const GridSummary& g : info.grids)
     json["grids"].push_back({{"surface", g.surface},
                              {"columns", g.n_columns},
@@ -137,7 +156,8 @@ std::string to_json(const FileInfo& info) {
                                 {"closed", s.closed},
                                 {"volume", s.volume}});
   for (const FileInfo::Line& l : info.polylines)
-    json["polylines"].push_back({{"name", l.name}, {"points", l.n_points}, {"length", l.length}, {"bounds", bounds_json(l.bounds)}});
+    json["polylines"].push_back(
+        {{"name", l.name}, {"points", l.n_points}, {"length", l.length}, {"bounds", bounds_json(l.bounds)}});
   for (const FileInfo::Points& p : info.point_sets)
     json["point_sets"].push_back({{"name", p.name}, {"points", p.n_points}, {"bounds", bounds_json(p.bounds)}});
   for (const MeshInfo& m : info.meshes) {

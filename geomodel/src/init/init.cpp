@@ -62,8 +62,10 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
 ProjectTemplate faulted() {
   ProjectTemplate result = layers();
   // The main fault crosses the whole model; the splay ends inside it.
-  result.surfaces.push_back(sheet_surface("main_fault", {3507.1, -200.3, 103.7}, {1310.9, 8403.7, 0}, {1503.3, 7.1, -4301.9}, 12));
-  result.surfaces.push_back(sheet_surface("splay", {6203.3, 1807.9, -613.1}, {610.7, 4203.1, 11.3}, {-707.9, 13.7, -2404.3}, 10));
+  result.surfaces.push_back(
+      sheet_surface("main_fault", {3507.1, -200.3, 103.7}, {1310.9, 8403.7, 0}, {1503.3, 7.1, -4301.9}, 12));
+  result.surfaces.push_back(
+      sheet_surface("splay", {6203.3, 1807.9, -613.1}, {610.7, 4203.1, 11.3}, {-707.9, 13.7, -2404.3}, 10));
   result.project = std::string(head) + R"(box: {min: [0, 0, -4000], max: [10000, 8000, 0]}
 
 surfaces:
@@ -99,7 +101,8 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
   return result;
 }
 
-/// As exported from GOCAD or SKUA: several objects in one file, horizons that stop short of the box, one with a hole, one block by block.
+/// As exported from GOCAD or SKUA: several objects in one file, horizons that stop short of the box, one with a hole,
+/// one block by block.
 ProjectTemplate from_gocad() {
   ProjectTemplate result;
   const double throw_of_fault = 180;
@@ -118,11 +121,16 @@ ProjectTemplate from_gocad() {
     const Vec3& p = base.points[t[0]];
     return p.x > 2500 && p.x < 3200 && p.y > 3000 && p.y < 3900;
   });
-  const TriangulatedSurface fault = sheet_surface("fault_a", {5160.3, 260.7, -1010.3}, {211.9, 7503.1, 3.7}, {-203.3, 9.1, -1702.9}, 8);
-  result.files = {{"surfaces/horizons.ts", to_gocad(base) + to_gocad(top)},
-                  {"surfaces/fault_a.ts", to_gocad(fault)},
-                  {"wells/well_1.pl", to_gocad(Polyline{"well_1", "", {{3007.3, 4004.9, 0}, {3007.3, 4004.9, -1203.1}, {3406.7, 4211.3, -2107.9}}})}};
-  result.project = std::string(head) + R"(# Here: about the data, with 300 m more on each side in the map, from -3000 m up to the surface of the ground.
+  const TriangulatedSurface fault =
+      sheet_surface("fault_a", {5160.3, 260.7, -1010.3}, {211.9, 7503.1, 3.7}, {-203.3, 9.1, -1702.9}, 8);
+  result.files = {
+      {"surfaces/horizons.ts", to_gocad(base) + to_gocad(top)},
+      {"surfaces/fault_a.ts", to_gocad(fault)},
+      {"wells/well_1.pl",
+       to_gocad(Polyline{"well_1", "", {{3007.3, 4004.9, 0}, {3007.3, 4004.9, -1203.1}, {3406.7, 4211.3, -2107.9}}})}};
+  result.project =
+      std::string(head) +
+      R"(# Here: about the data, with 300 m more on each side in the map, from -3000 m up to the surface of the ground.
 box: {margin: [300, 300, 0], bottom: -3000, top: 0}
 
 surfaces:
@@ -150,18 +158,22 @@ attributes:
 
 ProjectTemplate topography_and_wells() {
   ProjectTemplate result;
-  result.surfaces = {height_surface("relief", -120.3, 6130.7, -110.9, 5107.3, 30, [](double x, double y) {
-                       return 420 + 160 * std::sin(x / 800.7 + 0.3) * std::cos(y / 900.1) + 0.02 * y;
-                     }),
-                     height_surface("base_gravel", -130.7, 6140.3, -120.1, 5130.9, 16, [](double x, double y) {
-                       return 300 + 0.03 * x - 0.01 * y;  // crops out where the valleys cut deep
-                     }),
-                     height_surface("top_bedrock", -140.9, 6150.1, -130.3, 5140.7, 16, [](double x, double y) {
-                       return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y;
-                     })};
-  result.files = {{"wells/water_well.pl", to_gocad(Polyline{"water_well", "", {{2011.3, 2503.9, 900}, {2011.3, 2503.9, 120.7}}})},
-                  {"wells/probe.pl", to_gocad(Polyline{"probe", "", {{4203.7, 1207.1, 900}, {4203.7, 1207.1, 40.3}, {4603.1, 1510.9, -310.7}}})}};
-  result.project = std::string(head) + R"(# Its top is the topography: the mesh ends on it, and layers crop out where it cuts them.
+  result.surfaces = {height_surface("relief", -120.3, 6130.7, -110.9, 5107.3, 30,
+                                    [](double x, double y) {
+                                      return 420 + 160 * std::sin(x / 800.7 + 0.3) * std::cos(y / 900.1) + 0.02 * y;
+                                    }),
+                     height_surface("base_gravel", -130.7, 6140.3, -120.1, 5130.9, 16,
+                                    [](double x, double y) {
+                                      return 300 + 0.03 * x - 0.01 * y;  // crops out where the valleys cut deep
+                                    }),
+                     height_surface("top_bedrock", -140.9, 6150.1, -130.3, 5140.7, 16,
+                                    [](double x, double y) { return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y; })};
+  result.files = {
+      {"wells/water_well.pl", to_gocad(Polyline{"water_well", "", {{2011.3, 2503.9, 900}, {2011.3, 2503.9, 120.7}}})},
+      {"wells/probe.pl",
+       to_gocad(Polyline{"probe", "", {{4203.7, 1207.1, 900}, {4203.7, 1207.1, 40.3}, {4603.1, 1510.9, -310.7}}})}};
+  result.project =
+      std::string(head) + R"(# Its top is the topography: the mesh ends on it, and layers crop out where it cuts them.
 box: {center: [3000, 2500], size: [6000, 5000], bottom: -600, top: relief}
 
 surfaces:
@@ -191,8 +203,11 @@ struct NamedTemplate {
   const char* name;
   ProjectTemplate (*make)();
 };
-constexpr NamedTemplate templates[] = {{"layers", layers}, {"faulted", faulted}, {"salt-dome", salt_dome},
-                                       {"from-gocad", from_gocad}, {"topography-and-wells", topography_and_wells}};
+constexpr NamedTemplate templates[] = {{"layers", layers},
+                                       {"faulted", faulted},
+                                       {"salt-dome", salt_dome},
+                                       {"from-gocad", from_gocad},
+                                       {"topography-and-wells", topography_and_wells}};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The text of docs/project.schema.json, so that `geomesh init` can give it to editors without a network or the sources.
+/// The text of docs/project.schema.json, so that `geomesh init` can give it to editors without a network or the
+/// sources.
 #pragma once
 
 namespace geomesh::geomodel {

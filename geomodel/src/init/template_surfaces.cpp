@@ -65,15 +65,16 @@ TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, c
   return surface;
 }
 
-TriangulatedSurface revolved_surface(const std::string& name, double x, double y, double bottom, double top, int rings, int sectors,
-                                     const std::function<double(double)>& radius) {
+TriangulatedSurface revolved_surface(const std::string& name, double x, double y, double bottom, double top, int rings,
+                                     int sectors, const std::function<double(double)>& radius) {
   TriangulatedSurface surface;
   surface.name = name;
   surface.points.push_back({x, y, bottom});
   for (int r = 1; r < rings; ++r)
     for (int s = 0; s < sectors; ++s) {
       const double t = double(r) / rings, angle = 2 * std::numbers::pi * (s + 0.5 * (r % 2)) / sectors;
-      surface.points.push_back({x + radius(t) * std::cos(angle), y + radius(t) * std::sin(angle), bottom + t * (top - bottom)});
+      surface.points.push_back(
+          {x + radius(t) * std::cos(angle), y + radius(t) * std::sin(angle), bottom + t * (top - bottom)});
     }
   surface.points.push_back({x, y, top});
   const auto last = static_cast<VertexIndex>(surface.points.size() - 1);
@@ -91,7 +92,8 @@ TriangulatedSurface revolved_surface(const std::string& name, double x, double y
 std::string to_gocad(const Polyline& line) {
   std::string text = "GOCAD PLine 1\nHEADER {\nname: " + line.name + "\n}\nILINE\n";
   append_vertices(text, line.points);
-  for (std::size_t i = 1; i < line.points.size(); ++i) text += "SEG " + std::to_string(i) + ' ' + std::to_string(i + 1) + '\n';
+  for (std::size_t i = 1; i < line.points.size(); ++i)
+    text += "SEG " + std::to_string(i) + ' ' + std::to_string(i + 1) + '\n';
   return text + "END\n";
 }
 

@@ -36,14 +36,18 @@ vtkSmartPointer<vtkPolyData> constraints_of(const MeshExcerpt& place, const Mode
   data->SetVerts(vertices);
   data->SetLines(lines);
   data->SetPolys(triangles);
-  const std::size_t n_vertices = place.culprits.size(), n_lines = place.segments.size(), n = n_vertices + n_lines + place.triangles.size();
-  data->GetCellData()->AddArray(int_array("what", n, [&](std::size_t i) { return i < n_vertices ? 0 : i < n_vertices + n_lines ? 1 : 2; }));
+  const std::size_t n_vertices = place.culprits.size(), n_lines = place.segments.size(),
+                    n = n_vertices + n_lines + place.triangles.size();
+  data->GetCellData()->AddArray(int_array("what", n, [&](std::size_t i) {
+    return i < n_vertices ? 0 : i < n_vertices + n_lines ? 1 : 2;
+  }));
   data->GetCellData()->AddArray(int_array("surface", n, [&](std::size_t i) {
     if (i < n_vertices + n_lines) return -1;
     const Index first_soup_facet = model.facet_soup[model.facet_soup_offsets[place.facet[i - n_vertices - n_lines]]];
     return static_cast<int>(soup.origins[soup.origin_offsets[first_soup_facet]].surface);
   }));
-  data->GetFieldData()->AddArray(string_array("surface_names", surfaces.size(), [&](std::size_t s) { return surfaces[s].name; }));
+  data->GetFieldData()->AddArray(
+      string_array("surface_names", surfaces.size(), [&](std::size_t s) { return surfaces[s].name; }));
   return data;
 }
 
@@ -58,8 +62,10 @@ std::filesystem::path write(Data& data, const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_failed_place(const MeshExcerpt& place, const ModelPlc& model, const PolygonSoup& soup,
-                                                      const std::vector<TriangulatedSurface>& surfaces, const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_failed_place(const MeshExcerpt& place, const ModelPlc& model,
+                                                      const PolygonSoup& soup,
+                                                      const std::vector<TriangulatedSurface>& surfaces,
+                                                      const std::filesystem::path& stem) {
   return {write<vtkXMLUnstructuredGridWriter>(*cells_of(place), stem.string() + ".failed.vtu"),
           write<vtkXMLPolyDataWriter>(*constraints_of(place, model, soup, surfaces), stem.string() + ".failed.vtp")};
 }

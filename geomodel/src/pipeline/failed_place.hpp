@@ -11,10 +11,12 @@
 
 namespace geomesh::geomodel {
 
-/// Writes STEM.failed.vtu (the tetrahedra about the place) and STEM.failed.vtp (the constraints there: facets, with cell array `surface`, row
-/// in field data `surface_names`, -1 for segments; segments as lines; the vertices of the items in trouble as points). Cell array `what`: 0
-/// trouble, 1 segment, 2 facet. Returns what was written.
-std::vector<std::filesystem::path> write_failed_place(const MeshExcerpt& place, const ModelPlc& model, const PolygonSoup& soup,
-                                                      const std::vector<TriangulatedSurface>& surfaces, const std::filesystem::path& stem);
+/// Writes STEM.failed.vtu (the tetrahedra about the place) and STEM.failed.vtp (the constraints there: facets, with
+/// cell array `surface`, row in field data `surface_names`, -1 for segments; segments as lines; the vertices of the
+/// items in trouble as points). Cell array `what`: 0 trouble, 1 segment, 2 facet. Returns what was written.
+std::vector<std::filesystem::path> write_failed_place(const MeshExcerpt& place, const ModelPlc& model,
+                                                      const PolygonSoup& soup,
+                                                      const std::vector<TriangulatedSurface>& surfaces,
+                                                      const std::filesystem::path& stem);
 
 }  // namespace geomesh::geomodel

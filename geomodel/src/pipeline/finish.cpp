@@ -6,12 +6,12 @@
 
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "naming/name_regions.hpp"
 #include "pipeline/failed_place.hpp"
 #include "pipeline/refine_model.hpp"
 #include "pipeline/region_volumes.hpp"
 #include "pipeline/soup_vtp.hpp"
 #include "report/words.hpp"
-#include "sets/name_regions.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -27,28 +27,31 @@ std::vector<std::string> summarise(const ModelMesh& mesh) {
   for (std::size_t i = 0; i < std::min(mesh.regions.size(), most_regions_listed); ++i) {
     const Region& region = mesh.regions[i];
     char line[256];
-    std::snprintf(line, sizeof line, "  %3d  %-28s %10zu tetrahedra  %s", region.id, region.name.c_str(), region.n_tetrahedra,
-                  volume_words(region.volume, mesh.unit).c_str());
+    std::snprintf(line, sizeof line, "  %3d  %-28s %10zu tetrahedra  %s", region.id, region.name.c_str(),
+                  region.n_tetrahedra, volume_words(region.volume, mesh.unit).c_str());
     lines.emplace_back(line);
   }
   if (mesh.regions.size() > most_regions_listed)
-    lines.push_back("  ... and " + count_words(mesh.regions.size() - most_regions_listed, "more, listed in the report"));
+    lines.push_back("  ... and " +
+                    count_words(mesh.regions.size() - most_regions_listed, "more, listed in the report"));
   return lines;
 }
 
-/// "smallest dihedral angle 21.3 degrees, largest 142; 99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3 forced ...)".
+/// "smallest dihedral angle 21.3 degrees, largest 142; 99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3
+/// forced ...)".
 std::string summarise(const QualityReport& quality) {
   const ShapeStatistics& s = quality.measured.whole;
   char text[256];
-  std::snprintf(text, sizeof text, "dihedral angles %.3g to %.4g degrees; %.4g %% of the tetrahedra above 24.85 degrees, %zu below 8 (%zu forced by the input)",
+  std::snprintf(text, sizeof text,
+                "dihedral angles %.3g to %.4g degrees; %.4g %% of the tetrahedra above 24.85 degrees, %zu below 8 (%zu "
+                "forced by the input)",
                 s.min_dihedral.min, s.max_dihedral.max, 100 * s.share_above_24_85, quality.measured.n_bad,
                 quality.measured.n_bad_forced);
   return text;
 }
 
 ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
-  ConstrainedTetrahedralization core =
-      tetrahedralize(model.plc.plc, model.options, recorder.context());
+  ConstrainedTetrahedralization core = tetrahedralize(model.plc.plc, model.options, recorder.context());
   if (core.tetrahedra.empty()) {
     throw Error(ErrorKind::cannot_mesh,
                 "the surfaces enclose nothing: there is no region to mesh. Close the surfaces, add a box (--box "
@@ -62,7 +65,8 @@ void cut_at_ends(ConstrainedTetrahedralization& core, PreparedModel& model, Stag
   if (!core.recovery.facets_not_recovered.empty())
     warn(model.warnings, recorder.context(),
          count_words(core.recovery.facets_not_recovered.size(),
-                     "facets are in the mesh but not Delaunay: small angles between surfaces would need more points than the budget"));
+                     "facets are in the mesh but not Delaunay: small angles between surfaces would need more points "
+                     "than the budget"));
   std::vector<std::string> warnings;
   core = within_ends(std::move(core), model.arrangement.soup, model.plc, model.surfaces, model.naming, warnings);
   for (std::string& text : warnings) warn(model.warnings, recorder.context(), std::move(text));
@@ -70,8 +74,8 @@ void cut_at_ends(ConstrainedTetrahedralization& core, PreparedModel& model, Stag
   model.naming.floor.clear();
 }
 
-/// The mesh, refined where that is asked for. In conforming mode the whole is refined, since Delaunay is a matter of the whole; else what
-/// is kept.
+/// The mesh, refined where that is asked for. In conforming mode the whole is refined, since Delaunay is a matter of
+/// the whole; else what is kept.
 RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::vector<double>& volumes_of_input) {
   RefineResult result;
   result.mesh = mesh_core(model, recorder);
@@ -99,34 +103,41 @@ void undo_z_scale(PreparedModel& model, ConstrainedTetrahedralization& core) {
   scale.undo(model.plc.plc.points);
   for (TriangulatedSurface& surface : model.surfaces) scale.undo(surface.points);
   for (NamedPoint& p : model.points) scale.undo(p.point);
-  model.notes.push_back(std::string("z was scaled by ") + text + " while meshing; lengths and areas of clipping and rounding are those of the scaled model");
+  model.notes.push_back(std::string("z was scaled by ") + text +
+                        " while meshing; lengths and areas of clipping and rounding are those of the scaled model");
 }
 
-ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays, PreparedModel& model,
-                          const StageRecorder& recorder) {
+ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
+                          PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
-  ModelMesh mesh = name_model(core, model.arrangement.soup, model.plc, model.surfaces, model.points, model.naming, model.warnings);
-  for (std::size_t i = known; i < model.warnings.size(); ++i) recorder.context().note(LogLevel::warning, model.warnings[i]);
+  ModelMesh mesh =
+      name_model(core, model.arrangement.soup, model.plc, model.surfaces, model.points, model.naming, model.warnings);
+  for (std::size_t i = known; i < model.warnings.size(); ++i)
+    recorder.context().note(LogLevel::warning, model.warnings[i]);
   mesh.name = model.name;
   mesh.origin = model.origin;
   mesh.cell_arrays = std::move(arrays);
   mesh.unit = model.unit;
   const std::vector<std::string> faults = validate_model_mesh(mesh);
   if (!faults.empty() && !model.z_scale.is_exact())
-    throw Error(ErrorKind::cannot_mesh, "crs.z_scale is no power of two, so that undoing it rounds, and here a tetrahedron does not bear that: " +
-                                            faults.front() + "; take a power of two (2, 4, 8, 16 ...), which is undone exactly");
+    throw Error(
+        ErrorKind::cannot_mesh,
+        "crs.z_scale is no power of two, so that undoing it rounds, and here a tetrahedron does not bear that: " +
+            faults.front() + "; take a power of two (2, 4, 8, 16 ...), which is undone exactly");
   if (!faults.empty()) {
-    std::string all = "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
+    std::string all =
+        "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
     for (const std::string& fault : faults) all += "\n  " + fault;
     throw InternalError(all);
   }
-  recorder.context().note(LogLevel::info, count_words(mesh.tetrahedra.size(), "tetrahedra exactly positive and conforming"));
+  recorder.context().note(LogLevel::info,
+                          count_words(mesh.tetrahedra.size(), "tetrahedra exactly positive and conforming"));
   return mesh;
 }
 
 /// `core` has the tetrahedra of `mesh`, in the same order; `refined` tells what the model was refined to, where it was.
-QualityReport judge_quality(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const PreparedModel& model,
-                            const RefineResult& refined, unsigned threads) {
+QualityReport judge_quality(const ConstrainedTetrahedralization& core, const ModelMesh& mesh,
+                            const PreparedModel& model, const RefineResult& refined, unsigned threads) {
   const SizeField* const size = model.refinement.refine ? &refined.size_field : nullptr;
   constexpr std::size_t n_listed = 10;
   QualityOptions options;
@@ -142,7 +153,8 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
   options.n_groups = mesh.regions.size();
   QualityReport report{measure_quality(model.plc.plc, core, options), {}, size != nullptr};
   for (const WorstElement& w : report.measured.worst)
-    report.causes.push_back(cause_in_words(w, model.refinement.refine, model.arrangement.soup, model.plc, model.surfaces));
+    report.causes.push_back(
+        cause_in_words(w, model.refinement.refine, model.arrangement.soup, model.plc, model.surfaces));
   return report;
 }
 
@@ -187,7 +199,8 @@ void require_writable_outputs(const OutputPlan& plan) {
     require_writable(file);
     if (plan.report_copy && std::filesystem::absolute(*plan.report_copy).lexically_normal() ==
                                 std::filesystem::absolute(file).lexically_normal())
-      throw Error(ErrorKind::usage, "--report " + file.string() + " is the mesh file's own name; give the report another");
+      throw Error(ErrorKind::usage,
+                  "--report " + file.string() + " is the mesh file's own name; give the report another");
   }
   if (plan.report_beside) require_writable(plan.stem.string() + ".report.json");
   if (plan.report_copy) require_writable(*plan.report_copy);
@@ -215,7 +228,8 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     set_volumes_of_input(mesh, core, volumes_of_input);
     if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
-    if (model.options.recover.mode == MeshMode::conforming) report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
+    if (model.options.recover.mode == MeshMode::conforming)
+      report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   }
   report.mesh = &mesh;
   result.summary = summarise(mesh);
@@ -233,13 +247,16 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   return result;
 }
 
-/// Meshing has failed at a place that can be looked at: with `--stop-after recover` it is written, else the message tells how to get it.
-[[noreturn]] void fail_with_place(const Error& error, const PreparedModel& model, const OutputPlan& plan, const StageRecorder& recorder) {
+/// Meshing has failed at a place that can be looked at: with `--stop-after recover` it is written, else the message
+/// tells how to get it.
+[[noreturn]] void fail_with_place(const Error& error, const PreparedModel& model, const OutputPlan& plan,
+                                  const StageRecorder& recorder) {
   std::string message = error.what();
   if (recorder.stop_after() == "recover") {
     make_output_folder(plan);
     message += ". The tetrahedra and constraints about the place are in";
-    for (const auto& file : write_failed_place(*error.context().excerpt, model.plc, model.arrangement.soup, model.surfaces, plan.stem))
+    for (const auto& file :
+         write_failed_place(*error.context().excerpt, model.plc, model.arrangement.soup, model.surfaces, plan.stem))
       message += " " + file.string();
   } else {
     message += ". With --stop-after recover the tetrahedra and constraints about the place are written for viewing";
@@ -252,7 +269,8 @@ JobResult stop_early(PreparedModel& model, const OutputPlan& plan, const StageRe
   Report report = begin_report(model);
   make_output_folder(plan);
   if (recorder.stop_after() == "intersect")
-    for (auto& file : write_soup_vtp(model.arrangement, model.plc, model.surfaces, plan.stem)) result.files.push_back(std::move(file));
+    for (auto& file : write_soup_vtp(model.arrangement, model.plc, model.surfaces, plan.stem))
+      result.files.push_back(std::move(file));
   write_reports(plan, report, model, recorder, result);
   result.summary.push_back("stopped after " + recorder.stop_after() + ", as asked");
   return result;
@@ -270,7 +288,8 @@ void warn(std::vector<std::string>& warnings, const RunContext& context, std::st
   warnings.push_back(std::move(text));
 }
 
-JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder, const std::function<void()>& prepare) {
+JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder,
+                     const std::function<void()>& prepare) {
   require_writable_outputs(plan);
   try {
     prepare();

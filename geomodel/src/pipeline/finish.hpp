@@ -34,23 +34,24 @@ struct PreparedModel {
   ZScale z_scale{1};  ///< of everything but naming.seeds, from after `build` until the mesh is named
   ModelRules rules;
   ModelVolume volume;
-  BuiltRows built_rows;                  ///< which triangles of the input surfaces rules made
+  BuiltRows built_rows;  ///< which triangles of the input surfaces rules made
   std::string input_json;
-  std::vector<std::string> notes;        ///< what was found before meshing and what rules changed
+  std::vector<std::string> notes;  ///< what was found before meshing and what rules changed
   std::vector<std::string> warnings;
 };
 
 struct OutputPlan {
-  std::filesystem::path stem;         ///< without extension
-  std::vector<std::string> formats;   ///< as known_formats()
-  bool report_beside = true;          ///< STEM.report.json
+  std::filesystem::path stem;        ///< without extension
+  std::vector<std::string> formats;  ///< as known_formats()
+  bool report_beside = true;         ///< STEM.report.json
   std::optional<std::filesystem::path> report_copy;
 };
 
-/// Runs `prepare` (stages read, build, intersect: fills the model), then the stages delaunay to write. With a stage to stop after,
-/// ends there with the report, and after `intersect` with the soup and its offending spots for viewing. Nothing is written where
-/// verification finds a fault (InternalError) or an error is thrown.
-JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder, const std::function<void()>& prepare);
+/// Runs `prepare` (stages read, build, intersect: fills the model), then the stages delaunay to write. With a stage to
+/// stop after, ends there with the report, and after `intersect` with the soup and its offending spots for viewing.
+/// Nothing is written where verification finds a fault (InternalError) or an error is thrown.
+JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder,
+                     const std::function<void()>& prepare);
 
 /// Collects what a rule changed and passes it on to the log.
 void note(std::vector<std::string>& notes, const RunContext& context, std::string text);

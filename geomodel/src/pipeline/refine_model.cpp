@@ -8,7 +8,7 @@
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine_conforming.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "sets/name_regions.hpp"
+#include "naming/name_regions.hpp"
 
 namespace geomesh::geomodel {
 
@@ -65,7 +65,8 @@ std::vector<AskedSize> patch_sizes(const PreparedModel& model, const std::vector
   for (Index f = 0; f < facet_patch.size(); ++f) {
     if (facet_patch[f] >= sizes.size()) sizes.resize(facet_patch[f] + 1);
     for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
-      if (const auto at = asked.find(model.surfaces[o.surface].name); at != asked.end()) ask(sizes[facet_patch[f]], at->second);
+      if (const auto at = asked.find(model.surfaces[o.surface].name); at != asked.end())
+        ask(sizes[facet_patch[f]], at->second);
   }
   return sizes;
 }
@@ -99,14 +100,15 @@ double cell_value(const std::string& name, const TetrahedronShape& s) {
 }
 
 /// What is refused of facets is told of their surfaces.
-RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
-                                    const RunContext& context) {
+RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetrahedralization mesh,
+                                    const RefineOptions& options, const RunContext& context) {
   try {
     return refine_and_improve(model.plc.plc, std::move(mesh), options, context);
   } catch (const Error& error) {
     std::set<std::string> names;
     for (const Index f : error.context().facets)
-      for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f)) names.insert(model.surfaces[o.surface].name);
+      for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
+        names.insert(model.surfaces[o.surface].name);
     if (names.empty()) throw;
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -121,9 +123,13 @@ std::vector<Index> facet_parents(const PreparedModel& model) {
   std::vector<Index> parents;
   for (Index f = 0; f < model.plc.plc.n_facets(); ++f) {
     std::vector<std::pair<Index, Index>> triangles;
-    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f)) triangles.emplace_back(o.surface, o.triangle);
-    const bool is_piece = model.plc.facet_soup_offsets[f + 1] - model.plc.facet_soup_offsets[f] == 1 && !triangles.empty();
-    parents.push_back(is_piece ? number.try_emplace(std::move(triangles), static_cast<Index>(number.size())).first->second : no_index);
+    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
+      triangles.emplace_back(o.surface, o.triangle);
+    const bool is_piece =
+        model.plc.facet_soup_offsets[f + 1] - model.plc.facet_soup_offsets[f] == 1 && !triangles.empty();
+    parents.push_back(is_piece
+                          ? number.try_emplace(std::move(triangles), static_cast<Index>(number.size())).first->second
+                          : no_index);
   }
   return parents;
 }
@@ -132,34 +138,49 @@ std::vector<Index> segment_curves(const PreparedModel& model) {
   std::map<std::vector<Index>, Index> number;
   std::vector<Index> curves;
   for (const std::vector<Index>& names : model.plc.segment_curves) {
-    const bool has_well = std::any_of(names.begin(), names.end(), [&](Index c) { return model.plc.curves[c].kind == "well"; });
-    curves.push_back(has_well || names.empty() ? no_index : number.try_emplace(names, static_cast<Index>(number.size())).first->second);
+    const bool has_well =
+        std::any_of(names.begin(), names.end(), [&](Index c) { return model.plc.curves[c].kind == "well"; });
+    curves.push_back(has_well || names.empty()
+                         ? no_index
+                         : number.try_emplace(names, static_cast<Index>(number.size())).first->second);
   }
   return curves;
 }
 
 const std::vector<std::string>& known_cell_arrays() {
-  static const std::vector<std::string> names{"size", "min_dihedral", "max_dihedral", "radius_ratio", "mean_ratio", "aspect"};
+  static const std::vector<std::string> names{"size",         "min_dihedral", "max_dihedral",
+                                              "radius_ratio", "mean_ratio",   "aspect"};
   return names;
 }
 
 std::string contradiction(const RefinementSettings& settings, const RecoverOptions& recover) {
-  const bool wants_size = std::find(settings.cell_arrays.begin(), settings.cell_arrays.end(), "size") != settings.cell_arrays.end();
+  const bool wants_size =
+      std::find(settings.cell_arrays.begin(), settings.cell_arrays.end(), "size") != settings.cell_arrays.end();
   for (auto at = settings.cell_arrays.begin(); at != settings.cell_arrays.end(); ++at)
-    if (std::find(settings.cell_arrays.begin(), at, *at) != at) return "the cell array '" + *at + "' is asked for twice";
+    if (std::find(settings.cell_arrays.begin(), at, *at) != at)
+      return "the cell array '" + *at + "' is asked for twice";
   if (!settings.refine)
-    return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined" : "";
+    return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined"
+                      : "";
   if (!settings.sizes_on_surfaces) {
-    if (settings.honour == Honour::tolerance) return "within a tolerance surfaces are remeshed to the sizes, so 'no sizes on surfaces' (on_surfaces: false) contradicts it; leave out one of them";
-    if (recover.mode == MeshMode::conforming) return "mode conforming adds points on surfaces, so 'no sizes on surfaces' (on_surfaces: false) contradicts it; leave out one of them";
+    if (settings.honour == Honour::tolerance)
+      return "within a tolerance surfaces are remeshed to the sizes, so 'no sizes on surfaces' (on_surfaces: false) "
+             "contradicts it; leave out one of them";
+    if (recover.mode == MeshMode::conforming)
+      return "mode conforming adds points on surfaces, so 'no sizes on surfaces' (on_surfaces: false) contradicts it; "
+             "leave out one of them";
   }
   if (recover.mode == MeshMode::conforming) {
-    if (settings.honour == Honour::tolerance) return "mode conforming keeps the input's facets, so a tolerance for surfaces (honour: tolerance) contradicts it; leave out one of them";
+    if (settings.honour == Honour::tolerance)
+      return "mode conforming keeps the input's facets, so a tolerance for surfaces (honour: tolerance) contradicts "
+             "it; leave out one of them";
     if (settings.quality != QualityLevel::standard || settings.time_budget > 0)
-      return "mode conforming refines to sizes and keeps the mesh Delaunay: quality and time_budget have no meaning with it, since improving "
+      return "mode conforming refines to sizes and keeps the mesh Delaunay: quality and time_budget have no meaning "
+             "with it, since improving "
              "elements moves points and flips faces";
   }
-  if (recover.preserve_boundary) return "preserve_boundary and refinement exclude each other: refinement adds points on surfaces";
+  if (recover.preserve_boundary)
+    return "preserve_boundary and refinement exclude each other: refinement adds points on surfaces";
   return "";
 }
 
@@ -186,16 +207,18 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
 
 RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
                           const RunContext& context) {
-  if (model.options.recover.mode == MeshMode::conforming) return refine_conforming(model.plc.plc, mesh, model.options, options, context);
+  if (model.options.recover.mode == MeshMode::conforming)
+    return refine_conforming(model.plc.plc, mesh, model.options, options, context);
   RefineResult result = refine_naming_surfaces(model, std::move(mesh), options, context);
   model.warnings.insert(model.warnings.end(), result.warnings.begin(), result.warnings.end());
   if (result.statistics.out_of_time)
-    warn(model.warnings, context, "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
+    warn(model.warnings, context,
+         "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
   return result;
 }
 
-std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names, const ConstrainedTetrahedralization& mesh,
-                                        const SizeField* size) {
+std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names,
+                                        const ConstrainedTetrahedralization& mesh, const SizeField* size) {
   std::vector<CellArray> arrays;
   for (const std::string& name : names) arrays.push_back({name, {}});
   for (std::size_t t = 0; t < mesh.tetrahedra.size() && !arrays.empty(); ++t) {

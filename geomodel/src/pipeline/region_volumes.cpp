@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geomesh/core/error.hpp"
-#include "sets/sums.hpp"
+#include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
 
@@ -16,7 +16,8 @@ namespace {
 bool is_side_alone(const ModelMesh& mesh, const ModelMesh::Face& face) {
   const auto& set = mesh.surface_sets[static_cast<std::size_t>(face.surface_set)];
   return std::all_of(set.begin(), set.end(), [&](std::int32_t id) {
-    const auto at = std::find_if(mesh.surfaces.begin(), mesh.surfaces.end(), [&](const NamedSurface& s) { return s.id == id; });
+    const auto at =
+        std::find_if(mesh.surfaces.begin(), mesh.surfaces.end(), [&](const NamedSurface& s) { return s.id == id; });
     return at != mesh.surfaces.end() && at->kind == SurfaceKind::box;
   });
 }
@@ -29,7 +30,8 @@ std::vector<double> movable_areas(const ModelMesh& mesh) {
     signed char& side = is_side[static_cast<std::size_t>(f.surface_set)];
     if (side < 0) side = is_side_alone(mesh, f);
     if (side || f.region_minus == f.region_plus) continue;
-    const double area = triangle_area(mesh.points[f.vertices[0]], mesh.points[f.vertices[1]], mesh.points[f.vertices[2]]);
+    const double area =
+        triangle_area(mesh.points[f.vertices[0]], mesh.points[f.vertices[1]], mesh.points[f.vertices[2]]);
     sums[static_cast<std::size_t>(f.region_minus)].add(area);
     sums[static_cast<std::size_t>(f.region_plus)].add(area);
   }
@@ -44,14 +46,16 @@ std::vector<double> component_volumes(const ConstrainedTetrahedralization& mesh)
   std::vector<CompensatedSum> sums(mesh.n_components);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     const Tetrahedron& v = mesh.tetrahedra[t];
-    sums[mesh.component[t]].add(signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]));
+    sums[mesh.component[t]].add(
+        signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]));
   }
   std::vector<double> volumes;
   for (const CompensatedSum& sum : sums) volumes.push_back(sum.value());
   return volumes;
 }
 
-void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core, const std::vector<double>& volumes) {
+void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core,
+                          const std::vector<double>& volumes) {
   if (volumes.empty()) return;
   std::vector<std::int32_t> region_of(volumes.size(), 0);
   for (std::size_t t = 0; t < core.component.size(); ++t) region_of[core.component[t]] = mesh.tet_region[t];
@@ -66,13 +70,15 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
     const double allowed = areas[static_cast<std::size_t>(r.id)] * tolerance + 1e-12 * r.volume;
     if (r.volume_of_input == 0 || std::abs(r.volume - r.volume_of_input) <= allowed) continue;
     char text[200];
-    std::snprintf(text, sizeof text, "%s%.80s holds %.9g, in the input %.9g, where %.3g more or less are allowed", off.empty() ? "" : "; ", r.name.c_str(),
-                  r.volume, r.volume_of_input, allowed);
+    std::snprintf(text, sizeof text, "%s%.80s holds %.9g, in the input %.9g, where %.3g more or less are allowed",
+                  off.empty() ? "" : "; ", r.name.c_str(), r.volume, r.volume_of_input, allowed);
     off += text;
   }
   if (off.empty()) return;
-  throw Error(ErrorKind::cannot_mesh, "volumes of regions differ from the input's by more than area of boundary times tolerance, so nothing was written: " + off +
-                                          ". Ask for a smaller tolerance, for smaller sizes there, or keep the surfaces exactly");
+  throw Error(ErrorKind::cannot_mesh,
+              "volumes of regions differ from the input's by more than area of boundary times tolerance, so nothing "
+              "was written: " +
+                  off + ". Ask for a smaller tolerance, for smaller sizes there, or keep the surfaces exactly");
 }
 
 }  // namespace geomesh::geomodel

@@ -13,14 +13,15 @@ namespace geomesh::geomodel {
 /// Volume of each component, summed without cancellation.
 std::vector<double> component_volumes(const ConstrainedTetrahedralization& mesh);
 
-/// Sets volume_of_input of each region from the volumes of its components before surfaces moved; none given: leaves it. `core` has the tetrahedra of `mesh`, in
-/// the same order.
-void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core, const std::vector<double>& volumes);
+/// Sets volume_of_input of each region from the volumes of its components before surfaces moved; none given: leaves it.
+/// `core` has the tetrahedra of `mesh`, in the same order.
+void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& core,
+                          const std::vector<double>& volumes);
 
-/// Throws Error{cannot_mesh} naming each region whose volume differs from volume_of_input, where that is told, by more than area times tolerance: of its
-/// faces towards other regions or the outside, those of box sides alone left out, as they do not move (rounding: 1e-12 of the volume). To first
-/// order surfaces within the tolerance cannot change it by more.
-/// `tolerance` in the mesh's unit.
+/// Throws Error{cannot_mesh} naming each region whose volume differs from volume_of_input, where that is told, by more
+/// than area times tolerance: of its faces towards other regions or the outside, those of box sides alone left out, as
+/// they do not move (rounding: 1e-12 of the volume). To first order surfaces within the tolerance cannot change it by
+/// more. `tolerance` in the mesh's unit.
 void require_volumes_within(const ModelMesh& mesh, double tolerance);
 
 }  // namespace geomesh::geomodel

@@ -34,12 +34,16 @@ vtkSmartPointer<vtkPolyData> soup_data(const PolygonSoup& soup, const std::vecto
   data->GetCellData()->AddArray(int_array("source_triangle", n, [&](std::size_t f) { return first(f).triangle; }));
   data->GetCellData()->AddArray(
       int_array("n_origins", n, [&](std::size_t f) { return soup.origin_offsets[f + 1] - soup.origin_offsets[f]; }));
-  data->GetPointData()->AddArray(int_array("kind", soup.points.size(), [&](std::size_t v) { return static_cast<int>(soup.kind[v]); }));
+  data->GetPointData()->AddArray(
+      int_array("kind", soup.points.size(), [&](std::size_t v) { return static_cast<int>(soup.kind[v]); }));
   vtkFieldData& field = *data->GetFieldData();
   field.AddArray(string_array("surface_names", surfaces.size(), [&](std::size_t s) { return surfaces[s].name; }));
-  field.AddArray(int_array("origin_offsets", soup.origin_offsets.size(), [&](std::size_t i) { return soup.origin_offsets[i]; }));
-  field.AddArray(int_array("origin_surfaces", soup.origins.size(), [&](std::size_t i) { return soup.origins[i].surface; }));
-  field.AddArray(int_array("origin_triangles", soup.origins.size(), [&](std::size_t i) { return soup.origins[i].triangle; }));
+  field.AddArray(
+      int_array("origin_offsets", soup.origin_offsets.size(), [&](std::size_t i) { return soup.origin_offsets[i]; }));
+  field.AddArray(
+      int_array("origin_surfaces", soup.origins.size(), [&](std::size_t i) { return soup.origins[i].surface; }));
+  field.AddArray(
+      int_array("origin_triangles", soup.origins.size(), [&](std::size_t i) { return soup.origins[i].triangle; }));
   return data;
 }
 
@@ -57,12 +61,15 @@ vtkSmartPointer<vtkPolyData> curve_data(const ModelPlc& model) {
   data->SetLines(lines);
   data->GetCellData()->AddArray(int_array("curve", curve.size(), [&](std::size_t i) { return curve[i]; }));
   const std::vector<SoupCurve>& curves = model.curves;
-  data->GetFieldData()->AddArray(string_array("curve_names", curves.size(), [&](std::size_t i) { return curves[i].name; }));
-  data->GetFieldData()->AddArray(string_array("curve_kinds", curves.size(), [&](std::size_t i) { return curves[i].kind; }));
+  data->GetFieldData()->AddArray(
+      string_array("curve_names", curves.size(), [&](std::size_t i) { return curves[i].name; }));
+  data->GetFieldData()->AddArray(
+      string_array("curve_kinds", curves.size(), [&](std::size_t i) { return curves[i].kind; }));
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> spot_data(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces) {
+vtkSmartPointer<vtkPolyData> spot_data(const std::vector<Spot>& spots,
+                                       const std::vector<TriangulatedSurface>& surfaces) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   std::vector<Vec3> places;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -82,14 +89,16 @@ vtkSmartPointer<vtkPolyData> spot_data(const std::vector<Spot>& spots, const std
   measure->SetName("measure");
   for (const Spot& spot : spots) measure->InsertNextValue(spot.measure);
   data->GetCellData()->AddArray(measure);
-  data->GetCellData()->AddArray(string_array("description", n, [&](std::size_t i) { return describe(spots[i], surfaces); }));
+  data->GetCellData()->AddArray(
+      string_array("description", n, [&](std::size_t i) { return describe(spots[i], surfaces); }));
   return data;
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> write_soup_vtp(const ArrangementResult& arrangement, const ModelPlc& plc,
-                                                  const std::vector<TriangulatedSurface>& surfaces, const std::filesystem::path& stem) {
+                                                  const std::vector<TriangulatedSurface>& surfaces,
+                                                  const std::filesystem::path& stem) {
   return {write_polydata(*soup_data(arrangement.soup, surfaces), stem.string() + ".soup.vtp"),
           write_polydata(*curve_data(plc), stem.string() + ".soup.curves.vtp"),
           write_polydata(*spot_data(arrangement.spots, surfaces), stem.string() + ".spots.vtp")};

@@ -10,7 +10,9 @@ namespace geomesh::geomodel {
 double process_cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -37,7 +39,8 @@ void StageRecorder::on_stage(std::string_view name, bool begins) {
     return;
   }
   auto record = std::find_if(records_.begin(), records_.end(), [&](const StageRecord& r) { return r.name == name; });
-  if (record == records_.end()) record = records_.insert(records_.end(), StageRecord{.name = std::string(name), .runs = 0});
+  if (record == records_.end())
+    record = records_.insert(records_.end(), StageRecord{.name = std::string(name), .runs = 0});
   ++record->runs;
   record->wall_s += std::chrono::duration<double>(now - wall_start_).count();
   record->cpu_s += process_cpu_seconds() - cpu_start_;

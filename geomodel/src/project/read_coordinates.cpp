@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/read_coordinates.hpp"
 
-
 #include "coordinates/crs.hpp"
-#include "readers/units.hpp"
+#include "readers/text/units.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-const char* const time_words = "a surface in time (ms, s) cannot be meshed with others in length; convert it to depth with a velocity model first";
+const char* const time_words =
+    "a surface in time (ms, s) cannot be meshed with others in length; convert it to depth with a velocity model first";
 
 void read_unit(const YamlValue& value, std::string& unit) {
   if (is_time_unit(value.scalar())) return value.problem(time_words);

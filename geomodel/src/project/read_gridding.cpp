@@ -17,14 +17,16 @@ void read_method(const YamlValue& value, SurfaceSpec& spec) {
   const YamlMap map(value, {"method", "spacing", "smoothing", "max_distance", "extent"});
   if (!map.is_map()) return;
   if (const auto v = map.find("method")) {
-    if (v->choice({"thin_plate", "triangulate"}) == "triangulate") spec.gridding.method = GriddingSpec::Method::triangulate;
+    if (v->choice({"thin_plate", "triangulate"}) == "triangulate")
+      spec.gridding.method = GriddingSpec::Method::triangulate;
   }
   if (const auto v = map.find("spacing")) read_length(*v, spec.gridding.spacing);
   if (const auto v = map.find("smoothing")) read_length(*v, spec.gridding.smoothing);
   if (const auto v = map.find("max_distance")) read_length(*v, spec.gridding.max_distance);
   if (const auto v = map.find("extent")) {
     spec.gridding.to_box = v->choice({"data", "box"}) == "box";
-    if (spec.gridding.to_box && spec.kind != SurfaceKind::horizon) v->problem("only a horizon is gridded over the box; a fault goes on by 'extent: to_box' of the surface");
+    if (spec.gridding.to_box && spec.kind != SurfaceKind::horizon)
+      v->problem("only a horizon is gridded over the box; a fault goes on by 'extent: to_box' of the surface");
   }
   if (spec.gridding.method == GriddingSpec::Method::triangulate) {
     for (const char* key : {"spacing", "smoothing", "extent"})
@@ -40,7 +42,8 @@ void read_gridding(const YamlMap& map, SurfaceSpec& spec) {
   if (const auto v = map.find("smooth")) {
     const auto n = v->number();
     if (!n) return;
-    if (*n < 0 || *n > 1000 || *n != std::floor(*n)) return v->problem("a whole number of passes from 0 to 1000 was expected");
+    if (*n < 0 || *n > 1000 || *n != std::floor(*n))
+      return v->problem("a whole number of passes from 0 to 1000 was expected");
     spec.smooth = static_cast<int>(*n);
   }
 }

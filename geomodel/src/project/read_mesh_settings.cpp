@@ -35,7 +35,8 @@ void read_named(const YamlValue& value, const std::vector<std::string_view>& kno
     sizes[name] = read_asked(entry);
     if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string meant = was_meant(name, known);
-    entry.problem("there is no " + std::string(what) + " of this name" + (meant.empty() ? "; known are " + listed(known) : meant));
+    entry.problem("there is no " + std::string(what) + " of this name" +
+                  (meant.empty() ? "; known are " + listed(known) : meant));
   }
 }
 
@@ -48,7 +49,8 @@ bool read_place(const YamlValue& value, const Project& project, Vec3& place) {
   }
   const auto name = value.text();
   if (!name) return false;
-  const auto at = std::find_if(project.points.begin(), project.points.end(), [&](const NamedPoint& p) { return p.name == *name; });
+  const auto at =
+      std::find_if(project.points.begin(), project.points.end(), [&](const NamedPoint& p) { return p.name == *name; });
   if (at == project.points.end()) {
     value.problem("[x, y, z] or the name of an entry of 'points' was expected");
     return false;
@@ -89,13 +91,14 @@ void read_background(const YamlValue& value, const Project& project, NamedSizes&
 void read_size(const YamlValue& value, const Project& project, RefinementSettings& settings) {
   NamedSizes& sizes = settings.size;
   if (!value.is_map()) return read_positive(value, sizes.base.global);
-  const YamlMap map(value, {"global", "units", "surfaces", "curves", "near", "input_edges", "on_surfaces", "curvature", "gap_layers",
-                            "gradation", "min", "max", "background"});
+  const YamlMap map(value, {"global", "units", "surfaces", "curves", "near", "input_edges", "on_surfaces", "curvature",
+                            "gap_layers", "gradation", "min", "max", "background"});
   if (const auto v = map.find("global")) read_positive(*v, sizes.base.global);
   if (const auto v = map.find("units")) {
     read_named(*v, {}, "unit", sizes.units);
     for (const auto& [name, asked] : sizes.units)
-      if (asked.radius > 0) v->problem("a size inside of " + name + " has no radius; give the surfaces about it a size with a radius");
+      if (asked.radius > 0)
+        v->problem("a size inside of " + name + " has no radius; give the surfaces about it a size with a radius");
   }
   if (const auto v = map.find("surfaces")) read_named(*v, surface_names(project), "surface", sizes.surfaces);
   if (const auto v = map.find("curves")) read_named(*v, {}, "curve", sizes.curves);
@@ -121,7 +124,8 @@ void read_honour(const YamlMap& mesh, RefinementSettings& settings) {
   const auto honour = mesh.find("honour"), tolerance = mesh.find("tolerance");
   std::optional<std::string> word = "exact";
   if (honour && honour->is_map()) {
-    honour->problem("exact or tolerance was expected, found a map; give 'honour: tolerance' and beside it 'tolerance', a length");
+    honour->problem(
+        "exact or tolerance was expected, found a map; give 'honour: tolerance' and beside it 'tolerance', a length");
     word = std::nullopt;
   } else if (honour) {
     word = honour->choice({"exact", "tolerance"});
@@ -165,7 +169,9 @@ void read_refinement(const YamlMap& mesh, Project& project) {
   if (const auto v = mesh.find("quality")) {
     settings.refine = true;
     const auto level = v->choice({"fast", "default", "best"});
-    settings.quality = level == "fast" ? QualityLevel::fast : level == "best" ? QualityLevel::best : QualityLevel::standard;
+    settings.quality = level == "fast"   ? QualityLevel::fast
+                       : level == "best" ? QualityLevel::best
+                                         : QualityLevel::standard;
   }
   read_honour(mesh, settings);
   settings.refine = settings.refine || settings.honour == Honour::tolerance;

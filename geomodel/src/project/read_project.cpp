@@ -12,7 +12,7 @@
 #include "project/read_rules.hpp"
 #include "project/read_volume.hpp"
 #include "project/yaml_values.hpp"
-#include "readers/input_file.hpp"
+#include "readers/text/input_file.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -29,7 +29,8 @@ std::string yaml_advice(const std::string& text, int line) {
   if (near.find('\t') != std::string::npos) return "; there is a tab near it: YAML is indented with blanks alone";
   static const std::string colon_letter = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[{";
   for (std::size_t at = near.find(':'); at != std::string::npos; at = near.find(':', at + 1))
-    if (at + 1 < near.size() && colon_letter.find(near[at + 1]) != std::string::npos) return "; is there a blank after the colon?";
+    if (at + 1 < near.size() && colon_letter.find(near[at + 1]) != std::string::npos)
+      return "; is there a blank after the colon?";
   return "; keys of one entry begin in the same column, and brackets and quotes are closed";
 }
 
@@ -70,8 +71,8 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "rules", "regions", "groups", "attributes",
-                              "tolerance", "mesh", "output"});
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "rules", "regions",
+                             "groups", "attributes", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
@@ -85,7 +86,8 @@ class ProjectReader {
     if (const auto v = map.find("points")) {
       for (const YamlValue& item : v->items()) read_named_point(item);
     }
-    if (!map.find("surfaces") && !map.find("box")) root.problem("neither 'surfaces' nor 'box' is given: there is nothing to mesh");
+    if (!map.find("surfaces") && !map.find("box"))
+      root.problem("neither 'surfaces' nor 'box' is given: there is nothing to mesh");
     if (const auto v = map.find("column")) read_column(*v);
     if (const auto v = map.find("rules")) read_model_rules(*v, project_);
     if (const auto v = map.find("regions")) read_region_seeds(*v, project_);
@@ -98,7 +100,8 @@ class ProjectReader {
     if (const auto v = map.find("output")) read_output(*v);
   }
 
-  /// Names go into files of many formats, and into their names: not too long, no control characters, quotes, commas or blanks at the ends.
+  /// Names go into files of many formats, and into their names: not too long, no control characters, quotes, commas or
+  /// blanks at the ends.
   static bool read_name(const YamlValue& value, std::string& name) {
     const auto text = value.text();
     if (!text) return false;
@@ -106,7 +109,8 @@ class ProjectReader {
       return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\'' || c == ',' || c == '/' || c == '\\';
     });
     if (odd || text->front() == ' ' || text->back() == ' ') {
-      value.problem("the name " + in_quotes(*text) + " holds a quote, a comma, a slash, a control character or a blank at its end");
+      value.problem("the name " + in_quotes(*text) +
+                    " holds a quote, a comma, a slash, a control character or a blank at its end");
       return false;
     }
     constexpr std::size_t longest_name = 200;  // file systems hold 255 bytes; endings are added
@@ -144,8 +148,8 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at", "object", "crs", "unit", "z_unit", "z", "z_datum",
-                              "gridding", "resample", "smooth"});
+    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at",
+                              "object", "crs", "unit", "z_unit", "z", "z_datum", "gridding", "resample", "smooth"});
     if (!map.is_map()) return;
     SurfaceSpec spec;
     spec.line = map.place().line;
@@ -173,7 +177,8 @@ class ProjectReader {
     if (const auto v = map.require("name", "each well needs a name")) {
       if (read_name(*v, spec.name)) claim_name(*v, spec.name);
     }
-    if (const auto v = map.require("file", "the file of the well's path")) read_file(*v, spec.file, spec.file_as_written);
+    if (const auto v = map.require("file", "the file of the well's path"))
+      read_file(*v, spec.file, spec.file_as_written);
     read_source(map, spec.source);
     project_.wells.push_back(std::move(spec));
   }
@@ -194,8 +199,10 @@ class ProjectReader {
     const std::vector<YamlValue> items = value.items();
     if (!value.is_list()) return;
     if (items.size() % 2 == 0) {
-      value.problem("unit, horizon, unit, ..., unit was expected, from the youngest to the oldest: an odd number of names; found " +
-                    std::to_string(items.size()));
+      value.problem(
+          "unit, horizon, unit, ..., unit was expected, from the youngest to the oldest: an odd number of names; "
+          "found " +
+          std::to_string(items.size()));
     }
     std::map<std::string, int> seen;
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -211,11 +218,12 @@ class ProjectReader {
   }
 
   void check_column_entry(const YamlValue& value, const std::string& name, bool horizon_expected) const {
-    const auto it = std::find_if(project_.surfaces.begin(), project_.surfaces.end(), [&](const SurfaceSpec& s) { return s.name == name; });
+    const auto it = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
+                                 [&](const SurfaceSpec& s) { return s.name == name; });
     if (!horizon_expected) {
       if (it != project_.surfaces.end()) {
-        value.problem("the name of a unit was expected here, but '" + name + "' is a surface (line " + std::to_string(it->line) +
-                      "): units and horizons must alternate");
+        value.problem("the name of a unit was expected here, but '" + name + "' is a surface (line " +
+                      std::to_string(it->line) + "): units and horizons must alternate");
       }
     } else if (it == project_.surfaces.end()) {
       std::vector<std::string_view> horizons;
@@ -279,11 +287,13 @@ class ProjectReader {
     for (const YamlValue& item : value.items()) {
       const auto format = item.choice(words);
       if (!format) continue;
-      if (std::find(project_.output.formats.begin(), project_.output.formats.end(), *format) == project_.output.formats.end()) {
+      if (std::find(project_.output.formats.begin(), project_.output.formats.end(), *format) ==
+          project_.output.formats.end()) {
         project_.output.formats.push_back(*format);
       }
     }
-    if (value.is_list() && project_.output.formats.empty() && value.items().empty()) value.problem("the list of formats is empty");
+    if (value.is_list() && project_.output.formats.empty() && value.items().empty())
+      value.problem("the list of formats is empty");
   }
 
   Problems problems_;

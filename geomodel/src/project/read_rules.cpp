@@ -26,7 +26,8 @@ std::vector<std::string> read_names(const YamlValue& value) {
 void read_extent(const YamlValue& value, SurfaceSpec& spec) {
   const auto text = value.text();
   if (!text) return;
-  if (spec.kind != SurfaceKind::fault) return value.problem("only a fault has an extent; for other surfaces see 'extend'");
+  if (spec.kind != SurfaceKind::fault)
+    return value.problem("only a fault has an extent; for other surfaces see 'extend'");
   if (*text == "as_given") {
     spec.rules.extend = Extend::none;
     return;
@@ -46,7 +47,10 @@ void read_extent(const YamlValue& value, SurfaceSpec& spec) {
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   if (const auto v = map.find("extend")) {
     const auto word = v->choice({"none", "flat", "tangent", "nearest"});
-    spec.rules.extend = word == "flat" ? Extend::flat : word == "tangent" ? Extend::tangent : word == "nearest" ? Extend::nearest : Extend::none;
+    spec.rules.extend = word == "flat"      ? Extend::flat
+                        : word == "tangent" ? Extend::tangent
+                        : word == "nearest" ? Extend::nearest
+                                            : Extend::none;
     if (spec.kind == SurfaceKind::body && spec.rules.extend != Extend::none)
       v->problem("a body is not extended: its open ends are closed beyond the box");
   }
@@ -60,7 +64,8 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   if (const auto v = map.find("extent")) read_extent(*v, spec);
   if (const auto v = map.find("throw_at")) {
     spec.rules.throw_at = read_names(*v);
-    if (spec.kind != SurfaceKind::horizon) v->problem("only a horizon has throw; name the faults at the horizons that they displace");
+    if (spec.kind != SurfaceKind::horizon)
+      v->problem("only a horizon has throw; name the faults at the horizons that they displace");
   }
   if (const auto v = map.find("base")) {
     const auto word = v->choice({"conformable", "erode", "onlap"});
@@ -76,14 +81,16 @@ void read_cuts(const YamlValue& value, SurfaceSpec& spec) {
     return;
   }
   const auto cuts = value.choice({"all", "none"});
-  if (cuts == "all" && spec.kind == SurfaceKind::horizon) value.problem("only bodies and faults cut; this surface is a horizon");
-  if (cuts == "none" && spec.kind == SurfaceKind::fault) value.problem("all or a list of units of the column was expected");
+  if (cuts == "all" && spec.kind == SurfaceKind::horizon)
+    value.problem("only bodies and faults cut; this surface is a horizon");
+  if (cuts == "none" && spec.kind == SurfaceKind::fault)
+    value.problem("all or a list of units of the column was expected");
   if (spec.kind == SurfaceKind::body && cuts) spec.cuts_all = cuts == "all";
 }
 
 void read_model_rules(const YamlValue& value, Project& project) {
-  const YamlMap map(value, {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions",
-                              "min_thickness", "thin_layers"});
+  const YamlMap map(value, {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume",
+                            "small_regions", "min_thickness", "thin_layers"});
   if (const auto v = map.find("on_crossing")) {
     const auto word = v->choice({"leave", "clip_younger", "clip_older", "error"});
     project.rules.on_crossing = word == "clip_younger" ? OnCrossing::clip_younger
@@ -104,7 +111,9 @@ void read_model_rules(const YamlValue& value, Project& project) {
   if (const auto v = map.find("min_thickness")) read_measure(*v, project.rules.min_thickness);
   if (const auto v = map.find("thin_layers")) {
     const auto word = v->choice({"keep", "collapse", "error"});
-    project.rules.thin_layers = word == "collapse" ? ThinLayers::collapse : word == "error" ? ThinLayers::error : ThinLayers::keep;
+    project.rules.thin_layers = word == "collapse" ? ThinLayers::collapse
+                                : word == "error"  ? ThinLayers::error
+                                                   : ThinLayers::keep;
   }
   if (const auto v = map.find("small_regions")) project.naming.merge_small = v->choice({"report", "merge"}) == "merge";
 }
@@ -131,7 +140,8 @@ void read_attributes(const YamlValue& value, Project& project) {
     for (const auto& [name, number] : named_entries(list, "NAME: number")) {
       const std::vector<std::string>& taken = known_cell_arrays();
       if (name == "region" || std::find(taken.begin(), taken.end(), name) != taken.end())
-        number.problem("'" + name + "' is the name of an array of the mesh file (mesh.cell_arrays, region ids); choose another");
+        number.problem("'" + name +
+                       "' is the name of an array of the mesh file (mesh.cell_arrays, region ids); choose another");
       if (const auto n = number.number()) project.naming.attributes[unit][name] = *n;
     }
 }
@@ -147,23 +157,25 @@ void check_units(const YamlValue& root, const Project& project, const SurfaceSpe
     if (at == project.column.end() || row % 2 == 1) {
       std::vector<std::string_view> units;
       for (std::size_t i = 0; i < project.column.size(); i += 2) units.push_back(project.column[i]);
-      return root.problem("fault '" + spec.name + "' is to cut '" + unit + "', which is no unit of the column; units are " +
-                          (units.empty() ? "none" : listed(units)));
+      return root.problem("fault '" + spec.name + "' is to cut '" + unit +
+                          "', which is no unit of the column; units are " + (units.empty() ? "none" : listed(units)));
     }
     rows.push_back(row / 2);
   }
   std::sort(rows.begin(), rows.end());
   for (std::size_t k = 1; k < rows.size(); ++k)
     if (rows[k] != rows[k - 1] + 1)
-      return root.problem("the units that fault '" + spec.name + "' cuts do not follow each other in the column; it cannot end and begin again");
+      return root.problem("the units that fault '" + spec.name +
+                          "' cuts do not follow each other in the column; it cannot end and begin again");
 }
 
 void check_throw(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
   if (!spec.rules.throw_at.empty() && !project.box)
     root.problem("horizon '" + spec.name + "' is to be continued to its faults (throw_at), which needs a box");
   for (const std::string& name : spec.rules.throw_at) {
-    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(),
-                                   [&](const SurfaceSpec& s) { return s.name == name && s.kind == SurfaceKind::fault; });
+    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
+      return s.name == name && s.kind == SurfaceKind::fault;
+    });
     if (known) continue;
     std::vector<std::string_view> faults;
     for (const SurfaceSpec& s : project.surfaces)
@@ -187,9 +199,11 @@ void finish_rules(const YamlValue& root, Project& project) {
     if (spec.rules.extend != Extend::none && !project.box)
       root.problem("surface '" + spec.name + "' is to be extended to the box, and there is no box");
     if (spec.rules.stop_at.empty()) continue;
-    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(),
-                                   [&](const SurfaceSpec& s) { return s.name == spec.rules.stop_at && s.name != spec.name; });
-    if (!known) root.problem("surface '" + spec.name + "' is to end at '" + spec.rules.stop_at + "', which is no other surface");
+    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
+      return s.name == spec.rules.stop_at && s.name != spec.name;
+    });
+    if (!known)
+      root.problem("surface '" + spec.name + "' is to end at '" + spec.rules.stop_at + "', which is no other surface");
   }
 }
 

@@ -22,7 +22,8 @@ void read_region_seeds(const YamlValue& value, Project& project);
 void read_groups(const YamlValue& value, Project& project);
 void read_attributes(const YamlValue& value, Project& project);
 
-/// What can be checked once everything is read: names in rules, a box where one is needed. Fills project.rules from the rest.
+/// What can be checked once everything is read: names in rules, a box where one is needed. Fills project.rules from the
+/// rest.
 void finish_rules(const YamlValue& root, Project& project);
 
 }  // namespace geomesh::geomodel

@@ -30,7 +30,8 @@ bool read_corners(const YamlMap& map, VolumeSpec& spec) {
   read_corner(max, spec.box.max);
   if (!complete) return false;
   for (std::size_t i = 0; i < 3; ++i)
-    if (!(spec.box.min[i] < spec.box.max[i])) max->problem(std::string("the box is empty in ") + "xyz"[i] + ": max must be greater than min");
+    if (!(spec.box.min[i] < spec.box.max[i]))
+      max->problem(std::string("the box is empty in ") + "xyz"[i] + ": max must be greater than min");
   return true;
 }
 
@@ -44,14 +45,16 @@ bool read_margin(const YamlValue& value, VolumeSpec& spec) {
     if (!margin) return false;
     spec.margin = {*margin, *margin, *margin};
   }
-  if (spec.margin.x < 0 || spec.margin.y < 0 || spec.margin.z < 0) value.problem("a length of zero or more was expected");
+  if (spec.margin.x < 0 || spec.margin.y < 0 || spec.margin.z < 0)
+    value.problem("a length of zero or more was expected");
   return true;
 }
 
 bool read_polygon(const YamlValue& value, VolumeSpec& spec) {
   for (const YamlValue& item : value.items())
     if (const auto corner = read_pair(item, "[x, y]")) spec.polygon.push_back(*corner);
-  if (spec.polygon.size() > 1 && spec.polygon.front().x == spec.polygon.back().x && spec.polygon.front().y == spec.polygon.back().y)
+  if (spec.polygon.size() > 1 && spec.polygon.front().x == spec.polygon.back().x &&
+      spec.polygon.front().y == spec.polygon.back().y)
     spec.polygon.pop_back();  // closed by repeating the first corner, as many programs write it
   if (value.is_list() && spec.polygon.size() < 3) value.problem("at least three corners [x, y] were expected");
   return true;
@@ -60,7 +63,8 @@ bool read_polygon(const YamlValue& value, VolumeSpec& spec) {
 bool read_turned(const YamlMap& map, VolumeSpec& spec) {
   const auto center = map.require("center", "[x, y] of the middle of the turned box");
   const auto size = map.require("size", "[length, length] along the box's own x and y");
-  const auto c = center ? read_pair(*center, "[x, y]") : std::nullopt, s = size ? read_pair(*size, "[length, length]") : std::nullopt;
+  const auto c = center ? read_pair(*center, "[x, y]") : std::nullopt,
+             s = size ? read_pair(*size, "[length, length]") : std::nullopt;
   if (!c || !s) return false;
   spec.center = *c;
   spec.size = *s;
@@ -92,18 +96,24 @@ const std::vector<ShapeKeys> shapes{{VolumeSpec::Shape::box, {"min", "max"}},
 
 const ShapeKeys* shape_of(const YamlMap& map, const YamlValue& value) {
   for (const ShapeKeys& shape : shapes)
-    for (std::size_t k = 0; k < (shape.shape == VolumeSpec::Shape::box || shape.shape == VolumeSpec::Shape::turned ? 2u : 1u); ++k)
+    for (std::size_t k = 0;
+         k < (shape.shape == VolumeSpec::Shape::box || shape.shape == VolumeSpec::Shape::turned ? 2u : 1u); ++k)
       if (map.find(shape.keys[k])) return &shape;
-  value.problem("one of these was expected: min and max (corners); margin (about the data); center and size (a turned box); polygon");
+  value.problem(
+      "one of these was expected: min and max (corners); margin (about the data); center and size (a turned box); "
+      "polygon");
   return nullptr;
 }
 
 }  // namespace
 
 std::optional<VolumeSpec> read_volume(const YamlValue& value) {
-  const std::vector<std::string_view> known{"min", "max", "margin", "center", "size", "polygon", "azimuth", "bottom", "top"};
+  const std::vector<std::string_view> known{"min",     "max",     "margin", "center", "size",
+                                            "polygon", "azimuth", "bottom", "top"};
   if (!value.is_map()) {
-    value.problem("min and max were expected: box: {min: [x, y, z], max: [x, y, z]}; other shapes are told by margin, center or polygon");
+    value.problem(
+        "min and max were expected: box: {min: [x, y, z], max: [x, y, z]}; other shapes are told by margin, center or "
+        "polygon");
     return std::nullopt;
   }
   const YamlMap map(value, known);
@@ -111,15 +121,24 @@ std::optional<VolumeSpec> read_volume(const YamlValue& value) {
   if (!shape) return std::nullopt;
   for (const std::string_view key : known)
     if (map.find(key) && std::find(shape->keys.begin(), shape->keys.end(), key) == shape->keys.end())
-      map.find(key)->problem("does not go with " + std::string(shape->keys[0]) + "; what goes with it is " + listed(shape->keys));
+      map.find(key)->problem("does not go with " + std::string(shape->keys[0]) + "; what goes with it is " +
+                             listed(shape->keys));
   VolumeSpec spec;
   spec.shape = shape->shape;
   bool complete = false;
   switch (spec.shape) {
-    case VolumeSpec::Shape::box: complete = read_corners(map, spec); break;
-    case VolumeSpec::Shape::margin: complete = read_margin(*map.find("margin"), spec); break;
-    case VolumeSpec::Shape::turned: complete = read_turned(map, spec); break;
-    case VolumeSpec::Shape::polygon: complete = read_polygon(*map.find("polygon"), spec); break;
+    case VolumeSpec::Shape::box:
+      complete = read_corners(map, spec);
+      break;
+    case VolumeSpec::Shape::margin:
+      complete = read_margin(*map.find("margin"), spec);
+      break;
+    case VolumeSpec::Shape::turned:
+      complete = read_turned(map, spec);
+      break;
+    case VolumeSpec::Shape::polygon:
+      complete = read_polygon(*map.find("polygon"), spec);
+      break;
   }
   if (const auto v = map.find("azimuth")) spec.azimuth = v->number().value_or(0);
   read_end(map, "bottom", spec.bottom, spec.bottom_surface);
@@ -135,18 +154,23 @@ void finish_volume(const YamlValue& root, Project& project) {
   if (!project.box) return;
   const std::optional<double>&bottom = project.box->bottom, &top = project.box->top;
   if (bottom && top && !(project.crs.depth ? *top < *bottom : *bottom < *top))
-    root.problem(std::string("box: its bottom must be below its top (") + (project.crs.depth ? "depths count downwards)" : "heights count upwards)"));
+    root.problem(std::string("box: its bottom must be below its top (") +
+                 (project.crs.depth ? "depths count downwards)" : "heights count upwards)"));
   const auto check = [&](const std::string& name, const char* key) {
     if (name.empty()) return;
-    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(),
-                                   [&](const SurfaceSpec& s) { return s.name == name && s.kind == SurfaceKind::horizon; });
-    if (!known) root.problem(std::string("box.") + key + ": a height or a horizon was expected, but no horizon is named '" + name + "'");
+    const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
+      return s.name == name && s.kind == SurfaceKind::horizon;
+    });
+    if (!known)
+      root.problem(std::string("box.") + key + ": a height or a horizon was expected, but no horizon is named '" +
+                   name + "'");
   };
   check(project.box->bottom_surface, "bottom");
   check(project.box->top_surface, "top");
   if (!project.box->top_surface.empty()) {
     if (!project.naming.topography.empty() && project.naming.topography != project.box->top_surface)
-      root.problem("box.top is " + project.box->top_surface + ", but rules.topography is " + project.naming.topography + ": give one of them");
+      root.problem("box.top is " + project.box->top_surface + ", but rules.topography is " + project.naming.topography +
+                   ": give one of them");
     project.naming.topography = project.box->top_surface;
   }
   project.naming.floor = project.box->bottom_surface;

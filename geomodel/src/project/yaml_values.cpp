@@ -5,7 +5,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "readers/text.hpp"
+#include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -17,10 +17,14 @@ Place place_of(const YAML::Node& node, Place fallback) {
 
 /// Where else a key is known: people write keys of rules at a surface, and the reverse.
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> homes{
-    {"rules", {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness", "thin_layers"}},
+    {"rules",
+     {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness",
+      "thin_layers"}},
     {"an entry of surfaces", {"kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at"}},
     {"box", {"min", "max", "margin", "polygon", "azimuth", "center"}},
-    {"mesh", {"mode", "refine", "size", "quality", "preserve_boundary", "cluster_distance", "honour", "tolerance", "max_elements", "time_budget", "cell_arrays"}},
+    {"mesh",
+     {"mode", "refine", "size", "quality", "preserve_boundary", "cluster_distance", "honour", "tolerance",
+      "max_elements", "time_budget", "cell_arrays"}},
     {"mesh.size", {"input_edges", "on_surfaces", "curvature", "gap_layers", "gradation"}},
     {"output", {"formats", "directory", "origin"}},
     {"the top of the file", {"column", "wells", "points", "regions", "groups", "attributes", "surfaces", "rules"}}};
@@ -42,7 +46,11 @@ bool is_utf8(std::string_view s) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
   for (std::size_t i = 0; i < s.size();) {
     const unsigned lead = byte(i);
-    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3 : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xc2 && lead < 0xe0 ? 2
+                               : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                             : 0;
     if (length == 0 || i + length > s.size()) return false;
     for (std::size_t k = 1; k < length; ++k)
       if ((byte(i + k) & 0xc0) != 0x80) return false;
@@ -105,7 +113,8 @@ std::optional<bool> YamlValue::boolean() const {
 
 std::optional<std::string> YamlValue::choice(const std::vector<std::string_view>& words) const {
   if (node_.IsScalar() && std::find(words.begin(), words.end(), node_.Scalar()) != words.end()) return node_.Scalar();
-  problem(listed(words) + " was expected, found " + described() + (node_.IsScalar() ? was_meant(node_.Scalar(), words) : std::string()));
+  problem(listed(words) + " was expected, found " + described() +
+          (node_.IsScalar() ? was_meant(node_.Scalar(), words) : std::string()));
   return std::nullopt;
 }
 
@@ -129,7 +138,8 @@ std::optional<Vec3> YamlValue::point() const {
 std::vector<YamlValue> YamlValue::items() const {
   std::vector<YamlValue> list;
   if (!node_.IsSequence()) {
-    problem("a list was expected, found " + described() + (node_.IsMap() ? "; each entry begins with a dash: - {name: ...}" : ""));
+    problem("a list was expected, found " + described() +
+            (node_.IsMap() ? "; each entry begins with a dash: - {name: ...}" : ""));
     return list;
   }
   for (std::size_t i = 0; i < node_.size(); ++i) {
@@ -138,7 +148,8 @@ std::vector<YamlValue> YamlValue::items() const {
   return list;
 }
 
-YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& known, const std::vector<std::string_view>& not_offered)
+YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& known,
+                 const std::vector<std::string_view>& not_offered)
     : value_(value), is_map_(value.is_map()) {
   if (!is_map_) {
     value.problem("a map with the keys " + listed(known) + " was expected");
@@ -161,7 +172,9 @@ YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& kn
       const std::string meant = was_meant(key, known);
       const std::string home = home_of(key);
       problems.add(place, "unknown key " + in_quotes(key) + (value.name() == "project" ? "" : " in " + value.name()) +
-                              (!home.empty() ? "; it belongs to " + home : meant.empty() ? "; known are " + listed(known) : meant));
+                              (!home.empty()   ? "; it belongs to " + home
+                               : meant.empty() ? "; known are " + listed(known)
+                                               : meant));
       continue;
     }
     if (find(key)) {

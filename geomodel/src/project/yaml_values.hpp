@@ -15,7 +15,8 @@
 
 namespace geomesh::geomodel {
 
-/// A node with its name in the project ("surfaces[2].file"). Each reading reports what is wrong and then returns nothing.
+/// A node with its name in the project ("surfaces[2].file"). Each reading reports what is wrong and then returns
+/// nothing.
 class YamlValue {
  public:
   YamlValue(Problems& problems, YAML::Node node, std::string name, Place fallback);
@@ -51,10 +52,12 @@ class YamlValue {
   Place place_;
 };
 
-/// A map with known keys; the constructor reports duplicates, unknown keys (with the nearest known one) and keys of a later version.
+/// A map with known keys; the constructor reports duplicates, unknown keys (with the nearest known one) and keys of a
+/// later version.
 class YamlMap {
  public:
-  YamlMap(const YamlValue& value, const std::vector<std::string_view>& known, const std::vector<std::string_view>& not_offered = {});
+  YamlMap(const YamlValue& value, const std::vector<std::string_view>& known,
+          const std::vector<std::string_view>& not_offered = {});
 
   bool is_map() const { return is_map_; }
   std::optional<YamlValue> find(std::string_view key) const;

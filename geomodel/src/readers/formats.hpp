@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The readers, one format a file. `is_...` looks at the content (and at the extension only where the content cannot tell); `read_...`
-/// throws Error{invalid_input} with file and line.
+/// The readers, one format a file. `is_...` looks at the content (and at the extension only where the content cannot
+/// tell); `read_...` throws Error{invalid_input} with file and line.
 #pragma once
 
 #include "geomesh/geomodel/surface.hpp"
-#include "readers/input_file.hpp"
+#include "readers/text/input_file.hpp"
 
 namespace geomesh::geomodel {
 

@@ -4,7 +4,7 @@
 
 #include "geomesh/geomodel/readers.hpp"
 #include "readers/formats.hpp"
-#include "readers/text.hpp"
+#include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
 namespace {

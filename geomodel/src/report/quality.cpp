@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "sets/region_facts.hpp"
+#include "naming/region_facts.hpp"
 
 namespace geomesh::geomodel {
 
@@ -56,8 +56,12 @@ class CauseNames {
   }
   /// "between A and B", or "between two facets of A" where both are one.
   std::string between(const WorstElement& w) const {
-    const std::string a = w.segment_a != no_index ? segment(w.segment_a) : w.facet_a != no_index ? facet(w.facet_a) : "";
-    const std::string b = w.segment_b != no_index ? segment(w.segment_b) : w.facet_b != no_index ? facet(w.facet_b) : "";
+    const std::string a = w.segment_a != no_index ? segment(w.segment_a)
+                          : w.facet_a != no_index ? facet(w.facet_a)
+                                                  : "";
+    const std::string b = w.segment_b != no_index ? segment(w.segment_b)
+                          : w.facet_b != no_index ? facet(w.facet_b)
+                                                  : "";
     if (a.empty() || b.empty()) return "at " + a + b;
     return a == b ? "between two parts of " + a : "between " + a + " and " + b;
   }

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/writers.hpp"
+#include "naming/sums.hpp"
 #include "report/quality.hpp"
-#include "sets/sums.hpp"
 
 namespace geomesh::geomodel {
 
@@ -18,7 +18,8 @@ json to_json(const Vec3& p) { return json::array({p.x, p.y, p.z}); }
 json stages_json(const std::vector<StageRecord>& stages) {
   json list = json::array();
   for (const StageRecord& s : stages)
-    list.push_back({{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"peak_bytes", s.peak_bytes}, {"runs", s.runs}});
+    list.push_back(
+        {{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"peak_bytes", s.peak_bytes}, {"runs", s.runs}});
   return list;
 }
 
@@ -39,7 +40,10 @@ json recovery_json(const RecoveryStatistics& r) {
 }
 
 json voronoi_json(const VoronoiDual& d) {
-  return {{"edges", d.edges}, {"negative_areas", d.negative}, {"negative_areas_on_border", d.negative_on_border}, {"least_relative_area", d.least}};
+  return {{"edges", d.edges},
+          {"negative_areas", d.negative},
+          {"negative_areas_on_border", d.negative_on_border},
+          {"least_relative_area", d.least}};
 }
 
 /// Names of the input surfaces and box sides by row.
@@ -88,7 +92,10 @@ json clipping_json(const ArrangementResult& a, const std::vector<std::string>& n
                     {"area_by_box", a.area_clipped_by_box[i]},
                     {"area_by_rules", rules}});
   }
-  return {{"area_by_bodies", by_bodies.value()}, {"area_by_box", by_box.value()}, {"area_by_rules", by_rules.value()}, {"surfaces", std::move(list)}};
+  return {{"area_by_bodies", by_bodies.value()},
+          {"area_by_box", by_box.value()},
+          {"area_by_rules", by_rules.value()},
+          {"surfaces", std::move(list)}};
 }
 
 void add_arrangement(const ArrangementResult& a, const std::vector<std::string>& names, json& root) {
@@ -112,14 +119,16 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
 void add_mesh(const ModelMesh& mesh, json& root) {
   json regions = json::array(), surfaces = json::array(), curves = json::array();
   for (const Region& r : mesh.regions) {
-    regions.push_back({{"id", r.id}, {"name", r.name}, {"tetrahedra", r.n_tetrahedra}, {"volume", r.volume}, {"inside", r.inside}});
+    regions.push_back(
+        {{"id", r.id}, {"name", r.name}, {"tetrahedra", r.n_tetrahedra}, {"volume", r.volume}, {"inside", r.inside}});
     if (r.volume_of_input > 0) regions.back()["volume_of_input"] = r.volume_of_input;
   }
   for (const NamedSurface& s : mesh.surfaces)
     surfaces.push_back({{"id", s.id}, {"name", s.name}, {"kind", to_string(s.kind)}, {"area", s.area}});
   for (const NamedCurve& c : mesh.curves)
     curves.push_back({{"id", c.id}, {"name", c.name}, {"kind", c.kind}, {"length", c.length}});
-  for (const auto& p : mesh.marked_points) curves.push_back({{"id", p.id}, {"name", p.name}, {"kind", "point"}, {"length", 0.0}});
+  for (const auto& p : mesh.marked_points)
+    curves.push_back({{"id", p.id}, {"name", p.name}, {"kind", "point"}, {"length", 0.0}});
   root["points"] = mesh.points.size();
   root["tetrahedra"] = mesh.tetrahedra.size();
   root["faces"] = mesh.faces.size();

@@ -19,8 +19,8 @@ namespace {
 /// Side of a C3D4 by the vertex it is opposite to: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1.
 constexpr int side_opposite[] = {3, 4, 2, 1};
 
-/// CalculiX reads the first 20 characters of a number. 17 digits with sign and point fit; where small or huge magnitudes need an
-/// exponent too, the last digits give way to it.
+/// CalculiX reads the first 20 characters of a number. 17 digits with sign and point fit; where small or huge
+/// magnitudes need an exponent too, the last digits give way to it.
 std::string text_of_20(double value) {
   char buffer[400];
   std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
@@ -28,7 +28,8 @@ std::string text_of_20(double value) {
     text.assign(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, precision).ptr);
     const double read = std::strtod(text.c_str(), nullptr);
     if (text.size() <= 20 && read == value) break;
-    text.assign(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, precision).ptr);
+    text.assign(buffer,
+                std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, precision).ptr);
   }
   return text;
 }
@@ -71,7 +72,8 @@ std::vector<std::array<ElementSide, 2>> element_sides(const ModelMesh& mesh) {
     if (use.is_face) {
       face = &use;
     } else if (face && face->vertices == use.vertices) {
-      sides[face->row][use.even == face->even ? 1 : 0] = {use.row, use.side};  // a tetrahedron's own face normal points inwards
+      sides[face->row][use.even == face->even ? 1 : 0] = {use.row,
+                                                          use.side};  // a tetrahedron's own face normal points inwards
     }
   }
   return sides;
@@ -85,11 +87,13 @@ class InputDeck {
 
   std::string name(const std::string& full_name) { return names_.give(full_name); }
 
-  void add_node_set(const std::string& full_name, const std::vector<VertexIndex>& rows, int dimension, std::int32_t member) {
+  void add_node_set(const std::string& full_name, const std::vector<VertexIndex>& rows, int dimension,
+                    std::int32_t member) {
     if (rows.empty()) return;
     const std::string name = names_.give(full_name);
     text << "*NSET, NSET=" << name << "\n";
-    for (std::size_t i = 0; i < rows.size(); ++i) text << rows[i] + 1 << (i % 8 == 7 || i + 1 == rows.size() ? "\n" : ", ");
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      text << rows[i] + 1 << (i % 8 == 7 || i + 1 == rows.size() ? "\n" : ", ");
     sidecar.push_back({"nset", dimension, 0, name, full_name, {member}});
   }
   void add_surface(const std::string& full_name, const std::vector<ElementSide>& sides, std::int32_t member) {
@@ -113,7 +117,8 @@ void sort_unique(std::vector<VertexIndex>& rows) {
 void add_regions(const ModelMesh& mesh, InputDeck& deck) {
   std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> elements(mesh.regions.size());
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) elements[static_cast<std::size_t>(mesh.tet_region[t] - 1)].push_back(t);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    elements[static_cast<std::size_t>(mesh.tet_region[t] - 1)].push_back(t);
   for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
     const std::string name = deck.name(mesh.regions[r].name);
     names.push_back(name);
@@ -132,9 +137,10 @@ void add_regions(const ModelMesh& mesh, InputDeck& deck) {
   }
 }
 
-/// One surface more for each region whose elements lie at it, where there are several: a box side by unit, a side of a fault by block.
-void add_surface_by_region(const ModelMesh& mesh, const std::string& full_name, const std::vector<ElementSide>& sides, std::int32_t member,
-                           InputDeck& deck) {
+/// One surface more for each region whose elements lie at it, where there are several: a box side by unit, a side of a
+/// fault by block.
+void add_surface_by_region(const ModelMesh& mesh, const std::string& full_name, const std::vector<ElementSide>& sides,
+                           std::int32_t member, InputDeck& deck) {
   std::map<std::int32_t, std::vector<ElementSide>> of_region;
   for (const ElementSide& side : sides) of_region[mesh.tet_region[side.element - 1]].push_back(side);
   if (of_region.size() < 2) return;
@@ -146,7 +152,8 @@ void add_surfaces(const ModelMesh& mesh, InputDeck& deck) {
   const auto sides = element_sides(mesh);
   std::map<std::int32_t, std::vector<std::size_t>> faces_of;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    for (std::int32_t id : mesh.surface_sets[static_cast<std::size_t>(mesh.faces[f].surface_set)]) faces_of[id].push_back(f);
+    for (std::int32_t id : mesh.surface_sets[static_cast<std::size_t>(mesh.faces[f].surface_set)])
+      faces_of[id].push_back(f);
   for (const NamedSurface& surface : mesh.surfaces) {
     std::vector<VertexIndex> nodes;
     std::vector<ElementSide> minus, plus;

@@ -20,7 +20,8 @@ const std::vector<std::string>& known_formats() {
 
 namespace {
 
-/// NAME.vtu and the files beside it; where one cannot be written, those before it are removed: they would be taken for a whole.
+/// NAME.vtu and the files beside it; where one cannot be written, those before it are removed: they would be taken for
+/// a whole.
 void write_vtu_set(const ModelMesh& mesh, const std::vector<std::filesystem::path>& files) {
   std::size_t n_written = 0;
   try {
@@ -36,7 +37,8 @@ void write_vtu_set(const ModelMesh& mesh, const std::vector<std::filesystem::pat
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format, const std::filesystem::path& stem) {
+std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format,
+                                                const std::filesystem::path& stem) {
   const auto with = [&](const char* ending) { return std::filesystem::path(stem.string() + ending); };
   if (format == "vtu") {
     const std::vector<std::filesystem::path> files{with(".vtu"), with(".faces.vtp"), with(".curves.vtp")};

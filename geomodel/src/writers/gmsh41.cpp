@@ -11,7 +11,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// One entity with its physical group of the same number, its elements (rows of `n_vertices` point rows) and the points it owns.
+/// One entity with its physical group of the same number, its elements (rows of `n_vertices` point rows) and the points
+/// it owns.
 struct Entity {
   int dimension;
   std::int32_t tag;
@@ -29,7 +30,8 @@ std::vector<Entity> make_entities(const ModelMesh& mesh, std::vector<SidecarGrou
   const SolverGroups groups = make_groups(mesh);
   SolverNames names;
   std::vector<Entity> entities;
-  const auto add = [&](int dimension, std::int32_t tag, const std::string& full_name, std::vector<std::int32_t> members) -> Entity& {
+  const auto add = [&](int dimension, std::int32_t tag, const std::string& full_name,
+                       std::vector<std::int32_t> members) -> Entity& {
     entities.push_back({dimension, tag, names.give(full_name), {}, {}, {}});
     sidecar.push_back({"physical", dimension, tag, entities.back().name, full_name, std::move(members)});
     return entities.back();
@@ -50,7 +52,8 @@ std::vector<Entity> make_entities(const ModelMesh& mesh, std::vector<SidecarGrou
   for (const FacePiece& piece : groups.faces) {
     Entity& surface = add(2, piece.id, piece.full_name, mesh.surface_sets[static_cast<std::size_t>(piece.surface_set)]);
     for (std::size_t f : piece.faces)
-      surface.connectivity.insert(surface.connectivity.end(), mesh.faces[f].vertices.begin(), mesh.faces[f].vertices.end());
+      surface.connectivity.insert(surface.connectivity.end(), mesh.faces[f].vertices.begin(),
+                                  mesh.faces[f].vertices.end());
   }
   for (const CurvePiece& piece : groups.curves) {
     Entity& curve = add(1, piece.id, piece.full_name, piece.curves);
@@ -60,7 +63,8 @@ std::vector<Entity> make_entities(const ModelMesh& mesh, std::vector<SidecarGrou
     }
   }
   for (const auto& p : mesh.marked_points) add(0, p.id, p.name, {p.id}).connectivity.push_back(p.v);
-  std::stable_sort(entities.begin(), entities.end(), [](const Entity& a, const Entity& b) { return a.dimension < b.dimension; });
+  std::stable_sort(entities.begin(), entities.end(),
+                   [](const Entity& a, const Entity& b) { return a.dimension < b.dimension; });
   return entities;
 }
 
@@ -100,7 +104,8 @@ void append_entities(TextBuffer& out, const ModelMesh& mesh, const std::vector<E
 
 void append_nodes(TextBuffer& out, const ModelMesh& mesh, const std::vector<Entity>& entities) {
   const std::size_t n = mesh.points.size();
-  const auto n_blocks = std::count_if(entities.begin(), entities.end(), [](const Entity& e) { return !e.owned.empty(); });
+  const auto n_blocks =
+      std::count_if(entities.begin(), entities.end(), [](const Entity& e) { return !e.owned.empty(); });
   out << "$Nodes\n" << n_blocks << " " << n << " 1 " << n << "\n";
   for (const Entity& e : entities) {
     if (e.owned.empty()) continue;

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 /// The folder itself, or the nearest one above it that is there: where missing folders would be made.
 fs::path nearest_existing(fs::path folder) {
   std::error_code ec;
-  while (!fs::exists(folder, ec) && folder.has_parent_path() && folder.parent_path() != folder) folder = folder.parent_path();
+  while (!fs::exists(folder, ec) && folder.has_parent_path() && folder.parent_path() != folder)
+    folder = folder.parent_path();
   return fs::exists(folder, ec) ? folder : fs::path(".");
 }
 

@@ -21,7 +21,8 @@ ordered_json entry(std::int32_t id, const std::string& name, const std::vector<S
 
 }  // namespace
 
-void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups, const std::filesystem::path& mesh_file) {
+void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
+                   const std::filesystem::path& mesh_file) {
   ordered_json root;
   root["mesh"] = mesh_file.filename().string();
   root["groups"] = ordered_json::array();
@@ -46,7 +47,8 @@ void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& group
     root["curves"].push_back(std::move(curve));
   }
   for (const auto& p : mesh.marked_points) root["points"].push_back(entry(p.id, p.name, groups));
-  write_text_file(mesh_file.string() + ".json", root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  write_text_file(mesh_file.string() + ".json",
+                  root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace geomesh::geomodel

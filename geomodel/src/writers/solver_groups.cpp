@@ -55,7 +55,9 @@ std::vector<CurvePiece> curve_pieces(const ModelMesh& mesh, std::int32_t& next_i
   std::map<std::pair<VertexIndex, VertexIndex>, std::pair<std::size_t, std::vector<std::int32_t>>> edges;
   for (std::size_t e = 0; e < mesh.curve_edges.size(); ++e) {
     const auto& edge = mesh.curve_edges[e];
-    auto& entry = edges.try_emplace({std::min(edge.a, edge.b), std::max(edge.a, edge.b)}, e, std::vector<std::int32_t>{}).first->second;
+    auto& entry =
+        edges.try_emplace({std::min(edge.a, edge.b), std::max(edge.a, edge.b)}, e, std::vector<std::int32_t>{})
+            .first->second;
     entry.second.push_back(edge.curve);
   }
   std::map<std::vector<std::int32_t>, std::vector<std::size_t>> pieces;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names and groups for solver files: sanitised names, and the pieces by which each face and curve edge is in one group alone.
+/// Names and groups for solver files: sanitised names, and the pieces by which each face and curve edge is in one group
+/// alone.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace geomesh::geomodel {
 
 inline constexpr std::size_t max_solver_name = 24;
 
-/// Hands out names that match [A-Za-z][A-Za-z0-9_.-]*, have at most 24 characters and differ even where case is ignored. A name that
-/// had to be shortened or is taken gets a number at its end.
+/// Hands out names that match [A-Za-z][A-Za-z0-9_.-]*, have at most 24 characters and differ even where case is
+/// ignored. A name that had to be shortened or is taken gets a number at its end.
 class SolverNames {
  public:
   std::string give(const std::string& full_name);

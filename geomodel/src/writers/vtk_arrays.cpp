@@ -44,7 +44,8 @@ void add_surface_names(const ModelMesh& mesh, vtkFieldData& field) {
   const std::size_t n = mesh.surfaces.size();
   field.AddArray(int_array("surface_ids", n, [&](std::size_t i) { return mesh.surfaces[i].id; }));
   field.AddArray(string_array("surface_names", n, [&](std::size_t i) { return mesh.surfaces[i].name; }));
-  field.AddArray(string_array("surface_kinds", n, [&](std::size_t i) { return std::string(to_string(mesh.surfaces[i].kind)); }));
+  field.AddArray(
+      string_array("surface_kinds", n, [&](std::size_t i) { return std::string(to_string(mesh.surfaces[i].kind)); }));
 }
 
 void add_origin(const ModelMesh& mesh, vtkFieldData& field) {

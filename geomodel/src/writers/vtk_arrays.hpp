@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Shared by the VTK XML writers: arrays, names in field data, and settings under which the same mesh gives the same bytes.
+/// Shared by the VTK XML writers: arrays, names in field data, and settings under which the same mesh gives the same
+/// bytes.
 #pragma once
 
 #include <vtkDataSet.h>
@@ -53,9 +54,11 @@ vtkSmartPointer<vtkStringArray> string_array(const char* name, std::size_t n, F&
   return array;
 }
 
-/// Field data `region_ids` / `region_names`, `surface_ids` / `surface_names` / `surface_kinds`, and `origin` where one was subtracted.
+/// Field data `region_ids` / `region_names`, `surface_ids` / `surface_names` / `surface_kinds`, and `origin` where one
+/// was subtracted.
 void add_region_names(const ModelMesh& mesh, vtkFieldData& field);
-/// `group_names`, and group k's regions as `group_region_ids` from `group_offsets[k]` to `[k + 1]`, where there are groups.
+/// `group_names`, and group k's regions as `group_region_ids` from `group_offsets[k]` to `[k + 1]`, where there are
+/// groups.
 void add_groups(const ModelMesh& mesh, vtkFieldData& field);
 void add_surface_names(const ModelMesh& mesh, vtkFieldData& field);
 void add_origin(const ModelMesh& mesh, vtkFieldData& field);

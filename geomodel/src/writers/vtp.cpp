@@ -46,7 +46,8 @@ std::string set_name(const ModelMesh& mesh, const std::vector<std::int32_t>& set
   return name;
 }
 
-/// Field data: `surface_set_names` by row, and the sets themselves as `surface_set_offsets` (one more than sets) into `surface_set_ids`.
+/// Field data: `surface_set_names` by row, and the sets themselves as `surface_set_offsets` (one more than sets) into
+/// `surface_set_ids`.
 void add_surface_sets(const ModelMesh& mesh, vtkFieldData& field) {
   std::vector<std::size_t> offsets{0};
   std::vector<std::int32_t> ids;
@@ -75,7 +76,8 @@ void write_faces_vtp(const ModelMesh& mesh, const std::filesystem::path& file) {
   }
   data->SetPolys(polys);
   const auto add = [&](const char* name, std::int32_t ModelMesh::Face::*member) {
-    data->GetCellData()->AddArray(int_array(name, mesh.faces.size(), [&](std::size_t i) { return mesh.faces[i].*member; }));
+    data->GetCellData()->AddArray(
+        int_array(name, mesh.faces.size(), [&](std::size_t i) { return mesh.faces[i].*member; }));
   };
   add("surface", &ModelMesh::Face::surface);
   add("surface_set", &ModelMesh::Face::surface_set);
@@ -100,7 +102,8 @@ void write_curves_vtp(const ModelMesh& mesh, const std::filesystem::path& file) 
     points.use(e.b);
   }
   points.write(mesh, *data);
-  vtkSmartPointer<vtkCellArray> verts = vtkSmartPointer<vtkCellArray>::New(), lines = vtkSmartPointer<vtkCellArray>::New();
+  vtkSmartPointer<vtkCellArray> verts = vtkSmartPointer<vtkCellArray>::New(),
+                                lines = vtkSmartPointer<vtkCellArray>::New();
   for (const auto& p : mesh.marked_points) {
     const vtkIdType v = points[p.v];
     verts->InsertNextCell(1, &v);
@@ -118,10 +121,15 @@ void write_curves_vtp(const ModelMesh& mesh, const std::filesystem::path& file) 
   vtkFieldData& field = *data->GetFieldData();
   const std::size_t n = mesh.curves.size() + n_points;
   const auto is_curve = [&](std::size_t i) { return i < mesh.curves.size(); };
-  const auto point = [&](std::size_t i) -> const ModelMesh::MarkedPoint& { return mesh.marked_points[i - mesh.curves.size()]; };
-  field.AddArray(int_array("curve_ids", n, [&](std::size_t i) { return is_curve(i) ? mesh.curves[i].id : point(i).id; }));
-  field.AddArray(string_array("curve_names", n, [&](std::size_t i) { return is_curve(i) ? mesh.curves[i].name : point(i).name; }));
-  field.AddArray(string_array("curve_kinds", n, [&](std::size_t i) { return is_curve(i) ? mesh.curves[i].kind : "point"; }));
+  const auto point = [&](std::size_t i) -> const ModelMesh::MarkedPoint& {
+    return mesh.marked_points[i - mesh.curves.size()];
+  };
+  field.AddArray(
+      int_array("curve_ids", n, [&](std::size_t i) { return is_curve(i) ? mesh.curves[i].id : point(i).id; }));
+  field.AddArray(
+      string_array("curve_names", n, [&](std::size_t i) { return is_curve(i) ? mesh.curves[i].name : point(i).name; }));
+  field.AddArray(
+      string_array("curve_kinds", n, [&](std::size_t i) { return is_curve(i) ? mesh.curves[i].kind : "point"; }));
   add_origin(mesh, field);
   vtkSmartPointer<vtkXMLPolyDataWriter> writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
   write_vtk_xml(*writer, *data, file);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geomesh/geomodel/writers.hpp"
-
 #include <fstream>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/writers.hpp"
 
 namespace geomesh::geomodel {
 
@@ -12,7 +11,8 @@ void write_text_file(const std::filesystem::path& file, std::string_view content
     std::ofstream out(temporary, std::ios::binary);
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
     out.close();
-    if (!out) throw Error(ErrorKind::usage, "cannot write " + file.string() + ": is the folder there, writable and not full?");
+    if (!out)
+      throw Error(ErrorKind::usage, "cannot write " + file.string() + ": is the folder there, writable and not full?");
   });
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A program of somebody else's that meshes a unit cube with the installed core.
-#include <geomesh/core/tetrahedralize.hpp>
-
 #include <cmath>
 #include <cstdio>
+#include <geomesh/core/tetrahedralize.hpp>
 
 int main() {
   geomesh::PiecewiseLinearComplex plc;
   for (int i = 0; i < 8; ++i) plc.points.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
-  const std::vector<geomesh::VertexIndex> sides[6] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const std::vector<geomesh::VertexIndex> sides[6] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (const auto& side : sides) plc.add_polygon({&side, 1});
 
   const geomesh::ConstrainedTetrahedralization mesh = geomesh::tetrahedralize(plc);

@@ -15,33 +15,34 @@ namespace geomesh {
 
 /// What went wrong, by who can mend it; each kind has one exit status of the command line.
 enum class ErrorKind {
-  usage = 2,           ///< command line or project file (a missing file, an unknown key, an option not offered)
-  invalid_input = 3,   ///< the data given are broken (NaN, crossing facets where crossings are refused, ...)
-  cannot_mesh = 4,     ///< valid or repaired input that cannot be meshed as asked (nothing enclosed, too thin, ...)
-  interrupted = 130,   ///< the cancel token was set
+  usage = 2,          ///< command line or project file (a missing file, an unknown key, an option not offered)
+  invalid_input = 3,  ///< the data given are broken (NaN, crossing facets where crossings are refused, ...)
+  cannot_mesh = 4,    ///< valid or repaired input that cannot be meshed as asked (nothing enclosed, too thin, ...)
+  interrupted = 130,  ///< the cancel token was set
 };
 
 /// A part of an unfinished mesh and the constraints there, so that the place where meshing ended can be looked at.
 struct MeshExcerpt {
   std::vector<Vec3> points;
-  std::vector<Tetrahedron> tetrahedra;               ///< all exactly positive
-  std::vector<Triangle> triangles;                   ///< facets and parts of facets that the mesh is to have
-  std::vector<Index> facet;                          ///< per triangle: facet of the PLC
-  std::vector<std::array<VertexIndex, 2>> segments;  ///< segments, parts of them and edges of facets that the mesh is to have
-  std::vector<VertexIndex> culprits;                 ///< vertices of the items in trouble
+  std::vector<Tetrahedron> tetrahedra;  ///< all exactly positive
+  std::vector<Triangle> triangles;      ///< facets and parts of facets that the mesh is to have
+  std::vector<Index> facet;             ///< per triangle: facet of the PLC
+  std::vector<std::array<VertexIndex, 2>>
+      segments;                       ///< segments, parts of them and edges of facets that the mesh is to have
+  std::vector<VertexIndex> culprits;  ///< vertices of the items in trouble
 };
 
 /// Places and items an error speaks of, for messages and for dumps. All lists may be empty.
 struct ErrorContext {
-  std::vector<Index> facets;         ///< facets of the PLC / soup, or triangles of a surface
-  std::vector<Index> segments;       ///< segments of the PLC
-  std::vector<VertexIndex> vertices; ///< vertices of the PLC
-  std::vector<Vec3> places;          ///< coordinates of the trouble, the most telling first
+  std::vector<Index> facets;                        ///< facets of the PLC / soup, or triangles of a surface
+  std::vector<Index> segments;                      ///< segments of the PLC
+  std::vector<VertexIndex> vertices;                ///< vertices of the PLC
+  std::vector<Vec3> places;                         ///< coordinates of the trouble, the most telling first
   std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< what the mesh looks like there; null where there was none yet
 };
 
-/// The one exception type of geomesh. `what()` is a sentence that a user of the program understands: what is wrong, where, what
-/// to do about it.
+/// The one exception type of geomesh. `what()` is a sentence that a user of the program understands: what is wrong,
+/// where, what to do about it.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message, ErrorContext context = {})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Point location by an exact walk through adjacency (Cavalcanti and Mello 1999, section 2.2; Devillers, Pion and Teillaud 2002, "Walking
-/// in a triangulation": the remembering stochastic walk).
+/// Point location by an exact walk through adjacency (Cavalcanti and Mello 1999, section 2.2; Devillers, Pion and
+/// Teillaud 2002, "Walking in a triangulation": the remembering stochastic walk).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,8 @@ struct Location {
   unsigned i = 0, j = 0;
 };
 
-/// A cheap seeded generator: the walk tries faces in random order, so that it cannot cycle for ever in meshes that are not Delaunay.
+/// A cheap seeded generator: the walk tries faces in random order, so that it cannot cycle for ever in meshes that are
+/// not Delaunay.
 class WalkRandom {
  public:
   explicit WalkRandom(std::uint64_t seed = 1) : state_(seed | 1) {}
@@ -38,8 +39,9 @@ class WalkRandom {
   std::uint64_t state_;
 };
 
-/// Walks from `hint` (a live cell, finite or ghost) to p. The mesh must fill its convex hull with exactly positive cells.
-/// Expected O(n^(1/3)) steps from a random hint, O(1) from a near one; `steps`, where given, is increased by the cells visited.
+/// Walks from `hint` (a live cell, finite or ghost) to p. The mesh must fill its convex hull with exactly positive
+/// cells. Expected O(n^(1/3)) steps from a random hint, O(1) from a near one; `steps`, where given, is increased by the
+/// cells visited.
 Location locate(const TetMesh& mesh, std::span<const Vec3> points, const Vec3& p, CellIndex hint, WalkRandom& random,
                 std::size_t* steps = nullptr);
 

@@ -14,16 +14,18 @@
 
 namespace geomesh {
 
-/// Points, polygonal facets with holes, inner segments and inner points of facets, isolated segments and points, region seeds and
-/// hole seeds.
+/// Points, polygonal facets with holes, inner segments and inner points of facets, isolated segments and points, region
+/// seeds and hole seeds.
 ///
-/// Invariants (validate_plc lists every fault): indices in range; coordinates finite and distinct; each loop has at least three
-/// different vertices and no repeated neighbour; facets and segments meet only in shared vertices and edges.
+/// Invariants (validate_plc lists every fault): indices in range; coordinates finite and distinct; each loop has at
+/// least three different vertices and no repeated neighbour; facets and segments meet only in shared vertices and
+/// edges.
 struct PiecewiseLinearComplex {
   std::vector<Vec3> points;
 
-  /// Facet f has the loops loop_offsets[facet_loops[f]] .. facet_loops[f+1]; the first is its outer boundary, the others are holes.
-  /// Loop l has the vertices loop_vertices[loop_offsets[l]] .. loop_offsets[l+1]. A triangle soup is the case of one loop of three.
+  /// Facet f has the loops loop_offsets[facet_loops[f]] .. facet_loops[f+1]; the first is its outer boundary, the
+  /// others are holes. Loop l has the vertices loop_vertices[loop_offsets[l]] .. loop_offsets[l+1]. A triangle soup is
+  /// the case of one loop of three.
   std::vector<VertexIndex> loop_vertices;
   std::vector<Index> loop_offsets{0};
   std::vector<Index> facet_loops{0};
@@ -46,8 +48,8 @@ struct PiecewiseLinearComplex {
     VertexIndex a, b;
     Index curve = no_index;  ///< caller's id
   };
-  /// Segments named by the caller: isolated ones (wells) and those on facet borders that are to be returned as curves. Facet borders
-  /// are segments whether listed here or not.
+  /// Segments named by the caller: isolated ones (wells) and those on facet borders that are to be returned as curves.
+  /// Facet borders are segments whether listed here or not.
   std::vector<Segment> segments;
   std::vector<VertexIndex> isolated_points;
 
@@ -93,8 +95,8 @@ struct PlcFault {
   ErrorContext context;
 };
 
-/// Lists every structural fault (indices, coordinates, equal points, degenerate or repeated facets, segments of no length). Whether facets
-/// cross is not searched for here: recovery cannot miss it, and tells. O(n log n).
+/// Lists every structural fault (indices, coordinates, equal points, degenerate or repeated facets, segments of no
+/// length). Whether facets cross is not searched for here: recovery cannot miss it, and tells. O(n log n).
 std::vector<PlcFault> validate_plc(const PiecewiseLinearComplex& plc);
 
 }  // namespace geomesh

@@ -11,14 +11,15 @@
 namespace geomesh {
 
 namespace detail {
-/// Resizes a block to `bytes` keeping its first `used` bytes; the block starts at a cache line. Large blocks grow in place where
-/// the system can remap pages, and ask for huge pages. `raw` is the handle to keep, the aligned start is returned. bytes == 0
-/// releases. Throws std::bad_alloc.
+/// Resizes a block to `bytes` keeping its first `used` bytes; the block starts at a cache line. Large blocks grow in
+/// place where the system can remap pages, and ask for huge pages. `raw` is the handle to keep, the aligned start is
+/// returned. bytes == 0 releases. Throws std::bad_alloc.
 void* resize_block(void*& raw, void* data, std::size_t used, std::size_t bytes);
 }  // namespace detail
 
-/// Differs from std::vector in three ways that the memory bound of the Delaunay stage needs: items are not initialised, so that
-/// capacity never touched costs no memory; growing a large array does not hold two copies; items start at a cache line.
+/// Differs from std::vector in three ways that the memory bound of the Delaunay stage needs: items are not initialised,
+/// so that capacity never touched costs no memory; growing a large array does not hold two copies; items start at a
+/// cache line.
 template <class T>
 class PodArray {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a stage talks to its caller: log sink, progress callback, stage observer, cancel token. The core prints nothing itself.
+/// How a stage talks to its caller: log sink, progress callback, stage observer, cancel token. The core prints nothing
+/// itself.
 #pragma once
 
 #include <atomic>
@@ -21,7 +22,8 @@ struct RunContext {
   std::function<void(LogLevel, std::string_view)> log;
   /// (done, total) of the running stage in items of that stage; total 0 where it is not known.
   std::function<void(std::size_t done, std::size_t total)> progress;
-  /// A stage begins (true) or ends (false). Names: read build intersect delaunay recover classify refine improve verify write.
+  /// A stage begins (true) or ends (false). Names: read build intersect delaunay recover classify refine improve verify
+  /// write.
   std::function<void(std::string_view stage, bool begins)> stage;
   const std::atomic<bool>* cancel = nullptr;
   unsigned threads = 0;  ///< 0: all cores

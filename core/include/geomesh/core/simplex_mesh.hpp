@@ -2,9 +2,9 @@
 /// @file
 /// The simplicial complex that every stage of the engine works on: cells with ghosts, in 2 or 3 dimensions.
 ///
-/// Orientation, drawn once. A cell's vertices v0..vD are positively oriented (orient3d > 0, orient2d > 0). Face i is opposite
-/// vertex i. In 3D face i lists its vertices in the order `face_vertices[i]`, counter-clockwise seen from vertex i, so that
-/// (f0, f1, f2, vi) is positive:
+/// Orientation, drawn once. A cell's vertices v0..vD are positively oriented (orient3d > 0, orient2d > 0). Face i is
+/// opposite vertex i. In 3D face i lists its vertices in the order `face_vertices[i]`, counter-clockwise seen from
+/// vertex i, so that (f0, f1, f2, vi) is positive:
 ///
 ///            v3                 face 0: 1 3 2
 ///           /|\                 face 1: 0 2 3
@@ -14,11 +14,12 @@
 ///           \|/
 ///            v1
 ///
-/// Ghost cells: each hull face carries one cell whose vertex is `infinite_vertex` (in any position); its orientation is that
-/// which it would have with a point outside the hull beyond that face in that position. So every cell has D+1 neighbours and the
-/// complex is a topological sphere.
+/// Ghost cells: each hull face carries one cell whose vertex is `infinite_vertex` (in any position); its orientation is
+/// that which it would have with a point outside the hull beyond that face in that position. So every cell has D+1
+/// neighbours and the complex is a topological sphere.
 ///
-/// A neighbour is a `FaceRef`: 4 * cell + index of the shared face in that cell (in 2D too), so that the mirror face is at hand.
+/// A neighbour is a `FaceRef`: 4 * cell + index of the shared face in that cell (in 2D too), so that the mirror face is
+/// at hand.
 ///
 /// Invariants (validate_topology checks each):
 ///   1. neighbour links are mutual: mirror(mirror(f)) == f, and both cells list the same vertices on the shared face;
@@ -58,12 +59,14 @@ struct FaceRef {
 /// face_vertices[i]: local indices of face i, counter-clockwise seen from vertex i (3D).
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> face_vertices{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 /// The six edges of a tetrahedron as pairs of local vertices.
-inline constexpr std::array<std::array<std::uint8_t, 2>, 6> edge_vertices{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+inline constexpr std::array<std::array<std::uint8_t, 2>, 6> edge_vertices{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// D+1 vertices and D+1 neighbours a cell, recycled slots, one byte of flags. No coordinates: those live with the caller.
+/// D+1 vertices and D+1 neighbours a cell, recycled slots, one byte of flags. No coordinates: those live with the
+/// caller.
 ///
-/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity read both;
-/// flags are an array of their own.
+/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity
+/// read both; flags are an array of their own.
 template <int Dim>
 class SimplexMesh {
   static_assert(Dim == 2 || Dim == 3);
@@ -154,8 +157,8 @@ class SimplexMesh {
   const Cell* cells() const { return cells_.data(); }
   std::uint8_t* cell_flags() { return flags_.data(); }
   std::size_t capacity() const { return cells_.capacity(); }
-  /// Makes slots up to n; the new ones are neither initialised nor on the free list, so fill them or let `compact` drop them
-  /// after marking them with `vertices[0] = no_vertex`.
+  /// Makes slots up to n; the new ones are neither initialised nor on the free list, so fill them or let `compact` drop
+  /// them after marking them with `vertices[0] = no_vertex`.
   void grow_to(std::size_t n) {
     GEOMESH_CHECK(n <= no_cell);
     cells_.grow_to(n);

@@ -2,10 +2,10 @@
 /// @file
 /// The size that elements are asked to have, as a function of place.
 ///
-/// The field is h(x) = clamp(min(global, caps, callback(x), min_i(s_i + g_i max(0, |x - p_i| - r_i)))): point sources with size s_i
-/// that holds within a radius r_i and grows with the gradation g_i beyond. So it is Lipschitz with the greatest of these where caps and
-/// callback are. Evaluated exactly (no background mesh, no interpolation) by branch and bound over a kd-tree of the sources:
-/// near-logarithmic.
+/// The field is h(x) = clamp(min(global, caps, callback(x), min_i(s_i + g_i max(0, |x - p_i| - r_i)))): point sources
+/// with size s_i that holds within a radius r_i and grows with the gradation g_i beyond. So it is Lipschitz with the
+/// greatest of these where caps and callback are. Evaluated exactly (no background mesh, no interpolation) by branch
+/// and bound over a kd-tree of the sources: near-logarithmic.
 #pragma once
 
 #include <functional>
@@ -42,8 +42,10 @@ class SizeField {
 
   /// Size asked at a place of a component (no_index: of none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// The same, sooner, where the size at a place q nearby is known, and sooner again where no size beyond `at_most` matters: those come out as at least that.
-  double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q, double at_most = std::numeric_limits<double>::infinity()) const;
+  /// The same, sooner, where the size at a place q nearby is known, and sooner again where no size beyond `at_most`
+  /// matters: those come out as at least that.
+  double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
+                   double at_most = std::numeric_limits<double>::infinity()) const;
   /// By which sizes differ at most, a unit of distance; infinity where they may jump.
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The core's one entry for users: from a piecewise linear complex to a classified tetrahedral mesh. The driver reads as the paper's
-/// stages: Delaunay triangulation (section 2), segments (3.1), facets (3.2), what is still missing (3.3), classification (4).
+/// The core's one entry for users: from a piecewise linear complex to a classified tetrahedral mesh. The driver reads
+/// as the paper's stages: Delaunay triangulation (section 2), segments (3.1), facets (3.2), what is still missing
+/// (3.3), classification (4).
 #pragma once
 
 #include <cstddef>
@@ -23,8 +24,10 @@ enum class MeshMode {
 struct RecoverOptions {
   MeshMode mode = MeshMode::constrained;
   bool preserve_boundary = false;  ///< no new point on any facet or segment of the PLC, only inside regions
-  unsigned max_attempts = 64;  ///< constrained: where rounding of added points has led into a dead end, recovery is begun again; at least 1
-  std::size_t max_steiner_per_facet = 200;  ///< conforming: a facet with small angles (or a segment's facets) is given up, and listed, beyond this
+  unsigned max_attempts =
+      64;  ///< constrained: where rounding of added points has led into a dead end, recovery is begun again; at least 1
+  std::size_t max_steiner_per_facet =
+      200;  ///< conforming: a facet with small angles (or a segment's facets) is given up, and listed, beyond this
 };
 
 struct TetrahedralizeOptions {
@@ -53,9 +56,9 @@ struct ConstrainedTetrahedralization {
   std::vector<VertexIndex> input_vertex;  ///< per point: row in plc.points, or no_vertex where added
   std::vector<VertexOrigin> origin;
   std::vector<Tetrahedron> tetrahedra;
-  /// Per tetrahedron: component, numbered from 0 in the order of the first facet (by index) that touches it, lower side first. A
-  /// component is a maximal set of tetrahedra joined through unconstrained faces. Components outside (joined with infinity) and those
-  /// with a hole seed are dropped.
+  /// Per tetrahedron: component, numbered from 0 in the order of the first facet (by index) that touches it, lower side
+  /// first. A component is a maximal set of tetrahedra joined through unconstrained faces. Components outside (joined
+  /// with infinity) and those with a hole seed are dropped.
   std::vector<Index> component;
   std::size_t n_components = 0;
   std::vector<Index> component_seed;  ///< per component: id of the region seed inside, or no_index
@@ -71,7 +74,7 @@ struct ConstrainedTetrahedralization {
     VertexIndex a, b;
     Index segment;  ///< row in plc.segments
   };
-  std::vector<Edge> edges;  ///< every mesh edge that is part of a segment listed in plc.segments
+  std::vector<Edge> edges;                   ///< every mesh edge that is part of a segment listed in plc.segments
   std::vector<VertexIndex> isolated_points;  ///< rows here of plc.isolated_points that are in the mesh
 
   bool delaunay = false;  ///< all faces but those of facets_not_recovered are Delaunay (conforming mode)
@@ -79,9 +82,10 @@ struct ConstrainedTetrahedralization {
   DelaunayStatistics delaunay_statistics;
 };
 
-/// Throws Error{invalid_input} where the PLC is not valid (crossing facets, vertex on a facet's inside: names both), Error{cannot_mesh}
-/// where a facet or segment cannot be recovered or nothing is enclosed. Never returns a wrong mesh: the result has been validated.
-ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options = {},
-                                             const RunContext& context = {});
+/// Throws Error{invalid_input} where the PLC is not valid (crossing facets, vertex on a facet's inside: names both),
+/// Error{cannot_mesh} where a facet or segment cannot be recovered or nothing is enclosed. Never returns a wrong mesh:
+/// the result has been validated.
+ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc,
+                                             const TetrahedralizeOptions& options = {}, const RunContext& context = {});
 
 }  // namespace geomesh

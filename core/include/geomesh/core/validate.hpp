@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Validators of the simplicial complex: each checks one list of invariants and collects all faults (at most `limit`), never stopping
-/// at the first.
+/// Validators of the simplicial complex: each checks one list of invariants and collects all faults (at most `limit`),
+/// never stopping at the first.
 #pragma once
 
 #include <cstddef>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Exact intersection of all surfaces with each other, with the box and with wells, into a polygon soup in doubles whose facets meet
-/// only in shared vertices and edges. CGAL stays behind this header.
+/// Exact intersection of all surfaces with each other, with the box and with wells, into a polygon soup in doubles
+/// whose facets meet only in shared vertices and edges. CGAL stays behind this header.
 ///
-/// Pipeline: pairs (broad phase) -> exact constructions (narrow phase) -> constrained triangulation inside each triangle ->
-/// identification of vertices -> clipping (box, bodies with cuts_all) -> rounding with an exact check, repeated where needed.
+/// Pipeline: pairs (broad phase) -> exact constructions (narrow phase) -> constrained triangulation inside each
+/// triangle -> identification of vertices -> clipping (box, bodies with cuts_all) -> rounding with an exact check,
+/// repeated where needed.
 #pragma once
 
 #include <array>
@@ -23,12 +24,14 @@ enum class SoupVertexKind : std::uint8_t { input, intersection, triple_point };
 
 /// Triangles that meet only in shared vertices and edges, each with all its origins.
 ///
-/// Invariants (validate_soup, which shares no code with the arrangement, lists every fault): indices in range; points distinct; no
-/// degenerate facet; no two facets equal as sets; facets, segments and isolated points meet only in shared vertices and edges.
+/// Invariants (validate_soup, which shares no code with the arrangement, lists every fault): indices in range; points
+/// distinct; no degenerate facet; no two facets equal as sets; facets, segments and isolated points meet only in shared
+/// vertices and edges.
 struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<SoupVertexKind> kind;
-  std::vector<Index> input_point;  ///< per point: row in the concatenated points of the input surfaces (first of equal ones), else no_index
+  std::vector<Index> input_point;  ///< per point: row in the concatenated points of the input surfaces (first of equal
+                                   ///< ones), else no_index
 
   std::vector<Triangle> facets;
   /// One origin of a facet. `reversed`: the facet's orientation is opposite to that triangle's.
@@ -37,7 +40,8 @@ struct PolygonSoup {
     bool reversed;
     friend bool operator==(const Origin&, const Origin&) = default;
   };
-  /// Facet f has origins[origin_offsets[f]] .. [f+1], ordered by (surface, triangle); the first one's orientation is the facet's.
+  /// Facet f has origins[origin_offsets[f]] .. [f+1], ordered by (surface, triangle); the first one's orientation is
+  /// the facet's.
   std::vector<Origin> origins;
   std::vector<Index> origin_offsets{0};
 
@@ -56,32 +60,36 @@ struct PolygonSoup {
 
 /// Where something of note was seen, for messages, for the report and for the VTP of offending spots.
 struct Spot {
-  std::string what;           ///< "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "merged", "vanished", "clipped", ...
+  std::string what;  ///< "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "merged",
+                     ///< "vanished", "clipped", ...
   Index surface_a = no_index, surface_b = no_index;
-  std::size_t count = 0;      ///< pairs of triangles, edges ...
-  double measure = 0;         ///< area (m2) or length (m) where that makes sense
+  std::size_t count = 0;  ///< pairs of triangles, edges ...
+  double measure = 0;     ///< area (m2) or length (m) where that makes sense
   Vec3 place;
-  double area = 0;            ///< crossings that should not be: area of the lesser of the two surfaces' parts beyond the other; 0 where nothing is parted
-  std::size_t n_pieces = 1;   ///< free borders: connected pieces
+  double area = 0;  ///< crossings that should not be: area of the lesser of the two surfaces' parts beyond the other; 0
+                    ///< where nothing is parted
+  std::size_t n_pieces = 1;  ///< free borders: connected pieces
 };
-/// The spot in a geologist's words: "horizon top crosses horizon base over 0.8 km2 along 3.1 km near (x, y, z)". `surfaces`: those given, then
-/// the box's sides.
+/// The spot in a geologist's words: "horizon top crosses horizon base over 0.8 km2 along 3.1 km near (x, y, z)".
+/// `surfaces`: those given, then the box's sides.
 std::string describe(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces);
 /// What crosses what, what has gaps and what dangles, a line each.
 std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces);
 
 struct ArrangementOptions {
-  std::optional<Box3> box;  ///< clip to it; its sides are then surfaces n .. n+5 in the order xmin xmax ymin ymax zmin zmax
-  /// Clip to a closed volume of another shape: its sides, together closed, oriented outwards and free of crossings, are then surfaces n, n+1
+  std::optional<Box3>
+      box;  ///< clip to it; its sides are then surfaces n .. n+5 in the order xmin xmax ymin ymax zmin zmax
+  /// Clip to a closed volume of another shape: its sides, together closed, oriented outwards and free of crossings, are
+  /// then surfaces n, n+1
   /// ... in this order. Not together with a box.
   std::vector<TriangulatedSurface> volume;
   enum class Crossings { resolve, refuse } crossings = Crossings::resolve;
   unsigned max_rounding_rounds = 8;
-  /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of crossings all the
-  /// same. At least 1024 ulps of the largest coordinate where it is not 0.
+  /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of
+  /// crossings all the same. At least 1024 ulps of the largest coordinate where it is not 0.
   double tolerance = 0;
-  /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is needed it ends with
-  /// Error{cannot_mesh} and the place.
+  /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
+  /// needed it ends with Error{cannot_mesh} and the place.
   std::size_t max_memory = 0;
 };
 
@@ -100,7 +108,8 @@ struct ArrangementResult {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;
   } merging;
-  /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length left.
+  /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length
+  /// left.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
   std::vector<double> area_clipped_by_rules;  ///< filled by trim_soup's caller; empty where no rule acts on the soup
   std::vector<Spot> spots;
@@ -112,11 +121,12 @@ struct ArrangementResult {
 /// Throws Error{invalid_input} where crossings are refused (names the pairs and places) or coordinates are not finite;
 /// Error{cannot_mesh} where no valid rounding is found (with the place).
 ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
-                          const std::vector<NamedPoint>& points, const ArrangementOptions& options, const RunContext& context = {});
+                          const std::vector<NamedPoint>& points, const ArrangementOptions& options,
+                          const RunContext& context = {});
 
-/// Winding number of point p with respect to one input surface taken as a closed oriented surface, decided exactly (p in doubles, not
-/// on the surface). Zero outside. Used for `inside` and for bodies that cross themselves.
-/// Complexity: linear in the surface; callers ask once a region.
+/// Winding number of point p with respect to one input surface taken as a closed oriented surface, decided exactly (p
+/// in doubles, not on the surface). Zero outside. Used for `inside` and for bodies that cross themselves. Complexity:
+/// linear in the surface; callers ask once a region.
 int winding_number(const TriangulatedSurface& surface, const Vec3& p);
 
 struct SoupFault {

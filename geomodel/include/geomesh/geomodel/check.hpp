@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh check`: exact verification of any tool's mesh. Shares only file reading and the exact number type with what it
-/// judges: no code of the engine, the arrangement, the naming or the writers is used here.
+/// `geomesh check`: exact verification of any tool's mesh. Shares only file reading and the exact number type with what
+/// it judges: no code of the engine, the arrangement, the naming or the writers is used here.
 ///
-/// What decides is a sign computed exactly from the doubles in the file (a floating-point filter first). The one tolerance is
-/// that of coverage, since added points lie on their facet up to rounding only: see CheckRequest::tolerance. docs/checking.md
-/// lists every check with the name of its fault.
+/// What decides is a sign computed exactly from the doubles in the file (a floating-point filter first). The one
+/// tolerance is that of coverage, since added points lie on their facet up to rounding only: see
+/// CheckRequest::tolerance. docs/checking.md lists every check with the name of its fault.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@
 namespace geomesh::geomodel {
 
 struct CheckRequest {
-  std::filesystem::path mesh;     ///< .vtu, .vtk, .msh (2.2 and 4.1 ASCII) or .inp; NAME.faces.vtp beside it is judged too
-  std::filesystem::path project;  ///< empty: none
+  std::filesystem::path mesh;  ///< .vtu, .vtk, .msh (2.2 and 4.1 ASCII) or .inp; NAME.faces.vtp beside it is judged too
+  std::filesystem::path project;                ///< empty: none
   std::vector<std::filesystem::path> surfaces;  ///< each triangle must be covered by mesh faces
   bool delaunay = false;
-  /// How far a mesh face may be off the input triangle that it stands for, in the mesh's unit. Negative: 8 ulps of the largest
-  /// coordinate, or what NAME.report.json beside the mesh says that rounding moved, where that is more.
+  /// How far a mesh face may be off the input triangle that it stands for, in the mesh's unit. Negative: 8 ulps of the
+  /// largest coordinate, or what NAME.report.json beside the mesh says that rounding moved, where that is more.
   double tolerance = -1;
   /// How far surfaces may be off the input, both ways, beyond that: they were remeshed. Negative: what the project says
   /// (`honour: tolerance`), else 0. Where it is not 0, distances, topology and volumes are judged in place of coverage.
@@ -52,9 +52,9 @@ struct CheckResult {
   std::vector<CheckFault> faults;        ///< empty: the mesh passes
 };
 
-/// Collects every fault; never stops at the first. Throws Error{usage} where a file cannot be opened, Error{invalid_input} where
-/// one cannot be understood (a cell that names a point which is not there, a truncated file ...). Near-linear in the cells, plus
-/// the triangles of the surfaces.
+/// Collects every fault; never stops at the first. Throws Error{usage} where a file cannot be opened,
+/// Error{invalid_input} where one cannot be understood (a cell that names a point which is not there, a truncated file
+/// ...). Near-linear in the cells, plus the triangles of the surfaces.
 CheckResult check_mesh(const CheckRequest& request);
 
 /// For a person: counts, what was checked, each fault on a line of its own, and the verdict.

@@ -22,14 +22,14 @@ struct SurfaceInfo {
   double area = 0;
   std::size_t n_border_edges = 0, n_borders = 0;  ///< edges of one triangle, and the closed chains that they make
   double border_length = 0;
-  std::size_t n_non_manifold_edges = 0;  ///< edges of more than two triangles
-  std::size_t n_misoriented_edges = 0;   ///< edges whose two triangles run along them in the same direction
-  std::size_t n_degenerate = 0;          ///< triangles of exactly zero area
-  std::size_t n_repeated = 0;            ///< triangles on the same three vertices as an earlier one
-  std::size_t n_holes = 0;               ///< borders beyond the longest one of each piece
-  bool closed = false;                   ///< no border: every edge has an even number of triangles
-  double volume = 0;                     ///< enclosed, where closed and oriented alike
-  Vec3 border_place, non_manifold_place; ///< an example of each
+  std::size_t n_non_manifold_edges = 0;   ///< edges of more than two triangles
+  std::size_t n_misoriented_edges = 0;    ///< edges whose two triangles run along them in the same direction
+  std::size_t n_degenerate = 0;           ///< triangles of exactly zero area
+  std::size_t n_repeated = 0;             ///< triangles on the same three vertices as an earlier one
+  std::size_t n_holes = 0;                ///< borders beyond the longest one of each piece
+  bool closed = false;                    ///< no border: every edge has an even number of triangles
+  double volume = 0;                      ///< enclosed, where closed and oriented alike
+  Vec3 border_place, non_manifold_place;  ///< an example of each
 };
 SurfaceInfo measure_surface(const TriangulatedSurface& surface);
 
@@ -76,8 +76,8 @@ struct FileInfo {
   std::vector<std::string> notes, warnings;
 };
 
-/// A project's surfaces, read, built and intersected: what crosses what, over which area and where, what dangles, what has gaps.
-/// Errors as read_project, the readers and arrange.
+/// A project's surfaces, read, built and intersected: what crosses what, over which area and where, what dangles, what
+/// has gaps. Errors as read_project, the readers and arrange.
 FileInfo describe_project(const std::filesystem::path& path);
 /// Project files go to describe_project. Errors as the readers'. Near-linear.
 FileInfo describe_file(const std::filesystem::path& path);

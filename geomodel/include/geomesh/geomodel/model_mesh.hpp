@@ -18,8 +18,8 @@ struct Region {
   std::string name;
   std::vector<std::string> inside;  ///< bodies it lies in
   std::size_t n_tetrahedra = 0;
-  double volume = 0;  ///< m3, summed without cancellation
-  std::string unit{};  ///< the name before suffixes: a unit of the column, a body ...
+  double volume = 0;           ///< m3, summed without cancellation
+  std::string unit{};          ///< the name before suffixes: a unit of the column, a body ...
   double volume_of_input = 0;  ///< before surfaces were moved within a tolerance; 0: they were not
 };
 
@@ -57,23 +57,23 @@ struct NamedCurve {
 
 /// Named mesh, plain data.
 ///
-/// Invariants (validate_model_mesh): every tetrahedron positive and of a named region; no unused point; no two equal points; a face once;
-/// region_minus / region_plus agree with the tetrahedra at the face; ids disjoint.
+/// Invariants (validate_model_mesh): every tetrahedron positive and of a named region; no unused point; no two equal
+/// points; a face once; region_minus / region_plus agree with the tetrahedra at the face; ids disjoint.
 struct ModelMesh {
   std::string name;
-  std::vector<Vec3> points;                 ///< in the written frame
-  std::vector<std::uint8_t> point_kind;     ///< 0 input, 1 intersection, 2 on a segment, 3 on a facet, 4 inside
-  std::vector<std::int32_t> input_vertex;   ///< row in the concatenated vertices of the surfaces as read; -1 where added
+  std::vector<Vec3> points;                ///< in the written frame
+  std::vector<std::uint8_t> point_kind;    ///< 0 input, 1 intersection, 2 on a segment, 3 on a facet, 4 inside
+  std::vector<std::int32_t> input_vertex;  ///< row in the concatenated vertices of the surfaces as read; -1 where added
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<std::int32_t> tet_region;     ///< region id
+  std::vector<std::int32_t> tet_region;  ///< region id
 
   struct Face {
-    Triangle vertices;  ///< normal from minus to plus
-    std::int32_t surface;      ///< id of the first surface in project order
-    std::int32_t surface_set;  ///< row in surface_sets
-    std::int32_t patch;        ///< from 1
+    Triangle vertices;                       ///< normal from minus to plus
+    std::int32_t surface;                    ///< id of the first surface in project order
+    std::int32_t surface_set;                ///< row in surface_sets
+    std::int32_t patch;                      ///< from 1
     std::int32_t region_minus, region_plus;  ///< 0: outside
-    std::int32_t source_triangle;  ///< 0-based in `surface` as read
+    std::int32_t source_triangle;            ///< 0-based in `surface` as read
   };
   std::vector<Face> faces;
   std::vector<std::vector<std::int32_t>> surface_sets;  ///< lists of surface ids
@@ -96,7 +96,7 @@ struct ModelMesh {
   std::vector<RegionGroup> groups;
   std::vector<NamedSurface> surfaces;
   std::vector<NamedCurve> curves;
-  Vec3 origin{0, 0, 0};  ///< was subtracted from the project's coordinates
+  Vec3 origin{0, 0, 0};    ///< was subtracted from the project's coordinates
   std::string unit = "m";  ///< of all coordinates; volumes and areas are in its powers
 };
 

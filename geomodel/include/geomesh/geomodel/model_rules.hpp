@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Model building: the rules by which surfaces that stop short, have holes, are open or cross become a model. Two steps, before and
-/// after the arrangement; both say what they changed and where, with areas or lengths.
+/// Model building: the rules by which surfaces that stop short, have holes, are open or cross become a model. Two
+/// steps, before and after the arrangement; both say what they changed and where, with areas or lengths.
 ///
 ///     surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
 #pragma once
@@ -17,7 +17,8 @@
 
 namespace geomesh::geomodel {
 
-/// How a surface goes on beyond its border. The continuation is made in the map for horizons, in the mean plane for faults.
+/// How a surface goes on beyond its border. The continuation is made in the map for horizons, in the mean plane for
+/// faults.
 enum class Extend {
   none,
   flat,     ///< each point of the border goes on at its own height (faults: at its own distance from the mean plane)
@@ -44,11 +45,12 @@ struct SurfaceRules {
   Extend extend = Extend::none;  ///< to beyond the box
   double fill_holes = 0;         ///< fill holes whose border is at most this long (m); infinity: all
   std::string stop_at;           ///< faults: a fault or horizon where the continuation ends (`extent: to_fault NAME`)
-  bool close_at_box = true;      ///< bodies: close open ends (rooted salt) beyond the side of the box that each end is nearest to
+  bool close_at_box =
+      true;  ///< bodies: close open ends (rooted salt) beyond the side of the box that each end is nearest to
   BaseRule base = BaseRule::conformable;  ///< horizons of the column
   std::vector<std::string> cut_units;     ///< faults: units of the column that it cuts, one after the other; none: all
-  /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own (`extend`, flat where
-  /// none) to beyond the faults; what then lies on the other side of one of them goes.
+  /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own
+  /// (`extend`, flat where none) to beyond the faults; what then lies on the other side of one of them goes.
   std::vector<std::string> throw_at;
 };
 
@@ -66,7 +68,8 @@ struct ModelRules {
   std::string topography;              ///< a horizon: parts of all other surfaces above it go
   std::string floor;                   ///< a horizon: parts of all other surfaces below it go
   OnCrossing on_crossing = OnCrossing::leave;
-  /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are removed. 0: none.
+  /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are
+  /// removed. 0: none.
   double trim_overshoot = 0;
   double min_thickness = 0;  ///< m, along the vertical; 0: no rule
   ThinLayers thin_layers = ThinLayers::keep;
@@ -75,20 +78,24 @@ struct ModelRules {
   /// Whether any rule acts on the soup.
   bool trims() const {
     for (const SurfaceRules& rule : surfaces)
-      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() || !rule.throw_at.empty()) return true;
+      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() ||
+          !rule.throw_at.empty())
+        return true;
     return on_crossing != OnCrossing::leave || trim_overshoot > 0 || !topography.empty() || !floor.empty();
   }
 };
 
 /// Which triangles are whose, per input surface.
 struct BuiltRows {
-  std::vector<Index> n_given_triangles;               ///< from this row on triangles were made by rule
-  std::vector<std::vector<Index>> block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
-  /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where none was.
+  std::vector<Index> n_given_triangles;  ///< from this row on triangles were made by rule
+  std::vector<std::vector<Index>>
+      block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
+  /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
+  /// none was.
   std::vector<Index> first_only_parting;
 
-  static constexpr Index of_every_block = no_index;    ///< runs on beyond the end of a fault with throw
-  static constexpr Index of_no_block = no_index - 1;   ///< given, but at a fault that ends inside: made anew there
+  static constexpr Index of_every_block = no_index;   ///< runs on beyond the end of a fault with throw
+  static constexpr Index of_no_block = no_index - 1;  ///< given, but at a fault that ends inside: made anew there
   static Index n_blocks(const std::vector<Index>& block_of) {
     Index n = 0;
     for (const Index block : block_of)
@@ -98,13 +105,14 @@ struct BuiltRows {
 };
 
 struct BuiltSurfaces {
-  /// Rows of points and triangles as given stay, and what rules add follows; but layers that collapse give their horizons new triangles.
+  /// Rows of points and triangles as given stay, and what rules add follows; but layers that collapse give their
+  /// horizons new triangles.
   std::vector<TriangulatedSurface> surfaces;
   BuiltRows rows;
   /// The surfaces without what only served to part blocks: what the model is to hold before anything is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
-  std::vector<std::string> notes;             ///< what each rule did, with areas
-  std::vector<std::string> warnings;          ///< rules that could not be applied, and why
+  std::vector<std::string> notes;     ///< what each rule did, with areas
+  std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
 
 /// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none.
@@ -117,9 +125,10 @@ struct TrimmedSoup {
   std::vector<std::string> notes;
   std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
-/// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. Sides are decided by exact orientation along
-/// the curves where surfaces meet; pieces that do not meet the cutting surface are compared with it on the vertical through their
-/// largest facet. `surfaces` are the built ones followed by the box sides; `built` tells which of their triangles rules made.
+/// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. Sides are decided by exact
+/// orientation along the curves where surfaces meet; pieces that do not meet the cutting surface are compared with it
+/// on the vertical through their largest facet. `surfaces` are the built ones followed by the box sides; `built` tells
+/// which of their triangles rules made.
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules);
 

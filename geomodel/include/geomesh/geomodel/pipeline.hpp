@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The whole jobs behind the command line: each is one function from a request to written files. They read as the flow of
-/// docs/architecture.md: read, build, intersect, [core: delaunay, recover, classify, refine, improve], verify, write.
+/// The whole jobs behind the command line: each is one function from a request to written files. They read as the flow
+/// of docs/architecture.md: read, build, intersect, [core: delaunay, recover, classify, refine, improve], verify,
+/// write.
 #pragma once
 
 #include <filesystem>

@@ -53,9 +53,9 @@ struct WellSpec {
 
 struct CrsSpec {
   std::string horizontal = "local";  ///< local, geographic, utm [ZONE], epsg:CODE
-  bool depth = false;                ///< z: depth; what the project file and its inputs count downwards. The mesh has elevation up
-  std::string unit = "m";            ///< of the mesh, and of all lengths in the project file
-  std::string z_datum;               ///< name of the height system, for the report alone
+  bool depth = false;  ///< z: depth; what the project file and its inputs count downwards. The mesh has elevation up
+  std::string unit = "m";  ///< of the mesh, and of all lengths in the project file
+  std::string z_datum;     ///< name of the height system, for the report alone
   /// z is multiplied by this while meshing and divided in the mesh: a power of two, which is undone without rounding.
   double z_scale = 1;
 };
@@ -82,15 +82,17 @@ struct Project {
   std::vector<NamedPoint> points;
   /// unit, horizon, unit, horizon, ..., unit; youngest first. Empty where not given.
   std::vector<std::string> column;
-  ModelRules rules;    ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
-  NamingRules naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
+  ModelRules rules;  ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
+  NamingRules
+      naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
   double tolerance = 0;  ///< points, edges and facets nearer to each other than this merge
   MeshSpec mesh;
   OutputSpec output;
 };
 
-/// Throws Error{usage} whose message lists every problem found, each as "file:line:column: what is wrong; what was expected":
-/// unknown key (with the nearest known one), wrong type, missing file, duplicate key, column naming an unknown surface ...
+/// Throws Error{usage} whose message lists every problem found, each as "file:line:column: what is wrong; what was
+/// expected": unknown key (with the nearest known one), wrong type, missing file, duplicate key, column naming an
+/// unknown surface ...
 Project read_project(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

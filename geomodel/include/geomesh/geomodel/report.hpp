@@ -20,9 +20,10 @@ namespace geomesh::geomodel {
 
 struct StageRecord {
   std::string name;
-  double wall_s = 0, cpu_s = 0;     ///< cpu counts all threads
-  std::size_t peak_bytes = 0;       ///< peak resident size of the process at the stage's end
-  std::size_t runs = 1;             ///< how often it ran: refine and improve more than once where surfaces had to be held more closely
+  double wall_s = 0, cpu_s = 0;  ///< cpu counts all threads
+  std::size_t peak_bytes = 0;    ///< peak resident size of the process at the stage's end
+  std::size_t runs =
+      1;  ///< how often it ran: refine and improve more than once where surfaces had to be held more closely
 };
 
 /// Element quality with the worst elements' causes in words.
@@ -44,19 +45,21 @@ struct Report {
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
   const ModelMesh* mesh = nullptr;
-  std::vector<std::string> surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
+  std::vector<std::string>
+      surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
   std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
-  std::vector<std::string> notes;  ///< what was found before meshing and what rules changed, with areas
+  std::vector<std::string> notes;           ///< what was found before meshing and what rules changed, with areas
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< written, relative to the report
 };
 std::string to_json(const Report& report);
 void write_report(const Report& report, const std::filesystem::path& file);
 
-/// The report as one web page that needs no other file: a turnable picture of the units, sections, tables, histograms, warnings. It holds
-/// the stages' times, so it differs from run to run as the JSON does. Size and time linear in the mesh.
+/// The report as one web page that needs no other file: a turnable picture of the units, sections, tables, histograms,
+/// warnings. It holds the stages' times, so it differs from run to run as the JSON does. Size and time linear in the
+/// mesh.
 std::string to_html(const Report& report);
 void write_html_report(const Report& report, const std::filesystem::path& file);
 

@@ -21,14 +21,14 @@ enum class SurfaceKind {
 };
 const char* to_string(SurfaceKind kind);
 
-/// Triangles as read: equal coordinates are not merged yet, any defect may be there (the arrangement and `geomesh info` speak of
-/// them). Rows of `triangles` are the `source_triangle` of the output.
+/// Triangles as read: equal coordinates are not merged yet, any defect may be there (the arrangement and `geomesh info`
+/// speak of them). Rows of `triangles` are the `source_triangle` of the output.
 struct TriangulatedSurface {
   std::string name;
   SurfaceKind kind = SurfaceKind::surface;
-  bool cuts_all = false;  ///< bodies: remove the parts of horizons and faults inside
+  bool cuts_all = false;    ///< bodies: remove the parts of horizons and faults inside
   bool ends_model = false;  ///< a topography or bottom: no body removes parts of it
-  std::string file;       ///< where it came from, as the user wrote it; empty where made by rule
+  std::string file;         ///< where it came from, as the user wrote it; empty where made by rule
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
 };
@@ -45,11 +45,12 @@ struct NamedPoint {
   Vec3 point;
 };
 
-/// A region told by a closed list of oriented triangles' patches (GOCAD Model3d): name only; the volume is found by a point inside.
+/// A region told by a closed list of oriented triangles' patches (GOCAD Model3d): name only; the volume is found by a
+/// point inside.
 struct RegionHint {
   std::string name;
-  /// Oriented boundary as (surface row, triangle row, orientation as stored (true) or reversed); the region lies on the side that the
-  /// normal points away from (outward normals).
+  /// Oriented boundary as (surface row, triangle row, orientation as stored (true) or reversed); the region lies on the
+  /// side that the normal points away from (outward normals).
   struct Side {
     Index surface, triangle;
     bool as_stored;
@@ -66,21 +67,21 @@ struct PointSet {
 
 /// What a file says about its coordinates before they were brought to metres with elevation up.
 struct SourceFrame {
-  std::string unit;        ///< as written ("m", "ft", ...); empty where the file names none
-  std::string z_unit;      ///< where it differs
-  bool depth = false;      ///< z counted downwards
-  bool z_named = false;    ///< the file says which way z counts
-  std::string crs;         ///< name, projection, datum as written; empty where the file names none
-  bool geographic = false; ///< x, y are longitude and latitude in degrees
+  std::string unit;         ///< as written ("m", "ft", ...); empty where the file names none
+  std::string z_unit;       ///< where it differs
+  bool depth = false;       ///< z counted downwards
+  bool z_named = false;     ///< the file says which way z counts
+  std::string crs;          ///< name, projection, datum as written; empty where the file names none
+  bool geographic = false;  ///< x, y are longitude and latitude in degrees
 };
 
 /// A grid that became a surface.
 struct GridSummary {
-  std::string surface;  ///< its name
+  std::string surface;                                 ///< its name
   std::size_t n_columns = 0, n_rows = 0, n_blank = 0;  ///< nodes, and how many have no value
-  Vec2 origin;          ///< the first node
-  Vec2 spacing;         ///< zero where the nodes are not regular
-  double rotation = 0;  ///< degrees counter-clockwise
+  Vec2 origin;                                         ///< the first node
+  Vec2 spacing;                                        ///< zero where the nodes are not regular
+  double rotation = 0;                                 ///< degrees counter-clockwise
   bool cell_centred = false;
 };
 

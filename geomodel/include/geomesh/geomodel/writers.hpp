@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writers, one format a file under src/writers. Each writes beside the target and renames, so that a file is complete or absent.
+/// Writers, one format a file under src/writers. Each writes beside the target and renames, so that a file is complete
+/// or absent.
 #pragma once
 
 #include <filesystem>
@@ -23,23 +24,26 @@ const std::vector<std::string>& mesh_formats();
 /// Names accepted in `output.formats` and, as extensions, after `-o`: those of a mesh, and html, the report as a page.
 const std::vector<std::string>& known_formats();
 /// Writes all files of one mesh format with `stem` (a path without extension); returns what was written.
-std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format, const std::filesystem::path& stem);
+std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format,
+                                                const std::filesystem::path& stem);
 
 /// Where an output file is composed before it gets its name.
 struct OutputTarget {
-  std::filesystem::path file;       ///< what will hold the content: where `file` is a symbolic link, what it points to
-  std::filesystem::path temporary;  ///< beside `file`, of this process alone; `file` itself where that is a device or a pipe
+  std::filesystem::path file;  ///< what will hold the content: where `file` is a symbolic link, what it points to
+  std::filesystem::path
+      temporary;  ///< beside `file`, of this process alone; `file` itself where that is a device or a pipe
   bool is_direct() const { return temporary == file; }
 };
 
 /// Throws Error{usage} where the name is a folder's.
 OutputTarget output_target(const std::filesystem::path& file);
 
-/// Throws Error{usage} where the file could not be written: its name is a folder's, or its folder (the nearest that is there, as
-/// missing ones are made) may not be written to. Changes nothing. A full disk is found only when writing.
+/// Throws Error{usage} where the file could not be written: its name is a folder's, or its folder (the nearest that is
+/// there, as missing ones are made) may not be written to. Changes nothing. A full disk is found only when writing.
 void require_writable(const std::filesystem::path& file);
 
-/// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws. Devices and pipes
+/// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws. Devices and
+/// pipes
 /// (/dev/stdout) are written to as they are.
 template <class F>
 void write_complete_or_absent(const std::filesystem::path& file, F&& write) {

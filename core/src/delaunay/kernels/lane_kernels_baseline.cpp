@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#include "delaunay/kernels/lane_kernels_body.hpp"
+
+namespace geomesh::detail {
+const LaneKernels baseline_kernels{walk, grow};
+}  // namespace geomesh::detail

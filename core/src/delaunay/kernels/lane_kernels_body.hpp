@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Bodies of the lane kernels; each lane_kernels_*.cpp compiles them for one instruction set, with internal linkage.
+/// Nothing here calls an inline function with external linkage, of which the linker might keep the version for the
+/// wrong machine.
+///
+/// Lanes are IEEE doubles without contraction, whatever the registers, so all versions compute the same bits.
+#pragma once
+
+#include "delaunay/kernels/lane_kernels.hpp"
+#include "predicates/filters.hpp"
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // all functions on vectors are inlined: no vector crosses a call
+
+namespace geomesh {
+namespace {
+
+using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Mask = long long __attribute__((vector_size(32), aligned(8), may_alias));
+using Half = double __attribute__((vector_size(16), aligned(8), may_alias));
+using Indices = std::uint32_t __attribute__((vector_size(16), aligned(4), may_alias));
+
+#define GEOMESH_INLINE [[gnu::always_inline]] inline
+
+/// Bit i is the sign bit of lane i.
+GEOMESH_INLINE unsigned signs(Mask m) {
+#if defined(__AVX__)
+  return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Lanes>(m)));
+#elif defined(__SSE2__)
+  const Lanes v = reinterpret_cast<Lanes>(m);
+  const Half low = __builtin_shufflevector(v, v, 0, 1), high = __builtin_shufflevector(v, v, 2, 3);
+  return static_cast<unsigned>(__builtin_ia32_movmskpd(low) | __builtin_ia32_movmskpd(high) << 2);
+#else
+  unsigned r = 0;
+  for (unsigned i = 0; i < 4; ++i) r |= (m[i] < 0 ? 1u : 0u) << i;
+  return r;
+#endif
+}
+
+GEOMESH_INLINE Lanes greater(Lanes u, Lanes v) { return u > v ? u : v; }
+
+/// The greatest lane, in all lanes.
+GEOMESH_INLINE Lanes greatest(Lanes v) {
+  const Lanes pairs = greater(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
+  return greater(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1));
+}
+
+/// At least the square root, at most 1.07 times it: half the exponent, the mantissa as if it were linear.
+GEOMESH_INLINE Lanes root_bound(Lanes v) {
+  using Words = unsigned long long __attribute__((vector_size(32), aligned(8), may_alias));
+  return reinterpret_cast<Lanes>((reinterpret_cast<Words>(v) + 0x3FF0000000000000ull) >> 1);
+}
+
+/// Four points from p, a point a lane, with squared lengths; `tag` holds their ids and places.
+struct FourPoints {
+  Lanes x, y, z, w;
+  Mask tag;
+};
+
+GEOMESH_INLINE Lanes load(const PointRecord* points, VertexIndex v) {
+  return *reinterpret_cast<const Lanes*>(points + v);
+}
+
+/// A cell as eight words: vertices, then neighbours.
+GEOMESH_INLINE const std::uint32_t* words(const TetMesh::Cell& cell) {
+  return reinterpret_cast<const std::uint32_t*>(&cell);
+}
+
+GEOMESH_INLINE FourPoints four_points(const PointRecord* points, const VertexIndex* v, double px, double py,
+                                      double pz) {
+  const Lanes a = load(points, v[0]), b = load(points, v[1]), c = load(points, v[2]), d = load(points, v[3]);
+  const Lanes ab_xz = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_yt = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Lanes cd_xz = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_yt = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  FourPoints r;
+  r.x = __builtin_shufflevector(ab_xz, cd_xz, 0, 1, 4, 5) - px;
+  r.y = __builtin_shufflevector(ab_yt, cd_yt, 0, 1, 4, 5) - py;
+  r.z = __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7) - pz;
+  r.tag = reinterpret_cast<Mask>(__builtin_shufflevector(ab_yt, cd_yt, 2, 3, 6, 7));
+  r.w = r.x * r.x + r.y * r.y + r.z * r.z;
+  return r;
+}
+
+/// Lanes whose points are not owned.
+GEOMESH_INLINE unsigned foreign(Mask tag, Ownership owned) {
+  const Mask place = tag >> 48 & 0xFFFF;
+  return signs((place - owned.first) | ((owned.end - 1) - place));
+}
+
+/// Lane i: vertex k of face i, in the order of face_vertices.
+GEOMESH_INLINE Lanes face_r(Lanes u) { return __builtin_shufflevector(u, u, 1, 0, 0, 0); }
+GEOMESH_INLINE Lanes face_s(Lanes u) { return __builtin_shufflevector(u, u, 3, 2, 3, 1); }
+GEOMESH_INLINE Lanes face_t(Lanes u) { return __builtin_shufflevector(u, u, 2, 3, 1, 2); }
+
+/// The bound on a determinant of degree 3 or 5 whose points are no further than the root of w. Where they are within
+/// the exact reach the determinant is exact.
+GEOMESH_INLINE Lanes bound(Lanes w, Lanes degree, double exact_reach) {
+  return w > exact_reach * exact_reach ? degree : Lanes{};
+}
+
+// Not checked by the thread sanitizer: whole records are loaded, and the number that another part may be writing to one
+// of its points is in them, though not looked at.
+#if defined(__SANITIZE_THREAD__)
+#define GEOMESH_WHOLE_RECORDS __attribute__((no_sanitize("thread")))
+#else
+#define GEOMESH_WHOLE_RECORDS
+#endif
+
+GEOMESH_WHOLE_RECORDS
+bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
+  const double px = query.p.x, py = query.p.y, pz = query.p.z, reach = query.exact_reach;
+  CellIndex c = at;
+  std::size_t n = 0;
+  bool inside = false;
+  for (;;) {
+    const std::uint32_t* cell = words(query.cells[c]);
+    const FourPoints q = four_points(query.points, cell, px, py, pz);
+    if (foreign(q.tag, query.owned)) break;
+    for (unsigned i = 4; i < 8; ++i) __builtin_prefetch(&query.cells[cell[i] >> 2]);
+    ++n;
+    const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y),
+                sz = face_s(q.z);
+    const Lanes tx = face_t(q.x), ty = face_t(q.y), tz = face_t(q.z);
+    const Lanes det = rz * (sx * ty - tx * sy) + sz * (tx * ry - rx * ty) + tz * (rx * sy - sx * ry);
+    const Lanes w = greater(greater(face_r(q.w), face_s(q.w)), face_t(q.w));
+    const Lanes error = bound(w, filter::orient3d_factor * w * root_bound(w), reach);
+    // The orientation of (r, s, t, p) is that of the opposite determinant.
+    const unsigned beyond = signs(det > error);
+    if (beyond == 0) {
+      inside = signs(det < -error) == 0xFu;
+      break;
+    }
+    // Through the face with the largest determinant, if that is certain: on uniform points 6.5 steps, through the first
+    // face 6.9.
+    const unsigned farthest = signs(det >= greatest(det)) & beyond;
+    c = cell[4 + __builtin_ctz(farthest != 0 ? farthest : beyond)] >> 2;
+  }
+  at = c;
+  steps += n;
+  return inside;
+}
+
+/// Determinants, and what they may be off by at most.
+struct FilteredLanes {
+  Lanes det, error;
+};
+
+/// Lane i: the in-sphere determinant of p and the neighbour over face i of the cell q, whose vertex off that face is
+/// lane i of e. Positive: p is inside.
+GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e, double reach) {
+  const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y),
+              sz = face_s(q.z);
+  const Lanes tx = face_t(q.x), ty = face_t(q.y), tz = face_t(q.z);
+  const Lanes rw = face_r(q.w), sw = face_s(q.w), tw = face_t(q.w);
+  const Lanes rs = rx * sy - sx * ry, st = sx * ty - tx * sy, te = tx * e.y - e.x * ty;
+  const Lanes er = e.x * ry - rx * e.y, rt = rx * ty - tx * ry, se = sx * e.y - e.x * sy;
+  const Lanes rst = rz * st - sz * rt + tz * rs, ste = sz * te - tz * se + e.z * st;
+  const Lanes ter = tz * er + e.z * rt + rz * te, ers = e.z * rs + rz * se + sz * er;
+  // The neighbour (face seen from outside, apex) has the opposite orientation of (r, s, t, apex).
+  const Lanes det = (e.w * rst - tw * ers) + (sw * ter - rw * ste);
+  const Lanes w = greater(greater(rw, sw), greater(tw, e.w));
+  const Lanes error = bound(w, filter::in_sphere_factor * (w * w) * root_bound(w), reach);
+  return {det, error};
+}
+
+/// Appends the faces of the cell over which it is `closed`; room for four is there. Returns the number of faces then.
+GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces,
+                                        std::size_t n_faces) {
+  const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 1, 3, 2, 4);
+  n_faces += closed & 1u;
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 2, 3, 5);
+  n_faces += closed >> 1 & 1u;
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 3, 1, 6);
+  n_faces += closed >> 2 & 1u;
+  *reinterpret_cast<Indices*>(faces + n_faces) = __builtin_shufflevector(v, o, 0, 1, 2, 7);
+  n_faces += closed >> 3 & 1u;
+  return n_faces;
+}
+
+/// How many cells ahead the neighbours of a waiting cell are fetched; two to four measure alike, none costs a tenth.
+constexpr std::size_t look_ahead = 4;
+
+GEOMESH_WHOLE_RECORDS
+bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, CavityLists& lists, CavityHost& host) {
+  const TetMesh::Cell* cells = query.cells;
+  const PointRecord* points = query.points;
+  const double px = query.p.x, py = query.p.y, pz = query.p.z, reach = query.exact_reach;
+  const Ownership part = query.owned;
+  CellIndex* cavity = lists.cells;
+  CavityFace<3>* faces = lists.faces;
+  std::size_t n_cells = lists.n_cells, n_faces = lists.n_faces, k = lists.n_done;
+  std::uint8_t unused = 0;
+  bool owned = true;
+  constexpr double infinity = __builtin_inf();
+  Lanes nearest = {infinity, infinity, infinity, infinity};
+  for (; k < n_cells; ++k) {
+    if ((n_cells > n_faces ? n_cells : n_faces) + 4 > lists.capacity) [[unlikely]] {
+      lists.n_cells = n_cells, lists.n_faces = n_faces;
+      host.enlarge(lists);
+      cavity = lists.cells, faces = lists.faces;
+    }
+    const TetMesh::Cell& cell = cells[cavity[k]];
+    CellIndex next[4];  // four different cells: no two cells share two faces
+    VertexIndex apex[4];
+    std::uint8_t flag[4];
+    unsigned open = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t outer = words(cell)[4 + i];
+      next[i] = outer >> 2;
+      apex[i] = words(cells[next[i]])[outer & 3u];
+      flag[i] = flags[next[i]];
+      open |= (flag[i] & mark ? 0u : 1u) << i;
+    }
+    const FourPoints q = four_points(points, words(cell), px, py, pz);
+    const FourPoints e = four_points(points, apex, px, py, pz);
+    nearest = q.w < nearest ? q.w : nearest;
+    const auto [det, error] = in_sphere(q, e, reach);
+    unsigned conflict = signs(det > error) & open;
+    const unsigned undecided = open & ~(conflict | signs(det < -error));
+    if (undecided != 0) [[unlikely]] {
+      alignas(32) double value[4];
+      *reinterpret_cast<Lanes*>(value) = det;
+      conflict |= host.decide(cell, undecided, value);
+    }
+    const unsigned other = conflict & foreign(e.tag, part);
+    if (other != 0) [[unlikely]] {
+      for (unsigned i = 0; i < 4; ++i) owned = owned && (!(other >> i & 1u) || points[apex[i]].id == infinite_vertex);
+      if (!owned) break;
+    }
+    n_faces = append_faces(words(cell), open & ~conflict, faces, n_faces);
+#pragma GCC unroll 4
+    for (unsigned i = 0; i < 4; ++i) {
+      const unsigned taken = conflict >> i & 1u;
+      // Flags of other cells are not even rewritten: they may be read by another part.
+      *(taken ? flags + next[i] : &unused) = static_cast<std::uint8_t>(flag[i] | mark);
+      cavity[n_cells] = next[i];
+      n_cells += taken;
+    }
+    const std::uint32_t* later = words(cells[cavity[k + look_ahead < n_cells ? k + look_ahead : n_cells - 1]]);
+    for (unsigned i = 4; i < 8; ++i) __builtin_prefetch(&cells[later[i] >> 2]);
+  }
+  lists.n_cells = n_cells, lists.n_faces = n_faces, lists.n_done = k;
+  const double a = nearest[0] < nearest[1] ? nearest[0] : nearest[1],
+               b = nearest[2] < nearest[3] ? nearest[2] : nearest[3];
+  lists.nearest = a < b ? a : b;
+  return owned;
+}
+
+}  // namespace
+}  // namespace geomesh

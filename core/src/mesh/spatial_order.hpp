@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The order of insertion: rounds of growing size (BRIO, Amenta, Choi and Rote 2003), each along a Hilbert curve.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh {
+
+struct SpatialOrder {
+  std::vector<VertexIndex> order;
+  std::vector<std::size_t> round_begin;  ///< positions in `order`; one more entry than rounds
+  /// Per position: place along the curve in `n_places` parts that hold about as many points each, over all rounds.
+  std::vector<std::uint16_t> place;
+  static constexpr unsigned n_places = 4096;
+};
+
+/// Depends on the coordinates alone, but for equal points, which stand by index; not on the place of the points where
+/// they are moved without rounding, nor on powers of two that scale them. A round holds 7/8 of the points that the
+/// later rounds leave. The curve is refined where points crowd, so that clusters of any density are ordered within.
+/// O(n) on points that are spread evenly, O(n log n) else. At most 2^28 points. `scratch`: 2 n items of memory to work
+/// in; less is not used. `threads`: how many to use, without influence on the result.
+SpatialOrder spatial_order(std::span<const Vec3> points, std::span<std::uint64_t> scratch = {}, unsigned threads = 1);
+
+/// All points along one such curve.
+std::vector<VertexIndex> hilbert_order(std::span<const Vec3> points);
+
+}  // namespace geomesh

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "quality/link_kernels_body.hpp"
-
-namespace geomesh::remesh::detail {
-const LinkKernels avx2_link_kernels{prepare, shapes, worst, sum_of_worths, gradient_of_sum};
-}  // namespace geomesh::remesh::detail

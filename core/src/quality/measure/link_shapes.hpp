@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The shapes of all cells between the faces of a link and one place of their apex, four at a time.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "quality/measure/link_kernels.hpp"
+
+namespace geomesh::remesh {
+
+/// Faces (a, b, c) with (a, b, c, p) positive for an admissible apex p, and the shapes of these cells as `shape` gives
+/// them but for rounding.
+class LinkShapes {
+ public:
+  void clear() { n_ = 0; }
+  void add(const Vec3& a, const Vec3& b, const Vec3& c);
+  /// To be called once after the last face, before any shape is asked for.
+  void prepare();
+  std::size_t size() const { return n_; }
+  Vec3 corner(std::size_t face, unsigned k) const {
+    const auto& c = fours_[face / 4].corner[k];
+    return {c[0][face % 4], c[1][face % 4], c[2][face % 4]};
+  }
+  Vec3 normal(std::size_t face) const {
+    const auto& n = fours_[face / 4].normal;
+    return {n[0][face % 4], n[1][face % 4], n[2][face % 4]};
+  }
+
+  double worst(const Vec3& p, double enough) const { return kernels_->worst(fours_.data(), n_fours(), p, enough); }
+  double sum_of_worths(const Vec3& p, double floor) const {
+    return kernels_->sum_of_worths(fours_.data(), n_fours(), p, floor);
+  }
+  Vec3 gradient_of_sum(const Vec3& p) const { return kernels_->gradient_of_sum(fours_.data(), n_fours(), p); }
+  /// By face, and beyond the last up to three more. Valid until the next call.
+  const std::vector<double>& shapes(const Vec3& p) const {
+    shapes_.resize(4 * n_fours());
+    kernels_->shapes(fours_.data(), n_fours(), p, shapes_.data());
+    return shapes_;
+  }
+
+ private:
+  std::size_t n_fours() const { return (n_ + 3) / 4; }
+  void set(std::size_t face, const Vec3& a, const Vec3& b, const Vec3& c, double share);
+
+  std::vector<FourFaces> fours_;  // at least as many as are in use
+  mutable std::vector<double> shapes_;
+  std::size_t n_ = 0;
+  const LinkKernels* kernels_ = &link_kernels();
+};
+
+}  // namespace geomesh::remesh

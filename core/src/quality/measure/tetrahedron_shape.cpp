@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "geomesh/core/quality.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+#include "quality/measure/shape.hpp"
+
+namespace geomesh {
+
+namespace {
+
+const double degrees = 180 / std::acos(-1.0);
+
+/// Solid angle at the apex of three edge vectors (Van Oosterom and Strackee 1983), as spherical excess in degrees.
+double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double la = remesh::length(a), lb = remesh::length(b), lc = remesh::length(c);
+  const double numerator = std::abs(dot(a, cross(b, c)));
+  const double denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
+  return 2 * std::atan2(numerator, denominator) * degrees;
+}
+
+}  // namespace
+
+TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  TetrahedronShape s{};
+  const std::array<Vec3, 4> p{a, b, c, d};
+  const double det = dot(cross(b - a, c - a), d - a);
+  s.volume = det / 6;
+  std::array<Vec3, 4> n;  // inward, of length twice the area
+  double area = 0, largest = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto& f = face_vertices[i];
+    n[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
+    area += remesh::length(n[i]) / 2;
+    largest = std::max(largest, remesh::length(n[i]) / 2);
+  }
+  double squares = 0;
+  s.shortest_edge = std::numeric_limits<double>::infinity();
+  s.min_dihedral = 180;
+  for (unsigned e = 0; e < 6; ++e) {
+    const auto [i, j] = edge_vertices[e];
+    const auto [k, l] = edge_vertices[5 - e];  // the faces at edge i-j are opposite the other two vertices
+    const double length = remesh::distance(p[i], p[j]);
+    s.shortest_edge = std::min(s.shortest_edge, length);
+    s.longest_edge = std::max(s.longest_edge, length);
+    squares += length * length;
+    // The angle from its sine and cosine, both scaled by the lengths of the normals: accurate for flat and for sharp
+    // ones.
+    s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees;
+    if (!(det > 0)) s.dihedral[e] = dot(n[k], n[l]) > 0 ? 180 : 0;
+    s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);
+    s.max_dihedral = std::max(s.max_dihedral, s.dihedral[e]);
+  }
+  if (!(det > 0)) return s;
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto& f = face_vertices[i];
+    s.solid_angle[i] = solid_angle(p[f[0]] - p[i], p[f[1]] - p[i], p[f[2]] - p[i]);
+  }
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  const double circumradius =
+      remesh::length(dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v)) / (2 * det);
+  s.radius_ratio = 3 * (3 * s.volume / area) / circumradius;
+  s.aspect = (3 * s.volume / largest) / (s.longest_edge * std::sqrt(2.0 / 3.0));
+  s.mean_ratio = 12 * std::cbrt(9 * s.volume * s.volume) / squares;
+  return s;
+}
+
+}  // namespace geomesh

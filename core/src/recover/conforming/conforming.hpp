@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Conforming mode (sections 3.1 and 3.2 of the paper): segments and facets come to be unions of Delaunay edges and
+/// faces by points inserted on them. Points are rounded to doubles before they are inserted.
+///
+/// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
+///   - `max_steiner_per_facet` points on one facet that meets another at less than 90 degrees or has segments that meet
+///   at less than 60,
+///     and as many on one segment; others always end (section 3.2; Ruppert 1995), so none is given up;
+///   - 30 points for each vertex of the model, and 3,000 more, on all such facets and segments together; and 100,000
+///   more on the others;
+///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096
+///   ulps of it.
+#pragma once
+
+#include <deque>
+#include <queue>
+
+#include "recover/conforming/delaunay_insertion.hpp"
+#include "recover/model/recover.hpp"
+
+namespace geomesh::recover {
+
+class ConformingRecovery {
+ public:
+  ConformingRecovery(Recovery& recovery, const RecoverOptions& options);
+
+  /// Segments, then facets, each with what the other has lost again, until nothing is missing or all that is has been
+  /// given up. False: more points than the budget were needed in all; what is still missing has been given up too.
+  bool run();
+  /// Facets given up, sorted.
+  const std::vector<Index>& facets_given_up() const { return given_up_; }
+
+ protected:  // refinement that keeps Delaunay goes on from here (refine/conforming_refiner.hpp)
+  // conforming_segments.cpp
+  void mark_sharp_vertices();
+  void mark_sharp_facets();
+  bool is_sharp_segment(const Subsegment& s) const;
+  Vec3 inwards(const Subsegment& s, Index f) const;
+  void queue_segment(Index s);
+  void recover_queued_segments();
+  void split_segment(Index s);
+  /// Of the vertices of the cells that the missing subsegment passes through, the one from which it is seen under the
+  /// largest angle, if that is obtuse; else no_vertex.
+  VertexIndex encroaching_vertex(const Subsegment& s);
+  /// Whether v lies on a model segment that has `end` for an end.
+  bool is_on_segment_from(VertexIndex v, VertexIndex end) const;
+  double place_on_common_sphere(const Subsegment& s, VertexIndex v) const;
+  Vec3 split_place(const Subsegment& s);
+  Vec3 point_on_segment(const Subsegment& s, const Vec3& p) const;
+  void give_up_segment(Index s);
+
+  // conforming_facets.cpp
+  void recover_queued_facets();
+  bool register_if_present(Index f);
+  void insert_into_facet(Index f);
+  bool insert_midpoint(Index f, VertexIndex a, VertexIndex b);
+  void give_up_facet(Index f);
+  void queue_facet(Index f);
+
+  /// Inserts, records what was lost. no_vertex where nothing could be inserted.
+  VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
+  bool is_edge_of_new_star(VertexIndex a, VertexIndex b) const;
+  bool is_within_budget() const { return n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_; }
+  /// The budget of points in all begins anew.
+  void renew_budget() { n_sharp_points_ = n_other_points_ = 0; }
+  bool too_short(const Vec3& a, const Vec3& b) const;
+
+  Recovery& recovery_;
+  ConstrainedMesh& mesh_;
+  Constraints& constraints_;
+  RecoverOptions options_;
+  /// Short ones first: their points are the fewest, and what they set off on longer ones is known before these are
+  /// split.
+  struct QueuedSegment {
+    double squared_length;
+    Index segment;
+    bool operator<(const QueuedSegment& other) const {
+      return squared_length != other.squared_length ? squared_length > other.squared_length : segment > other.segment;
+    }
+  };
+
+  DelaunayInsertion insertion_;
+  double min_edge_ = 0;
+  std::size_t n_sharp_points_ = 0, n_other_points_ = 0, max_sharp_points_ = 0, max_other_points_ = 0;
+  EdgeMap segment_of_ends_;  ///< model segments
+  std::priority_queue<QueuedSegment> missing_segments_;
+  std::deque<Index> missing_facets_;
+  FaceMap facet_of_face_;                        ///< faces of facets found present
+  std::vector<std::uint8_t> facet_queued_;       ///< per subfacet
+  std::vector<std::uint8_t> facet_is_given_up_;  ///< per subfacet
+  std::vector<std::uint8_t> vertex_is_sharp_;  ///< per vertex of the model: segments meet there at less than 60 degrees
+  std::vector<std::uint8_t> facet_is_sharp_;   ///< per subfacet: the budget holds for it
+  std::vector<std::uint8_t> segment_is_given_up_;  ///< per model segment
+  std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
+  std::vector<Index> given_up_;
+};
+
+}  // namespace geomesh::recover

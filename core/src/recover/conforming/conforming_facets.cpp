@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+/// Facets by comparison with a draft (section 3.2). A facet is present where mesh faces cover it, whichever they are;
+/// so co-circular points, and points that rounding has moved off the plane, need no care. Where it is missing the draft
+/// tells where a point goes.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "plc/planar_triangulation.hpp"
+#include "recover/conforming/conforming.hpp"
+#include "recover/model/facet_trace.hpp"
+#include "recover/model/presence.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// The draft: a constrained Delaunay triangulation of the facet's vertices in a frame of its plane.
+class Draft {
+ public:
+  Draft(const ConstrainedMesh& mesh, const Triangle& plane, const FacetPiece& piece) : piece_(piece) {
+    const Vec3 o = mesh.point(plane[0]), u = mesh.point(plane[1]) - o;
+    const Vec3 n = cross(u, mesh.point(plane[2]) - o), w = cross(n, u);
+    const double lu = std::sqrt(dot(u, u)), lw = std::sqrt(dot(w, w));
+    members_ = piece.members;
+    std::sort(members_.begin(), members_.end());
+    for (VertexIndex v : members_) points_.push_back({dot(mesh.point(v) - o, u) / lu, dot(mesh.point(v) - o, w) / lw});
+  }
+  /// False where rounding in the frame has made the facet's border cross itself.
+  bool build() {
+    PlanarTriangulation plane(points_, [this](unsigned a, unsigned b, unsigned c, unsigned d) {
+      return in_circle_perturbed(points_[a], points_[b], points_[c], points_[d]) == Sign::positive;
+    });
+    if (!plane.triangulate()) return false;
+    std::set<std::array<unsigned, 2>> border, seen;
+    std::vector<std::array<unsigned, 2>> queue;
+    for (const DirectedEdge& e : piece_.border) {
+      queue.push_back({local(e[0]), local(e[1])});
+      border.insert(queue.back());
+      if (plane.insert_constraint(queue.back()[0], queue.back()[1])) return false;
+    }
+    plane.restore_delaunay();
+    while (!queue.empty()) {
+      const auto [a, b] = queue.back();
+      queue.pop_back();
+      const auto c = plane.apex(a, b);
+      if (!c || seen.count({a, b})) continue;
+      triangles_.push_back({members_[a], members_[b], members_[*c]});
+      for (const auto& e : {std::array{a, b}, std::array{b, *c}, std::array{*c, a}}) {
+        seen.insert(e);
+        if (!border.count(e) && !border.count({e[1], e[0]})) queue.push_back({e[1], e[0]});
+      }
+    }
+    return !triangles_.empty();
+  }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+
+ private:
+  unsigned local(VertexIndex v) const {
+    return static_cast<unsigned>(std::lower_bound(members_.begin(), members_.end(), v) - members_.begin());
+  }
+  const FacetPiece& piece_;
+  std::vector<VertexIndex> members_;
+  std::vector<Vec2> points_;
+  std::vector<Triangle> triangles_;
+};
+
+/// Of each draft triangle that is no face: its longest edge that is missing, or all three where all are there. The
+/// longest first.
+std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
+  const auto squared_length = [&mesh](const DirectedEdge& e) {
+    const Vec3 d = mesh.point(e[1]) - mesh.point(e[0]);
+    return dot(d, d);
+  };
+  std::set<DirectedEdge> edges;
+  for (const Triangle& t : draft) {
+    if (mesh.find_face(t[0], t[1], t[2]).valid()) continue;
+    std::vector<DirectedEdge> all, missing;
+    for (unsigned i = 0; i < 3; ++i) {
+      all.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+      if (mesh.find_edge(all.back()[0], all.back()[1]) == no_cell) missing.push_back(all.back());
+    }
+    if (missing.empty()) {
+      edges.insert(all.begin(), all.end());
+    } else {
+      edges.insert(*std::max_element(missing.begin(), missing.end(), [&](const DirectedEdge& d, const DirectedEdge& e) {
+        return squared_length(d) < squared_length(e);
+      }));
+    }
+  }
+  std::vector<DirectedEdge> out(edges.begin(), edges.end());
+  std::stable_sort(out.begin(), out.end(),
+                   [&](const DirectedEdge& d, const DirectedEdge& e) { return squared_length(d) > squared_length(e); });
+  return out;
+}
+
+}  // namespace
+
+void ConformingRecovery::recover_queued_facets() {
+  while (!missing_facets_.empty() && is_within_budget()) {
+    recovery_.context.check_cancelled();
+    recover_queued_segments();
+    const Index f = missing_facets_.front();
+    missing_facets_.pop_front();
+    facet_queued_[f] = 0;
+    if (facet_is_given_up_[f] || register_if_present(f)) continue;
+    ++recovery_.statistics.facets_reinserted;
+    insert_into_facet(f);
+    if (!facet_is_given_up_[f]) queue_facet(f);
+  }
+  recover_queued_segments();
+}
+
+bool ConformingRecovery::register_if_present(Index f) {
+  const Triangle& t = constraints_.subfacets[f].vertices;
+  if (!constraints_.is_piece(f)) {
+    if (!face_of_subfacet(mesh_, constraints_, f).valid()) return false;
+    facet_of_face_.insert({t[0], t[1], t[2]}, f);
+    return true;
+  }
+  const FacetTrace trace = trace_piece(mesh_, constraints_, f);
+  if (trace.status != FacetTrace::Status::complete) return false;
+  for (const Triangle& face : trace.faces) facet_of_face_.insert({face[0], face[1], face[2]}, f);
+  return true;
+}
+
+void ConformingRecovery::insert_into_facet(Index f) {
+  constraints_.make_piece(f);
+  for (const DirectedEdge& e : constraints_.piece_of(f).border)
+    if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f);  // of a segment given up
+  if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet) return give_up_facet(f);
+  Draft draft(mesh_, constraints_.subfacets[f].vertices, constraints_.piece_of(f));
+  if (!draft.build()) return give_up_facet(f);
+  const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
+  if (edges.empty()) return give_up_facet(f);
+  // The draft is not made again after each point, so no other goes where one of this round may have made it needless.
+  std::vector<Vec3> added;
+  for (const DirectedEdge& e : edges) {
+    const Vec3 a = mesh_.point(e[0]), b = mesh_.point(e[1]), middle = 0.5 * a + 0.5 * b;
+    const bool is_near = std::any_of(added.begin(), added.end(),
+                                     [&](const Vec3& p) { return dot(p - middle, p - middle) < dot(b - a, b - a); });
+    if (is_near) continue;
+    if (!insert_midpoint(f, e[0], e[1])) return give_up_facet(f);
+    added.push_back(middle);
+  }
+}
+
+bool ConformingRecovery::insert_midpoint(Index f, VertexIndex a, VertexIndex b) {
+  const Index s = constraints_.subsegment_of(a, b);
+  if (s != no_index) {
+    split_segment(s);
+    ++points_on_facet_[f];
+    return !constraints_.subsegments[s].live;
+  }
+  const Vec3 pa = mesh_.point(a), pb = mesh_.point(b);
+  const Vec3 p{0.5 * pa.x + 0.5 * pb.x, 0.5 * pa.y + 0.5 * pb.y, 0.5 * pa.z + 0.5 * pb.z};
+  if (too_short(pa, p)) return false;
+  const VertexIndex x = insert(p, a, {VertexOrigin::on_facet, constraints_.subfacets[f].facet});
+  if (x == no_vertex) return false;
+  ++points_on_facet_[f];
+  ++(facet_is_sharp_[f] ? n_sharp_points_ : n_other_points_);
+  constraints_.add_member(f, x);
+  return true;
+}
+
+void ConformingRecovery::give_up_facet(Index f) {
+  facet_is_given_up_[f] = 1;
+  given_up_.push_back(constraints_.subfacets[f].facet);
+}
+
+}  // namespace geomesh::recover

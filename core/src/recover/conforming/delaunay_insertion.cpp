@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "recover/conforming/delaunay_insertion.hpp"
+
+#include <algorithm>
+
+namespace geomesh::recover {
+
+namespace {
+
+/// Edges of a tetrahedron, each with the two vertices that it does not have.
+constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{
+    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+
+/// The edges, but most of those that stay, and the inner faces of the cavity, while its cells are marked.
+void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
+  out.edges.clear();
+  out.faces.clear();
+  for (const CellIndex c : cavity) {
+    const Tetrahedron& v = mesh.cells().vertices(c);
+    std::array<bool, 4> is_inner;
+    for (unsigned f = 0; f < 4; ++f) {
+      const CellIndex n = mesh.cells().neighbor_cell(c, f);
+      is_inner[f] = mesh.is_in_cavity(n);
+      if (n < c && is_inner[f])
+        out.faces.push_back({v[face_vertices[f][0]], v[face_vertices[f][1]], v[face_vertices[f][2]]});
+    }
+    // An edge lies in the two faces opposite the other vertices: if one is of the boundary, so is the edge, and it
+    // stays.
+    for (const auto& [i, j, k, l] : edges_and_others)
+      if (is_inner[k] && is_inner[l]) out.edges.push_back({v[i], v[j]});
+  }
+}
+
+/// Leaves the cells marked. False: there is no place for p.
+bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::vector<CellIndex>& cavity) {
+  const TetMesh& cells = mesh.cells();
+  const CellIndex first = mesh.locate(p, start);
+  if (first == no_cell) return false;
+  for (const VertexIndex v : cells.vertices(first))
+    if (mesh.point(v) == p) return false;
+  const auto conflicts = [&](CellIndex c) {
+    if (cells.is_ghost(c)) return false;  // p lies strictly inside the box
+    const auto& v = cells.vertices(c);
+    return in_sphere_perturbed(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), p) ==
+           Sign::positive;
+  };
+  mesh.find_cavity(first, conflicts, cavity);
+  return true;
+}
+
+void replace_marked(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
+  list_lost(mesh, cavity, out);
+  out.vertex = mesh.add_point(p);
+  mesh.replace_by_star(cavity, out.vertex);
+  for (const CellIndex c : mesh.last_created()) GEOMESH_CHECK(mesh.positive(mesh.cells().vertices(c)));
+}
+
+}  // namespace
+
+void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out) {
+  std::vector<CellIndex> cavity;
+  out.vertex = no_vertex;
+  if (mark_conflicts(mesh, p, start, cavity)) replace_marked(mesh, p, cavity, out);
+}
+
+std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start) {
+  std::vector<CellIndex> cavity;
+  if (mark_conflicts(mesh, p, start, cavity)) mesh.mark_cavity(cavity, false);
+  return cavity;
+}
+
+void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
+  mesh.mark_cavity(cavity, true);
+  replace_marked(mesh, p, cavity, out);
+}
+
+bool is_locally_delaunay(const ConstrainedMesh& mesh) {
+  const TetMesh& cells = mesh.cells();
+  const auto counts = [&](CellIndex c) {
+    const auto& v = cells.vertices(c);
+    return std::none_of(v.begin(), v.end(),
+                        [&](VertexIndex u) { return u == infinite_vertex || mesh.is_box_vertex(u); });
+  };
+  for (CellIndex c = 0; c < cells.n_slots(); ++c) {
+    if (!cells.is_live(c) || !counts(c)) continue;
+    const auto& v = cells.vertices(c);
+    for (unsigned f = 0; f < 4; ++f) {
+      const FaceRef g = cells.neighbor(c, f);
+      if (g.cell() < c || !counts(g.cell())) continue;  // one side of a face tells
+      const VertexIndex d = cells.vertex(g.cell(), g.face());
+      if (in_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), mesh.point(d)) ==
+          Sign::positive)
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace geomesh::recover

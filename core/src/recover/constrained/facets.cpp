@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+/// Facets, whose segments are all present: the mesh edges that pierce a missing subfacet are removed by flips; where
+/// that fails they are split one after the other where they pierce it. Splits of edges leave tetrahedra alone, so the
+/// prisms and pyramids of the paper's section 3.3 never come up, and after as many splits as edges pierce the subfacet
+/// it is a union of faces: this always ends.
+#include <algorithm>
+#include <cmath>
+
+#include "recover/model/facet_trace.hpp"
+#include "recover/model/messages.hpp"
+#include "recover/model/presence.hpp"
+#include "recover/model/recover.hpp"
+#include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/operations/star_insertion.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// Forbids edges whose ends lie on different sides of the subfacet: inside the ring of a piercing edge such an edge
+/// pierces it too.
+class NoNewPiercing : public EdgeRule {
+ public:
+  explicit NoNewPiercing(const FacetSides& sides) : sides_(sides) {}
+  bool forbids(VertexIndex a, VertexIndex b) const override { return sides_(a) * sides_(b) < 0; }
+
+ private:
+  const FacetSides& sides_;
+};
+
+class FacetRecovery {
+ public:
+  FacetRecovery(Recovery& recovery, Index subfacet)
+      : recovery_(recovery),
+        mesh_(recovery.mesh),
+        subfacet_(subfacet),
+        plane_(recovery.constraints.subfacets[subfacet].vertices),
+        sides_(mesh_, plane_, members_of(recovery.constraints, subfacet)) {
+    border_ = {{plane_[0], plane_[1]}, {plane_[1], plane_[2]}, {plane_[2], plane_[0]}};
+    if (recovery.constraints.is_piece(subfacet)) border_ = recovery.constraints.piece_of(subfacet).border;
+    is_plain_ = !recovery.constraints.is_piece(subfacet);
+  }
+
+  /// Locks a piece that faces cover. False: none do.
+  bool as_it_is() {
+    const FacetTrace trace = trace_piece(mesh_, recovery_.constraints, subfacet_);
+    if (trace.status != FacetTrace::Status::complete) return false;
+    commit(trace);
+    return true;
+  }
+
+  bool by_flips(unsigned depth) {
+    EdgeRemover remover(mesh_, recovery_.constraints);
+    const NoNewPiercing rule(sides_);
+    FacetTrace trace = checked_trace();
+    while (trace.status == FacetTrace::Status::pierced) {
+      bool progress = false;
+      for (const PiercingEdge& e : trace.piercing)
+        if (mesh_.find_edge(e.below, e.above) != no_cell && remover.remove(e.below, e.above, depth, &rule))
+          progress = true;
+      if (!progress) return false;
+      trace = checked_trace();
+    }
+    if (trace.status != FacetTrace::Status::complete) return false;
+    commit(trace);
+    return true;
+  }
+
+  /// Only while no point has been added: the sheet is the subfacet as a whole.
+  bool by_cavity(std::size_t max_nodes) {
+    const FacetTrace trace = checked_trace();
+    if (trace.status != FacetTrace::Status::pierced || !is_plain_) return false;
+    std::vector<CellIndex> cells;
+    EdgeRing ring;
+    for (const PiercingEdge& e : trace.piercing)
+      if (mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring))
+        cells.insert(cells.end(), ring.cells.begin(), ring.cells.end());
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
+  }
+
+  void by_points() {
+    for (unsigned depth = 2; !by_flips(depth); depth = 1) {
+      const FacetTrace trace = checked_trace();
+      if (trace.status == FacetTrace::Status::unclear || !split_one(trace))
+        fail_facet_not_recovered(recovery_, subfacet_);
+    }
+  }
+
+ private:
+  static std::vector<VertexIndex> members_of(const Constraints& constraints, Index subfacet) {
+    if (constraints.is_piece(subfacet)) return constraints.piece_of(subfacet).members;
+    const Triangle& t = constraints.subfacets[subfacet].vertices;
+    return {t.begin(), t.end()};
+  }
+
+  FacetTrace checked_trace() {
+    FacetTrace trace = trace_facet(mesh_, sides_, border_);
+    if (trace.status == FacetTrace::Status::touched) {
+      if (holds(trace.culprit)) fail_vertex_on_facet(recovery_, trace.culprit, subfacet_);
+      trace.status = FacetTrace::Status::unclear;
+    }
+    for (const PiercingEdge& e : trace.piercing) {
+      const Index s = recovery_.constraints.subsegment_of(e.below, e.above);
+      if (s == no_index) continue;
+      if (is_passed_by(e)) fail_segment_pierces_facet(recovery_, s, subfacet_);
+      trace.status = FacetTrace::Status::unclear;
+    }
+    return trace;
+  }
+
+  // Where rounding bends a border with added points, the trace may leave the subfacet through cells flat in its plane,
+  // and then meets what lies beside it: nobody is accused without an exact test against the corners.
+
+  /// Whether the edge passes through the triangle of the corners or touches it: it has the corners' edges on one side.
+  bool is_passed_by(PiercingEdge e) const {
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Sign side = mesh_.orient(e.below, e.above, plane_[i], plane_[(i + 1) % 3]);
+      left = left || side == Sign::positive;
+      right = right || side == Sign::negative;
+    }
+    return !(left && right);
+  }
+  /// Whether the vertex lies in the triangle of the corners, its border included, or in the polygon where the trace is
+  /// exact: no added point bends it.
+  bool holds(VertexIndex v) const {
+    if (mesh_.orient(plane_[0], plane_[1], plane_[2], v) != Sign::zero) return false;
+    const std::vector<VertexIndex> members = members_of(recovery_.constraints, subfacet_);
+    const auto is_input = [&](VertexIndex u) { return u < mesh_.n_input(); };
+    if (is_input(v) && !has_been_split_ && std::all_of(members.begin(), members.end(), is_input)) return true;
+    const Vec3 normal = sides_.normal();
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
+    const auto flat = [&](VertexIndex u) {
+      return Vec2{mesh_.point(u)[(axis + 1) % 3], mesh_.point(u)[(axis + 2) % 3]};
+    };
+    const Sign whole = orient2d(flat(plane_[0]), flat(plane_[1]), flat(plane_[2]));
+    for (std::size_t i = 0; i < 3; ++i)
+      if (static_cast<int>(orient2d(flat(plane_[i]), flat(plane_[(i + 1) % 3]), flat(v))) * static_cast<int>(whole) < 0)
+        return false;
+    return true;
+  }
+
+  /// In the plane of the input's corners. Extended precision: the plane of a thin triangle is known to fewer digits
+  /// than its corners.
+  Vec3 piercing_point(const PiercingEdge& e) const {
+    using Real = long double;
+    const Vec3 &p = mesh_.point(plane_[0]), &q = mesh_.point(plane_[1]), &r = mesh_.point(plane_[2]);
+    const Vec3 &a = mesh_.point(e.below), &b = mesh_.point(e.above);
+    const std::array<Real, 3> u{Real(q.x) - p.x, Real(q.y) - p.y, Real(q.z) - p.z},
+        v{Real(r.x) - p.x, Real(r.y) - p.y, Real(r.z) - p.z};
+    const std::array<Real, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const auto height = [&](const Vec3& x) {
+      return n[0] * (Real(x.x) - p.x) + n[1] * (Real(x.y) - p.y) + n[2] * (Real(x.z) - p.z);
+    };
+    const Real da = height(a), db = height(b);
+    const Real s = da == db ? Real(0.5) : std::clamp(da / (da - db), Real(0), Real(1));
+    Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<double>(a[i] + s * (Real(b[i]) - a[i]));
+    return out;
+  }
+
+  /// Splits the piercing edge nearest to its middle, so that the new cells are as thick as can be; else any.
+  bool split_one(const FacetTrace& trace) {
+    Constraints& constraints = recovery_.constraints;
+    EdgeRing ring;
+    for (const PiercingEdge& e : trace.piercing) {
+      const CellIndex cell = mesh_.find_edge(e.below, e.above);
+      if (!mesh_.ring(cell, e.below, e.above, ring)) continue;
+      const VertexIndex x = mesh_.add_point(piercing_point(e));
+      if (insert_in_star(mesh_, constraints, x, ring.cells)) {
+        constraints.vertices.resize(mesh_.points().size());
+        constraints.vertices[x] = {VertexOrigin::on_facet, constraints.subfacets[subfacet_].facet};
+        recovery_.count_added_point();
+        sides_.add_member(x);
+        is_plain_ = false;
+        has_been_split_ = true;
+        return true;
+      }
+      mesh_.drop_last_point();
+    }
+    return false;
+  }
+
+  void commit(const FacetTrace& trace) {
+    Constraints& constraints = recovery_.constraints;
+    const Index facet = constraints.subfacets[subfacet_].facet;
+    if (!is_plain_) {
+      // A face of another facet: rounding has folded two that meet at a very small angle onto each other.
+      for (const Triangle& t : trace.faces)
+        if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index) fail_facet_not_recovered(recovery_, subfacet_);
+      for (std::size_t i = 0; i < trace.faces.size(); ++i)
+        constraints.subfacets[constraints.add_subfacet(trace.faces[i], facet)].seen_in = trace.cells[i];
+      constraints.remove_subfacet(subfacet_);
+    }
+    for (std::size_t i = 0; i < trace.faces.size(); ++i) {
+      const Triangle& t = trace.faces[i];
+      mesh_.lock(mesh_.face_in_cell(trace.cells[i], t[0], t[1], t[2]));
+    }
+  }
+
+  Recovery& recovery_;
+  ConstrainedMesh& mesh_;
+  Index subfacet_;
+  Triangle plane_;
+  std::vector<DirectedEdge> border_;
+  FacetSides sides_;
+  bool is_plain_ = true;         ///< a triangle to which no point has been added
+  bool has_been_split_ = false;  ///< got a point here
+};
+
+}  // namespace
+
+namespace {
+
+/// Some may come to the mesh later (hard_parts_first.hpp).
+bool has_all_vertices(const Recovery& recovery, Index subfacet) {
+  const auto in_mesh = [&](VertexIndex v) { return recovery.mesh.in_mesh(v); };
+  const Constraints& c = recovery.constraints;
+  if (c.is_piece(subfacet))
+    return std::all_of(c.piece_of(subfacet).members.begin(), c.piece_of(subfacet).members.end(), in_mesh);
+  return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
+}
+
+bool is_present(Recovery& recovery, Index subfacet) {
+  if (recovery.constraints.is_piece(subfacet))
+    return trace_piece(recovery.mesh, recovery.constraints, subfacet).status == FacetTrace::Status::complete;
+  return face_of_subfacet(recovery.mesh, recovery.constraints, subfacet).valid();
+}
+
+}  // namespace
+
+std::size_t count_missing_subfacets(Recovery& recovery) {
+  std::size_t n = 0;
+  for (Index f = 0; f < recovery.constraints.subfacets.size(); ++f)
+    if (recovery.constraints.subfacets[f].live && !is_present(recovery, f)) ++n;
+  return n;
+}
+
+void recover_facets(Recovery& recovery) {
+  Constraints& constraints = recovery.constraints;
+  std::vector<Index> missing;
+  const Index n_subfacets = static_cast<Index>(constraints.subfacets.size());
+  for (Index f = 0; f < n_subfacets; ++f) {
+    if (!constraints.subfacets[f].live || !has_all_vertices(recovery, f)) continue;
+    if (constraints.is_piece(f)) {
+      if (!FacetRecovery(recovery, f).as_it_is()) missing.push_back(f);
+      continue;
+    }
+    const FaceRef face = face_of_subfacet(recovery.mesh, constraints, f);
+    if (face.valid()) {
+      recovery.mesh.lock(face);
+    } else {
+      missing.push_back(f);
+    }
+  }
+  recovery.statistics.missing_facets_initial = std::max(recovery.statistics.missing_facets_initial, missing.size());
+  recovery.statistics.facets_reinserted += missing.size();
+  for (unsigned depth : {0u, 1u, 2u, 3u}) {
+    recovery.context.check_cancelled();
+    std::erase_if(missing, [&](Index f) {
+      return FacetRecovery(recovery, f).by_flips(depth) ||
+             (depth > 0 && FacetRecovery(recovery, f).by_cavity(200 * depth));
+    });
+  }
+  for (Index f : missing) recovery.hard_facets.push_back(constraints.subfacets[f].facet);
+  for (Index f : missing) {
+    recovery.context.check_cancelled();
+    FacetRecovery(recovery, f).by_points();
+  }
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+/// Segments by flips alone: what the line from one end crosses first is removed, from either end in turn (after the
+/// boundary recovery of George and Borouchaki 1998 and of Si 2015; own design on the n-to-m removal of
+/// edge_removal.hpp).
+#include "recover/model/crossing.hpp"
+#include "recover/model/messages.hpp"
+#include "recover/model/recover.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// Edges that one removal may try: most removals that succeed do so early.
+constexpr unsigned budget(unsigned depth) { return depth == 0 ? 1 : depth == 1 ? 40 : depth == 2 ? 160 : 600; }
+
+/// Removes the simplex crossed, or a neighbour that stands in the way of its removal.
+bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& crossing, unsigned depth) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  if (crossing.kind == CrossingKind::edge)
+    return remover.remove(crossing.v[0], crossing.v[1], depth, nullptr, budget(depth), crossing.cell);
+  if (remover.flip_face(crossing.face)) return true;
+  const FaceRef beyond = mesh.cells().mirror(crossing.face);
+  const VertexIndex a = mesh.cells().vertex(crossing.cell, crossing.face.face());
+  const VertexIndex d = mesh.cells().vertex(beyond.cell(), beyond.face());
+  const auto v = crossing.v;  // counter-clockwise seen from a
+  for (unsigned k = 0; k < 3; ++k) {
+    const VertexIndex p = v[k], q = v[(k + 1) % 3];
+    if (mesh.orient(p, q, d, a) == Sign::positive) continue;
+    if (remover.remove(p, q, depth, nullptr, budget(depth), crossing.cell)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+namespace {
+
+/// The first crossing from either end in turn.
+bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
+  EdgeRemover remover(recovery.mesh, recovery.constraints);
+  unsigned failures = 0;
+  const unsigned max_flips = 200;
+  for (unsigned step = 0; step < max_flips && failures < 2; ++step) {
+    const Crossing crossing = first_crossing(recovery.mesh, a, b);
+    if (crossing.kind == CrossingKind::edge_present) return true;
+    const Index s = recovery.constraints.subsegment_of(a, b);
+    if (crossing.kind == CrossingKind::vertex) fail_vertex_on_segment(recovery, crossing.v[0], s);
+    if (crossing.kind == CrossingKind::edge) {
+      const Index other = recovery.constraints.subsegment_of(crossing.v[0], crossing.v[1]);
+      if (other != no_index) fail_segments_cross(recovery, s, other);
+    }
+    if (remove_crossed(recovery, remover, crossing, depth)) {
+      failures = 0;
+    } else {
+      ++failures;
+      std::swap(a, b);
+    }
+  }
+  return false;
+}
+
+/// Any crossing, where that leaves fewer of them, or now and then as many (as in the plane, where a crossed edge of a
+/// quadrilateral that is not convex has to wait for its neighbours).
+class CrossingReduction {
+ public:
+  CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth)
+      : recovery_(recovery),
+        mesh_(recovery.mesh),
+        remover_(recovery.mesh, recovery.constraints),
+        a_(a),
+        b_(b),
+        depth_(depth) {}
+
+  bool run() {
+    const std::size_t mark = mesh_.mark();
+    unsigned sideways = 3;
+    while (walk_line(mesh_, a_, b_, line_)) {
+      if (step(false)) continue;
+      if (sideways == 0 || !step(true)) break;
+      --sideways;
+    }
+    if (mesh_.find_edge(a_, b_) != no_cell) {
+      mesh_.keep();
+      return true;
+    }
+    mesh_.roll_back(mark);
+    return false;
+  }
+
+ private:
+  bool step(bool sideways) {
+    const std::vector<Crossing> crossings = line_.crossings;
+    for (std::size_t k = 0; k < crossings.size(); ++k) {
+      // Slots may have been renumbered by an attempt that was rolled back.
+      if ((!walk_line(mesh_, a_, b_, line_) || line_.crossings.size() != crossings.size())) return false;
+      const std::size_t mark = mesh_.mark();
+      if (remove_crossed(recovery_, remover_, line_.crossings[k], depth_) && is_progress(crossings.size(), sideways)) {
+        mesh_.keep();
+        return true;
+      }
+      mesh_.roll_back(mark);
+    }
+    return false;
+  }
+  bool is_progress(std::size_t before, bool sideways) {
+    if (mesh_.find_edge(a_, b_) != no_cell) return true;
+    LineCrossings after;
+    if (!walk_line(mesh_, a_, b_, after)) return false;
+    return after.crossings.size() < before || (sideways && after.crossings.size() == before);
+  }
+
+  Recovery& recovery_;
+  ConstrainedMesh& mesh_;
+  EdgeRemover remover_;
+  VertexIndex a_, b_;
+  unsigned depth_;
+  LineCrossings line_;
+};
+
+}  // namespace
+
+bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
+  return recover_from_ends(recovery, a, b, depth) || (depth > 1 && CrossingReduction(recovery, a, b, depth).run());
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "recover/model/constrained_mesh.hpp"
+
+#include <algorithm>
+
+namespace geomesh::recover {
+
+ConstrainedMesh::ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input)
+    : mesh_(std::move(mesh)), points_(std::move(points)), cell_of_(points_.size(), no_cell), n_input_(n_input) {
+  for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
+    if (!mesh_.is_live(c)) continue;
+    mesh_.flags(c) = 0;
+    for (VertexIndex v : mesh_.vertices(c))
+      if (v != infinite_vertex) cell_of_[v] = c;
+  }
+}
+
+VertexIndex ConstrainedMesh::add_point(const Vec3& p) {
+  points_.push_back(p);
+  cell_of_.push_back(no_cell);
+  return static_cast<VertexIndex>(points_.size() - 1);
+}
+
+void ConstrainedMesh::drop_last_point() {
+  GEOMESH_CHECK(cell_of_.back() == no_cell);
+  points_.pop_back();
+  cell_of_.pop_back();
+}
+
+void ConstrainedMesh::lock(FaceRef f) {
+  mesh_.flags(f.cell()) |= static_cast<std::uint8_t>(1u << f.face());
+  const FaceRef g = mesh_.mirror(f);
+  mesh_.flags(g.cell()) |= static_cast<std::uint8_t>(1u << g.face());
+}
+
+void ConstrainedMesh::unlock(FaceRef f) {
+  mesh_.flags(f.cell()) &= static_cast<std::uint8_t>(~(1u << f.face()));
+  const FaceRef g = mesh_.mirror(f);
+  mesh_.flags(g.cell()) &= static_cast<std::uint8_t>(~(1u << g.face()));
+}
+
+void ConstrainedMesh::star(VertexIndex v, std::vector<CellIndex>& out) {
+  if (visited_.size() < mesh_.n_slots()) visited_.resize(mesh_.n_slots() + mesh_.n_slots() / 2, 0);
+  if (++epoch_ == 0) {
+    std::fill(visited_.begin(), visited_.end(), 0);
+    epoch_ = 1;
+  }
+  out.assign(1, cell_of_[v]);
+  visited_[cell_of_[v]] = epoch_;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const CellIndex c = out[i];
+    for (unsigned f = 0; f < 4; ++f) {
+      if (mesh_.vertex(c, f) == v) continue;
+      const CellIndex n = mesh_.neighbor_cell(c, f);
+      if (visited_[n] == epoch_) continue;
+      visited_[n] = epoch_;
+      out.push_back(n);
+    }
+  }
+}
+
+std::vector<VertexIndex> ConstrainedMesh::neighbors(VertexIndex v) {
+  std::vector<CellIndex> cells;
+  star(v, cells);
+  std::vector<VertexIndex> out;
+  for (CellIndex c : cells)
+    for (VertexIndex w : mesh_.vertices(c))
+      if (w != v && w != infinite_vertex) out.push_back(w);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b, WalkDice& dice) const {
+  const unsigned i = mesh_.index_of(c, a);
+  const auto& v = mesh_.vertices(c);
+  unsigned exit = 4, outside = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const unsigned r = face_vertices[i][k], p = face_vertices[i][(k + 1) % 3], q = face_vertices[i][(k + 2) % 3];
+    if (orient(a, v[p], v[q], b) != Sign::positive) continue;
+    if (++outside == 1 || dice(outside) == 0) exit = r;
+  }
+  return exit;
+}
+
+CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
+  // A walk in the star of a towards b; a star is small, so a walk that has not arrived soon gives way to a search of
+  // it.
+  CellIndex c = cell_of_[a];
+  WalkDice dice(a, b);
+  for (unsigned step = 0; step < 24; ++step) {
+    if (mesh_.has_vertex(c, b)) return c;
+    if (mesh_.is_ghost(c)) break;
+    const unsigned exit = exit_towards(c, a, b, dice);
+    if (exit == 4) return no_cell;
+    c = mesh_.neighbor_cell(c, exit);
+  }
+  std::vector<CellIndex> cells;
+  star(a, cells);
+  for (CellIndex s : cells)
+    if (mesh_.has_vertex(s, b)) return s;
+  return no_cell;
+}
+
+bool ConstrainedMesh::ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const {
+  out.p = a;
+  out.q = b;
+  out.cells.clear();
+  out.ring.clear();
+  CellIndex c = cell;
+  unsigned i = mesh_.index_of(c, a), j = mesh_.index_of(c, b);
+  VertexIndex first = mesh_.vertex(c, even_completion[i][j][0]);
+  do {
+    if (mesh_.is_ghost(c)) return false;
+    i = mesh_.index_of(c, a);
+    j = mesh_.index_of(c, b);
+    const unsigned k = 6 - i - j - mesh_.index_of(c, first);
+    out.cells.push_back(c);
+    out.ring.push_back(first);
+    const FaceRef next = mesh_.mirror(FaceRef(c, mesh_.index_of(c, first)));
+    first = mesh_.vertex(c, k);
+    c = next.cell();
+  } while (c != cell);
+  // From a start that does not depend on the course of recovery.
+  const auto start = std::min_element(out.ring.begin(), out.ring.end()) - out.ring.begin();
+  std::rotate(out.ring.begin(), out.ring.begin() + start, out.ring.end());
+  std::rotate(out.cells.begin(), out.cells.begin() + start, out.cells.end());
+  return true;
+}
+
+FaceRef ConstrainedMesh::face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const {
+  const unsigned i = mesh_.index_of(cell, a), j = mesh_.index_of(cell, b), k = mesh_.index_of(cell, c);
+  const unsigned d = 6 - i - j - k;
+  const FaceRef f(cell, d);
+  // (a,b,c,d) is positive exactly where (i,j,k,d) is an even permutation.
+  return even_completion[i][j][0] == k ? f : mesh_.mirror(f);
+}
+
+FaceRef ConstrainedMesh::find_face(VertexIndex a, VertexIndex b, VertexIndex c) {
+  const CellIndex start = find_edge(a, b);
+  return start == no_cell ? FaceRef{} : find_face_about(start, a, b, c);
+}
+
+FaceRef ConstrainedMesh::find_face_about(CellIndex start, VertexIndex a, VertexIndex b, VertexIndex c) const {
+  CellIndex cell = start;
+  VertexIndex pivot = mesh_.vertex(cell, even_completion[mesh_.index_of(cell, a)][mesh_.index_of(cell, b)][0]);
+  do {
+    if (mesh_.has_vertex(cell, c)) return face_in_cell(cell, a, b, c);
+    const unsigned i = mesh_.index_of(cell, a), j = mesh_.index_of(cell, b), p = mesh_.index_of(cell, pivot);
+    const VertexIndex next_pivot = mesh_.vertex(cell, 6 - i - j - p);
+    cell = mesh_.neighbor_cell(cell, p);
+    pivot = next_pivot;
+  } while (cell != start);
+  return {};
+}
+
+CellIndex ConstrainedMesh::locate(const Vec3& p, CellIndex start) {
+  const int infinite = mesh_.ghost_index(start);
+  CellIndex c = infinite >= 0 ? mesh_.neighbor_cell(start, static_cast<unsigned>(infinite)) : start;
+  const std::size_t limit = 1000 + mesh_.n_slots();
+  for (std::size_t step = 0; step < limit; ++step) {
+    const int ghost = mesh_.ghost_index(c);
+    if (ghost >= 0) return no_cell;
+    const auto& v = mesh_.vertices(c);
+    const unsigned first = random(4);
+    unsigned exit = 4;
+    for (unsigned k = 0; k < 4 && exit == 4; ++k) {
+      const unsigned f = (first + k) & 3u;
+      const auto& l = face_vertices[f];
+      if (orient3d(points_[v[l[0]]], points_[v[l[1]]], points_[v[l[2]]], p) == Sign::negative) exit = f;
+    }
+    if (exit == 4) return c;
+    c = mesh_.neighbor_cell(c, exit);
+  }
+  for (c = 0; c < mesh_.n_slots(); ++c) {
+    if (!mesh_.is_live(c) || mesh_.is_ghost(c)) continue;
+    const auto& v = mesh_.vertices(c);
+    bool inside = true;
+    for (const auto& l : face_vertices)
+      inside = inside && orient3d(points_[v[l[0]]], points_[v[l[1]]], points_[v[l[2]]], p) != Sign::negative;
+    if (inside) return c;
+  }
+  return no_cell;
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The mesh under recovery: cells, vertices, and the one operation by which recovery changes it.
+///
+/// Invariants:
+///   1. every finite cell is exactly positive in the doubles of `points` (nothing is rounded later);
+///   2. bit i of flags(c) is set where face i of c is a recovered subfacet ("locked"), on both of its cells;
+///   3. cell_of(v) is a live cell with v, for every vertex in the mesh;
+///   4. the model lies strictly inside a box of eight auxiliary vertices (`is_box_vertex`), so that every constraint is
+///   interior and
+///      ghost cells are never touched.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/flat_map.hpp"
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+
+namespace geomesh::recover {
+
+inline constexpr std::uint8_t locked_faces_mask = 0x0F;
+inline constexpr std::uint8_t cavity_flag = 0x80;  ///< set while a replacement runs
+inline constexpr std::uint8_t tested_flag = 0x40;  ///< set while a cavity is searched: found to lie outside it
+
+/// The cells about an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
+struct EdgeRing {
+  VertexIndex p = no_vertex, q = no_vertex;
+  std::vector<CellIndex> cells;
+  std::vector<VertexIndex> ring;
+};
+
+/// local_edge[i][j]: the other two local vertices k, l such that (i, j, k, l) is an even permutation.
+inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+
+/// Deterministic choices of a walk's direction. They depend on where it starts and ends alone, not on walks before it,
+/// so that looking something up changes nothing.
+class WalkDice {
+ public:
+  WalkDice(VertexIndex a, VertexIndex b) : state_(a * 0x9E3779B9u + b) {}
+  unsigned operator()(unsigned n) {
+    state_ = state_ * 1664525u + 1013904223u;
+    return (state_ >> 16) % n;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+class ConstrainedMesh {
+ public:
+  /// `n_input` vertices of the model come first, then the eight of the box.
+  ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input);
+
+  /// Gives the cells and the points back; nothing may be asked of the mesh afterwards.
+  void release(TetMesh& cells, std::vector<Vec3>& points) {
+    cells = std::move(mesh_);
+    points = std::move(points_);
+  }
+
+  const TetMesh& cells() const { return mesh_; }
+  const std::vector<Vec3>& points() const { return points_; }
+  const Vec3& point(VertexIndex v) const { return points_[v]; }
+  std::size_t n_input() const { return n_input_; }
+  bool is_box_vertex(VertexIndex v) const { return v >= n_input_ && v < n_input_ + 8; }
+  /// A vertex not yet in any cell.
+  VertexIndex add_point(const Vec3& p);
+  /// Only for vertices whose star the caller has checked (or that is in no cell).
+  void move_point(VertexIndex v, const Vec3& p) { points_[v] = p; }
+  void drop_last_point();
+
+  Sign orient(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
+    return orient3d(points_[a], points_[b], points_[c], points_[d]);
+  }
+  bool positive(const Tetrahedron& t) const { return orient(t[0], t[1], t[2], t[3]) == Sign::positive; }
+
+  CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
+  bool in_mesh(VertexIndex v) const { return cell_of_[v] != no_cell; }
+  void forget(VertexIndex v) { cell_of_[v] = no_cell; }
+
+  bool is_locked(FaceRef f) const { return (mesh_.flags(f.cell()) >> f.face()) & 1u; }
+  void lock(FaceRef f);
+  void unlock(FaceRef f);
+
+  /// All cells with v (ghosts too). The order depends on the mesh alone.
+  void star(VertexIndex v, std::vector<CellIndex>& out);
+  /// Vertices joined with v by an edge, the infinite one left out, sorted.
+  std::vector<VertexIndex> neighbors(VertexIndex v);
+  /// A cell with both vertices, or no_cell. Walks about a towards b, so a must be in the mesh; exact.
+  CellIndex find_edge(VertexIndex a, VertexIndex b);
+  /// Looks into the cell `hint` first, which may be any, a dead one or no_cell too.
+  CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
+    const bool is_there =
+        hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);
+    return is_there ? hint : find_edge(a, b);
+  }
+  /// The cells about edge a-b, `cell` being one. False where a ghost is among them.
+  bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
+  /// The face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
+  FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
+  /// As find_face, where `cell` has a and b. O(cells about a-b).
+  FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
+  /// As find_face, for one given cell with all three.
+  FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
+
+  /// For a walk in the star of a towards b: a face of cell c, which has a, beyond whose plane b lies; of several one by
+  /// `dice`. 4 where c's cone about a has b.
+  unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, WalkDice& dice) const;
+
+  /// A finite cell that has p inside or on its boundary, walking from `start` (of a ghost: from beside it); no_cell
+  /// where p is outside the box. Exact.
+  CellIndex locate(const Vec3& p, CellIndex start);
+
+  /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks are kept
+  /// where the face is there afterwards, inside too. The caller answers for positivity. Indices of the new cells:
+  /// last_created(). O(k log k).
+  void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
+  const std::vector<CellIndex>& last_created() const { return created_; }
+
+  /// The cavity of an insertion, while nothing is locked and no undo is open: the cells that `in_cavity(cell)` accepts,
+  /// searched from `first`, which is one of them, through faces. They stay marked until replace_by_star. O(cells
+  /// tested).
+  template <class Test>
+  void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
+  /// Takes these marks off, or puts them on the same cells again.
+  void mark_cavity(std::span<const CellIndex> cavity, bool marked) {
+    for (const CellIndex c : cavity)
+      mesh_.flags(c) = static_cast<std::uint8_t>(marked ? mesh_.flags(c) | cavity_flag : mesh_.flags(c) & ~cavity_flag);
+  }
+  bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & cavity_flag; }
+  /// Replaces a cavity from find_cavity by the cells that join its boundary with x. Cells are linked by turning about
+  /// the edges of the boundary inside the cavity, so that no table of faces is needed. The caller answers for
+  /// positivity; new cells: last_created(). O(k).
+  void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
+
+  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
+  std::size_t mark();
+  void roll_back(std::size_t mark);
+  /// Ends what mark() began, keeping the changes.
+  void keep();
+
+  /// Deterministic source of choices.
+  unsigned random(unsigned n) {
+    seed_ = seed_ * 1664525u + 1013904223u;
+    return (seed_ >> 16) % n;
+  }
+
+ private:
+  struct CreatedCell {
+    Tetrahedron vertices;
+    CellIndex slot;  ///< that it had then
+  };
+  /// What each replacement removed and created begins at these rows.
+  struct JournalEntry {
+    std::size_t removed, created;
+  };
+  /// A face that waits for its other cell, or has found it; free where `face` is invalid.
+  struct WaitingFace {
+    Triangle key;
+    FaceRef face;
+    bool is_linked;
+  };
+
+  void await_faces(std::size_t n_faces);
+  void link_or_wait(FaceRef f);
+  FaceRef boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const;
+
+  TetMesh mesh_;
+  std::vector<Vec3> points_;
+  std::vector<CellIndex> cell_of_;
+  std::size_t n_input_;
+  std::vector<JournalEntry> journal_;
+  std::vector<Tetrahedron> journal_removed_;
+  std::vector<CreatedCell> journal_created_;
+  std::size_t journal_depth_ = 0;
+  std::vector<CellIndex> created_;
+  std::vector<FaceRef> star_faces_;   ///< per created cell of a star: the old cell's face under it
+  std::vector<CellIndex> tested_;     ///< of a search for a cavity: cells outside it
+  std::vector<WaitingFace> waiting_;  ///< open addressing, a power of two
+  std::size_t waiting_mask_ = 0, n_waiting_ = 0;
+  std::vector<Triangle> inner_locks_;  ///< locked faces between two of the old cells
+  std::vector<std::uint32_t> visited_;
+  std::uint32_t epoch_ = 0;
+  std::uint32_t seed_ = 1;
+};
+
+template <class Test>
+void ConstrainedMesh::find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity) {
+  cavity.assign(1, first);
+  tested_.clear();
+  mesh_.flags(first) |= cavity_flag;
+  for (std::size_t i = 0; i < cavity.size(); ++i)
+    for (unsigned f = 0; f < 4; ++f) {
+      const CellIndex n = mesh_.neighbor_cell(cavity[i], f);
+      if (mesh_.flags(n) & (cavity_flag | tested_flag)) continue;
+      const bool inside = in_cavity(n);
+      (inside ? cavity : tested_).push_back(n);
+      mesh_.flags(n) |= inside ? cavity_flag : tested_flag;
+    }
+  for (const CellIndex c : tested_) mesh_.flags(c) &= static_cast<std::uint8_t>(~tested_flag);
+}
+
+}  // namespace geomesh::recover

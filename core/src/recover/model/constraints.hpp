@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The declared constraints: which vertex pairs are subsegments and which triples are subfacets, and what they stand
+/// for. Membership is declared when something is split and never tested again by coordinates.
+///
+/// Invariants:
+///   1. live subsegments, and live subfacets that are no pieces, are found by their vertices, in any order;
+///   2. each border edge of a live subfacet is a live subsegment, which lists that subfacet;
+///   3. the live subfacets of a facet, projected on it, cover it once.
+#pragma once
+
+#include <vector>
+
+#include "common/flat_map.hpp"
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+
+namespace geomesh::recover {
+
+struct Subsegment {
+  VertexIndex a = no_vertex, b = no_vertex;
+  Index segment = no_index;  ///< row in Constraints::segments, or no_index for an edge inside a facet
+  Index facet = no_index;    ///< for an edge inside a facet: that facet
+  bool live = true;
+  std::vector<Index> subfacets;
+  CellIndex seen_in = no_cell;  ///< a cell that once had it (presence.hpp)
+};
+
+using DirectedEdge = std::array<VertexIndex, 2>;
+
+/// A triangle that is a face of the mesh or is to become one, or, with `piece`, a part of a facet that any faces may
+/// cover.
+struct Subfacet {
+  Triangle vertices{};  ///< in the orientation of the facet; of a piece: three of its vertices, that span its plane
+  Index facet = no_index;
+  bool live = true;
+  Index piece = no_index;
+  CellIndex seen_in = no_cell;  ///< a cell that once had it for a face (presence.hpp)
+};
+
+/// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle
+/// whose border has got points. Any mesh faces between its vertices that cover it will do, so inner edges cost no
+/// points.
+struct FacetPiece {
+  std::vector<DirectedEdge>
+      border;  ///< the facet lies on the left, seen from above; an inner segment stands in both directions
+  std::vector<VertexIndex> members;  ///< all vertices, border and inside
+  std::vector<Triangle> seen{};      ///< faces that once covered it (presence.hpp)
+  std::vector<CellIndex> seen_in{};  ///< cells that had them
+};
+
+/// A segment of the model: a facet border or one that the caller lists.
+struct ModelSegment {
+  VertexIndex a = no_vertex, b = no_vertex;
+  Index row = no_index;  ///< in PiecewiseLinearComplex::segments
+};
+
+/// What a vertex is: declared, not measured.
+struct VertexRecord {
+  VertexOrigin origin = VertexOrigin::input;
+  Index owner = no_index;  ///< model segment or facet
+};
+
+class Constraints {
+ public:
+  std::vector<ModelSegment> segments;
+  std::vector<VertexRecord> vertices;
+  std::vector<Subsegment> subsegments;
+  std::vector<Subfacet> subfacets;
+
+  void reserve(std::size_t n_subsegments, std::size_t n_subfacets);
+
+  Index subsegment_of(VertexIndex a, VertexIndex b) const { return subsegment_map_.find({a, b}); }
+  Index subfacet_of(VertexIndex a, VertexIndex b, VertexIndex c) const { return subfacet_map_.find({a, b, c}); }
+  bool is_subsegment(VertexIndex a, VertexIndex b) const { return subsegment_of(a, b) != no_index; }
+
+  /// Whether a and b lie on one model segment with added points between them: such an edge would run beside these
+  /// points at the distance of a rounding error, so recovery never makes one.
+  bool skips_added_points(VertexIndex a, VertexIndex b) const {
+    const bool a_added = vertices[a].origin != VertexOrigin::input, b_added = vertices[b].origin != VertexOrigin::input;
+    if (!a_added && !b_added) return split_map_.find({a, b}) != no_index;
+    return lies_on_segment_of(a, b) || lies_on_segment_of(b, a);
+  }
+
+  Index add_subsegment(VertexIndex a, VertexIndex b, Index segment, Index facet);
+  /// Edges that are no subsegments yet become edges inside the facet.
+  Index add_subfacet(const Triangle& t, Index facet);
+  /// Takes a subfacet out; edges inside a facet that bound nothing any more go with it.
+  void remove_subfacet(Index subfacet);
+  void remove_subsegment(Index subsegment);
+
+  /// A part of a facet by its border; its edges are subsegments already.
+  Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
+  const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
+  /// For presence.hpp.
+  void remember(Index subfacet, const std::vector<Triangle>& faces, const std::vector<CellIndex>& cells) {
+    pieces_[subfacets[subfacet].piece].seen = faces;
+    pieces_[subfacets[subfacet].piece].seen_in = cells;
+  }
+  bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
+
+  /// Makes a triangle a piece, as its first added point does.
+  void make_piece(Index subfacet);
+  /// Declares x to lie inside piece f.
+  void add_member(Index f, VertexIndex x) {
+    pieces_[subfacets[f].piece].members.push_back(x);
+    pieces_[subfacets[f].piece].seen.clear();
+  }
+
+  /// Splits subsegment s at vertex x: a-x and x-b. The subfacets about it become pieces with x on their border.
+  std::array<Index, 2> split_subsegment(Index s, VertexIndex x);
+
+ private:
+  EdgeMap subsegment_map_;
+  /// a is added on a segment which b is on too, and a-b is no subsegment.
+  bool lies_on_segment_of(VertexIndex a, VertexIndex b) const {
+    const VertexRecord& r = vertices[a];
+    if (r.origin != VertexOrigin::on_segment) return false;
+    const bool b_is_on = (vertices[b].origin == VertexOrigin::on_segment && vertices[b].owner == r.owner) ||
+                         segments[r.owner].a == b || segments[r.owner].b == b;
+    return b_is_on && !is_subsegment(a, b);
+  }
+
+  EdgeMap split_map_;  ///< model segments that have added points
+  FaceMap subfacet_map_;
+  std::vector<FacetPiece> pieces_;
+};
+
+}  // namespace geomesh::recover

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The part of a mesh about the place where recovery ended, for viewing.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "recover/model/recover.hpp"
+
+namespace geomesh::recover {
+
+/// The finite cells within two steps of these vertices (of more than `max_cells` those nearest by steps), and the
+/// declared segments and facets whose vertices are all among theirs. O(cells of the excerpt + declared constraints).
+std::shared_ptr<const MeshExcerpt> excerpt_about(const Recovery& recovery, std::span<const VertexIndex> vertices,
+                                                 std::size_t max_cells = 4000);
+
+}  // namespace geomesh::recover

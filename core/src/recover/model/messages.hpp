@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// How recovery speaks of the items of the model in its errors.
+#pragma once
+
+#include <string>
+
+#include "recover/model/recover.hpp"
+
+namespace geomesh::recover {
+
+std::string describe_vertex(const Recovery& recovery, VertexIndex v);
+std::string describe_edge(const Recovery& recovery, VertexIndex a, VertexIndex b);
+std::string describe_subfacet(const Recovery& recovery, Index subfacet);
+
+/// Facets (PLC rows) that have this subsegment.
+std::vector<Index> facets_of_subsegment(const Recovery& recovery, Index subsegment);
+
+/// All of these vertices are of the input, so that a contradiction among them is the input's.
+bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vertices);
+
+[[noreturn]] void fail_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment);
+[[noreturn]] void fail_segments_cross(const Recovery& recovery, Index s, Index t);
+[[noreturn]] void fail_vertex_on_facet(const Recovery& recovery, VertexIndex v, Index subfacet);
+[[noreturn]] void fail_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet);
+[[noreturn]] void fail_segment_not_recovered(const Recovery& recovery, Index subsegment);
+[[noreturn]] void fail_facet_not_recovered(const Recovery& recovery, Index subfacet);
+
+}  // namespace geomesh::recover

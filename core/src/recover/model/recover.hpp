@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The stages of recovery in constrained mode, in the paper's order (section 3): segments, facets, what is still
+/// missing. All work is local to what is missing.
+#pragma once
+
+#include "geomesh/core/plc.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "plc/find_crossing.hpp"
+#include "plc/model_names.hpp"
+#include "recover/model/constrained_mesh.hpp"
+#include "recover/model/constraints.hpp"
+
+namespace geomesh::recover {
+
+/// What every stage works on.
+struct Recovery {
+  ConstrainedMesh& mesh;
+  Constraints& constraints;
+  RecoveryStatistics& statistics;
+  const RunContext& context;
+  /// Row in plc.points per vertex (no_vertex where added).
+  const std::vector<VertexIndex>& input_vertex;
+  const PiecewiseLinearComplex& plc;
+  const ModelNames& names;  ///< for the words of messages; their data name the items of `plc`
+  CrossingsOf& crossings;
+  std::size_t n_points_added = 0;
+  double expected_points_per_vertex = 0.25;  ///< more of them, and 300, cast doubt on the model
+  std::vector<Index> hard_segments{},
+      hard_facets{};  ///< model segments and facets that flips and cavities did not recover
+  /// No point is added on a segment nearer to another of its points: 64 ulps of the largest coordinate. What would need
+  /// it is begun again.
+  double least_spacing = 0;
+  unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
+
+  /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a
+  /// valid model hardly ever takes the model is searched for crossings. Throws Error{invalid_input} with both items.
+  void count_added_point();
+  /// Searches the model for crossings; throws as above where there is one.
+  void refuse_crossings() const;
+  bool has_crossings() const;
+};
+
+/// Every live subsegment is an edge of the mesh afterwards: flips first (segments_by_flips.cpp), then points on
+/// segments (segments_by_points.cpp). Throws Error{invalid_input} where a vertex lies on a segment or two segments
+/// cross.
+void recover_segments(Recovery& recovery);
+
+/// Tries flips alone to make a-b an edge. False: still missing.
+bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth);
+
+/// Every live subfacet is a locked face of the mesh afterwards; all subsegments are present before and after. Flips
+/// first, then points where mesh edges pierce the facet. Throws Error{invalid_input} where a segment or a vertex
+/// pierces a facet.
+void recover_facets(Recovery& recovery);
+
+/// Takes added points away again, or off segments and facets into the regions, where the mesh allows it. With
+/// `must_clear`, segments and facets are cleared at the price of more points inside.
+void remove_added_points(Recovery& recovery, bool must_clear);
+
+/// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
+void require_untouched_boundary(const Recovery& recovery);
+
+/// Takes one added point off its segment or facet (boundary_points_inward.cpp), `by_regions` with cells about its star
+/// too. False: nothing has changed.
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions = false);
+
+/// Counts declared simplices that are not in the mesh.
+std::size_t count_missing_subsegments(Recovery& recovery);
+std::size_t count_missing_subfacets(Recovery& recovery);
+
+/// The cells as they are at the end satisfy every invariant of ConstrainedMesh and hold every constraint; throws
+/// InternalError else.
+void validate_recovered(Recovery& recovery);
+
+}  // namespace geomesh::recover

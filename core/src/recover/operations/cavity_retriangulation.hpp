@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Recovery without points by emptying a cavity and filling it again, with the constraint as a sheet in it (the
+/// cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift wrapping, as the mesh is
+/// not Delaunay any more).
+#pragma once
+
+#include "recover/model/recover.hpp"
+#include "recover/operations/polyhedron_filling.hpp"
+
+namespace geomesh::recover {
+
+/// How hard a cavity is tried.
+struct CavityEffort {
+  std::size_t max_nodes = 200;
+  std::size_t max_faces = 90;
+};
+
+/// Cells to be emptied, with their boundary. No vertex but those dropped, no subsegment and no locked face lies inside.
+class Cavity {
+ public:
+  /// `cells`: none twice. `dropped`: a vertex that is to go (no_vertex: none); faces with it are no boundary, so the
+  /// caller closes what they leave open by sheets. `is_valid()` tells whether what is inside may be emptied.
+  Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
+
+  /// A triangle that is a face of every filling, on the side from which it is counter-clockwise.
+  void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
+  /// Cells into which the cavity must not grow; sorted.
+  void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
+
+  bool is_valid() const;
+  std::vector<Triangle> boundary() const;
+  const std::vector<CellIndex>& cells() const { return cells_; }
+  bool has_edge(VertexIndex a, VertexIndex b) const;
+  /// Vertices joined with v by an edge of the boundary, sorted.
+  std::vector<VertexIndex> neighbors(VertexIndex v) const;
+
+  /// All of the boundary joined with y, a point that no cell has yet, growing the cavity, which is valid then, over
+  /// faces that y does not see.
+  std::optional<std::vector<Tetrahedron>> star_from(VertexIndex y, unsigned max_growths);
+  std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;
+
+ private:
+  struct Side {
+    Triangle triangle;  ///< counter-clockwise seen from inside
+    FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
+  };
+
+  bool may_grow_over(const Side& side) const;
+  bool grow_over(FaceRef face);
+  bool swallows_constraint(const std::vector<Side>& before) const;
+  void add_cell(CellIndex c);
+  bool contains(CellIndex c) const { return std::find(cells_.begin(), cells_.end(), c) != cells_.end(); }
+
+  const Recovery& recovery_;
+  std::vector<CellIndex> cells_;
+  std::vector<Side> boundary_;
+  std::vector<CellIndex> forbidden_;
+  VertexIndex dropped_;
+};
+
+/// Makes a-b an edge as the border of a triangle a,b,c over a vertex c that is joined with both already.
+bool recover_segment_by_cavity(Recovery& recovery, VertexIndex a, VertexIndex b, const CavityEffort& effort);
+
+/// Makes the triangle a face, given the cells that edges piercing it have. Its edges are present.
+bool recover_face_by_cavity(Recovery& recovery, const Triangle& t, std::vector<CellIndex> pierced,
+                            const CavityEffort& effort);
+
+}  // namespace geomesh::recover

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Removal of a mesh edge by flips, without a point: the n cells about it are replaced by 2(n-2) (3-2 and 4-4 flips are
+/// n = 3 and 4). Which triangulation of the ring gives positive cells is found by dynamic programming (Klincsek 1980;
+/// Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"); where
+/// there is none, edges of the ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips
+/// of Si 2015, "TetGen", section 4.2; own design).
+#pragma once
+
+#include "recover/model/constrained_mesh.hpp"
+#include "recover/model/constraints.hpp"
+
+namespace geomesh::recover {
+
+/// Which new edges a removal must not make.
+class EdgeRule {
+ public:
+  virtual ~EdgeRule() = default;
+  virtual bool forbids(VertexIndex a, VertexIndex b) const = 0;
+};
+
+class EdgeRemover {
+ public:
+  EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints) : mesh_(mesh), constraints_(constraints) {}
+
+  /// Removes edge p-q, with `depth` levels of recursion. Refuses subsegments and edges of locked faces. False: the mesh
+  /// is as before (up to slot numbers). `rule` may be null. `budget` bounds the edges tried in this call. `hint`: see
+  /// ConstrainedMesh::find_edge.
+  bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr, unsigned budget = 2000,
+              CellIndex hint = no_cell);
+
+  /// 2-3 flip of a face: false where it is locked or a new cell would not be positive.
+  bool flip_face(FaceRef f);
+
+  static constexpr std::size_t max_ring = 24;
+
+ private:
+  bool remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear);
+  bool replace_ring(const EdgeRing& ring, VertexIndex ear);
+  bool is_fixed(const EdgeRing& ring) const;
+  bool shrink_ring(const EdgeRing& ring, unsigned depth);
+
+  ConstrainedMesh& mesh_;
+  const Constraints& constraints_;
+  const EdgeRule* rule_ = nullptr;
+  unsigned budget_ = 0;
+  std::vector<EdgeRing> rings_;  ///< of the edge in work at each depth
+  std::vector<Tetrahedron> filling_;
+};
+
+}  // namespace geomesh::recover

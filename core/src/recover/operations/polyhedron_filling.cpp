@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "recover/operations/polyhedron_filling.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "recover/operations/side_masks.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+LocalTriangle reversed(const LocalTriangle& t) { return {t[0], t[2], t[1]}; }
+/// Equal for the three rotations of a triangle; that of the reversed one differs in the last bit.
+std::uint32_t key_of(LocalTriangle t) {
+  const bool odd = SideMasks::sort(t);
+  return static_cast<std::uint32_t>(2 * SideMasks::row_of(t[0], t[1], t[2]) + (odd ? 1 : 0));
+}
+/// The three faces of the cell (t, v) beside t, as seen from inside it.
+std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
+  return {LocalTriangle{t[0], v, t[1]}, LocalTriangle{t[1], v, t[2]}, LocalTriangle{t[2], v, t[0]}};
+}
+
+/// A face not yet covered, seen from the side to be filled.
+struct OpenFace {
+  LocalTriangle v{};
+  std::uint32_t key = 0;
+  SideMasks::Masks sides{};   ///< vertices above it, below it
+  VertexMask candidates = 0;  ///< vertices it may be joined with
+  int n_candidates = 0;
+  bool is_filtered = false;  ///< candidates have been tried against all open faces at this node
+};
+
+class Filler {
+ public:
+  Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary,
+         const FillingLimits& limits)
+      : mesh_(mesh),
+        constraints_(constraints),
+        limits_(limits),
+        vertices_(vertices_of(boundary)),
+        sides_(mesh, vertices_),
+        n_open_(2 * SideMasks::n_triples(vertices_.size()), 0) {
+    levels_.reserve(limits.max_faces + 4);
+    levels_.emplace_back();
+    for (const Triangle& t : boundary) open(levels_[0], {local(t[0]), local(t[1]), local(t[2])});
+  }
+
+  static std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary) {
+    std::vector<VertexIndex> out;
+    for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
+  bool run() { return solve(0); }
+  std::vector<Tetrahedron> cells() const {
+    std::vector<Tetrahedron> out;
+    for (const auto& c : cells_) out.push_back({vertices_[c[0]], vertices_[c[1]], vertices_[c[2]], vertices_[c[3]]});
+    return out;
+  }
+
+ private:
+  using Front = std::vector<OpenFace>;
+
+  LocalVertex local(VertexIndex v) const {
+    return static_cast<LocalVertex>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
+  }
+  void open(Front& front, const LocalTriangle& t) {
+    const SideMasks::Masks sides = sides_.sides(t);
+    front.push_back({t, key_of(t), sides, sides.first, std::popcount(sides.first), false});
+    ++n_open_[front.back().key];
+    changes_.push_back({front.back().key, true});
+  }
+
+  bool solve(std::size_t depth) {
+    if (levels_[depth].empty()) return true;
+    const std::size_t row = hardest_face(levels_[depth]);
+    const OpenFace face = levels_[depth][row];
+    if (face.candidates == 0) return false;
+    std::array<LocalVertex, SideMasks::max_vertices> order;
+    const std::size_t n = sort_by_sphere(face, order);
+    if (levels_.size() < depth + 2) levels_.resize(depth + 2);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (++n_nodes_ > limits_.max_nodes) return false;
+      levels_[depth + 1] = levels_[depth];
+      const std::size_t mark = changes_.size();
+      place(levels_[depth + 1], face.v, order[i]);
+      if (solve(depth + 1)) return true;
+      take_back(mark);
+    }
+    return false;
+  }
+
+  /// The face with the fewest vertices that fit; a few faces are looked at.
+  std::size_t hardest_face(Front& front) {
+    constexpr unsigned max_looks = 4;
+    for (OpenFace& f : front) f.is_filtered = false;
+    std::size_t best = 0;
+    for (unsigned look = 0; look < max_looks; ++look) {
+      best = 0;
+      for (std::size_t i = 1; i < front.size(); ++i)
+        if (front[i].n_candidates < front[best].n_candidates) best = i;
+      if (front[best].is_filtered) return best;
+      filter(front, front[best]);
+      if (front[best].candidates == 0) return best;
+    }
+    std::size_t filtered = front.size();
+    for (std::size_t i = 0; i < front.size(); ++i)
+      if (front[i].is_filtered && (filtered == front.size() || front[i].n_candidates < front[filtered].n_candidates))
+        filtered = i;
+    return filtered;
+  }
+  /// What does not fit now fits nowhere deeper in the search.
+  void filter(const Front& front, OpenFace& face) {
+    for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
+      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
+      if (!fits(front, face.v, v)) face.candidates &= ~bit(v);
+    }
+    face.n_candidates = std::popcount(face.candidates);
+    face.is_filtered = true;
+  }
+
+  /// The nearer the centre of the sphere through face and vertex lies, the emptier that sphere.
+  std::size_t sort_by_sphere(const OpenFace& face, std::array<LocalVertex, SideMasks::max_vertices>& order) const {
+    const Vec3 &a = point(face.v[0]), u = point(face.v[1]) - a, w = point(face.v[2]) - a, n = cross(u, w);
+    const Vec3 centre = 0.5 / dot(n, n) * (dot(u, u) * cross(w, n) + dot(w, w) * cross(n, u));
+    std::array<double, SideMasks::max_vertices> height;
+    std::size_t count = 0;
+    for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
+      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
+      const Vec3 d = point(v) - a;
+      height[v] = (dot(d, d) - 2 * dot(d, centre)) / dot(d, n);
+      order[count++] = v;
+    }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+              [&](LocalVertex x, LocalVertex y) { return height[x] != height[y] ? height[x] < height[y] : x < y; });
+    return count;
+  }
+  const Vec3& point(LocalVertex v) const { return mesh_.point(vertices_[v]); }
+
+  static std::size_t find(const Front& front, std::uint32_t key) {
+    for (std::size_t i = 0; i < front.size(); ++i)
+      if (front[i].key == key) return i;
+    return front.size();
+  }
+
+  bool fits(const Front& front, const LocalTriangle& t, LocalVertex v) {
+    const auto side = side_faces(t, v);
+    unsigned n_closed = 0;
+    for (const LocalTriangle& s : side) {
+      const std::uint32_t key = key_of(s);
+      if (n_open_[key] > 0) {
+        ++n_closed;
+      } else if (n_open_[key ^ 1u] > 0) {
+        return false;
+      }
+    }
+    if (n_closed == 3) return true;
+    if (holds_vertex(t, side) || crosses_open_face(front, t, v, side)) return false;
+    for (LocalVertex f : t)
+      if (constraints_.skips_added_points(vertices_[f], vertices_[v])) return false;
+    return true;
+  }
+  bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
+    return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
+             mask_of(side[0])) &
+           all();
+  }
+  VertexMask all() const { return vertices_.size() == 64 ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1; }
+
+  /// Edge a-b against triangle t, none of whose vertices it has: they meet in the inside of both, or on the border of
+  /// one.
+  bool edge_crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
+    if (mask_of(t) & (bit(a) | bit(b))) return false;
+    if (sides_.sign(t[0], t[1], t[2], a) * sides_.sign(t[0], t[1], t[2], b) >= 0) return false;
+    const int s0 = sides_.sign(a, b, t[0], t[1]), s1 = sides_.sign(a, b, t[1], t[2]),
+              s2 = sides_.sign(a, b, t[2], t[0]);
+    return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+  }
+  bool crosses_open_face(const Front& front, const LocalTriangle& t, LocalVertex v,
+                         const std::array<LocalTriangle, 3>& side) {
+    const VertexMask cell = mask_of(t) | bit(v);
+    const VertexMask inner[4] = {sides_.above(t), sides_.above(side[0]), sides_.above(side[1]), sides_.above(side[2])};
+    for (const OpenFace& h : front) {
+      const VertexMask m = mask_of(h.v);
+      if (!(inner[0] & m) || !(inner[1] & m) || !(inner[2] & m) || !(inner[3] & m)) continue;
+      if (!(h.sides.first & cell) || !(h.sides.second & cell)) continue;
+      if (!crosses(t, v, side, h)) continue;
+      return true;
+    }
+    return false;
+  }
+  bool crosses(const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side, const OpenFace& h) {
+    for (LocalVertex f : t)
+      if (edge_crosses(f, v, h.v)) return true;
+    for (const LocalTriangle& s : side)
+      for (unsigned i = 0; i < 3; ++i)
+        if (edge_crosses(h.v[i], h.v[(i + 1) % 3], s)) return true;
+    return false;
+  }
+
+  void close(Front& front, std::size_t row) {
+    --n_open_[front[row].key];
+    changes_.push_back({front[row].key, false});
+    front[row] = front.back();
+    front.pop_back();
+  }
+  void place(Front& front, const LocalTriangle& t, LocalVertex v) {
+    close(front, find(front, key_of(t)));
+    for (const LocalTriangle& s : side_faces(t, v)) {
+      const std::size_t row = find(front, key_of(s));
+      if (row < front.size()) {
+        close(front, row);
+      } else {
+        open(front, reversed(s));
+      }
+    }
+    cells_.push_back({t[0], t[1], t[2], v});
+  }
+  /// Undoes in n_open_ and cells_ what place() did.
+  void take_back(std::size_t mark) {
+    for (; changes_.size() > mark; changes_.pop_back())
+      n_open_[changes_.back().key] += changes_.back().is_opening ? -1 : 1;
+    cells_.pop_back();
+  }
+
+  struct Change {
+    std::uint32_t key;
+    bool is_opening;
+  };
+
+  const ConstrainedMesh& mesh_;
+  const Constraints& constraints_;
+  FillingLimits limits_;
+  std::vector<VertexIndex> vertices_;
+  SideMasks sides_;
+  std::vector<Front> levels_;        ///< the open faces at each depth of the search
+  std::vector<std::int8_t> n_open_;  ///< by key: open faces of the level in work
+  std::vector<Change> changes_;      ///< of n_open_
+  std::vector<std::array<LocalVertex, 4>> cells_;
+  std::size_t n_nodes_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints,
+                                                 std::span<const Triangle> boundary, VertexIndex v) {
+  std::vector<Tetrahedron> out;
+  for (const Triangle& t : boundary) {
+    if (t[0] == v || t[1] == v || t[2] == v) continue;
+    const Tetrahedron cell{t[0], t[1], t[2], v};
+    if (!mesh.positive(cell)) return std::nullopt;
+    for (VertexIndex w : t)
+      if (constraints.skips_added_points(v, w)) return std::nullopt;
+    out.push_back(cell);
+  }
+  return out;
+}
+
+std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
+                                                        std::span<const Triangle> boundary,
+                                                        const FillingLimits& limits) {
+  if (boundary.size() > limits.max_faces || Filler::vertices_of(boundary).size() > SideMasks::max_vertices)
+    return std::nullopt;
+  Filler filler(mesh, constraints, boundary, limits);
+  if (!filler.run()) return std::nullopt;
+  return filler.cells();
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// On which side of the plane of three vertices each of up to 64 vertices lies, as bit masks; each triple is decided
+/// once, exactly, when it is asked for or all together.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "recover/model/constrained_mesh.hpp"
+
+namespace geomesh::recover {
+
+/// Number of a vertex among those of one polyhedron, below 64.
+using LocalVertex = std::uint8_t;
+using LocalTriangle = std::array<LocalVertex, 3>;
+using VertexMask = std::uint64_t;
+
+constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
+constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
+
+class SideMasks {
+ public:
+  static constexpr std::size_t max_vertices = 64;
+  /// Vertices v for which (t, v) is positive, and those for which it is negative.
+  using Masks = std::pair<VertexMask, VertexMask>;
+
+  // Rows of increasing triples are sums of binomial coefficients (the combinatorial number system).
+  static constexpr std::size_t n_triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
+  static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) {
+    return n_triples(k) + j * (j - 1) / 2 + i;
+  }
+  /// Puts the vertices in increasing order; whether that is an odd permutation.
+  static bool sort(LocalTriangle& t) {
+    bool odd = false;
+    for (const auto& [i, j] : {std::pair{0u, 1u}, std::pair{1u, 2u}, std::pair{0u, 1u}})
+      if (t[i] > t[j]) {
+        std::swap(t[i], t[j]);
+        odd = !odd;
+      }
+    return odd;
+  }
+
+  /// `vertices`: at most max_vertices, in the mesh's numbering.
+  SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
+      : mesh_(mesh), vertices_(vertices), row_(n_triples(vertices.size()), 0) {}
+
+  /// For those who will ask for most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with what they share
+  /// taken out of the loops.
+  void decide_all() {
+    const std::size_t n = vertices_.size();
+    known_.assign(n_triples(n), {0, 0});
+    for (std::size_t row = 0; row < row_.size(); ++row) row_[row] = static_cast<std::uint32_t>(row + 1);
+    for (std::size_t l = 3; l < n; ++l)
+      for (std::size_t k = 2; k < l; ++k)
+        for (std::size_t j = 1; j < k; ++j) decide_below(j, k, l);
+  }
+
+  /// @name Of increasing triples, after decide_all
+  /// @{
+  const Masks& of_row(std::size_t row) const { return known_[row]; }
+  const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
+  /// @}
+
+  Masks sides(const LocalTriangle& t) {
+    LocalTriangle s = t;
+    const bool odd = sort(s);
+    std::uint32_t& row = row_[row_of(s[0], s[1], s[2])];
+    if (row == 0) {
+      known_.push_back(decide(s));
+      row = static_cast<std::uint32_t>(known_.size());
+    }
+    const Masks& m = known_[row - 1];
+    return odd ? Masks{m.second, m.first} : m;
+  }
+  /// Vertices v for which (t, v) is positive.
+  VertexMask above(const LocalTriangle& t) { return sides(t).first; }
+  /// Vertices v for which (t, v) is negative.
+  VertexMask below(const LocalTriangle& t) { return sides(t).second; }
+  /// Sign of (a, b, c, d), as -1, 0, 1.
+  int sign(LocalVertex a, LocalVertex b, LocalVertex c, LocalVertex d) {
+    const auto [above, below] = sides({a, b, c});
+    return above & bit(d) ? 1 : below & bit(d) ? -1 : 0;
+  }
+
+ private:
+  Masks decide(const LocalTriangle& t) const {
+    Masks out{0, 0};
+    for (LocalVertex v = 0; v < vertices_.size(); ++v) {
+      if (mask_of(t) & bit(v)) continue;
+      const Sign s = mesh_.orient(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]], vertices_[v]);
+      if (s == Sign::positive) out.first |= bit(v);
+      if (s == Sign::negative) out.second |= bit(v);
+    }
+    return out;
+  }
+
+  /// All (i, j, k, l) with i < j. The bound is that of the predicates' second stage (exact_stage.cpp).
+  void decide_below(std::size_t j, std::size_t k, std::size_t l) {
+    constexpr double bound = 10 * 0x1p-53;
+    const Vec3 &o = mesh_.point(vertices_[l]), v = mesh_.point(vertices_[j]) - o, w = mesh_.point(vertices_[k]) - o;
+    const Vec3 minor{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+    const Vec3 permanent{std::fabs(v.y * w.z) + std::fabs(v.z * w.y), std::fabs(v.z * w.x) + std::fabs(v.x * w.z),
+                         std::fabs(v.x * w.y) + std::fabs(v.y * w.x)};
+    for (std::size_t i = 0; i < j; ++i) {
+      const Vec3 u = mesh_.point(vertices_[i]) - o;
+      const double det = u.x * minor.x + u.y * minor.y + u.z * minor.z;
+      const double error =
+          bound * (std::fabs(u.x) * permanent.x + std::fabs(u.y) * permanent.y + std::fabs(u.z) * permanent.z);
+      if (det < -error) {
+        put(i, j, k, l, true);
+      } else if (det > error) {
+        put(i, j, k, l, false);
+      } else if (const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]); s != Sign::zero) {
+        put(i, j, k, l, s == Sign::positive);
+      }
+    }
+  }
+  /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
+  void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, bool positive) {
+    const auto put_side = [&](std::size_t row, std::size_t v, bool above) {
+      (above ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
+    };
+    put_side(row_of(i, j, k), l, positive);
+    put_side(row_of(i, j, l), k, !positive);
+    put_side(row_of(i, k, l), j, positive);
+    put_side(row_of(j, k, l), i, !positive);
+  }
+
+  const ConstrainedMesh& mesh_;
+  const std::vector<VertexIndex>& vertices_;
+  std::vector<std::uint32_t> row_;  ///< of each sorted triple in known_, plus 1; 0 where not decided yet
+  std::vector<Masks> known_;
+};
+
+}  // namespace geomesh::recover

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "recover/start/start_triangulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/sorted_cells.hpp"
+#include "recover/model/presence.hpp"
+#include "recover/model/recover.hpp"
+#include "recover/start/scale_forecast.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+constexpr std::size_t n_box_corners = 8;
+
+/// The model's vertices and the eight corners of a box that encloses them at a distance, so that the hull of the mesh
+/// is never touched by recovery and the box disturbs the model's Delaunay cells little.
+std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const DeclaredModel& model) {
+  std::vector<Vec3> points;
+  Box3 box;
+  for (VertexIndex v : model.input_vertex) {
+    points.push_back(plc.points[v]);
+    box.add(plc.points[v]);
+  }
+  const double extent = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  const double margin = std::ldexp(1.0, std::ilogb(extent > 0 ? extent : 1.0) + 4);
+  for (unsigned corner = 0; corner < n_box_corners; ++corner)
+    points.push_back({corner & 1 ? box.max.x + margin : box.min.x - margin,
+                      corner & 2 ? box.max.y + margin : box.min.y - margin,
+                      corner & 4 ? box.max.z + margin : box.min.z - margin});
+  return points;
+}
+
+std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
+  std::size_t n = 0;
+  for (CellIndex c = 0; c < cells.n_slots(); ++c) {
+    if (!cells.is_live(c)) continue;
+    const auto& v = cells.vertices(c);
+    if (std::all_of(v.begin(), v.end(), [&](VertexIndex u) { return u < n_input; })) ++n;
+  }
+  return n;
+}
+
+/// A triangulation of all vertices, and where the subsegments are in it.
+struct Candidate {
+  TetMesh cells;
+  std::vector<CellIndex> subsegments;  ///< of each one a cell, no_cell where it is missing
+  DelaunayStatistics statistics;
+
+  std::size_t n_missing() const {
+    return static_cast<std::size_t>(std::count(subsegments.begin(), subsegments.end(), no_cell));
+  }
+};
+
+class StartSearch {
+ public:
+  StartSearch(const std::vector<Vec3>& points, const Constraints& constraints, const DelaunayOptions& options,
+              const RunContext& context)
+      : points_(points), constraints_(constraints), options_(options), context_(context) {}
+
+  Candidate triangulate(const std::array<int, 3>& exponents) const {
+    std::vector<Vec3> scaled = points_;
+    for (Vec3& p : scaled)
+      for (std::size_t i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], exponents[i]);
+    DelaunayTetrahedralization delaunay = delaunay_tetrahedralization(scaled, options_, context_);
+    TetMesh cells = with_sorted_cells(delaunay.mesh, static_cast<VertexIndex>(points_.size()));
+    std::vector<CellIndex> subsegments = cells_of_subsegments(cells, constraints_);
+    return {std::move(cells), std::move(subsegments), delaunay.statistics};
+  }
+
+  /// Improves `best` while a step of one axis saves a twentieth of what is missing. What the forecast gives no hope for
+  /// is not triangulated.
+  void climb(Candidate& best, std::array<int, 3> exponents) const {
+    ScaleForecast forecast = forecast_from(best);
+    for (const std::size_t axis : axes_by_extent()) {
+      for (int step = 0; step < 12; ++step) {
+        std::array<int, 3> trial = exponents;
+        ++trial[axis];
+        if (20 * forecast.n_missing(trial) > 19 * forecast.n_missing(exponents)) break;
+        Candidate candidate = triangulate(trial);
+        if (20 * candidate.n_missing() > 19 * best.n_missing()) break;
+        exponents = trial;
+        best = std::move(candidate);
+        forecast = forecast_from(best);
+      }
+    }
+  }
+
+ private:
+  ScaleForecast forecast_from(Candidate& candidate) const {
+    std::vector<Vec3> points = points_;
+    ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), points_.size() - n_box_corners);
+    ScaleForecast out(mesh, constraints_, candidate.subsegments);
+    mesh.release(candidate.cells, points);
+    return out;
+  }
+  /// The two axes along which segments extend least, the least first.
+  std::array<std::size_t, 2> axes_by_extent() const {
+    Vec3 sum;
+    for (const Subsegment& s : constraints_.subsegments)
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += std::fabs(points_[s.a][i] - points_[s.b][i]);
+    std::array<std::size_t, 3> axes{0, 1, 2};
+    std::sort(axes.begin(), axes.end(),
+              [&](std::size_t a, std::size_t b) { return sum[a] != sum[b] ? sum[a] < sum[b] : a > b; });
+    return {axes[0], axes[1]};
+  }
+
+  const std::vector<Vec3>& points_;
+  const Constraints& constraints_;
+  const DelaunayOptions& options_;
+  const RunContext& context_;
+};
+
+void remember(const Candidate& candidate, Constraints& constraints) {
+  for (Index s = 0; s < constraints.subsegments.size(); ++s)
+    constraints.subsegments[s].seen_in = candidate.subsegments[s];
+}
+
+/// `points` as they were afterwards.
+std::size_t count_missing_facets(Candidate& candidate, std::vector<Vec3>& points, const PiecewiseLinearComplex& plc,
+                                 const ModelNames& names, DeclaredModel& model, const RunContext& context) {
+  remember(candidate, model.constraints);
+  ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), model.input_vertex.size());
+  RecoveryStatistics unused;
+  CrossingsOf crossings(plc);
+  Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, names, crossings};
+  const std::size_t n = count_missing_subfacets(recovery);
+  mesh.release(candidate.cells, points);
+  return n;
+}
+
+}  // namespace
+
+StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
+                                     const DelaunayOptions& options, const RunContext& context, bool may_scale,
+                                     unsigned attempt) {
+  StartTriangulation out;
+  out.points = vertices_with_box(plc, model);
+  model.constraints.vertices.resize(out.points.size());
+  const StartSearch search(out.points, model.constraints, options, context);
+  Candidate best = search.triangulate({0, 0, 0});
+  out.statistics = best.statistics;
+  out.tetrahedra = count_model_cells(best.cells, model.input_vertex.size());
+  out.missing_edges = best.n_missing();
+  out.missing_facets = count_missing_facets(best, out.points, plc, names, model, context);
+  std::array<int, 3> exponents{0, 0, 0};
+  if (may_scale && attempt > 0) {
+    exponents[attempt % 3] = static_cast<int>(1 + attempt / 3);
+    best = search.triangulate(exponents);
+  }
+  if (may_scale && best.n_missing() > 20 && 10 * best.n_missing() > model.constraints.subsegments.size())
+    search.climb(best, exponents);
+  remember(best, model.constraints);
+  out.mesh = std::move(best.cells);
+  return out;
+}
+
+}  // namespace geomesh::recover

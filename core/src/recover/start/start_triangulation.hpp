@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The mesh that recovery starts from. In conforming mode it is the Delaunay triangulation. In constrained mode any
+/// triangulation of the vertices will do, and where the model is stretched (layers of kilometres' extent, metres thick)
+/// the Delaunay triangulation of the vertices with an axis scaled up misses far fewer segments: as a scaling by a power
+/// of two is exact and affine, its cells are exactly positive in the model's own frame too.
+#pragma once
+
+#include "geomesh/core/delaunay.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "recover/model/declare.hpp"
+
+namespace geomesh::recover {
+
+struct StartTriangulation {
+  TetMesh mesh;
+  std::vector<Vec3> points;  ///< the model's vertices, then the eight of the box
+  DelaunayStatistics statistics;
+  std::size_t missing_edges = 0;  ///< of the Delaunay triangulation itself
+  std::size_t missing_facets = 0;
+  std::size_t tetrahedra = 0;  ///< its finite cells without the box's
+};
+
+/// Searches the scales by hill climbing, one axis after the other, where `may_scale` and more than one segment in ten
+/// is missing. Later attempts start from another scale, so that cells as flat as rounding allows are others.
+StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
+                                     const DelaunayOptions& options, const RunContext& context, bool may_scale,
+                                     unsigned attempt = 0);
+
+}  // namespace geomesh::recover

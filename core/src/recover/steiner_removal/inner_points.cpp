@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/// Removal of added points inside regions: from their star by a fan, by search or after flips at the point, and at last
+/// from a region about it whose filling is decided as a formula (region_filling.hpp).
+#include <algorithm>
+
+#include "common/flood.hpp"
+#include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/steiner_removal/point_removal.hpp"
+#include "recover/steiner_removal/region_filling.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// By a fan from a neighbour, or by search.
+bool empty_star(Recovery& recovery, VertexIndex x) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  std::vector<CellIndex> star;
+  mesh.star(x, star);
+  Cavity cavity(recovery, std::move(star), x);
+  const std::vector<Triangle> link = cavity.boundary();
+  std::optional<std::vector<Tetrahedron>> filling;
+  for (VertexIndex v : mesh.neighbors(x))
+    if ((filling = fan_from(mesh, recovery.constraints, link, v))) break;
+  if (!filling) filling = cavity.fill({});
+  if (!filling) return false;
+  mesh.replace(cavity.cells(), *filling);
+  mesh.forget(x);
+  return true;
+}
+
+bool remove_from_star(Recovery& recovery, VertexIndex x) {
+  for (unsigned round = 0; round < 8; ++round) {
+    if (empty_star(recovery, x)) return true;
+    if (!lower_degree(recovery, x)) break;
+  }
+  return false;
+}
+
+bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_vertices) {
+  constexpr std::size_t max_conflicts = 2000;
+  ConstrainedMesh& mesh = recovery.mesh;
+  std::vector<CellIndex> star;
+  mesh.star(x, star);
+  const std::optional<Region> region = region_about(recovery, star, {&x, 1}, max_vertices);
+  if (!region) return false;
+  const auto filling = fill_region(mesh, recovery.constraints, *region, max_conflicts);
+  if (!filling) return false;
+  mesh.replace(region->cells, *filling);
+  mesh.forget(x);
+  return true;
+}
+
+/// Cells that no locked face parts from the box: what is there is left out in the end.
+std::vector<std::uint8_t> cells_outside(const ConstrainedMesh& mesh) {
+  constexpr std::uint8_t inside = 0, outside = 1;
+  std::vector<std::uint8_t> out(mesh.cells().n_slots(), inside);
+  const CellIndex at_box = mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()));
+  flood_cells(mesh.cells(), at_box, out, inside, outside, [&](FaceRef f) { return !mesh.is_locked(f); });
+  return out;
+}
+
+/// Added points inside regions; what is outside of all is not written, so nothing is done about it.
+std::vector<VertexIndex> inner_points(const Recovery& recovery) {
+  const ConstrainedMesh& mesh = recovery.mesh;
+  std::vector<VertexIndex> out;
+  for (VertexIndex x = first_added(recovery); x < mesh.points().size(); ++x)
+    if (mesh.in_mesh(x) && !is_on_boundary(recovery, x)) out.push_back(x);
+  if (out.empty()) return out;
+  const std::vector<std::uint8_t> outside = cells_outside(mesh);
+  std::erase_if(out, [&](VertexIndex x) { return outside[mesh.cell_of(x)] != 0; });
+  return out;
+}
+
+template <class Remove>
+void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Remove& remove) {
+  std::erase_if(points, [&](VertexIndex x) {
+    recovery.context.check_cancelled();
+    return remove(x);
+  });
+}
+
+}  // namespace
+
+bool lower_degree(Recovery& recovery, VertexIndex x) {
+  EdgeRemover remover(recovery.mesh, recovery.constraints);
+  bool flipped = false;
+  for (VertexIndex v : recovery.mesh.neighbors(x))
+    if (recovery.mesh.find_edge(x, v) != no_cell && remover.remove(x, v, 1, nullptr, 60)) flipped = true;
+  return flipped;
+}
+
+void remove_inner_points(Recovery& recovery, InnerEffort effort) {
+  std::vector<VertexIndex> points = inner_points(recovery);
+  remove_each(recovery, points, [&](VertexIndex x) { return remove_from_star(recovery, x); });
+  if (effort == InnerEffort::star) return;
+  for (std::size_t max_vertices : {20u, 28u, 40u})
+    remove_each(recovery, points, [&](VertexIndex x) { return remove_from_region(recovery, x, max_vertices); });
+}
+
+}  // namespace geomesh::recover

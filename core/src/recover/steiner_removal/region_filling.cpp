@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "recover/steiner_removal/region_filling.hpp"
+
+#include <algorithm>
+
+#include "common/sort_unique.hpp"
+#include "recover/steiner_removal/filling_candidates.hpp"
+#include "recover/steiner_removal/sat_solver.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+template <class T>
+bool contains(const std::vector<T>& sorted, const T& value) {
+  return std::binary_search(sorted.begin(), sorted.end(), value);
+}
+
+std::vector<VertexIndex> vertices_of_cells(const TetMesh& cells, const std::vector<CellIndex>& list) {
+  std::vector<VertexIndex> out;
+  for (CellIndex c : list) out.insert(out.end(), cells.vertices(c).begin(), cells.vertices(c).end());
+  sort_unique(out);
+  return out;
+}
+
+/// Adds neighbours to the cells, and their vertices to `vertices`, while there is room.
+void spread(const ConstrainedMesh& mesh, std::span<const CellIndex> forbidden, std::vector<CellIndex>& cells,
+            std::vector<VertexIndex>& vertices, std::size_t max_vertices) {
+  std::vector<CellIndex> in = cells;
+  std::sort(in.begin(), in.end());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (unsigned f = 0; f < 4; ++f) {
+      const FaceRef face(cells[i], f);
+      const CellIndex next = mesh.cells().neighbor_cell(cells[i], f);
+      if (mesh.is_locked(face) || mesh.cells().is_ghost(next) || contains(in, next)) continue;
+      if (std::binary_search(forbidden.begin(), forbidden.end(), next)) continue;
+      const VertexIndex apex = mesh.cells().vertex(next, mesh.cells().mirror(face).face());
+      const auto place = std::lower_bound(vertices.begin(), vertices.end(), apex);
+      if (place == vertices.end() || *place != apex) {
+        if (vertices.size() >= max_vertices) continue;
+        vertices.insert(place, apex);
+      }
+      in.insert(std::lower_bound(in.begin(), in.end(), next), next);
+      cells.push_back(next);
+    }
+}
+
+}  // namespace
+
+std::optional<Region> region_about(const Recovery& recovery, const std::vector<CellIndex>& seeds,
+                                   std::span<const VertexIndex> dropped, std::size_t max_vertices,
+                                   std::span<const CellIndex> forbidden) {
+  const ConstrainedMesh& mesh = recovery.mesh;
+  const TetMesh& cells = mesh.cells();
+  const auto is_dropped = [&](VertexIndex v) { return std::find(dropped.begin(), dropped.end(), v) != dropped.end(); };
+  Region out;
+  out.cells = seeds;
+  out.vertices = vertices_of_cells(cells, seeds);
+  if (out.vertices.size() > max_vertices + dropped.size()) return std::nullopt;
+  spread(mesh, forbidden, out.cells, out.vertices, max_vertices + dropped.size());
+  std::erase_if(out.vertices, is_dropped);
+  std::vector<CellIndex> in = out.cells;
+  std::sort(in.begin(), in.end());
+  for (CellIndex c : out.cells) {
+    const Tetrahedron& v = cells.vertices(c);
+    if (std::none_of(v.begin(), v.end(), is_dropped)) out.kept.push_back(v);
+    for (unsigned i = 0; i < 4; ++i) {
+      const auto& l = face_vertices[i];
+      const Triangle t{v[l[0]], v[l[1]], v[l[2]]};
+      if (!mesh.is_locked(FaceRef(c, i)) && contains(in, cells.neighbor_cell(c, i))) continue;
+      if (std::none_of(t.begin(), t.end(), is_dropped)) out.boundary.push_back(t);
+    }
+    for (const auto& e : edge_vertices) {
+      const VertexIndex a = std::min(v[e[0]], v[e[1]]), b = std::max(v[e[0]], v[e[1]]);
+      if (!is_dropped(a) && !is_dropped(b) && recovery.constraints.is_subsegment(a, b)) out.segments.push_back({a, b});
+    }
+  }
+  sort_unique(out.segments);
+  return out;
+}
+
+namespace {
+
+/// The formula. Its first variables are the candidates, in their order.
+class RegionFiller {
+ public:
+  RegionFiller(const Region& region, const FillingCandidates& candidates) : region_(region), candidates_(candidates) {}
+
+  std::optional<std::vector<Tetrahedron>> run(std::size_t max_conflicts) {
+    if (!state() || solver_.solve(max_conflicts) != Satisfiability::satisfiable) return std::nullopt;
+    std::vector<Tetrahedron> out;
+    for (std::uint32_t i = 0; i < candidates_.cells().size(); ++i)
+      if (solver_.is_true(i)) out.push_back(candidates_.global(candidates_.cells()[i]));
+    return out;
+  }
+
+ private:
+  /// False where that shows already that there is no filling.
+  bool state() {
+    const std::size_t n_cells = candidates_.cells().size(),
+                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // a face has two cells or more
+    solver_.reserve(n_cells + n_faces, 2 * n_faces, 4 * n_cells + 2 * n_faces);
+    for (std::size_t i = 0; i < n_cells; ++i) solver_.new_variable();
+    prefer_kept();
+    for (std::uint32_t f = 0; f < candidates_.n_faces(); ++f) {
+      const bool has_cells = !candidates_.beside(2 * f).empty() || !candidates_.beside(2 * f + 1).empty();
+      if (!has_cells) continue;
+      if (!candidates_.is_boundary(f)) state_inner(f);
+      for (const std::uint32_t side : {2 * f, 2 * f + 1})
+        if (candidates_.is_required(side)) state_boundary(side);
+    }
+    return state_segments();
+  }
+  /// Each segment is an edge of some cell.
+  bool state_segments() {
+    for (const auto& s : region_.segments) {
+      const VertexMask ends = bit(candidates_.local(s[0])) | bit(candidates_.local(s[1]));
+      clause_.clear();
+      for (std::uint32_t c = 0; c < candidates_.cells().size(); ++c)
+        if ((candidates_.cells()[c].mask() & ends) == ends) clause_.push_back(Literal(c, false));
+      if (clause_.empty()) return false;
+      solver_.add_clause(clause_);
+    }
+    return true;
+  }
+  void prefer_kept() {
+    std::vector<VertexMask> kept;
+    for (const Tetrahedron& t : region_.kept) {
+      VertexMask mask = 0;
+      for (const VertexIndex v : t) mask |= bit(candidates_.local(v));
+      kept.push_back(mask);
+    }
+    std::sort(kept.begin(), kept.end());
+    for (std::uint32_t i = 0; i < candidates_.cells().size(); ++i)
+      if (contains(kept, candidates_.cells()[i].mask())) solver_.prefer(i, true);
+  }
+  void state_boundary(std::uint32_t side) {
+    clause_.clear();
+    for (const std::uint32_t c : candidates_.beside(side)) clause_.push_back(Literal(c, false));
+    solver_.add_clause(clause_);
+    solver_.add_choice(candidates_.beside(side));
+  }
+  /// A cell on one side makes the triangle a face, and a face has a cell on each side.
+  void state_inner(std::uint32_t face) {
+    const std::uint32_t is_face = solver_.new_variable();
+    for (const std::uint32_t side : {2 * face, 2 * face + 1}) {
+      clause_.assign(1, Literal(is_face, true));
+      for (const std::uint32_t c : candidates_.beside(side)) clause_.push_back(Literal(c, false));
+      solver_.add_clause(clause_);
+      solver_.add_choice(candidates_.beside(side), is_face);
+    }
+  }
+
+  const Region& region_;
+  const FillingCandidates& candidates_;
+  std::vector<Literal> clause_;
+  SatSolver solver_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
+                                                    const Region& region, std::size_t max_conflicts) {
+  if (region.vertices.size() > SideMasks::max_vertices) return std::nullopt;
+  FillingCandidates candidates(mesh, constraints, region);
+  if (!candidates.find()) return std::nullopt;
+  return RegionFiller(region, candidates).run(max_conflicts);
+}
+
+}  // namespace geomesh::recover

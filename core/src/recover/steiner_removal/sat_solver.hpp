@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A small solver for propositional formulas in conjunctive normal form: conflict-driven clause learning with two
+/// watched literals, activities and restarts (Marques-Silva and Sakallah 1999, "GRASP"; Moskewicz et al. 2001, "Chaff";
+/// Een and Sorensson 2003, "An extensible SAT-solver"). "At most one of these" is a constraint of its own, as nearly
+/// all of a filling's clauses would otherwise stem from it. Deterministic; made for some thousand variables and as many
+/// conflicts, so learned clauses are never thrown away.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace geomesh::recover {
+
+/// Variable v as it is (2v) or negated (2v + 1).
+class Literal {
+ public:
+  Literal() = default;
+  Literal(std::uint32_t variable, bool negated) : code_(2 * variable + (negated ? 1 : 0)) {}
+  std::uint32_t variable() const { return code_ >> 1; }
+  bool is_negated() const { return code_ & 1u; }
+  std::uint32_t code() const { return code_; }
+  Literal operator~() const { return from_code(code_ ^ 1u); }
+  bool operator==(const Literal&) const = default;
+  static Literal from_code(std::uint32_t code) {
+    Literal l;
+    l.code_ = code;
+    return l;
+  }
+
+ private:
+  std::uint32_t code_ = 0;
+};
+
+enum class Satisfiability { satisfiable, unsatisfiable, unknown };
+
+/// Invariants between calls of solve(): nothing is assigned but what follows from the clauses alone; each clause of two
+/// or more literals is watched by its first two.
+class SatSolver {
+ public:
+  static constexpr std::uint32_t no_variable = 0xFFFFFFFFu;
+
+  /// `preferred`: the value tried first. Variables are decided in the order of their making until conflicts say
+  /// otherwise.
+  std::uint32_t new_variable(bool preferred = false);
+  /// Makes room: for clauses and choices with that many literals in all each.
+  void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
+  void prefer(std::uint32_t variable, bool value) { phase_[variable] = value ? 1 : 0; }
+  std::size_t n_variables() const { return values_.size(); }
+
+  /// At least one of `literals`. To be called before solve().
+  void add_clause(std::span<const Literal> literals);
+  /// At most one of `variables`, and where one is true so is `flag` (another variable; none: no_variable). To be called
+  /// before solve().
+  void add_choice(std::span<const std::uint32_t> variables, std::uint32_t flag = no_variable);
+
+  /// unknown: not decided after `max_conflicts`.
+  Satisfiability solve(std::size_t max_conflicts);
+  /// After satisfiable.
+  bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
+
+ private:
+  static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
+  static constexpr std::uint32_t by_literal =
+      0x80000000u;  ///< reason: the literal with the code in the lower bits is true
+
+  /// Of the two watches of clause c, 2c and 2c + 1. Lists, as each clause always has two of them and they only change
+  /// places.
+  struct Watch {
+    Literal blocker;  ///< another literal of the clause: where it is true the clause need not be looked at
+    std::uint32_t next;
+  };
+  struct Clause {
+    std::uint32_t begin, size;
+  };
+  /// Variables of which at most one is true.
+  struct Choice {
+    std::uint32_t begin, end, flag;
+  };
+  /// A variable stands in a choice, or is its flag.
+  struct Occurrence {
+    std::uint32_t choice, next;
+  };
+
+  /// -1: unassigned, 0 or 1.
+  int value(Literal l) const {
+    return values_[l.variable()] < 0 ? -1 : values_[l.variable()] ^ static_cast<int>(l.is_negated());
+  }
+  std::uint32_t level() const { return static_cast<std::uint32_t>(level_begin_.size()); }
+  void assign(Literal l, std::uint32_t reason);
+  std::uint32_t store_clause(std::span<const Literal> literals);
+  void watch(Literal watched, std::uint32_t watch);
+  bool propagate();
+  bool propagate_clauses(Literal falsified);
+  bool propagate_choices(std::uint32_t variable);
+  bool propagate_flag(std::uint32_t flag);
+  bool imply(Literal cause, Literal effect);
+  bool find_other_watch(std::uint32_t clause);
+  void add_occurrence(std::uint32_t& first, std::uint32_t choice);
+  void learn();
+  void collect_reason(std::uint32_t reason, Literal implied);
+  void undo_to(std::uint32_t level);
+  void bump(std::uint32_t variable);
+  bool decide();
+
+  void heap_up(std::size_t i);
+  void heap_down(std::size_t i);
+  void heap_insert(std::uint32_t variable);
+  bool heap_less(std::uint32_t a, std::uint32_t b) const {
+    return activity_[a] != activity_[b] ? activity_[a] > activity_[b] : a < b;
+  }
+
+  std::vector<Literal> literals_;
+  std::vector<Clause> clauses_;
+  std::vector<Watch> watches_;
+  std::vector<std::uint32_t> first_watch_;  ///< of each literal: of the clauses that watch its negation
+  std::vector<std::uint32_t> chosen_;       ///< variables, choice after choice
+  std::vector<Choice> choices_;
+  std::vector<Occurrence> occurrences_;
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable
+  std::vector<std::int8_t> values_, phase_;
+  std::vector<std::uint32_t> level_of_, reason_;
+  std::vector<Literal> trail_;
+  std::vector<std::uint32_t> level_begin_;
+  std::size_t propagated_ = 0;
+  std::vector<Literal> conflict_;  ///< all false
+  bool contradictory_ = false;
+
+  std::vector<double> activity_;
+  double increment_ = 1;
+  std::vector<std::uint32_t> heap_;
+  std::vector<std::int32_t> heap_place_;
+
+  std::vector<std::uint8_t> seen_;
+  std::vector<Literal> learned_;
+};
+
+}  // namespace geomesh::recover

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// Where a region goes all the way round an added point of a segment (the border of a facet that hangs in it, a well),
+/// no point moved off the segment sees both ends. Points beside it become the apexes of sheets that part the region.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/steiner_removal/point_removal.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// A vector across the segment of x: towards a facet that hangs on it where there is one.
+Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexIndex>& ends, const Vec3& along) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  const Vec3& o = mesh.point(x);
+  std::vector<VertexIndex> towards = mesh.neighbors(x);
+  const Index s = recovery.constraints.subsegment_of(x, ends[0]);
+  for (Index f : recovery.constraints.subsegments[s].subfacets)
+    for (VertexIndex v : recovery.constraints.subfacets[f].vertices) towards.insert(towards.begin(), v);
+  for (VertexIndex v : towards) {
+    const Vec3 d = mesh.point(v) - o, across = d - dot(d, along) / dot(along, along) * along;
+    if (v != x && v != ends[0] && v != ends[1] && dot(across, across) > 0)
+      return (1 / std::sqrt(dot(across, across))) * across;
+  }
+  return {};
+}
+
+/// Inserts an inner point beside x that is joined with both ends of its segment, across the segment in direction d (of
+/// any length). no_vertex: nothing has changed.
+VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::array<VertexIndex, 2>& ends,
+                              const Vec3& d) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  const Vec3 origin = mesh.point(x);
+  EdgeRing ring;
+  double reach = std::sqrt(std::min(dot(mesh.point(ends[0]) - origin, mesh.point(ends[0]) - origin),
+                                    dot(mesh.point(ends[1]) - origin, mesh.point(ends[1]) - origin)));
+  const VertexIndex y = mesh.add_point(origin);
+  recovery.constraints.vertices.resize(mesh.points().size(), {VertexOrigin::inside, no_index});
+  for (double step = 0.25 * reach; step > 1e-12 * reach; step /= 4) {
+    mesh.move_point(y, origin + step / std::sqrt(dot(d, d)) * d);
+    std::vector<CellIndex> seeds;
+    for (VertexIndex e : ends) {
+      if (!mesh.ring(mesh.find_edge(x, e), x, e, ring)) continue;
+      for (std::size_t i = 0; i < ring.cells.size(); ++i)
+        if (mesh.orient(x, e, ring.ring[i], y) != Sign::negative &&
+            mesh.orient(x, e, ring.ring[(i + 1) % ring.ring.size()], y) == Sign::negative)
+          seeds.push_back(ring.cells[i]);
+    }
+    std::sort(seeds.begin(), seeds.end());
+    seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+    Cavity cavity(recovery, seeds);
+    const auto star = seeds.empty() ? std::nullopt : cavity.star_from(y, 60);
+    if (!star || !cavity.is_valid()) continue;
+    mesh.replace(cavity.cells(), *star);
+    return y;
+  }
+  mesh.drop_last_point();
+  recovery.constraints.vertices.pop_back();
+  return no_vertex;
+}
+
+}  // namespace
+
+bool take_off_with_sheets(Recovery& recovery, VertexIndex x) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
+  if (ends.size() != 2) return false;
+  const Vec3 along = mesh.point(ends[1]) - mesh.point(ends[0]), first = across_segment(recovery, x, ends, along);
+  const Vec3 second = (1 / std::sqrt(dot(along, along))) * cross(along, first);
+  const std::size_t mark = mesh.mark(), n_points = mesh.points().size();
+  bool taken = false;
+  for (const double turn : {2.0, 4.0, 3.0, 1.0, 5.0}) {
+    const double angle = turn * std::numbers::pi / 3;
+    insert_sheet_apex(recovery, x, {ends[0], ends[1]}, std::cos(angle) * first + std::sin(angle) * second);
+    if ((taken = turn != 2.0 && take_point_off_boundary(recovery, x))) break;
+  }
+  if (taken) {
+    mesh.keep();
+    return true;
+  }
+  mesh.roll_back(mark);
+  while (mesh.points().size() > n_points) {
+    mesh.forget(static_cast<VertexIndex>(mesh.points().size() - 1));
+    mesh.drop_last_point();
+    recovery.constraints.vertices.pop_back();
+  }
+  return false;
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The constraints that meet in an added point: its segment and the facets about it, and how these are triangulated
+/// without it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "recover/model/recover.hpp"
+
+namespace geomesh::recover {
+
+/// The subfacets of one facet about x between two hard segments, or all round x; or a sheet of mesh faces that parts
+/// the star of x.
+struct Fan {
+  Index facet = no_index;  ///< no_index for a sheet
+  std::vector<VertexIndex>
+      rim;  ///< in the facet's orientation; the last vertex is joined with the first where the fan is closed
+  bool is_closed = false;
+  std::vector<Index> subfacets;
+  std::vector<Triangle> triangles;  ///< what replaces them
+  /// A part of no width between the segment and its chord, which rounding has left beside x; nothing replaces it.
+  bool is_thin() const { return rim.size() < 3; }
+};
+
+struct StarFans {
+  std::vector<Index> halves;      ///< the two subsegments at x, or none
+  std::vector<VertexIndex> ends;  ///< what they join
+  std::vector<Fan> fans;
+
+  bool is_end(VertexIndex v) const { return std::find(ends.begin(), ends.end(), v) != ends.end(); }
+};
+
+/// None where x cannot be left out: more than one segment ends there, or a fan has no triangulation in the facet's main
+/// projection.
+std::optional<StarFans> find_star_fans(Recovery& recovery, VertexIndex x, const std::vector<CellIndex>& star);
+
+/// Twice the area vector of the fan about x.
+Vec3 fan_normal(const ConstrainedMesh& mesh, VertexIndex x, const Fan& fan);
+
+}  // namespace geomesh::recover

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The mesh that refinement and improvement work on: several domains, the surfaces between them, and curves, valid
+/// after every operation.
+///
+/// Invariants (validate() checks each):
+///   1. every live cell is exactly positive; neighbour links are mutual and see their face with opposite orientations;
+///   2. a face that is part of a facet carries that facet on both sides, `above` on one side and not on the other;
+///   3. two cells of different components never share an untagged face, and a face without neighbour is tagged;
+///   4. every registered curve edge is an edge of the mesh;
+///   5. incident_cell(v) of a live vertex is a live cell that has v.
+///
+/// There is one operation that changes connectivity: `replace`, which exchanges a set of cells for another that fills
+/// the same region. Every local operation (split, collapse, flip, insertion) computes the two sets, checks each new
+/// cell with the exact predicate, and calls it: so no operation can make crossings, and what is not admissible is
+/// refused before anything is changed.
+#pragma once
+
+#include <span>
+
+#include "remesh/domain/curve_edges.hpp"
+#include "remesh/domain/mesh_elements.hpp"
+#include "remesh/domain/mesh_journal.hpp"
+
+namespace geomesh::remesh {
+
+class DomainMesh {
+ public:
+  // Vertices.
+  std::size_t n_vertices() const { return points_.size(); }
+  const Vec3& point(VertexIndex v) const { return points_[v]; }
+  VertexKind kind(VertexIndex v) const { return kinds_[v]; }
+  /// Patch of a surface vertex, curve class of a curve vertex, else no_index.
+  Index support(VertexIndex v) const { return supports_[v]; }
+  CellIndex incident_cell(VertexIndex v) const { return incident_[v]; }
+  VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
+  /// The caller has checked that the cells about v stay positive. Their cached shapes are forgotten by refresh_shape.
+  void move_vertex(VertexIndex v, const Vec3& p) {
+    note_vertex(v);
+    points_[v] = p;
+  }
+  void set_kind(VertexIndex v, VertexKind kind, Index support) {
+    note_vertex(v);
+    kinds_[v] = kind, supports_[v] = support;
+  }
+
+  // Cells.
+  const TetMesh& topology() const { return mesh_; }
+  CellIndex n_slots() const { return mesh_.n_slots(); }
+  std::size_t n_cells() const { return mesh_.n_live(); }
+  bool is_live(CellIndex c) const { return mesh_.is_live(c); }
+  const Tetrahedron& vertices(CellIndex c) const { return mesh_.vertices(c); }
+  Index component(CellIndex c) const { return component_[c]; }
+  FaceTag tag(CellIndex c, unsigned face) const { return tags_[c][face]; }
+  /// Cached shape of a live cell.
+  double shape_of(CellIndex c) const { return shape_[c]; }
+  void refresh_shape(CellIndex c);
+  /// The same where the shape is known.
+  void set_shape(CellIndex c, double shape);
+  /// The mesh's time when a cell with the vertex was last made, or one of the vertices of such a cell moved.
+  std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
+  /// Ends a moment and returns it: changes after the call are later than it, those before are not. Above 0.
+  std::uint64_t tick() { return clock_++; }
+  bool has_neighbor(CellIndex c, unsigned face) const { return mesh_.neighbor(c, face).valid(); }
+
+  /// Exchanges the removed cells for the added ones, which must fill the same region and be positive. Faces on the
+  /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
+  /// log k). Throws InternalError where the two regions do not have the same border.
+  void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
+  /// The vertex must be in no live cell.
+  void remove_vertex(VertexIndex v);
+
+  /// Renumbers the cells along a curve that fills space, so that near ones are near in memory. No slot is free after
+  /// it. O(n log n).
+  void sort_cells();
+  /// Vertices in the order of the first cell that has them: near ones one after the other where cells are sorted.
+  std::vector<VertexIndex> vertices_by_cells() const;
+
+  /// Cells about v, in an order that depends on the mesh alone.
+  void star(VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells) const;
+
+  // Patches and curves.
+  Index patch_of_facet(Index facet) const { return facet == hull_facet ? hull_patch : facet_patch_[facet]; }
+  Index patch_of(FaceTag t) const { return patch_of_facet(t.facet()); }
+  void set_facet_patches(std::vector<Index> patches) { facet_patch_ = std::move(patches); }
+  std::size_t n_patches() const;
+  const CurveClass& curve_class(Index c) const { return curve_classes_[c]; }
+  Index add_curve_class(CurveClass c);
+  std::size_t n_curve_classes() const { return curve_classes_.size(); }
+  /// Class of the curve edge a-b, or no_index.
+  Index curve_of(VertexIndex a, VertexIndex b) const {
+    const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
+    return possible ? curves_.find(a, b) : no_index;
+  }
+  /// @name Where the outside passes through
+  /// Cells may meet at a vertex, or at an edge, that no way through faces about it joins, since the outside is between
+  /// them. `star` and `edge_ring` find those alone that are joined with the cell they start from. So such a vertex, or
+  /// one of such an edge, is a corner, told here, and a curve's edge between two of them is not split.
+  /// @{
+  bool is_pinched(VertexIndex v) const { return v < pinched_.size() && pinched_[v]; }
+  bool is_pinched(VertexIndex a, VertexIndex b) const {
+    return is_pinched(a) && is_pinched(b) && curve_of(a, b) != no_index;
+  }
+  void set_pinched(std::vector<bool> pinched) { pinched_ = std::move(pinched); }
+  /// @}
+  void set_curve(VertexIndex a, VertexIndex b, Index curve_class) {
+    note_curve(a, b);
+    curves_.set(a, b, curve_class);
+  }
+  void erase_curve(VertexIndex a, VertexIndex b) {
+    note_curve(a, b);
+    curves_.erase(a, b);
+  }
+  /// Curve edges in ascending order of their vertices.
+  std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted(); }
+
+  /// @name A trial: changes that can be undone
+  /// One at a time, by one thread; link_cells, reserve and new patches or curve classes are no part of it.
+  /// @{
+  void begin_trial();
+  void keep_trial() { journal_.close(); }
+  /// Everything is as it was when the trial began, the order of free slots and the mesh's time included. O(what was
+  /// changed).
+  void undo_trial();
+  /// Cells that were made, changed or removed since the trial began.
+  template <class Visit>
+  void for_each_trial_cell(const Visit& visit) const {
+    for (const SavedCell& s : journal_.cells()) visit(s.cell);
+    for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c) visit(c);
+  }
+  /// Of these the live ones that are not what they were, as those are of which only a neighbour was exchanged.
+  template <class Visit>
+  void for_each_cell_of_trial(const Visit& visit) const {
+    for (const SavedCell& s : journal_.cells())
+      if (is_live(s.cell) && (vertices(s.cell) != s.links.vertices || shape_of(s.cell) != s.shape)) visit(s.cell);
+    for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c)
+      if (is_live(c)) visit(c);
+  }
+  /// Vertices that were made, moved, changed or removed, and those of cells that were.
+  template <class Visit>
+  void for_each_trial_vertex(const Visit& visit) const {
+    for (const SavedVertex& s : journal_.vertices()) visit(s.vertex);
+    for (auto v = static_cast<VertexIndex>(journal_.start().n_vertices); v < n_vertices(); ++v) visit(v);
+  }
+  /// visit(shape) for each cell that the trial changed or removed, with the shape that it had.
+  template <class Visit>
+  void for_each_cell_before_trial(const Visit& visit) const {
+    for (const SavedCell& s : journal_.cells())
+      if (s.links.vertices[0] != no_vertex) visit(s.shape);
+  }
+  /// @}
+
+  // Building (import): cells first, then link_cells, then tags.
+  CellIndex add_cell(const Tetrahedron& vertices, Index component, double shape = NewCell::unknown_shape);
+  void link_cells();
+  void set_tag(CellIndex c, unsigned face, FaceTag t) {
+    note_cell(c);
+    tags_[c][face] = t;
+  }
+  void reserve(std::size_t n_vertices, std::size_t n_cells);
+
+  /// Checks the invariants; the first violation is described in the string returned, empty where all hold. O(n log n).
+  std::string validate() const;
+
+ private:
+  /// Vertices of a face in ascending order, packed so that comparing is cheap.
+  struct FaceKey {
+    std::uint64_t low_and_middle;
+    VertexIndex high;
+    friend bool operator==(const FaceKey&, const FaceKey&) = default;
+    bool operator<(const FaceKey& o) const {
+      return low_and_middle != o.low_and_middle ? low_and_middle < o.low_and_middle : high < o.high;
+    }
+  };
+  struct FaceRecord {
+    FaceKey key;
+    FaceRef face;  // outer neighbour, or the new face
+    FaceTag tag;   // seen from the new side
+    bool outer;
+  };
+  /// The records of one face.
+  struct FaceGroup {
+    const FaceRecord* outer = nullptr;  // the last of them
+    std::array<const FaceRecord*, 2> added{};
+    unsigned n_outer = 0, n_added = 0;
+    bool is_empty() const { return n_outer + n_added == 0; }
+    const FaceKey& key() const { return n_outer > 0 ? outer->key : added[0]->key; }
+    void take(const FaceRecord& record);
+  };
+  static FaceKey face_key(const Tetrahedron& t, unsigned i);
+  void note_vertex(VertexIndex v) {
+    if (journal_.is_open() && journal_.is_new_vertex(v))
+      journal_.save(SavedVertex{v, points_[v], kinds_[v], supports_[v], incident_[v], changed_[v]});
+  }
+  void note_cell(CellIndex c) {
+    if (journal_.is_open() && journal_.is_new_cell(c))
+      journal_.save(SavedCell{c, mesh_.cells()[c], component_[c], tags_[c], shape_[c]});
+  }
+  void note_replacement(std::span<const CellIndex> removed);
+  void note_curve(VertexIndex a, VertexIndex b) {
+    if (journal_.is_open()) journal_.save(SavedCurve{a, b, curves_.find(a, b)});
+  }
+  void collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const;
+  void settle(const FaceGroup& group);
+  /// Links and tags the faces of the new cells. By sorting: O(n log n).
+  void pair_faces(std::vector<FaceRecord>& records);
+  /// The same in a table that is kept from call to call. O(n).
+  void pair_few_faces(std::span<const FaceRecord> records);
+
+  std::vector<Vec3> points_;
+  std::vector<VertexKind> kinds_;
+  std::vector<Index> supports_;
+  std::vector<CellIndex> incident_;
+  std::vector<std::uint64_t> changed_;
+  std::vector<bool> pinched_;  // by vertex, of those there were at first
+
+  TetMesh mesh_;
+  std::vector<Index> component_;
+  std::vector<std::array<FaceTag, 4>> tags_;
+  std::vector<double> shape_;
+  std::uint64_t clock_ = 1;
+
+  std::vector<Index> facet_patch_;
+  std::vector<CurveClass> curve_classes_;
+  CurveEdges curves_;
+
+  MeshJournal journal_;
+
+  std::vector<FaceRecord> records_;  // scratch of replace, as are the next two
+  std::vector<FaceGroup> slots_;     // all empty between calls
+  std::vector<std::size_t> used_slots_;
+};
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Where faces of surfaces look to, those of no width included.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::remesh {
+
+/// One constrained face at one of its edges.
+struct EdgeUse {
+  std::array<VertexIndex, 2> edge;  ///< ascending
+  Index face;
+};
+
+/// Whether the face runs along the edge from a to b, and not from b to a.
+bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b);
+
+/// Normals of length one by face. Three points that are on one line but for rounding, as where a crossing met the side
+/// of a triangle, have a normal that tells nothing: a face lower than `narrow` takes that of the face beyond its
+/// longest edge, where that edge has one other face and both are of one patch; zero where no such one is found within a
+/// few steps.
+///
+/// Preconditions: `uses` in ascending order of edges, three a face. O(n).
+std::vector<Vec3> face_directions(const std::vector<Vec3>& points, std::span<const Triangle> faces,
+                                  std::span<const Index> patch_of_face, std::span<const EdgeUse> uses, double narrow);
+
+}  // namespace geomesh::remesh

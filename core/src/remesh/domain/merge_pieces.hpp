@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Facets as users gave them: the pieces into which crossings have cut one triangle of theirs count as one facet again.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geomesh/core/plc.hpp"
+
+namespace geomesh::remesh {
+
+struct MergedFacets {
+  PiecewiseLinearComplex plc;       ///< points, segments and seeds as they were; facets merged
+  std::vector<Index> row_of_facet;  ///< per facet as it was: its row in `plc`
+};
+
+/// Merges triangles of equal parent (`parent` per facet, no_index: none; empty: nothing is merged) that join across
+/// edges where nothing else is, and lie in one plane within two ulps of the largest coordinate. What joins is merged
+/// where its border passes no point twice. Sides within a merged facet at which others end are kept as its inner
+/// segments, and vertices that others use as its inner points; vertices that nothing else uses are in no facet any
+/// more. O(n log n).
+MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// What a DomainMesh is made of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+
+namespace geomesh::remesh {
+
+/// Which facet a mesh face is part of, and on which of the facet's sides the cell lies that the face is seen from.
+class FaceTag {
+ public:
+  constexpr FaceTag() = default;
+  constexpr FaceTag(Index facet, bool above) : code_(2 * facet + (above ? 1u : 0u)) {}
+  constexpr bool constrained() const { return code_ != none; }
+  constexpr Index facet() const { return code_ >> 1; }
+  constexpr bool above() const {
+    return (code_ & 1u) != 0;
+  }  ///< the cell is on the side that the facet's normal points to
+  constexpr FaceTag opposite() const { return constrained() ? FaceTag(facet(), !above()) : *this; }
+  friend constexpr bool operator==(FaceTag, FaceTag) = default;
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+  std::uint32_t code_ = none;
+};
+
+/// Stands for the facet of a boundary face that is part of none. Never moved.
+inline constexpr Index hull_facet = 0x7FFFFFFEu;
+inline constexpr Index hull_patch = 0x7FFFFFFEu;
+
+/// How free a vertex is to move or go.
+enum class VertexKind : std::uint8_t {
+  corner,   ///< stays: ends and junctions of curves, isolated points, in `exact` every input vertex
+  curve,    ///< along its curve
+  surface,  ///< within its patch
+  inside,   ///< freely
+  dead,     ///< removed
+};
+
+/// A curve edge's class: edges are of one curve where the same segments and the same patches meet in them.
+struct CurveClass {
+  std::vector<Index> segments;  ///< rows in plc.segments, ascending
+  std::vector<Index> patches;   ///< ascending, a patch twice where it passes through
+  friend bool operator==(const CurveClass&, const CurveClass&) = default;
+};
+
+struct NewCell {
+  Tetrahedron vertices;
+  Index component = 0;
+  std::array<FaceTag, 4>
+      tags{};                    ///< of faces inside the region that are constrained; those on its border are inherited
+  double shape = unknown_shape;  ///< where it has been computed already, of the vertices in this order
+  static constexpr double unknown_shape = -1;
+};
+
+/// Marks on cells (or vertices) by epoch, so that clearing costs nothing. One a thread.
+class CellMarks {
+ public:
+  void begin(std::size_t n_slots) {
+    if (stamp_.size() < n_slots) stamp_.resize(n_slots + n_slots / 4, 0);
+    ++epoch_;
+  }
+  bool marked(CellIndex c) const { return c < stamp_.size() && stamp_[c] == epoch_; }
+  void mark(CellIndex c) { stamp_[c] = epoch_; }
+  void unmark(CellIndex c) { stamp_[c] = 0; }
+
+ private:
+  std::vector<std::uint32_t> stamp_;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace geomesh::remesh

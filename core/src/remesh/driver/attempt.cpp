@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "geomesh/core/error.hpp"
+#include "remesh/domain/domain_io.hpp"
+#include "remesh/driver/hold_surfaces.hpp"
+#include "remesh/driver/judge_cells.hpp"
+#include "remesh/operations/surface_repair.hpp"
+#include "remesh/passes/improve_passes.hpp"
+#include "remesh/passes/passes.hpp"
+#include "remesh/sizes/sizes.hpp"
+#include "remesh/start/mesh_anew.hpp"
+#include "remesh/start/sample_surfaces.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+double worst_shape(const DomainMesh& mesh) {
+  double worst = 1;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    if (mesh.is_live(c)) worst = std::min(worst, mesh.shape_of(c));
+  return worst;
+}
+
+/// `context` is told what is to come.
+void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
+                const RunContext& context, RefineResult& result) {
+  SizeFields sizes = build_size_field(plc, mesh, options, size_tolerance(options));
+  result.size_field = std::move(sizes.all);
+  result.asked = std::move(sizes.without_gaps);
+  result.statistics.sizes_on_surfaces = sizes_surfaces(options);
+  if (options.refine) announce_estimate(plc, mesh, options, context, result);
+}
+
+/// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
+double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
+
+/// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
+/// one by one would start from the slivers between them. False where that cannot be; the mesh is then as it was.
+bool add_surface_points(const PiecewiseLinearComplex& plc, const MergedFacets& merged, const RefineOptions& options,
+                        ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {
+  const SizeField none({}, {});
+  SampledComplex sampled = sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none, context);
+  const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
+  const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
+  const bool is_merged = merged.plc.n_facets() < plc.n_facets();
+  if (!is_merged && static_cast<double>(n_on_facets + n_on_edges) <=
+                        least_share_of_points(options) * static_cast<double>(plc.points.size()))
+    return false;
+  auto fresh = mesh_sampled(merged, mesh, std::move(sampled), context);
+  if (!fresh) return false;
+  mesh = std::move(*fresh);
+  result.statistics.points_on_curves += n_on_edges;
+  result.statistics.points_on_surfaces += n_on_facets;
+  return true;
+}
+
+/// Gives surfaces their points and keeps them as they were given for reference.
+SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& plc, const MergedFacets& merged,
+                              const RefineOptions& options, ConstrainedTetrahedralization& input, DomainMesh& mesh,
+                              const RunContext& context, RefineResult& result) {
+  std::optional<DomainMesh> given;
+  if (options.refine && add_surface_points(plc, merged, options, input, context, result))
+    given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
+  return SurfaceGuard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
+}
+
+/// Edges that long stay where the front was stuck. A few are mended by the improvement; so large a share of the cells
+/// is worth meshing anew.
+constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
+
+bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
+  return std::any_of(edge_vertices.begin(), edge_vertices.end(), [&](const auto& e) {
+    const double l = far_too_long * tools.size_of_edge(t[e[0]], t[e[1]]);
+    return squared_distance(tools.mesh.point(t[e[0]]), tools.mesh.point(t[e[1]])) > l * l;
+  });
+}
+
+bool is_stuck(Toolbox& tools) {
+  std::size_t n = 0;
+  for (CellIndex c = 0; c < tools.mesh.n_slots(); ++c)
+    n += tools.mesh.is_live(c) && has_edge_far_too_long(tools, tools.mesh.vertices(c));
+  return static_cast<double>(n) > worth_meshing_anew * static_cast<double>(tools.mesh.n_cells());
+}
+
+bool has_borders_of_no_facet(const DomainMesh& mesh) {
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh.is_live(c) && mesh.tag(c, i).constrained() && mesh.tag(c, i).facet() == hull_facet) return true;
+  return false;
+}
+
+/// Once it is imported: what an export asks of it is its points, and what they stand for.
+void release_elements(ConstrainedTetrahedralization& mesh) {
+  mesh.tetrahedra = {};
+  mesh.component = {};
+  mesh.faces = {};
+  mesh.edges = {};
+}
+
+/// Where far too long edges are left, cells are far from Delaunay and points beside them too near for more: flips do
+/// not get there any more. The same points are meshed anew, and refinement goes on from there. What the engine needs
+/// memory for is let go before: where it fails, the mesh comes back from what it was given.
+void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options,
+                      const std::vector<Index>& patches, ConstrainedTetrahedralization& input,
+                      const RunContext& context) {
+  constexpr unsigned most_rounds = 2;
+  for (unsigned round = 0; round < most_rounds && is_stuck(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
+    input = export_domain(tools.mesh, plc, input);
+    tools.mesh = {};
+    tools.vertex_size = {};
+    const bool is_fresh = mesh_anew(input, context);
+    tools.mesh = import_domain(plc, input, options, patches);
+    release_elements(input);
+    if (!is_fresh) return;
+    flip_towards_delaunay(tools, context);
+    refine_inside(tools, options.max_elements, context);
+    collapse_short_edges(tools, true, context);
+  }
+}
+
+void improve_holding(Toolbox& tools, const RefineOptions& options, const RunContext& context,
+                     const FreeCellJudge& judge, Attempt& attempt) {
+  const StageScope stage(context, "improve");
+  improve_mesh(tools, options, context, &judge);
+  Deviations found = hold_to_tolerance(tools, context);
+  attempt.result.statistics.deviation_result_to_input = found.result_to_input;
+  attempt.result.statistics.deviation_input_to_result = found.input_to_result;
+  attempt.breaches = std::move(found.breaches);
+  if (!tools.guard.exact()) attempt.crossings = crossings_outside(tools.mesh);
+}
+
+void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
+            RefineResult& result) {
+  result.statistics.worst_shape_after = worst_shape(tools.mesh);
+  result.statistics.edges_within_size = share_of_edges_within_size(tools);
+  renew_facets(tools.mesh, tools.guard, plc);
+  const std::string fault = tools.mesh.validate();
+  if (!fault.empty()) throw InternalError("refinement: " + fault);
+  result.mesh = export_domain(tools.mesh, plc, input);
+}
+
+}  // namespace
+
+Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
+                        const RefineOptions& options, const RunContext& context) {
+  Attempt attempt;
+  RefineResult& result = attempt.result;
+  const MergedFacets merged = merge_pieces(plc, options.facet_parent);
+  result.kept_patch = patches_of_facets(plc, options, merged);
+  DomainMesh mesh = import_domain(plc, input, options, result.kept_patch);
+  find_sizes(plc, mesh, options, hold.run == 0 ? context : RunContext{}, result);
+  std::optional<StageScope> refining;
+  if (options.refine) refining.emplace(context, "refine");
+  const SurfaceGuard guard = prepare_surfaces(hold, plc, merged, options, input, mesh, context, result);
+  release_elements(input);
+  Toolbox tools(mesh, guard, result.size_field, result.statistics);
+  tools.bad_cells_may_spread = !sizes_surfaces(options);
+  if (options.refine) refine_to_size(tools, options, context);
+  if (options.refine && guard.exact() && sizes_surfaces(options))
+    refine_from_anew(tools, plc, options, result.kept_patch, input, context);
+  refining.reset();
+  if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
+  if (!attempt.holds()) return attempt;
+  result.statistics.worst_shape_before = worst_shape(mesh);
+  improve_holding(tools, options, context, free_cell_judge(plc, input, options, result), attempt);
+  if (attempt.holds()) finish(tools, plc, input, result);
+  return attempt;
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/driver/judge_cells.hpp"
+
+#include <memory>
+
+#include "quality/causes.hpp"
+#include "remesh/domain/domain_io.hpp"
+#include "remesh/sizes/sizes.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr unsigned rings =
+    2;  ///< of cells about those that are judged: faces at their vertices are all there, and what gaps are to is mostly
+
+class Judge {
+ public:
+  Judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
+        const RefineResult& result)
+      : plc_(plc), input_(input) {
+    judging_.asked = &result.asked;
+    judging_.tolerance = size_tolerance(options);
+    judging_.facet_patch = result.kept_patch;
+    creases_ = find_creases(plc, judging_);
+  }
+
+  std::vector<CellIndex> find(const DomainMesh& mesh) const {
+    std::vector<CellIndex> cells, bad;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+      if (mesh.is_live(c)) cells.push_back(c);
+    const ConstrainedTetrahedralization exported = export_domain(mesh, plc_, input_);
+    for (const Index row : unforced_bad_elements(exported, judging_, creases_)) bad.push_back(cells[row]);
+    return bad;
+  }
+
+  std::vector<CellIndex> find_among(const DomainMesh& mesh, std::span<const CellIndex> cells) {
+    std::vector<CellIndex> bad;
+    const ConstrainedTetrahedralization about = export_about(mesh, cells, rings, input_, marks_);
+    for (const Index row : unforced_bad_elements(about, judging_, creases_, cells.size())) bad.push_back(cells[row]);
+    return bad;
+  }
+
+ private:
+  const PiecewiseLinearComplex& plc_;
+  const ConstrainedTetrahedralization& input_;
+  QualityOptions judging_;
+  InputCreases creases_;
+  CellMarks marks_;  // scratch: of the size of the mesh
+};
+
+}  // namespace
+
+FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
+                              const RefineOptions& options, const RefineResult& result) {
+  const auto judge = std::make_shared<Judge>(plc, input, options, result);
+  return {[judge](const DomainMesh& mesh) { return judge->find(mesh); },
+          [judge](const DomainMesh& mesh, std::span<const CellIndex> cells) { return judge->find_among(mesh, cells); }};
+}
+
+}  // namespace geomesh::remesh

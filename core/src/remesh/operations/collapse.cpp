@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/operations.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+bool contains(const std::vector<VertexIndex>& list, VertexIndex v) {
+  return std::find(list.begin(), list.end(), v) != list.end();
+}
+
+/// Of the constrained faces at v the sides opposite to it, ends in ascending order.
+void surface_link(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells,
+                  std::vector<std::array<VertexIndex, 2>>& sides) {
+  sides.clear();
+  mesh.star(v, marks, cells);
+  for (const CellIndex c : cells)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!mesh.tag(c, i).constrained() || mesh.vertices(c)[i] == v) continue;
+      const auto& f = face_vertices[i];
+      const Tetrahedron& t = mesh.vertices(c);
+      const unsigned k = t[f[0]] == v ? 0 : t[f[1]] == v ? 1 : 2;
+      const VertexIndex a = t[f[(k + 1) % 3]], b = t[f[(k + 2) % 3]];
+      sides.push_back({std::min(a, b), std::max(a, b)});
+    }
+}
+
+class Collapse {
+ public:
+  Collapse(Toolbox& tools, VertexIndex u, VertexIndex v) : tools_(tools), mesh_(tools.mesh), u_(u), v_(v) {}
+
+  bool attempt(CollapseRule rule, double floor) {
+    if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
+    if (!shapes_may_allow(rule, floor)) return false;
+    gather_star(mesh_, u_, tools_.work.marks, star_);
+    if (!support_allows() || !cells_at_edge_allow()) return false;
+    target_ = star_;
+    std::erase_if(target_.link,
+                  [&](const LinkFace& f) { return f.vertices[0] == v_ || f.vertices[1] == v_ || f.vertices[2] == v_; });
+    std::erase_if(target_.spokes, [&](const Spoke& s) { return s.a == v_ || s.b == v_; });
+    std::erase_if(target_.curves, [&](const CurveSpoke& s) { return s.a == v_; });
+    if (target_.link.empty() || !topology_allows() || !shape_allows(rule, floor) || !guard_allows()) return false;
+    commit();
+    return true;
+  }
+
+ private:
+  /// The edge lies on u's own curve or patch.
+  bool support_allows() const {
+    switch (mesh_.kind(u_)) {
+      case VertexKind::inside:
+        return true;
+      case VertexKind::surface:
+        return std::any_of(star_.spokes.begin(), star_.spokes.end(),
+                           [&](const Spoke& s) { return s.a == v_ || s.b == v_; });
+      case VertexKind::curve:
+        return mesh_.curve_of(u_, v_) != no_index;
+      default:
+        return false;
+    }
+  }
+
+  /// Cells with both u and v vanish: their two other faces become one, which must not be constrained twice nor open to
+  /// the outside.
+  bool cells_at_edge_allow() const {
+    bool joined = false;
+    for (const CellIndex c : star_.cells) {
+      const unsigned iv = mesh_.topology().index_of(c, v_);
+      if (iv > 3) continue;
+      joined = true;
+      const unsigned iu = mesh_.topology().index_of(c, u_);
+      if (!mesh_.has_neighbor(c, iv) || (mesh_.tag(c, iu).constrained() && mesh_.tag(c, iv).constrained()))
+        return false;
+    }
+    return joined;
+  }
+
+  /// Surfaces must not be pinched: a surface edge of u that becomes one of v may not be one already, but for those
+  /// beside the edge, and no face may be there already. (Two faces with nothing but the outside between them are told
+  /// by no cell.)
+  bool topology_allows() const {
+    if (mesh_.kind(u_) == VertexKind::inside) return true;
+    if (mesh_.is_pinched(v_)) return false;  // its star is not all of its surface
+    std::vector<VertexIndex> beside;
+    std::vector<std::array<VertexIndex, 2>> link;
+    for (const Spoke& s : star_.spokes)
+      if (s.a == v_ || s.b == v_) beside.push_back(s.a == v_ ? s.b : s.a);
+    surface_link(mesh_, v_, tools_.work.marks, tools_.work.cells, link);
+    for (const Spoke& s : target_.spokes) {
+      for (const auto& side : link) {
+        if (side == std::array{std::min(s.a, s.b), std::max(s.a, s.b)}) return false;
+        for (const VertexIndex x : {s.a, s.b})
+          if ((side[0] == x || side[1] == x) && !contains(beside, x)) return false;
+      }
+    }
+    return std::none_of(target_.curves.begin(), target_.curves.end(),
+                        [&](const CurveSpoke& s) { return mesh_.curve_of(v_, s.a) != no_index; });
+  }
+
+  static double needed_shape(double old, CollapseRule rule, double floor) {
+    return rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
+  }
+
+  /// By the cells about u alone: most collapses are told by them.
+  bool shapes_may_allow(CollapseRule rule, double floor) {
+    auto& cells = tools_.work.cells;
+    mesh_.star(u_, tools_.work.marks, cells);
+    double old = 1;
+    for (const CellIndex c : cells) old = std::min(old, mesh_.shape_of(c));
+    const double needed = needed_shape(old, rule, floor);
+    return std::all_of(cells.begin(), cells.end(), [&](CellIndex c) {
+      if (mesh_.topology().has_vertex(c, v_)) return true;
+      const Tetrahedron& t = mesh_.vertices(c);
+      const auto& f = face_vertices[mesh_.topology().index_of(c, u_)];
+      return shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), mesh_.point(v_)) > needed;
+    });
+  }
+
+  bool shape_allows(CollapseRule rule, double floor) {
+    const double needed = needed_shape(removed_shape(mesh_, star_), rule, floor);
+    const Vec3& p = mesh_.point(v_);
+    if (!(star_shape(mesh_, target_, p, needed) > needed) || !star_is_positive(mesh_, target_, p)) return false;
+    if (rule != CollapseRule::coarsen && tools_.spoils(target_, p)) return false;
+    const double stretch = rule == CollapseRule::improve ? 1.8 : 1.4;
+    for (const LinkFace& f : target_.link)
+      for (const VertexIndex x : f.vertices) {
+        const double limit = stretch * tools_.size_of_edge(v_, x), l = squared_distance(p, mesh_.point(x));
+        if (l > limit * limit && l > squared_distance(mesh_.point(u_), mesh_.point(x))) return false;
+      }
+    return true;
+  }
+
+  bool guard_allows() const {
+    if (tools_.guard.exact() || (star_.spokes.empty() && star_.curves.empty())) return true;
+    std::vector<SurfaceFace> before, after, around;
+    std::vector<CurvePiece> curves_before, curves_after;
+    append_surface(mesh_, star_, mesh_.point(u_), before, curves_before);
+    append_surface(mesh_, target_, mesh_.point(v_), after, curves_after);
+    StarCavity about_v;
+    gather_star(mesh_, v_, tools_.work.marks, about_v);
+    std::erase_if(about_v.spokes, [&](const Spoke& s) { return s.a == u_ || s.b == u_; });
+    std::vector<CurvePiece> ignored;
+    append_surface(mesh_, about_v, mesh_.point(v_), around, ignored);
+    return tools_.guard.admits(before, after, around, curves_before, curves_after);
+  }
+
+  void commit() {
+    for (const CurveSpoke& s : star_.curves) mesh_.erase_curve(u_, s.a);
+    for (const CurveSpoke& s : target_.curves) mesh_.set_curve(v_, s.a, s.curve);
+    fill_with_star(mesh_, target_, v_, tools_.work);
+    mesh_.remove_vertex(u_);
+    ++tools_.statistics.collapses;
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  VertexIndex u_, v_;
+  StarCavity star_, target_;
+};
+
+}  // namespace
+
+bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor) {
+  return Collapse(tools, u, v).attempt(rule, floor);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/surface_repair.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+/// Lawson's flips (1986; Joe 1989) at faces that are not locally Delaunay, constrained faces left alone.
+class DelaunayFlipper {
+ public:
+  explicit DelaunayFlipper(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {}
+
+  std::size_t run(const RunContext& context) {
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) push(c);
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < stack_.size(); ++k) {
+      if (k % 4096 == 0) context.check_cancelled();
+      const auto [c, vertices] = stack_[k];
+      if (!mesh_.is_live(c) || mesh_.vertices(c) != vertices) continue;
+      if (flip_one_of(c)) {
+        ++n;
+        for (const CellIndex created : tools_.work.created) push(created);
+      }
+      if (n > 8 * mesh_.n_cells()) break;  // rounding could in principle make flips undo each other
+    }
+    return n;
+  }
+
+ private:
+  void push(CellIndex c) {
+    if (mesh_.is_live(c)) stack_.push_back({c, mesh_.vertices(c)});
+  }
+
+  bool flip_one_of(CellIndex c) {
+    const Sphere s = circumsphere(mesh_, c);
+    for (unsigned i = 0; i < 4; ++i) {
+      if (mesh_.tag(c, i).constrained()) continue;
+      const FaceRef n = mesh_.topology().neighbor(c, i);
+      const VertexIndex apex = mesh_.vertices(n.cell())[n.face()];
+      const double r2 = s.radius * s.radius;
+      if (squared_distance(s.centre, mesh_.point(apex)) < r2 * (1 - 1e-9) &&
+          (flip23(c, i, n, apex) || flip32(c, i, apex)))
+        return true;
+    }
+    return false;
+  }
+
+  bool flip23(CellIndex c, unsigned i, FaceRef n, VertexIndex bottom) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    const VertexIndex top = t[i];
+    auto& added = tools_.work.added;
+    added.clear();
+    for (unsigned k = 0; k < 3; ++k) {
+      const VertexIndex x = t[face_vertices[i][k]], y = t[face_vertices[i][(k + 1) % 3]];
+      if (!is_positive(mesh_.point(x), mesh_.point(y), mesh_.point(bottom), mesh_.point(top))) return false;
+      added.push_back({{x, y, bottom, top}, mesh_.component(c), {}});
+    }
+    const std::array<CellIndex, 2> removed{c, n.cell()};
+    mesh_.replace(removed, added, tools_.work.created);
+    return true;
+  }
+
+  /// The edges of the face that has exactly three cells about it, the third between the two apexes.
+  bool flip32(CellIndex c, unsigned i, VertexIndex bottom) {
+    const Tetrahedron t = mesh_.vertices(c);
+    for (unsigned k = 0; k < 3; ++k) {
+      const VertexIndex a = t[face_vertices[i][k]], b = t[face_vertices[i][(k + 1) % 3]];
+      if (mesh_.curve_of(a, b) != no_index) continue;
+      auto& cells = tools_.work.cells;
+      auto& ring = tools_.work.ring;
+      if (!edge_ring(mesh_, c, a, b, cells, ring) || cells.size() != 3 ||
+          constrained_faces_of_ring(mesh_, cells, ring, true).n > 0)
+        continue;
+      if (std::find(ring.begin(), ring.end(), bottom) == ring.end()) continue;
+      const Vec3 &x = mesh_.point(ring[0]), &y = mesh_.point(ring[1]), &z = mesh_.point(ring[2]);
+      if (!is_positive(x, y, z, mesh_.point(b)) || !is_positive(z, y, x, mesh_.point(a))) continue;
+      tools_.work.added = {{{ring[0], ring[1], ring[2], b}, mesh_.component(c), {}},
+                           {{ring[2], ring[1], ring[0], a}, mesh_.component(c), {}}};
+      mesh_.replace(cells, tools_.work.added, tools_.work.created);
+      return true;
+    }
+    return false;
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  std::vector<std::pair<CellIndex, Tetrahedron>> stack_;
+};
+
+}  // namespace
+
+std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context) {
+  return DelaunayFlipper(tools).run(context);
+}
+
+}  // namespace geomesh::remesh

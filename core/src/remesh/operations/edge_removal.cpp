@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/half_angle.hpp"
+#include "remesh/operations/improve.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr std::size_t max_ring =
+    12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
+
+/// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these
+/// two share the angle of one cell that goes, so that one has half of it at most: that rules out most rings before any
+/// shape is asked for.
+class PolygonTriangulation {
+ public:
+  /// `is_whole_ring`: the side from the last vertex to the first is one of the ring too.
+  PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon,
+                       bool is_whole_ring)
+      : mesh_(mesh),
+        a_(a),
+        b_(b),
+        p_(polygon),
+        n_(polygon.size()),
+        n_sides_(n_ < 3          ? 0
+                 : is_whole_ring ? n_
+                                 : n_ - 1) {}
+
+  /// Worst shape of the best triangulation, or something not above `enough`.
+  double solve(double enough) {
+    for (std::size_t i = 0; i < n_sides_; ++i)
+      if (bound_at_side(i) <= enough) return enough;
+    return fill_table(1, enough, [&](std::size_t i, std::size_t k, std::size_t j) {
+      const double rest = std::min(best_[i][k], best_[k][j]);
+      return rest <= best_[i][j] ? rest : std::min(rest, triangle_shape(i, k, j, best_[i][j]));
+    });
+  }
+
+  /// Largest sum of worths, each less the mean, of a triangulation that the goal allows where the worst was `before`;
+  /// minus infinity where there is none, or none above `needed`.
+  double solve(const MeanGoal& goal, double before, double needed) {
+    const double floor = goal.least_after(before), mean = goal.mean;
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n_sides_; ++i) bound_[i] = bound_at_side(i);
+    const double most = fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
+      return best_[i][k] + best_[k][j] + 2 * bound_of_triangle(i, k, j) - 2 * mean;
+    });
+    if (most <= needed) return none;
+    return fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
+      const double rest = best_[i][k] + best_[k][j] - 2 * mean;
+      if (!(rest + 2 * bound_of_triangle(i, k, j) > best_[i][j])) return none;
+      const auto [upper, lower] = shapes_on(i, k, j);
+      return upper > floor && lower > floor ? rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) : none;
+    });
+  }
+
+  void append_cells(Index component, std::vector<NewCell>& cells) const {
+    if (n_ >= 3) append(0, n_ - 1, component, cells);
+  }
+
+ private:
+  /// By dynamic programming over spans of the polygon: an edge of it counts `edge`, a triangle (i, k, j) with what is
+  /// best on both its sides value(i, k, j), which is taken where it is above `none` and what was found before. Returns
+  /// the best of the whole. Cubic.
+  template <class Value>
+  double fill_table(double edge, double none, const Value& value) {
+    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = edge;
+    for (std::size_t span = 2; span < n_; ++span)
+      for (std::size_t i = 0; i + span < n_; ++i) {
+        const std::size_t j = i + span;
+        best_[i][j] = none;
+        apex_[i][j] = 0;
+        for (std::size_t k = i + 1; k < j; ++k)
+          if (const double q = value(i, k, j); q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
+      }
+    return n_ < 3 ? edge : best_[0][n_ - 1];
+  }
+
+  /// The worse of the two cells over a side of the ring is no better, nor is half of what both sum to.
+  double bound_at_side(std::size_t i) const {
+    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
+    return sine_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);
+  }
+  double bound_of_triangle(std::size_t i, std::size_t k, std::size_t j) const {
+    double bound = largest_shape;
+    if (k == i + 1) bound = std::min(bound, bound_[i]);
+    if (j == k + 1) bound = std::min(bound, bound_[k]);
+    if (i == 0 && j + 1 == n_ && n_sides_ == n_) bound = std::min(bound, bound_[j]);
+    return bound;
+  }
+
+  std::array<double, 2> shapes_on(std::size_t i, std::size_t j, std::size_t k) const {
+    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
+    return {shape(x, y, z, mesh_.point(b_)), shape(z, y, x, mesh_.point(a_))};
+  }
+
+  double triangle_shape(std::size_t i, std::size_t j, std::size_t k, double enough) const {
+    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
+    const double upper = shape(x, y, z, mesh_.point(b_));
+    return upper <= enough ? upper : std::min(upper, shape(z, y, x, mesh_.point(a_)));
+  }
+
+  void append(std::size_t i, std::size_t j, Index component, std::vector<NewCell>& cells) const {
+    if (j < i + 2) return;
+    const std::size_t k = apex_[i][j];
+    cells.push_back({{p_[i], p_[k], p_[j], b_}, component, {}});
+    cells.push_back({{p_[j], p_[k], p_[i], a_}, component, {}});
+    append(i, k, component, cells);
+    append(k, j, component, cells);
+  }
+
+  const DomainMesh& mesh_;
+  VertexIndex a_, b_;
+  const std::vector<VertexIndex>& p_;
+  std::size_t n_, n_sides_;
+  double bound_[max_ring + 1];
+  double best_[max_ring + 1][max_ring + 1];
+  std::size_t apex_[max_ring + 1][max_ring + 1];
+};
+
+class EdgeRemoval {
+ public:
+  EdgeRemoval(Toolbox& tools, VertexIndex a, VertexIndex b) : tools_(tools), mesh_(tools.mesh), a_(a), b_(b) {}
+
+  /// The exchange on the surface that its Delaunay criterion asks for, at a price in the shapes of cells down to
+  /// `floor`.
+  bool attempt_for_surface(CellIndex c, double floor) {
+    floor_ = floor;
+    for_surface_ = true;
+    return attempt(c);
+  }
+
+  /// As long as all new shapes are above `floor`.
+  bool attempt(CellIndex c, double floor) {
+    before_ = floor;
+    return attempt(c);
+  }
+
+  bool attempt(CellIndex c, const MeanGoal& goal) {
+    goal_ = &goal;
+    return attempt(c);
+  }
+
+  bool attempt(CellIndex c) {
+    if (mesh_.curve_of(a_, b_) != no_index) return false;
+    auto& cells = tools_.work.cells;
+    closed_ = edge_ring(mesh_, c, a_, b_, cells, tools_.work.ring);
+    if (cells.size() == 1) return shell_off(cells[0]);
+    if (cells.size() > max_ring) return false;
+    for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
+    if (goal_ && before_ > goal_->mean) return false;
+    const bool may_be_on_surface = mesh_.kind(a_) != VertexKind::inside && mesh_.kind(b_) != VertexKind::inside;
+    if (may_be_on_surface) faces_ = constrained_faces_of_ring(mesh_, cells, tools_.work.ring, closed_);
+    if (goal_ && faces_.n > 0) return false;
+    tools_.work.added.clear();
+    if (faces_.n == 0 ? for_surface_ || !remove_inside() : !remove_on_surface()) return false;
+    const bool positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
+      return is_positive(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
+                         mesh_.point(n.vertices[3]));
+    });
+    if (!positive || (!for_surface_ && !tools_.bad_cells_may_spread && adds_bad_cells())) return false;
+    mesh_.replace(cells, tools_.work.added, tools_.work.created);
+    ++tools_.statistics.edge_removals;
+    return true;
+  }
+
+ private:
+  double sum_before() const {
+    double sum = 0;
+    for (const CellIndex k : tools_.work.cells) sum += MeanGoal::worth(mesh_.shape_of(k)) - goal_->mean;
+    return sum;
+  }
+
+  double least_shape() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
+
+  /// Whether the angles opposite the edge in its two faces sum to more than half a turn (and a little, so that ties
+  /// stay).
+  bool surface_asks(VertexIndex x, VertexIndex y) const {
+    const auto cosine = [&](VertexIndex v) {
+      const Vec3 d = mesh_.point(a_) - mesh_.point(v), e = mesh_.point(b_) - mesh_.point(v);
+      return dot(d, e) / (length(d) * length(e));
+    };
+    return cosine(x) + cosine(y) < -1e-3;
+  }
+
+  /// As for stars: see cavity.hpp.
+  bool adds_bad_cells() const {
+    const double bad = shape_of_angle(bad_angle);
+    if (before_ >= bad) return false;
+    const auto n_before = std::count_if(tools_.work.cells.begin(), tools_.work.cells.end(),
+                                        [&](CellIndex c) { return mesh_.shape_of(c) < bad; });
+    const auto n_after = std::count_if(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
+      return shape(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
+                   mesh_.point(n.vertices[3])) < bad;
+    });
+    return n_after > n_before;
+  }
+
+  bool remove_inside() {
+    if (!closed_ || tools_.work.ring.size() < 3) return false;
+    return solve_side(tools_.work.ring, mesh_.component(tools_.work.cells[0]));
+  }
+
+  bool solve_side(const std::vector<VertexIndex>& polygon, Index component) {
+    PolygonTriangulation t(mesh_, a_, b_, polygon, faces_.n == 0);
+    const double needed = goal_ ? sum_before() + MeanGoal::least_gain : least_shape();
+    if (!((goal_ ? t.solve(*goal_, before_, needed) : t.solve(needed)) > needed)) return false;
+    t.append_cells(component, tools_.work.added);
+    return true;
+  }
+
+  bool remove_on_surface() {
+    const Index patch = mesh_.patch_of(faces_.tag[0]);
+    if (faces_.n != 2 || patch == hull_patch || patch != mesh_.patch_of(faces_.tag[1])) return false;
+    const auto& ring = tools_.work.ring;
+    const auto& cells = tools_.work.cells;
+    const std::size_t s = faces_.at[0], t = faces_.at[1];
+    const VertexIndex x = ring[s], y = ring[t];
+    if (!closed_ && (s != 0 || t + 1 != ring.size())) return false;
+    if (for_surface_ && !surface_asks(x, y)) return false;
+    if (joined_on_surface(x, y)) return false;
+    const std::vector<VertexIndex> side(ring.begin() + static_cast<std::ptrdiff_t>(s),
+                                        ring.begin() + static_cast<std::ptrdiff_t>(t) + 1);
+    if (!solve_side(side, mesh_.component(cells[s]))) return false;
+    const std::size_t n_first = tools_.work.added.size();
+    if (closed_) {
+      std::vector<VertexIndex> other(ring.begin() + static_cast<std::ptrdiff_t>(t), ring.end());
+      other.insert(other.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(s) + 1);
+      if (side.size() < 3 && other.size() < 3) return false;
+      if (!solve_side(other, mesh_.component(cells[t]))) return false;
+    }
+    if (!guard_allows(patch, x, y)) return false;  // the dearest test is the last
+    const FaceTag tag = faces_.tag[0];
+    for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
+      tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));
+    return true;
+  }
+
+  /// A flat cell whose two faces at the edge are both on the outside goes for nothing: the faces that it has with its
+  /// neighbours are the surface then.
+  bool shell_off(CellIndex c) {
+    if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < shape_of_angle(bad_angle))) return false;
+    const TetMesh& topology = mesh_.topology();
+    const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
+    const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)),
+                  other = mesh_.tag(c, topology.index_of(c, y));  // of (a, b, y) and (a, b, x)
+    const unsigned opposite_a = topology.index_of(c, a_), opposite_b = topology.index_of(c, b_);
+    if (!tag.constrained() || !other.constrained() || mesh_.tag(c, opposite_a).constrained() ||
+        mesh_.tag(c, opposite_b).constrained())
+      return false;
+    const Index patch = mesh_.patch_of(tag);
+    if (patch == hull_patch || patch != mesh_.patch_of(other) || tag.above() != other.above()) return false;
+    if (joined_on_surface(x, y) || !guard_allows(patch, x, y)) return false;
+    auto& cells = tools_.work.cells;
+    tools_.work.added.clear();
+    for (const unsigned i : {opposite_b, opposite_a}) {
+      const FaceRef beyond = topology.neighbor(c, i);
+      if (beyond.cell() == cells.back()) return false;
+      NewCell same{mesh_.vertices(beyond.cell()), mesh_.component(beyond.cell()), {}, mesh_.shape_of(beyond.cell())};
+      for (unsigned k = 0; k < 4; ++k) same.tags[k] = k == beyond.face() ? tag : mesh_.tag(beyond.cell(), k);
+      cells.push_back(beyond.cell());
+      tools_.work.added.push_back(same);
+    }
+    mesh_.replace(cells, tools_.work.added, tools_.work.created);
+    ++tools_.statistics.edge_removals;
+    return true;
+  }
+
+  /// The new surface edge x-y must not be one already: its faces would fold onto others. Where the edge removed is on
+  /// the outside the other may be beyond it, so all cells at x are asked, or at y where those are not found.
+  bool joined_on_surface(VertexIndex x, VertexIndex y) {
+    if (mesh_.is_pinched(x)) std::swap(x, y);
+    if (!closed_ && mesh_.is_pinched(x)) return true;
+    std::vector<CellIndex> about_x;
+    if (!closed_) mesh_.star(x, tools_.work.marks, about_x);
+    for (const CellIndex c : closed_ ? tools_.work.cells : about_x) {
+      const unsigned ix = mesh_.topology().index_of(c, x), iy = mesh_.topology().index_of(c, y);
+      if (ix > 3 || iy > 3) continue;
+      for (unsigned i = 0; i < 4; ++i)
+        if (i != ix && i != iy && mesh_.tag(c, i).constrained()) return true;
+    }
+    return false;
+  }
+
+  /// The faces (x, y, a) and (x, y, b) of a new cell are the surface now.
+  void tag_surface(NewCell& n, VertexIndex x, VertexIndex y, FaceTag tag) const {
+    bool has_x = false, has_y = false;
+    unsigned third = 4;
+    for (unsigned i = 0; i < 3; ++i) {
+      if (n.vertices[i] == x)
+        has_x = true;
+      else if (n.vertices[i] == y)
+        has_y = true;
+      else
+        third = i;
+    }
+    if (has_x && has_y) n.tags[third] = tag;
+  }
+
+  bool guard_allows(Index patch, VertexIndex x, VertexIndex y) const {
+    if (tools_.guard.exact()) return true;
+    const Vec3 &a = mesh_.point(a_), &b = mesh_.point(b_), &p = mesh_.point(x), &q = mesh_.point(y);
+    return tools_.guard.admits({{{a, b, p}, patch}, {{b, a, q}, patch}}, {{{p, a, q}, patch}, {{q, b, p}, patch}}, {},
+                               {}, {});
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  VertexIndex a_, b_;
+  bool closed_ = true;
+  EdgeFaces faces_;
+  double before_ = 1, floor_ = 0;
+  const MeanGoal* goal_ = nullptr;
+  bool for_surface_ = false;
+};
+
+}  // namespace
+
+bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
+  return EdgeRemoval(tools, a, b).attempt(c);
+}
+bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal) {
+  return EdgeRemoval(tools, a, b).attempt(c, goal);
+}
+bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
+  return EdgeRemoval(tools, a, b).attempt(c, floor);
+}
+bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
+  return EdgeRemoval(tools, a, b).attempt_for_surface(c, floor);
+}
+
+}  // namespace geomesh::remesh

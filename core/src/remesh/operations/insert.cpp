@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "geomesh/core/predicates.hpp"
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/operations.hpp"
+
+namespace geomesh::remesh {
+
+Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+  const Vec3 offset = (0.5 / dot(u, vw)) * (dot(u, u) * vw + dot(v, v) * wu + dot(w, w) * uv);
+  return {a + offset, length(offset)};
+}
+
+Sphere circumsphere(const DomainMesh& mesh, CellIndex c) {
+  const Tetrahedron& t = mesh.vertices(c);
+  return circumsphere(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
+}
+
+std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
+  CellIndex c = start;
+  for (unsigned step = 0; step < 1000; ++step) {
+    const Tetrahedron& t = mesh.vertices(c);
+    unsigned leave = 4;
+    for (unsigned k = 0; k < 4 && leave == 4; ++k) {
+      const unsigned i = (k + step) & 3u;  // turns the order, so that the walk cannot cycle for long
+      const auto& f = face_vertices[i];
+      if (orientation(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]), p) == Sign::negative) leave = i;
+    }
+    if (leave == 4) return c;
+    if (mesh.tag(c, leave).constrained()) return std::nullopt;
+    c = mesh.topology().neighbor_cell(c, leave);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+Triangle corners_of(const DomainMesh& mesh, FaceRef f) {
+  const Tetrahedron& t = mesh.vertices(f.cell());
+  return {t[face_vertices[f.face()][0]], t[face_vertices[f.face()][1]], t[face_vertices[f.face()][2]]};
+}
+
+/// Face of the same patch across the edge (x, y) of a constrained face; invalid where the edge is a curve.
+FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, VertexIndex y) {
+  if (mesh.curve_of(x, y) != no_index) return {};
+  std::vector<CellIndex> cells;
+  std::vector<VertexIndex> ring;
+  const bool closed = edge_ring(mesh, face.cell(), x, y, cells, ring);
+  const EdgeFaces faces = constrained_faces_of_ring(mesh, cells, ring, closed);
+  if (faces.n != 2) return {};
+  VertexIndex third = no_vertex;
+  for (const VertexIndex v : corners_of(mesh, face))
+    if (v != x && v != y) third = v;
+  const std::size_t other = ring[faces.at[0]] == third ? faces.at[1] : faces.at[0];
+  const bool last = !closed && other == cells.size();
+  const CellIndex c = last ? cells.back() : cells[other];
+  const VertexIndex opposite = last ? ring[cells.size() - 1] : ring[(other + 1) % ring.size()];
+  return FaceRef(c, mesh.topology().index_of(c, opposite));
+}
+
+/// Walks within the patch to the face that p is over; invalid where a curve is in the way.
+FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
+  for (unsigned step = 0; step < 300; ++step) {
+    const Triangle t = corners_of(mesh, face);
+    const Vec3 &a = mesh.point(t[0]), n = cross(mesh.point(t[1]) - a, mesh.point(t[2]) - a);
+    unsigned leave = 3;
+    double worst = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const Vec3& x = mesh.point(t[k]);
+      const double side = dot(cross(mesh.point(t[(k + 1) % 3]) - x, p - x), n);
+      if (side < worst) worst = side, leave = k;
+    }
+    if (leave == 3) return face;
+    face = surface_neighbor(mesh, face, t[leave], t[(leave + 1) % 3]);
+    if (!face.valid()) return face;
+  }
+  return {};
+}
+
+class Insertion {
+ public:
+  Insertion(Toolbox& tools, const Vec3& p) : tools_(tools), mesh_(tools.mesh), p_(p) {}
+
+  std::optional<VertexIndex> attempt(CellIndex start, const InsertionRule& rule) {
+    const std::optional<CellIndex> home = locate(mesh_, p_, start);
+    if (!home) return std::nullopt;
+    for (const VertexIndex v : mesh_.vertices(*home))
+      if (squared_distance(mesh_.point(v), p_) < rule.spacing * rule.spacing) return std::nullopt;
+    bases_.assign(1, *home);
+    grow(rule.spheres);
+    if (!find_cavity(rule.spacing)) return std::nullopt;
+    const std::vector<double>& shapes = new_shapes();
+    if (rule.min_shape > 0 && !(*std::min_element(shapes.begin(), shapes.end()) > rule.min_shape)) return std::nullopt;
+    if (!keeps_constraints()) return std::nullopt;
+    const VertexIndex v = mesh_.add_vertex(p_, VertexKind::inside);
+    fill_with_star(mesh_, tools_.work.cavity, v, tools_.work, shapes);
+    ++tools_.statistics.points_inside;
+    return v;
+  }
+
+  std::optional<VertexIndex> attempt_on_surface(FaceRef start, const InsertionRule& rule) {
+    const FaceRef home = locate_on_surface(mesh_, p_, start);
+    if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
+    grow(rule.spheres);
+    if (!find_cavity(0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
+    StarCavity& cavity = tools_.work.cavity;
+    add_spokes(cavity);
+    if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;
+    const VertexIndex v =
+        mesh_.add_vertex(p_, VertexKind::surface, mesh_.patch_of(mesh_.tag(home.cell(), home.face())));
+    fill_with_star(mesh_, cavity, v, tools_.work);
+    ++tools_.statistics.points_on_surfaces;
+    return v;
+  }
+
+ private:
+  bool in_circumsphere(CellIndex c, const std::vector<Sphere>* spheres) const {
+    const Sphere s = spheres ? (*spheres)[c] : circumsphere(mesh_, c);
+    return squared_distance(s.centre, p_) < s.radius * s.radius;
+  }
+
+  bool in_circumcircle(const Triangle& t) const {
+    const Vec3 &a = mesh_.point(t[0]), u = mesh_.point(t[1]) - a, v = mesh_.point(t[2]) - a, n = cross(u, v);
+    const Vec3 offset = (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
+    return squared_distance(a + offset, p_) < dot(offset, offset);
+  }
+
+  bool is_opened(CellIndex c, unsigned i) const {
+    const FaceRef f(c, i);
+    return std::find(opened_.begin(), opened_.end(), f) != opened_.end();
+  }
+
+  /// The faces of the patch whose circumcircle has p, from the one that p is in; each is listed from both sides.
+  bool grow_on_surface(FaceRef home, double spacing) {
+    std::vector<FaceRef> faces{home};
+    const auto both = [&](FaceRef f) { return std::array{f, mesh_.topology().mirror(f)}; };
+    const auto open = [&](FaceRef f) {
+      for (const FaceRef g : both(f))
+        if (g.valid()) opened_.push_back(g), bases_.push_back(g.cell());
+    };
+    open(home);
+    for (std::size_t k = 0; k < faces.size() && faces.size() < 60; ++k) {
+      const Triangle t = corners_of(mesh_, faces[k]);
+      for (unsigned j = 0; j < 3; ++j) {
+        if (squared_distance(mesh_.point(t[j]), p_) < spacing * spacing) return false;
+        const FaceRef n = surface_neighbor(mesh_, faces[k], t[j], t[(j + 1) % 3]);
+        if (!n.valid() || is_opened(n.cell(), n.face()) || !in_circumcircle(corners_of(mesh_, n))) continue;
+        open(n);
+        faces.push_back(n);
+      }
+    }
+    std::sort(bases_.begin(), bases_.end());
+    bases_.erase(std::unique(bases_.begin(), bases_.end()), bases_.end());
+    return true;
+  }
+
+  /// A shape criterion in doubles decides which cells to take; validity is decided later and exactly.
+  void grow(const std::vector<Sphere>* spheres) {
+    auto& cells = tools_.work.cells;
+    CellMarks& marks = tools_.work.marks;
+    cells = bases_;
+    marks.begin(mesh_.n_slots());
+    for (const CellIndex c : bases_) marks.mark(c);
+    for (std::size_t k = 0; k < cells.size() && cells.size() < 400; ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        if (mesh_.tag(cells[k], i).constrained()) continue;
+        const CellIndex n = mesh_.topology().neighbor_cell(cells[k], i);
+        if (marks.marked(n) || !in_circumsphere(n, spheres)) continue;
+        marks.mark(n);
+        cells.push_back(n);
+      }
+  }
+
+  bool sees_face(CellIndex c, unsigned i) const {
+    const Tetrahedron& t = mesh_.vertices(c);
+    const auto& f = face_vertices[i];
+    return is_positive(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p_);
+  }
+  bool sees_border(CellIndex c) const {
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef n = mesh_.topology().neighbor(c, i);
+      if (mesh_.tag(c, i).constrained() ? is_opened(c, i) : tools_.work.marks.marked(n.cell())) continue;
+      if (!sees_face(c, i)) return false;
+    }
+    return true;
+  }
+
+  bool is_base(CellIndex c) const { return std::find(bases_.begin(), bases_.end(), c) != bases_.end(); }
+
+  /// Of what was grown, the part that p sees, with no vertex nearer than `spacing`. False where there is none.
+  bool find_cavity(double spacing) {
+    if (!shrink_until_visible() || !keeps_spacing(spacing)) return false;
+    tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());  // gather_cells uses the marks anew
+    gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
+    if (!opened_.empty()) drop_opened_hull_faces();
+    return true;
+  }
+
+  /// Gives up cells whose border face p does not see, those whose faces are at the border by that, and in the end those
+  /// cut off. False where a base does not see.
+  bool shrink_until_visible() {
+    CellMarks& marks = tools_.work.marks;
+    std::vector<CellIndex> given_up;
+    const auto give_up = [&](CellIndex c) {
+      marks.unmark(c);
+      given_up.push_back(c);
+      return !is_base(c);
+    };
+    for (const CellIndex c : tools_.work.cells)
+      if (!sees_border(c) && !give_up(c)) return false;
+    for (std::size_t k = 0; k < given_up.size(); ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        if (mesh_.tag(given_up[k], i).constrained()) continue;
+        const FaceRef n = mesh_.topology().neighbor(given_up[k], i);
+        if (marks.marked(n.cell()) && !sees_face(n.cell(), n.face()) && !give_up(n.cell())) return false;
+      }
+    if (!given_up.empty()) keep_connected();
+    return true;
+  }
+
+  /// Opened faces on the outside of the model are no border to be filled: the new surface replaces them.
+  void drop_opened_hull_faces() {
+    std::vector<Triangle> gone;
+    for (const FaceRef f : opened_)
+      if (!mesh_.has_neighbor(f.cell(), f.face())) gone.push_back(corners_of(mesh_, f));
+    std::erase_if(tools_.work.cavity.link,
+                  [&](const LinkFace& l) { return std::find(gone.begin(), gone.end(), l.vertices) != gone.end(); });
+  }
+
+  void keep_connected() {
+    auto& cells = tools_.work.cells;
+    CellMarks& marks = tools_.work.marks;
+    std::vector<CellIndex> kept = bases_;
+    for (const CellIndex c : bases_) marks.unmark(c);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        if (mesh_.tag(kept[k], i).constrained()) continue;
+        const CellIndex n = mesh_.topology().neighbor_cell(kept[k], i);
+        if (!marks.marked(n)) continue;
+        marks.unmark(n);
+        kept.push_back(n);
+      }
+    for (const CellIndex c : cells) marks.unmark(c);
+    for (const CellIndex c : kept) marks.mark(c);
+    cells = std::move(kept);
+  }
+
+  /// Border edges of the opened faces, in the orientation of their facets.
+  void add_spokes(StarCavity& cavity) const {
+    std::vector<Spoke> edges;
+    for (const FaceRef f : opened_) {
+      const FaceTag tag = mesh_.tag(f.cell(), f.face());
+      if (mesh_.has_neighbor(f.cell(), f.face()) && !tag.above()) continue;
+      Triangle t = corners_of(mesh_, f);
+      if (!tag.above()) std::swap(t[1], t[2]);
+      for (unsigned k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3], tag.facet()});
+    }
+    for (const Spoke& s : edges)
+      if (std::none_of(edges.begin(), edges.end(), [&](const Spoke& o) { return o.a == s.b && o.b == s.a; }))
+        cavity.spokes.push_back(s);
+  }
+
+  bool guard_allows(const StarCavity& cavity) const {
+    if (tools_.guard.exact()) return true;
+    std::vector<SurfaceFace> before, after;
+    std::vector<CurvePiece> curves;
+    for (const FaceRef f : opened_) {
+      const FaceTag tag = mesh_.tag(f.cell(), f.face());
+      Triangle t = corners_of(mesh_, f);
+      if (!tag.above()) std::swap(t[1], t[2]);
+      before.push_back({{mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])}, mesh_.patch_of(tag)});
+    }
+    append_surface(mesh_, cavity, p_, after, curves);
+    return tools_.guard.admits(before, after, {}, {}, {});
+  }
+
+  /// All vertices of the cells are asked: those that are not on the cavity's border may not be there at all.
+  bool keeps_spacing(double spacing) const {
+    const double limit = spacing * spacing;
+    for (const CellIndex c : tools_.work.cells)
+      for (const VertexIndex v : mesh_.vertices(c))
+        if (squared_distance(mesh_.point(v), p_) < limit) return false;
+    return true;
+  }
+
+  const std::vector<double>& new_shapes() {
+    LinkShapes& link = tools_.work.link;
+    link.clear();
+    for (const LinkFace& f : tools_.work.cavity.link)
+      link.add(mesh_.point(f.vertices[0]), mesh_.point(f.vertices[1]), mesh_.point(f.vertices[2]));
+    link.prepare();
+    return link.shapes(p_);
+  }
+
+  bool on_link(VertexIndex a, VertexIndex b) const {
+    for (const LinkFace& f : tools_.work.cavity.link) {
+      const auto has = [&](VertexIndex v) { return f.vertices[0] == v || f.vertices[1] == v || f.vertices[2] == v; };
+      if (has(a) && has(b)) return true;
+    }
+    return false;
+  }
+
+  /// No vertex, no constrained face and no curve edge may be swallowed. The marks are those of the cavity's cells.
+  bool keeps_constraints() const {
+    CellMarks& on_border = tools_.work.vertex_marks;
+    on_border.begin(mesh_.n_vertices());
+    for (const LinkFace& f : tools_.work.cavity.link)
+      for (const VertexIndex v : f.vertices) on_border.mark(v);
+    for (const CellIndex c : tools_.work.cavity.cells) {
+      const Tetrahedron& t = mesh_.vertices(c);
+      for (unsigned i = 0; i < 4; ++i) {
+        if (!on_border.marked(t[i])) return false;
+        if (!mesh_.tag(c, i).constrained() || is_opened(c, i)) continue;
+        const FaceRef n = mesh_.topology().neighbor(c, i);
+        if (n.valid() && tools_.work.marks.marked(n.cell())) return false;
+      }
+      for (const auto& e : edge_vertices)
+        if (mesh_.curve_of(t[e[0]], t[e[1]]) != no_index && !on_link(t[e[0]], t[e[1]])) return false;
+    }
+    return true;
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  Vec3 p_;
+  std::vector<CellIndex> bases_;  // cells that the cavity must have
+  std::vector<FaceRef> opened_;   // constrained faces inside the cavity, from each side
+};
+
+}  // namespace
+
+std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule) {
+  return Insertion(tools, p).attempt(start, rule);
+}
+
+std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule) {
+  const FaceTag tag = tools.mesh.tag(start.cell(), start.face());
+  if (tag.facet() == hull_facet) return std::nullopt;
+  return Insertion(tools, tools.guard.project_to_patch(tools.mesh.patch_of(tag), p)).attempt_on_surface(start, rule);
+}
+
+}  // namespace geomesh::remesh

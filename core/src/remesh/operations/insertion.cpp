@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/half_angle.hpp"
+#include "remesh/operations/improve.hpp"
+#include "search/closest_point.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr double thin_gap = 0.25;  ///< of the asked size
+
+/// Grows a cavity about a cell, one cell at a time over the border face that makes the worst new cell.
+class CavityDigger {
+ public:
+  CavityDigger(const DomainMesh& mesh, CellIndex seed) : mesh_(mesh), cells_{seed} {}
+
+  /// The prefix of the growth with the best worst shape from p; false where p sees none of them whole.
+  bool dig(const Vec3& p, std::size_t max_cells) {
+    cells_.resize(1);
+    border_.clear();
+    add_border(p);
+    std::size_t best_size = 0;
+    double best = 0;
+    while (cells_.size() <= max_cells) {
+      const BorderFace worst = worst_border();
+      if (worst.shape > best) best = worst.shape, best_size = cells_.size();
+      if (!worst.neighbor.valid() || worst.is_constrained) break;
+      cells_.push_back(worst.neighbor.cell());
+      std::erase_if(border_,
+                    [&](const BorderFace& f) { return f.neighbor.valid() && f.neighbor.cell() == cells_.back(); });
+      add_border(p);
+    }
+    cells_.resize(best_size);
+    return best_size > 0;
+  }
+  const std::vector<CellIndex>& cells() const { return cells_; }
+
+ private:
+  struct BorderFace {
+    double shape = 1;  ///< of the new cell over it
+    FaceRef neighbor;  ///< from the cell beyond, where there is one
+    bool is_constrained = false;
+  };
+
+  /// Of the cell that came last.
+  void add_border(const Vec3& p) {
+    const CellIndex c = cells_.back();
+    const Tetrahedron& t = mesh_.vertices(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef n = mesh_.topology().neighbor(c, i);
+      if (n.valid() && std::find(cells_.begin(), cells_.end(), n.cell()) != cells_.end()) continue;
+      const auto& f = face_vertices[i];
+      border_.push_back({shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p), n,
+                         mesh_.tag(c, i).constrained()});
+    }
+  }
+
+  /// The first of the worst.
+  BorderFace worst_border() const {
+    BorderFace worst;
+    for (const BorderFace& f : border_)
+      if (f.shape < worst.shape) worst = f;
+    return worst;
+  }
+
+  const DomainMesh& mesh_;
+  std::vector<CellIndex> cells_;
+  std::vector<BorderFace> border_;
+};
+
+/// Whether a point put on the edge, at any place, leaves a cell hardly better than the worst that goes: each cell about
+/// the edge hands the angle at its opposite edge on to two.
+bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double least_rise) {
+  const DomainMesh& mesh = tools.mesh;
+  const auto& cells = tools.work.cells;
+  const auto& ring = tools.work.ring;
+  edge_ring(mesh, c, a, b, tools.work.cells, tools.work.ring);
+  double before = 1;
+  for (const CellIndex k : cells) before = std::min(before, mesh.shape_of(k));
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (sine_of_half_angle(mesh.point(a), mesh.point(b), mesh.point(ring[k]),
+                           mesh.point(ring[(k + 1) % ring.size()])) <= before * least_rise)
+      return true;
+  return false;
+}
+
+bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, double room) {
+  Index last = cavity.link[0].component;
+  double h = tools.size.at(p, last);
+  for (const LinkFace& f : cavity.link)
+    if (f.component != last) h = std::min(h, tools.size.at(p, last = f.component));
+  const double limit = room * h * room * h;
+  return std::all_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
+    return std::all_of(f.vertices.begin(), f.vertices.end(),
+                       [&](VertexIndex v) { return squared_distance(tools.mesh.point(v), p) >= limit; });
+  });
+}
+
+/// Whether points are not wanted at p: it is between two surfaces less than a quarter of the size apart: points there
+/// only make more flat elements. Looks at the faces of the cavity's cells and of their neighbours.
+bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
+  if (tools.points_in_thin_gaps) return false;
+  const DomainMesh& mesh = tools.mesh;
+  const double limit = thin_gap * tools.size.at(p, cavity.link[0].component);
+  std::vector<Vec3> ways;  // to surfaces
+  const auto closes_gap = [&](CellIndex c, unsigned i) {
+    const Tetrahedron& t = mesh.vertices(c);
+    const auto& f = face_vertices[i];
+    const Vec3 way = search::closest_on_triangle(p, mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]])) - p;
+    const double l = length(way);
+    if (!(l < limit)) return false;
+    const bool closes =
+        std::any_of(ways.begin(), ways.end(), [&](const Vec3& w) { return dot(way, w) < 0 && l + length(w) < limit; });
+    ways.push_back(way);
+    return closes;
+  };
+  for (const CellIndex c : cavity.cells)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (mesh.tag(c, i).constrained()) {
+        if (closes_gap(c, i)) return true;
+        continue;
+      }
+      const CellIndex beside = mesh.topology().neighbor(c, i).cell();
+      for (unsigned k = 0; k < 4; ++k)
+        if (mesh.tag(beside, k).constrained() && closes_gap(beside, k)) return true;
+    }
+  return false;
+}
+
+/// No vertex, curve edge or constrained face may be inside the cavity (its cells are of one component already).
+bool swallows_constraint(const DomainMesh& mesh, const StarCavity& cavity) {
+  const auto on_link = [&](VertexIndex a, VertexIndex b) {
+    return std::any_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
+      return std::find(f.vertices.begin(), f.vertices.end(), a) != f.vertices.end() &&
+             std::find(f.vertices.begin(), f.vertices.end(), b) != f.vertices.end();
+    });
+  };
+  for (const CellIndex c : cavity.cells) {
+    const Tetrahedron& t = mesh.vertices(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!on_link(t[i], t[i])) return true;
+      const FaceRef n = mesh.topology().neighbor(c, i);
+      if (mesh.tag(c, i).constrained() && n.valid() &&
+          std::find(cavity.cells.begin(), cavity.cells.end(), n.cell()) != cavity.cells.end())
+        return true;
+    }
+    for (const auto& e : edge_vertices)
+      if (mesh.curve_of(t[e[0]], t[e[1]]) != no_index && !on_link(t[e[0]], t[e[1]])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
+  DomainMesh& mesh = tools.mesh;
+  const Tetrahedron& t = mesh.vertices(c);
+  Vec3 p = 0.25 * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]) + mesh.point(t[3]));
+  CavityDigger digger(mesh, c);
+  StarCavity& cavity = tools.work.cavity;
+  StarProblem problem{tools.work.link};
+  for (unsigned round = 0; round < 3; ++round) {
+    if (!digger.dig(p, 40)) return false;
+    gather_cells(mesh, tools.work.marks, digger.cells(), cavity);
+    problem.set_link(mesh, cavity);
+    const OptimizedPlace best = optimize_place(problem, p, {20, 2});
+    p = best.point;
+    if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p) ||
+        tools.spoils(cavity, p))
+      continue;
+    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_barred_by_gap(tools, cavity, p))
+      return false;
+    fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
+    ++tools.statistics.improving_insertions;
+    return true;
+  }
+  return false;
+}
+
+bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room) {
+  constexpr double least_rise = 1.01;
+  DomainMesh& mesh = tools.mesh;
+  if (mesh.is_pinched(a, b) || halves_a_bad_angle(tools, c, a, b, least_rise)) return false;
+  StarCavity& cavity = tools.work.cavity;
+  gather_edge(mesh, c, a, b, cavity);
+  const double before = removed_shape(mesh, cavity);
+  const Index curve = mesh.curve_of(a, b);
+  const Index patch = cavity.spokes.empty() ? no_index : mesh.patch_of_facet(cavity.spokes[0].facet);
+  if (patch == hull_patch) return false;
+  const Vec3 middle = 0.5 * (mesh.point(a) + mesh.point(b));
+  StarProblem problem{tools.work.link};
+  problem.set_link(mesh, cavity);
+  const bool moves_on_patch = curve == no_index && patch != no_index;
+  if (curve != no_index) {
+    problem.freedom = StarProblem::Freedom::line;
+    problem.direction = (1 / distance(mesh.point(a), mesh.point(b))) * (mesh.point(b) - mesh.point(a));
+  } else if (moves_on_patch) {
+    problem.freedom = StarProblem::Freedom::plane;
+    problem.direction = tools.guard.normal(patch, middle);
+  }
+  Vec3 p = optimize_place(problem, middle, {20, 2}).point;
+  if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
+  if (!(problem.shape_at(p, before) > before * least_rise) || !star_is_positive(mesh, cavity, p) ||
+      tools.spoils(cavity, p))
+    return false;
+  if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_barred_by_gap(tools, cavity, p)))
+    return false;
+  if (moves_on_patch && !tools.guard.exact()) {
+    std::vector<SurfaceFace> before_faces, after_faces;
+    std::vector<CurvePiece> curves;
+    for (const Spoke& s : cavity.spokes)
+      if (s.a == a || s.a == b)
+        before_faces.push_back(
+            {{mesh.point(s.a == a ? b : a), mesh.point(s.a), mesh.point(s.b)}, patch});  // each face once
+    append_surface(mesh, cavity, p, after_faces, curves);
+    if (!tools.guard.admits(before_faces, after_faces, {}, {}, {})) return false;
+  }
+  VertexIndex v;
+  if (curve != no_index) {
+    v = mesh.add_vertex(p, VertexKind::curve, curve);
+    mesh.erase_curve(a, b);
+    mesh.set_curve(a, v, curve);
+    mesh.set_curve(v, b, curve);
+  } else {
+    v = mesh.add_vertex(p, moves_on_patch ? VertexKind::surface : VertexKind::inside, patch);
+  }
+  fill_with_star(mesh, cavity, v, tools.work);
+  ++tools.statistics.improving_insertions;
+  return true;
+}
+
+}  // namespace geomesh::remesh

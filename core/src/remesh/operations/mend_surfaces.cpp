@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/surface_repair.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr double least_shape = 1e-3;  ///< a worse cell is not made for the sake of a breach
+
+/// Of a face or a curve's edge: a cell that has it and its vertices.
+struct Place {
+  CellIndex cell = no_cell;
+  std::vector<VertexIndex> vertices;
+};
+
+/// The constrained faces and the curves of the mesh as it was when made, to be found by place.
+class Finder {
+ public:
+  explicit Finder(DomainMesh& mesh) : mesh_(mesh) {
+    std::vector<search::ClosestPointTrees::Item> faces, curves;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+      for (unsigned i = 0; i < 4; ++i)
+        if (mesh.is_live(c) && mesh.tag(c, i).constrained() && mesh.tag(c, i).facet() != hull_facet)
+          add_face(c, i, faces, curves);
+    faces_ = search::ClosestPointTrees(std::move(faces), mesh.n_patches());
+    curves_ = search::ClosestPointTrees(std::move(curves), mesh.n_curve_classes());
+  }
+
+  /// The part nearest to the breach, where it is still there.
+  std::optional<Place> nearest(const Breach& b) const {
+    const search::ClosestPoint at = (b.on_curve ? curves_ : faces_).closest(b.place, b.group);
+    if (at.item == no_index) return std::nullopt;
+    const Place& place = places_[at.item];
+    const auto is_there = [&](VertexIndex v) { return mesh_.topology().has_vertex(place.cell, v); };
+    if (!mesh_.is_live(place.cell) || !std::all_of(place.vertices.begin(), place.vertices.end(), is_there))
+      return std::nullopt;
+    return place;
+  }
+
+ private:
+  void add_face(CellIndex c, unsigned i, std::vector<search::ClosestPointTrees::Item>& faces,
+                std::vector<search::ClosestPointTrees::Item>& curves) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    const auto& f = face_vertices[i];
+    const std::array<VertexIndex, 3> v{t[f[0]], t[f[1]], t[f[2]]};
+    const auto add = [&](std::vector<VertexIndex> vertices) {
+      places_.push_back({c, std::move(vertices)});
+      return static_cast<Index>(places_.size() - 1);
+    };
+    faces.push_back({{mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2])},
+                     mesh_.patch_of(mesh_.tag(c, i)),
+                     add({v[0], v[1], v[2]})});
+    for (unsigned k = 0; k < 3; ++k) {
+      const VertexIndex a = v[k], b = v[(k + 1) % 3];
+      if (const Index curve = mesh_.curve_of(a, b); curve != no_index)
+        curves.push_back({{mesh_.point(a), mesh_.point(b), mesh_.point(b)}, curve, add({a, b})});
+    }
+  }
+
+  DomainMesh& mesh_;
+  std::vector<Place> places_;
+  search::ClosestPointTrees faces_, curves_;
+};
+
+/// Brings a vertex of the surface, or of the curve, to a place where there is none near enough.
+class Mender {
+ public:
+  explicit Mender(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {}
+
+  bool mend(const Breach& breach, const Place& part) {
+    best_ = {};
+    target_ = breach.on_curve ? tools_.guard.project_to_curve(breach.group, breach.place)
+                              : tools_.guard.project_to_patch(breach.group, breach.place);
+    for (std::size_t i = 0; i < part.vertices.size(); ++i)
+      for (std::size_t j = i + 1; j < part.vertices.size(); ++j)
+        consider_split(breach, part.cell, part.vertices[i], part.vertices[j]);
+    for (const VertexIndex v : part.vertices) consider_move(breach, v);
+    if (best_.change) best_.change();
+    return static_cast<bool>(best_.change);
+  }
+
+ private:
+  /// What mends is ranked by the faces off the input that it leaves, then by the worst new shape.
+  struct Option {
+    std::ptrdiff_t more_off = 0;
+    double shape = least_shape;
+    std::function<void()> change;
+  };
+
+  void consider_split(const Breach& breach, CellIndex c, VertexIndex a, VertexIndex b) {
+    if (mesh_.curve_of(a, b) != (breach.on_curve ? breach.group : no_index) || mesh_.is_pinched(a, b)) return;
+    StarCavity& cavity = tools_.work.cavity;
+    gather_edge(mesh_, c, a, b, cavity);
+    if (cavity.spokes.empty() && cavity.curves.empty()) return;
+    std::vector<SurfaceFace> before;
+    for (const Spoke& s : cavity.spokes)
+      if (s.a == a || s.b == a)
+        before.push_back(
+            {{mesh_.point(a), mesh_.point(b), mesh_.point(s.a == a ? s.b : s.a)}, mesh_.patch_of_facet(s.facet)});
+    consider(cavity, before, [this, c, a, b] { split_edge(tools_, c, a, b, 0, &target_); });
+  }
+
+  void consider_move(const Breach& breach, VertexIndex v) {
+    if (mesh_.kind(v) != (breach.on_curve ? VertexKind::curve : VertexKind::surface) ||
+        mesh_.support(v) != breach.group)
+      return;
+    StarCavity& cavity = tools_.work.cavity;
+    gather_star(mesh_, v, tools_.work.marks, cavity);
+    std::vector<SurfaceFace> before;
+    std::vector<CurvePiece> ignored;
+    append_surface(mesh_, cavity, mesh_.point(v), before, ignored);
+    consider(cavity, before, [this, v] {
+      gather_star(mesh_, v, tools_.work.marks, tools_.work.cavity);
+      mesh_.move_vertex(v, target_);
+      for (const CellIndex c : tools_.work.cavity.cells) mesh_.refresh_shape(c);
+      tools_.forget_size(v);
+    });
+  }
+
+  std::ptrdiff_t count_off(const std::vector<SurfaceFace>& faces) const {
+    return std::count_if(faces.begin(), faces.end(),
+                         [&](const SurfaceFace& f) { return !tools_.guard.is_proven_near_reference(f); });
+  }
+
+  /// No more faces may be off than were; where some were, fewer.
+  void consider(const StarCavity& cavity, const std::vector<SurfaceFace>& before, std::function<void()> change) {
+    const double shape = star_shape(mesh_, cavity, target_, least_shape);
+    if (!(shape > least_shape) || !star_is_positive(mesh_, cavity, target_)) return;
+    std::vector<SurfaceFace> faces;
+    std::vector<CurvePiece> curves;
+    append_surface(mesh_, cavity, target_, faces, curves);
+    const std::ptrdiff_t n_before = count_off(before), more_off = count_off(faces) - n_before;
+    if (more_off > 0 || (n_before > 0 && more_off == 0)) return;
+    if (best_.change && std::pair(-more_off, shape) <= std::pair(-best_.more_off, best_.shape)) return;
+    best_ = {more_off, shape, std::move(change)};
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  Vec3 target_;
+  Option best_;
+};
+
+}  // namespace
+
+std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches) {
+  const Finder finder(tools.mesh);
+  Mender mender(tools);
+  std::size_t n = 0;
+  for (const Breach& breach : breaches)
+    if (const auto part = finder.nearest(breach); part && mender.mend(breach, *part)) ++n;
+  return n;
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The local operations of refinement: split, collapse, insertion. Each checks everything first and changes nothing
+/// where it refuses.
+#pragma once
+
+#include <optional>
+
+#include "geomesh/core/refine.hpp"
+#include "remesh/tolerance/surface_guard.hpp"
+
+namespace geomesh::remesh {
+
+/// What an operation works with.
+struct Toolbox {
+  DomainMesh& mesh;
+  const SurfaceGuard& guard;
+  const SizeField& size;
+  RefineStatistics& statistics;
+  Workspace work;
+  std::vector<double> vertex_size;  ///< asked size per vertex, negative where not yet asked for
+  /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all
+  /// over, and else not.
+  bool bad_cells_may_spread = false;
+  bool points_in_thin_gaps =
+      false;  ///< whether improvement may put points there, where they mostly make more flat elements
+
+  Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
+      : mesh(m), guard(g), size(s), statistics(st) {}
+  /// Asked size at a vertex: at its place, of the component of a cell there. Cached; forgotten by forget_size.
+  double size_at(VertexIndex v);
+  /// Where it has been asked for already, at its place.
+  void set_size(VertexIndex v, double size);
+  void forget_size(VertexIndex v) {
+    if (v < vertex_size.size()) vertex_size[v] = -1;
+  }
+  double size_of_edge(VertexIndex a, VertexIndex b) { return 0.5 * (size_at(a) + size_at(b)); }
+  /// Whether a star of p in the cavity would have more bad cells than go, and may not.
+  bool spoils(const StarCavity& cavity, const Vec3& p) const {
+    return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);
+  }
+  bool spoils(const StarCavity& cavity, std::span<const double> shapes) const {
+    return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, shapes);
+  }
+  /// Mean of the sizes at its vertices.
+  double size_of_cell(CellIndex c);
+};
+
+/// Splits the edge (a, b) of cell c at its midpoint, or at `place` (of its curve or patch) where given. The new vertex
+/// lies on the edge's curve or patch. Returns it, or nothing where a new cell would not be positive or the worst new
+/// shape not above `min_shape`.
+std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape = 0,
+                                      const Vec3* place = nullptr);
+
+enum class CollapseRule {
+  improve,  ///< the worst shape about u must rise
+  coarsen,  ///< it must not fall below the lesser of what it was and `floor`, and no new edge may be longer than 1.4
+            ///< times its size
+  thin_out,  ///< as coarsen, and where bad cells may not spread there are no more of them than before
+};
+
+/// Moves u into its neighbour v where u is no corner, the edge lies on u's curve or patch, surfaces and curves keep
+/// their topology (Dey et al. 1999: link conditions) and stay within the tolerance, and each new cell is positive.
+bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
+
+/// Centre of the sphere through the corners, and its radius. Far away where they are nearly coplanar.
+struct Sphere {
+  Vec3 centre;
+  double radius;
+};
+
+struct InsertionRule {
+  double spacing = 0;                            ///< no vertex of the cavity nearer than this
+  double min_shape = 0;                          ///< the worst new shape must be above this
+  const std::vector<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
+};
+
+/// The cell that p is in, by a walk from `start`; nothing where a constrained face is in the way, or the walk does not
+/// end soon.
+std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start);
+
+/// Inserts p, in the same component as `start` and visible along a walk from it that crosses no constrained face, by a
+/// constrained Delaunay cavity (Bowyer 1981, Watson 1981; the cavity stops at constrained faces and is shrunk until p
+/// sees all of its border).
+std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
+
+/// Inserts p, brought to the patch of the face `start`, by a cavity on the surface (faces of the patch whose
+/// circumcircle has p) and one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of
+/// it of others.
+std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule);
+
+/// Faces and curve pieces about a cavity with the apex at p, for the guard.
+void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, std::vector<SurfaceFace>& faces,
+                    std::vector<CurvePiece>& curves);
+
+Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+Sphere circumsphere(const DomainMesh& mesh, CellIndex c);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/improve.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+class Smoother {
+ public:
+  Smoother(Toolbox& tools, VertexIndex v, Workspace& work)
+      : tools_(tools),
+        mesh_(tools.mesh),
+        work_(work),
+        cavity_(work.cavity),
+        v_(v),
+        old_(tools.mesh.point(v)),
+        problem_{work.link} {}
+
+  bool run(const SmoothRule& rule) {
+    const VertexKind kind = mesh_.kind(v_);
+    if (kind == VertexKind::corner || kind == VertexKind::dead) return false;
+    if (kind == VertexKind::curve && tools_.guard.exact() && !rule.slides_on_edges) return false;
+    gather_star(mesh_, v_, work_.marks, cavity_);
+    const double before = removed_shape(mesh_, cavity_);
+    if (before >= rule.good_enough && rule.goal == SmoothGoal::worst) return false;
+    problem_.set_link(mesh_, cavity_);
+    if (!set_freedom()) return false;
+    if (rule.goal == SmoothGoal::mean) return try_mean(before, rule);
+    return before < rule.good_enough && try_optimal(before, rule);
+  }
+
+  bool run_on_surface(double floor) {
+    if (mesh_.kind(v_) != VertexKind::surface) return false;
+    gather_star(mesh_, v_, work_.marks, cavity_);
+    problem_.set_link(mesh_, cavity_);
+    const double needed = std::min(removed_shape(mesh_, cavity_), floor), before = worst_face(old_);
+    const Vec3 centre = surface_centroid();
+    for (const double t : {1.0, 0.5}) {
+      const Vec3 p = project(old_ + t * (centre - old_));
+      if (worst_face(p) > before * 1.001 && place(p, 0.9 * needed)) return true;
+    }
+    return false;
+  }
+
+ private:
+  double worst_face(const Vec3& p) const {
+    double worst = 1;
+    for (const Spoke& s : cavity_.spokes) {
+      const Vec3 u = mesh_.point(s.a) - p, v = mesh_.point(s.b) - p, w = v - u;
+      const double squares = dot(u, u) + dot(v, v) + dot(w, w);
+      worst = std::min(worst, 2 * std::sqrt(3.0) * length(cross(u, v)) / squares);
+    }
+    return worst;
+  }
+
+  bool set_freedom() {
+    if (mesh_.kind(v_) == VertexKind::surface) {
+      problem_.freedom = StarProblem::Freedom::plane;
+      problem_.direction = tools_.guard.normal(mesh_.support(v_), old_);
+    } else if (mesh_.kind(v_) == VertexKind::curve) {
+      if (cavity_.curves.size() != 2) return false;
+      for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(cavity_.curves[k].a);
+      const Vec3 d = ends_[1] - ends_[0];
+      problem_.freedom = StarProblem::Freedom::line;
+      problem_.direction = (1 / length(d)) * d;
+    }
+    return true;
+  }
+
+  /// Where the input edge that v is on ends: the first corner along it from v on. An edge of the input is straight, and
+  /// all between its ends was added.
+  VertexIndex end_of_edge(const CurveSpoke& first) const {
+    VertexIndex from = v_, at = first.a;
+    std::vector<CellIndex> star;
+    for (VertexIndex next = at; next != no_vertex && mesh_.kind(at) == VertexKind::curve && at != v_;) {
+      mesh_.star(at, work_.marks, star);
+      next = no_vertex;
+      for (const CellIndex c : star)
+        for (const VertexIndex x : mesh_.vertices(c))
+          if (x != from && x != at && mesh_.curve_of(at, x) != no_index) next = x;
+      if (next != no_vertex) from = std::exchange(at, next);
+    }
+    return at;
+  }
+
+  Vec3 project_to_edge(const Vec3& p) const {
+    return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
+  }
+
+  /// A place that was found along the line of the vertices before and after, brought to that of the input edge's own
+  /// ends, so that rounding does not add up over moves. To find those is a walk, so they are asked for where v is about
+  /// to move and not before.
+  Vec3 on_input_edge(const Vec3& p) {
+    for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
+    const Vec3 d = ends_[1] - ends_[0];
+    problem_.direction = (1 / length(d)) * d;
+    return project_to_edge(p);
+  }
+
+  Vec3 project(const Vec3& p) const {
+    switch (mesh_.kind(v_)) {
+      case VertexKind::surface:
+        return tools_.guard.project_to_patch(mesh_.support(v_), p);
+      case VertexKind::curve:
+        return tools_.guard.exact() ? project_to_edge(p) : tools_.guard.project_to_curve(mesh_.support(v_), p);
+      default:
+        return p;
+    }
+  }
+
+  bool try_mean(double before, const SmoothRule& rule) {
+    const double needed = std::min((1 - 1e-9) * before, rule.floor);
+    const Vec3 p = project(optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain));
+    return place(p, needed);
+  }
+
+  Vec3 surface_centroid() const {
+    if (!cavity_.curves.empty()) return 0.5 * (mesh_.point(cavity_.curves[0].a) + mesh_.point(cavity_.curves[1].a));
+    Vec3 sum;
+    double weight = 0;
+    for (const Spoke& s : cavity_.spokes) {
+      const Vec3 &a = mesh_.point(s.a), &b = mesh_.point(s.b);
+      const double area = length(cross(a - old_, b - old_));
+      sum = sum + (area / 3) * (old_ + a + b);
+      weight += area;
+    }
+    return weight > 0 ? (1 / weight) * sum : old_;
+  }
+
+  bool try_optimal(double before, const SmoothRule& rule) {
+    const OptimizeLimits limits{rule.max_steps, rule.good_enough, std::sqrt(rule.least_rise)};
+    OptimizedPlace best = optimize_place(problem_, old_, limits);
+    if (mesh_.kind(v_) == VertexKind::inside && best.shape < rule.good_enough) {
+      const OptimizedPlace other = optimize_place(problem_, link_centroid(problem_), limits);
+      if (other.shape > best.shape) best = other;
+    }
+    // On a curved patch the tolerance may allow part of the way only.
+    for (const double t : {1.0, 0.5, 0.25}) {
+      const Vec3 p = project(old_ + t * (best.point - old_));
+      if (place(p, before * rule.least_rise)) return true;
+      if (mesh_.kind(v_) == VertexKind::inside) break;
+    }
+    return false;
+  }
+
+  /// Moves v there, where the worst shape about it is then above `least`.
+  bool place(Vec3 p, double least) {
+    if (!(problem_.shape_at(p, least) > least)) return false;
+    if (mesh_.kind(v_) == VertexKind::curve && tools_.guard.exact()) {
+      p = on_input_edge(p);
+      if (!(problem_.shape_at(p, least) > least)) return false;
+    }
+    if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
+    const std::vector<double>& shapes = problem_.link.shapes(p);  // one by cell of the star
+    if (tools_.spoils(cavity_, shapes) || !guard_allows(p)) return false;
+    mesh_.move_vertex(v_, p);
+    for (std::size_t k = 0; k < cavity_.cells.size(); ++k) mesh_.set_shape(cavity_.cells[k], shapes[k]);
+    tools_.forget_size(v_);
+    return true;
+  }
+
+  bool guard_allows(const Vec3& p) const {
+    if (tools_.guard.exact() || (cavity_.spokes.empty() && cavity_.curves.empty())) return true;
+    std::vector<SurfaceFace> before, after;
+    std::vector<CurvePiece> curves_before, curves_after;
+    append_surface(mesh_, cavity_, old_, before, curves_before);
+    append_surface(mesh_, cavity_, p, after, curves_after);
+    return tools_.guard.admits(before, after, {}, curves_before, curves_after);
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  Workspace& work_;
+  StarCavity& cavity_;
+  VertexIndex v_;
+  Vec3 old_;
+  StarProblem problem_;
+  std::array<Vec3, 2>
+      ends_{};  // the vertices before and after on the curve; in on_input_edge the ends of the input edge
+};
+
+bool counted(Toolbox& tools, bool moved) {
+  tools.statistics.smoothing_moves += moved;
+  return moved;
+}
+
+}  // namespace
+
+bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor) {
+  return counted(tools, Smoother(tools, v, tools.work).run_on_surface(floor));
+}
+
+bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) {
+  return counted(tools, Smoother(tools, v, tools.work).run(rule));
+}
+
+bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {
+  return Smoother(tools, v, work).run(rule);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/operations/star_optimizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/operations.hpp"
+
+namespace geomesh::remesh {
+
+void StarProblem::set_link(const DomainMesh& mesh, const StarCavity& cavity) {
+  link.clear();
+  for (const LinkFace& f : cavity.link)
+    link.add(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]));
+  link.prepare();
+}
+
+Vec3 StarProblem::constrain(const Vec3& v) const {
+  switch (freedom) {
+    case Freedom::plane:
+      return v - dot(v, direction) * direction;
+    case Freedom::line:
+      return dot(v, direction) * direction;
+    default:
+      return v;
+  }
+}
+
+namespace {
+
+/// Point nearest to the origin in the convex hull, by Gilbert's iteration (1966): enough for a direction that raises
+/// all terms.
+Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
+  Vec3 x = g[0];
+  for (const Vec3& v : g)
+    if (dot(v, v) < dot(x, x)) x = v;
+  for (unsigned step = 0; step < 40; ++step) {
+    const Vec3* least = &g[0];
+    for (const Vec3& v : g)
+      if (dot(x, v) < dot(x, *least)) least = &v;
+    const Vec3 d = *least - x;
+    const double gain = -dot(x, d), dd = dot(d, d);
+    if (gain <= 1e-3 * dot(x, x) || !(dd > 0)) break;
+    x = x + std::min(1.0, gain / dd) * d;
+  }
+  return x;
+}
+
+/// Gradients, constrained, of the terms below `limit`.
+void active_gradients(const StarProblem& problem, const Vec3& p, double limit, std::vector<Vec3>& g) {
+  g.clear();
+  const std::vector<double>& shapes = problem.link.shapes(p);
+  for (std::size_t i = 0; i < problem.link.size(); ++i) {
+    if (shapes[i] > limit) continue;
+    const Vec3 a = problem.link.corner(i, 0), b = problem.link.corner(i, 1), c = problem.link.corner(i, 2);
+    const detail::ShapeFrame frame(a, b, c, p);
+    const ShapeTerms t = shape_terms(frame, a, b, c);
+    for (unsigned k = 0; k < 6; ++k)
+      if (t.value[k] <= limit) g.push_back(problem.constrain(shape_gradient(frame, k, t.value[k])));
+  }
+}
+
+double shortest_reach(const StarProblem& problem, const Vec3& p) {
+  double d = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < problem.link.size(); ++i)
+    for (unsigned k = 0; k < 3; ++k) d = std::min(d, squared_distance(p, problem.link.corner(i, k)));
+  return std::sqrt(d);
+}
+
+}  // namespace
+
+OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits) {
+  OptimizedPlace best{start, problem.shape_at(start)};
+  if (!(best.shape > 0)) return best;
+  thread_local std::vector<Vec3> g;
+  double reach = 0.3 * shortest_reach(problem, start);
+  const double least_reach = 1e-3 * reach;
+  for (unsigned step = 0; step < limits.max_steps && best.shape < limits.good_enough; ++step) {
+    active_gradients(problem, best.point, best.shape * 1.03 + 1e-4, g);
+    if (g.empty()) break;
+    const Vec3 direction = nearest_to_origin(g);
+    const double slope = length(direction);
+    if (!(slope * reach > 1e-6)) break;
+    bool moved = false;
+    for (unsigned trial = 0; trial < 6 && reach > least_reach; ++trial) {
+      const Vec3 p = best.point + (reach / slope) * direction;
+      const double s = problem.shape_at(p, best.shape);
+      if (s > best.shape * limits.least_rise) {
+        best = {p, s};
+        moved = true;
+        break;
+      }
+      reach *= 0.4;
+    }
+    if (!moved) break;
+    reach *= 1.5;
+  }
+  return best;
+}
+
+Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps, double least_gain) {
+  Vec3 best = start;
+  double sum = problem.link.sum_of_worths(start, floor), reach = 0.3 * shortest_reach(problem, start);
+  const double least_reach = 7.5 * least_gain * reach;
+  for (unsigned step = 0; step < max_steps; ++step) {
+    const Vec3 g = problem.constrain(problem.link.gradient_of_sum(best));
+    const double slope = length(g);
+    if (!(slope * reach > 1e-6)) break;
+    bool moved = false;
+    for (; !moved && reach > least_reach; reach *= 0.4) {
+      const Vec3 p = best + (reach / slope) * g;
+      const double s = problem.link.sum_of_worths(p, floor);
+      if (s > sum + least_gain) best = p, sum = s, moved = true;
+    }
+    if (!moved) break;
+    reach *= 2;
+  }
+  return best;
+}
+
+Vec3 link_centroid(const StarProblem& problem) {
+  Vec3 sum;
+  double weight = 0;
+  for (std::size_t i = 0; i < problem.link.size(); ++i) {
+    const double area = length(problem.link.normal(i));
+    sum = sum + (area / 3) * (problem.link.corner(i, 0) + problem.link.corner(i, 1) + problem.link.corner(i, 2));
+    weight += area;
+  }
+  return weight > 0 ? (1 / weight) * sum : sum;
+}
+
+}  // namespace geomesh::remesh

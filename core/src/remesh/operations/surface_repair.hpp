@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Operations on the whole mesh: facets of faces made anew, breaches mended, flips towards Delaunay.
+#pragma once
+
+#include "geomesh/core/run_context.hpp"
+#include "remesh/operations/operations.hpp"
+
+namespace geomesh::remesh {
+
+/// Gives each face the facet of its patch that is nearest to it, oriented as it is.
+void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);
+
+/// Puts a vertex of the nearest face (or curve edge), new or moved, to the place of each breach, where cells stay
+/// positive and of some shape and fewer faces (none) are off the input than were (where none was). Returns how many
+/// were treated: other places may be off then, so verify again. O(n log n).
+std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches);
+
+/// Flips (2-3 and 3-2) until no face admits one that makes it locally Delaunay: insertion works best from there.
+std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context);
+
+}  // namespace geomesh::remesh

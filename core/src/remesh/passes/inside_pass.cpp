@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/domain/change_stamps.hpp"
+#include "remesh/operations/surface_repair.hpp"
+#include "remesh/passes/passes.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr double large_ratio =
+    0.75;  // circumradius over asked size from which a cell is too large (0.61 for the regular one)
+/// Share of all cells: where the front slows with so many large ones left, it is because they are far from Delaunay.
+constexpr double many_stuck = 0.15;
+constexpr double spacing_ratio = 0.68;  // no two points nearer than this share of the asked size
+
+/// Points first at the ideal height above faces whose other side is done (a constrained face, or one of a cell that is
+/// small enough): the front advances from the surfaces inwards and the points of one layer see those of the last (Rebay
+/// 1993; Frey, Borouchaki and George 1998). Where the front's point is refused, the circumcentre.
+class InsideRefiner {
+ public:
+  InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
+
+  std::size_t run(const RunContext& context) {
+    std::vector<CellIndex> large = measure_all();
+    std::size_t total = 0;
+    bool is_flipped = false;
+    while (!large.empty()) {
+      const std::size_t n_front = pass(large, Kind::front, context);
+      total += n_front;
+      if (!is_flipped && n_front * 20 < large.size() && is_many(large.size())) {
+        is_flipped = true;
+        flip_towards_delaunay(tools_, context);
+        large = measure_all();
+        continue;
+      }
+      if (n_front * 100 > large.size()) continue;
+      const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
+      total += n_centre;
+      if (n_front + n_centre > 0) continue;
+      // The front is stuck, as where sizes change within less than their length: what is beyond it must not stay empty.
+      const std::size_t n_beyond = pass(large, Kind::centre_beyond, context);
+      total += n_beyond;
+      if (n_beyond == 0) break;
+    }
+    return total;
+  }
+
+ private:
+  /// Where points are placed in a pass: at their ideal height above the front, at centres of cells at the front, of
+  /// those beyond it.
+  enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
+
+  bool is_many(std::size_t n_large) const {
+    return static_cast<double>(n_large) > many_stuck * static_cast<double>(mesh_.n_cells());
+  }
+
+  /// Returns the large cells.
+  std::vector<CellIndex> measure_all() {
+    std::vector<CellIndex> large;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
+      if (!mesh_.is_live(c)) continue;
+      measure(c);
+      if (is_large(c)) large.push_back(c);
+    }
+    changes_.note_all();
+    return large;
+  }
+
+  /// To be called for each cell that is made.
+  void measure(CellIndex c) {
+    if (c >= spheres_.size()) {
+      spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
+      large_.resize(spheres_.size(), false);
+    }
+    spheres_[c] = circumsphere(mesh_, c);
+    large_[c] = !(spheres_[c].radius <= large_ratio * tools_.size_of_cell(c));
+  }
+  bool is_large(CellIndex c) const { return large_[c]; }
+
+  /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception.
+  void order_by_size(std::vector<CellIndex>& cells) {
+    std::vector<std::pair<double, CellIndex>> keyed;
+    for (const CellIndex c : cells) keyed.push_back({tools_.size_of_cell(c), c});
+    std::sort(keyed.begin(), keyed.end());
+    for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = keyed[k].second;
+  }
+
+  /// One visit to each large cell; `large` becomes what is still large, new cells included.
+  std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
+    const unsigned number = changes_.begin_pass();
+    order_by_size(large);
+    std::vector<CellIndex> next;
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < large.size(); ++k) {
+      if (k % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
+      const CellIndex c = large[k];
+      if (!mesh_.is_live(c) || !is_large(c)) continue;
+      unsigned& refused = refusal(kind, c);
+      if (refused > 0 && !changes_.changed(mesh_.vertices(c), refused)) {
+        next.push_back(c);
+        continue;
+      }
+      const auto v = kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front);
+      if (!v) {
+        refused = number;
+        next.push_back(c);
+        continue;
+      }
+      ++n;
+      for (const CellIndex made : tools_.work.created) measure(made);
+      changes_.note(mesh_, tools_.work.created);
+      if (mesh_.n_cells() > max_cells_)
+        throw Error(ErrorKind::cannot_mesh,
+                    "refinement reached the limit of " + std::to_string(max_cells_) +
+                        " elements before the asked sizes; ask for larger sizes or raise the limit");
+      next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
+    }
+    std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    large = std::move(next);
+    return n;
+  }
+
+  /// By kind of pass and cell: the last one that placed no point there; 0: none. A cell's slot that was used anew is
+  /// told by the change.
+  unsigned& refusal(Kind kind, CellIndex c) {
+    std::vector<unsigned>& refused = refused_[static_cast<std::size_t>(kind)];
+    if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
+    return refused[c];
+  }
+
+  /// Nearer to a corner of the cell than any size at its corners would allow: told without asking for the size at p.
+  bool crowds_corner(const Vec3& p, CellIndex c) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    double h = std::numeric_limits<double>::infinity();
+    for (const VertexIndex v : t) h = std::min(h, tools_.size_at(v));
+    const double limit = spacing_ratio * spacing_ratio * h * h;
+    return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
+  }
+
+  /// The lesser of the size at p and `at_most`.
+  double size_near(const Vec3& p, CellIndex c, double at_most = std::numeric_limits<double>::infinity()) {
+    const VertexIndex v = mesh_.vertices(c)[0];
+    return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v), at_most);
+  }
+
+  /// Whether a corner of the cell is nearer than the spacing at p, by the sizes at the corners and how fast sizes may
+  /// fall: most refusals are told so, without asking for the size at p.
+  bool surely_crowds(const Vec3& p, CellIndex c) {
+    constexpr double rounding = 1 - 1e-9;
+    const Tetrahedron& t = mesh_.vertices(c);
+    return std::any_of(t.begin(), t.end(), [&](VertexIndex v) {
+      const double d = distance(mesh_.point(v), p);
+      return d < rounding * spacing_ratio * (tools_.size_at(v) - steepest_ * d);
+    });
+  }
+
+  /// With this size at p or a larger one a corner of the cell is too near.
+  double crowded_size(const Vec3& p, CellIndex c) const {
+    constexpr double rounding = 1 + 1e-9;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const VertexIndex v : mesh_.vertices(c)) nearest = std::min(nearest, squared_distance(mesh_.point(v), p));
+    return rounding / spacing_ratio * std::sqrt(nearest);
+  }
+
+  std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
+    if (crowds_corner(p, c)) return std::nullopt;
+    const std::optional<CellIndex> home = locate(mesh_, p, c);
+    if (!home || surely_crowds(p, *home)) return std::nullopt;
+    const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
+    if (h >= crowded) return std::nullopt;
+    const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, 1e-3, &spheres_});
+    if (v) tools_.set_size(*v, h);
+    return v;
+  }
+
+  std::optional<VertexIndex> insert_on_front(CellIndex c) {
+    const Vec3 centre = spheres_[c].centre;
+    for (unsigned i = 0; i < 4; ++i) {
+      const bool constrained = mesh_.tag(c, i).constrained();
+      if (!constrained && is_large(mesh_.topology().neighbor_cell(c, i))) continue;
+      if (const auto p = ideal_apex(c, i, centre))
+        if (const auto v = insert(*p, c)) return v;
+    }
+    return std::nullopt;
+  }
+
+  /// `centre` of the cell's circumsphere. Above the circumcentre of face i, so far that the new edges have the asked
+  /// length (the mean of those at their ends), but not beyond the cell's circumcentre.
+  std::optional<Vec3> ideal_apex(CellIndex c, unsigned i, const Vec3& centre) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    const VertexIndex x = t[face_vertices[i][0]], y = t[face_vertices[i][1]], z = t[face_vertices[i][2]];
+    const Vec3 &a = mesh_.point(x), u = mesh_.point(y) - a, v = mesh_.point(z) - a, n = cross(u, v);
+    const double nn = dot(n, n);
+    if (!(nn > 0)) return std::nullopt;
+    const Vec3 offset = (0.5 / nn) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
+    const double h = (tools_.size_at(x) + tools_.size_at(y) + tools_.size_at(z)) / 3, r2 = dot(offset, offset);
+    if (r2 > h * h) return std::nullopt;                             // the face itself is too large
+    const Vec3 base = a + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
+    const auto height_of = [&](double edge) { return std::sqrt(std::max(edge * edge - r2, 0.2 * edge * edge)); };
+    const double to_centre = dot(centre - base, normal);
+    double height = height_of(h);
+    if (to_centre > height && !crowds_corner(base + height * normal, c))
+      height = height_of(0.5 * (h + std::max(h, size_near(base + height * normal, c))));
+    return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
+  }
+
+  bool is_on_front(CellIndex c) {
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh_.tag(c, i).constrained() || !is_large(mesh_.topology().neighbor_cell(c, i))) return true;
+    return false;
+  }
+
+  /// For cells at the front alone as long as it advances: points beyond it would be met by it later, at the wrong
+  /// distance.
+  std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
+    if (is_on_front(c) != at_front) return std::nullopt;
+    const Sphere s = spheres_[c];
+    if (!(s.radius < 1e300)) return std::nullopt;
+    if (const auto v = insert(s.centre, c)) return v;
+    const Tetrahedron& t = mesh_.vertices(c);
+    return insert(0.25 * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]) + mesh_.point(t[3])), c);
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  std::size_t max_cells_;
+  const double steepest_ = tools_.size.steepest();
+  ChangeStamps changes_;
+  std::vector<Sphere> spheres_;  // by cell
+  std::vector<bool> large_;      // by cell: its circumradius over the asked size is
+  std::array<std::vector<unsigned>, 3> refused_;
+};
+
+}  // namespace
+
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context) {
+  return InsideRefiner(tools, max_cells).run(context);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/improve.hpp"
+#include "remesh/passes/improve_passes.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+class MeanRaiser {
+ public:
+  MeanRaiser(Toolbox& tools, double floor, FlipsInVain& in_vain)
+      : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()}, in_vain_(in_vain) {
+    in_vain_.resize(mesh_.n_vertices(), 0);
+  }
+
+  void run(unsigned smoothing_steps, const RunContext& context) {
+    const std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      if (k % 256 == 0) context.check_cancelled();
+      flip_about(vertices[k]);
+    }
+    SmoothRule rule;
+    rule.max_steps = smoothing_steps;
+    rule.goal = SmoothGoal::mean;
+    rule.floor = goal_.floor;
+    rule.least_gain =
+        tools_.bad_cells_may_spread ? 0.002 : 0.02;  // where most cells are poor the mean is worth more time
+    smooth_all(tools_, rule, context.threads, [&] {
+      context.check_cancelled();
+      return false;
+    });
+  }
+
+ private:
+  double mean_worth() const {
+    double sum = 0;
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c)) sum += MeanGoal::worth(mesh_.shape_of(c));
+    return sum / static_cast<double>(mesh_.n_cells());
+  }
+
+  bool has_edge(CellIndex c, VertexIndex a, VertexIndex b) const {
+    return mesh_.is_live(c) && mesh_.topology().has_vertex(c, a) && mesh_.topology().has_vertex(c, b);
+  }
+
+  /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
+  void flip_about(VertexIndex v) {
+    if (in_vain_[v] >= mesh_.changed_at(v)) return;
+    bool is_flipped = false;
+    mesh_.star(v, tools_.work.marks, star_);
+    collect_edges(v);
+    for (const auto& [w, c] : edges_)
+      if (has_edge(c, v, w)) is_flipped |= remove_edge_for_mean(tools_, c, v, w, goal_);
+    for (const CellIndex c : star_)
+      if (mesh_.is_live(c) && mesh_.topology().has_vertex(c, v))
+        is_flipped |= remove_face_for_mean(tools_, c, mesh_.topology().index_of(c, v), goal_);
+    if (!is_flipped) in_vain_[v] = mesh_.tick();
+  }
+
+  /// From v to greater vertices, each with the first of its cells, in ascending order.
+  void collect_edges(VertexIndex v) {
+    edges_.clear();
+    for (const CellIndex c : star_)
+      for (const VertexIndex w : mesh_.vertices(c)) {
+        if (w <= v) continue;
+        const bool known = last_seen_[w].from == v;
+        if (!known) last_seen_[w] = {v, static_cast<std::uint32_t>(edges_.size())}, edges_.push_back({w, c});
+        CellIndex& first = edges_[last_seen_[w].at].second;
+        first = std::min(first, c);
+      }
+    std::sort(edges_.begin(), edges_.end());
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  MeanGoal goal_;
+  FlipsInVain& in_vain_;
+  std::vector<CellIndex> star_;
+  std::vector<std::pair<VertexIndex, CellIndex>> edges_;
+  struct Seen {
+    VertexIndex from = no_vertex;
+    std::uint32_t at = 0;  ///< in edges_
+  };
+  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());  // by vertex
+};
+
+}  // namespace
+
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context,
+                FlipsInVain& in_vain) {
+  MeanRaiser(tools, floor, in_vain).run(smoothing_steps, context);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <queue>
+
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/improve.hpp"
+#include "remesh/passes/passes.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+struct MeasuredEdge {
+  double ratio;  ///< length over asked size
+  VertexIndex a, b;
+  bool operator<(const MeasuredEdge& o) const {
+    return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b);
+  }
+};
+
+constexpr double split_ratio = 1.4, collapse_ratio = 0.6;
+
+bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsigned j) {
+  for (unsigned k = 0; k < 4; ++k)
+    if (k != i && k != j && mesh.tag(c, k).constrained()) return true;
+  return false;
+}
+
+/// A cell with the edge, or no_cell.
+CellIndex cell_with_edge(const DomainMesh& mesh, CellMarks& marks, std::vector<CellIndex>& cells, VertexIndex a,
+                         VertexIndex b) {
+  mesh.star(a, marks, cells);
+  for (const CellIndex c : cells)
+    if (mesh.topology().has_vertex(c, b)) return c;
+  return no_cell;
+}
+
+void check_limit(const DomainMesh& mesh, std::size_t max_cells) {
+  if (mesh.n_cells() <= max_cells) return;
+  throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells) +
+                                          " elements before the asked sizes; ask for larger sizes or raise the limit");
+}
+
+class EdgeSplitter {
+ public:
+  EdgeSplitter(Toolbox& tools, bool curves) : tools_(tools), mesh_(tools.mesh), curves_(curves) {}
+
+  std::size_t run(std::size_t max_cells, const RunContext& context) {
+    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
+      if (mesh_.is_live(c)) push_edges(c, no_vertex);
+    std::size_t n = 0;
+    while (!queue_.empty()) {
+      const MeasuredEdge e = queue_.top();
+      queue_.pop();
+      if (n % 256 == 0) context.check_cancelled();
+      const CellIndex c = cell_with_edge(mesh_, tools_.work.marks, tools_.work.cells, e.a, e.b);
+      if (c == no_cell || !is_asked(c, e.a, e.b)) continue;
+      const auto v = split_edge(tools_, c, e.a, e.b);
+      if (!v) continue;
+      ++n;
+      check_limit(mesh_, max_cells);
+      const std::vector<CellIndex> created = tools_.work.created;
+      for (const CellIndex k : created) push_edges(k, *v);
+    }
+    return n;
+  }
+
+ private:
+  bool is_asked(CellIndex c, VertexIndex a, VertexIndex b) const {
+    if (curves_) return mesh_.curve_of(a, b) != no_index;
+    // Any cell about a surface edge may be at hand: look at the whole ring.
+    std::vector<CellIndex> cells;
+    std::vector<VertexIndex> ring;
+    const bool closed = edge_ring(mesh_, c, a, b, cells, ring);
+    return constrained_faces_of_ring(mesh_, cells, ring, closed).n > 0;
+  }
+
+  void push_edges(CellIndex c, VertexIndex only) {
+    const Tetrahedron& t = mesh_.vertices(c);
+    for (const auto& e : edge_vertices) {
+      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+      if (only != no_vertex && a != only && b != only && !on_constrained_face(mesh_, c, e[0], e[1])) continue;
+      if (curves_ ? mesh_.curve_of(a, b) == no_index : !on_constrained_face(mesh_, c, e[0], e[1])) continue;
+      const double ratio = distance(mesh_.point(a), mesh_.point(b)) / tools_.size_of_edge(a, b);
+      if (ratio > split_ratio) queue_.push({ratio, a, b});
+    }
+  }
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  bool curves_;
+  std::priority_queue<MeasuredEdge> queue_;
+};
+
+/// Edges at inner vertices, or else the others, shorter than `ratio` of their size, shortest first.
+std::vector<MeasuredEdge> short_edges(Toolbox& tools, bool inside_only, double ratio) {
+  DomainMesh& mesh = tools.mesh;
+  std::vector<MeasuredEdge> edges;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    const Tetrahedron& t = mesh.vertices(c);
+    for (const auto& e : edge_vertices) {
+      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+      const bool inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
+      if (inside_only != inside) continue;
+      const double share = distance(mesh.point(a), mesh.point(b)) / tools.size_of_edge(a, b);
+      if (share < ratio) edges.push_back({share, a, b});
+    }
+  }
+  const auto key = [](const MeasuredEdge& e) { return std::tuple(e.ratio, e.a, e.b); };
+  std::sort(edges.begin(), edges.end(), [&](const MeasuredEdge& x, const MeasuredEdge& y) { return key(x) < key(y); });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                          [](const MeasuredEdge& x, const MeasuredEdge& y) { return x.a == y.a && x.b == y.b; }),
+              edges.end());
+  return edges;
+}
+
+std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edges, CollapseRule rule, double floor,
+                           const RunContext& context) {
+  DomainMesh& mesh = tools.mesh;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (k % 256 == 0) context.check_cancelled();
+    VertexIndex u = edges[k].a, v = edges[k].b;
+    if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
+    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes
+    if (cell_with_edge(mesh, tools.work.marks, tools.work.cells, u, v) == no_cell) continue;
+    if (try_collapse(tools, u, v, rule, floor) || try_collapse(tools, v, u, rule, floor)) ++n;
+  }
+  return n;
+}
+
+}  // namespace
+
+std::size_t split_long_edges(Toolbox& tools, bool curves, std::size_t max_cells, const RunContext& context) {
+  return EdgeSplitter(tools, curves).run(max_cells, context);
+}
+
+void regularize_surfaces(Toolbox& tools, const RunContext& context) {
+  constexpr double floor = 1e-3;
+  DomainMesh& mesh = tools.mesh;
+  for (unsigned pass = 0; pass < 4; ++pass) {
+    context.check_cancelled();
+    std::size_t n = 0;
+    for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+      if (!mesh.is_live(c)) continue;
+      const Tetrahedron t = mesh.vertices(c);
+      for (const auto& e : edge_vertices) {
+        if (!on_constrained_face(mesh, c, e[0], e[1])) continue;
+        if (!flip_surface_edge(tools, c, t[e[0]], t[e[1]], floor)) continue;
+        ++n;
+        break;
+      }
+    }
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
+      if (mesh.kind(v) == VertexKind::surface && smooth_on_surface(tools, v, floor)) ++n;
+    if (n == 0) break;
+  }
+}
+
+std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context) {
+  constexpr double floor = 0.05;
+  return collapse_edges(tools, short_edges(tools, inside_only, collapse_ratio), CollapseRule::coarsen, floor, context);
+}
+
+std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context) {
+  constexpr double out_of_size = 0.5;
+  return collapse_edges(tools, short_edges(tools, true, out_of_size), CollapseRule::thin_out, floor, context);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Changes about a bad cell that may make the place worse: what sequences of repair open with.
+#pragma once
+
+#include <random>
+
+#include "remesh/operations/operations.hpp"
+
+namespace geomesh::remesh {
+
+/// No flatter cell may an opening leave: far flatter than bad ones may be, else those themselves could not be opened.
+inline constexpr double opening_shape = 1e-7;
+
+/// The same choices from the same seed, on every machine.
+class Chooser {
+ public:
+  explicit Chooser(std::uint64_t seed) : engine_(seed) {}
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
+  double between(double low, double high) {
+    return low + (high - low) * 0x1p-53 * static_cast<double>(engine_() >> 11);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// One change about the live cell c, of a kind and at a place that are chosen: a vertex removed (curves and surfaces
+/// keep theirs), an edge split, a point put into a cell or onto a face, an edge or a face removed; in the cell or in
+/// one that shares an edge with it, mostly. Returns whether something changed.
+bool open_about_cell(Toolbox& tools, CellIndex c, Chooser& choose);
+
+}  // namespace geomesh::remesh

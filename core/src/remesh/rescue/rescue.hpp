@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Repair that looks ahead: a sequence of operations about a bad cell, kept only where the whole of it is worth it.
+#pragma once
+
+#include "remesh/rescue/openings.hpp"
+
+namespace geomesh::remesh {
+
+struct RescueRule {
+  double bad_shape;          ///< below this a cell is bad
+  unsigned smoothing_steps;  ///< of a vertex that moves
+  unsigned max_steps;        ///< operations of one sequence
+};
+
+/// Mends the bad cell c and whatever becomes bad by that, each operation raising the worst shape about it while the
+/// number of bad cells may rise. Kept where in the end there are fewer bad cells than before, or as many and the worst
+/// of them is notably better; else everything is as it was. Returns whether it was kept.
+bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
+
+/// The same where that was in vain, with sequences that open with an operation which may make the place worse: an edge
+/// of the cell split, one of its vertices or of those about it removed, a point put into it or a cell beside it. The
+/// first that is worth it is kept. Many times as dear as rescue_cell.
+bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule);
+
+/// What searches share, one after the other.
+struct RescueSearch {
+  Chooser choose;
+  std::size_t trials_a_cell;
+  std::size_t trials_left;  ///< of all together
+  std::function<bool()> out_of_time;
+  const FreeCellJudge& judge;
+};
+
+/// The same where that was in vain, by trials of up to eight openings, each chosen at random about the worst cell that
+/// the repair of the one before has left. The first trial is kept that leaves none worse than the worst was, and fewer
+/// bad cells, or as many that together lack notably less (beside a cell that cannot be mended the worst alone tells
+/// nothing), or no cell that nothing forces and one bad cell more at most. Where such a cell has only made way for
+/// another and the place is hardly worse, the search goes on from there. Returns whether the cell is mended. A trial
+/// costs about a millisecond.
+bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Sizes asked, what they come to before the work, and what was reached.
+#pragma once
+
+#include "geomesh/core/run_context.hpp"
+#include "remesh/operations/operations.hpp"
+
+namespace geomesh::remesh {
+
+/// Sizes asked: from the options, the input's edges, curvature (and a tolerance that limits it; 0: none) and gaps, on
+/// the mesh as it was given; and the same without gaps.
+struct SizeFields {
+  SizeField all, without_gaps;
+};
+SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
+                            double tolerance);
+
+/// Whether surfaces get points for sizes: where they may be remeshed they always do.
+inline bool sizes_surfaces(const RefineOptions& o) { return o.size_surfaces || o.honour == Honour::tolerance; }
+/// What build_size_field takes.
+inline double size_tolerance(const RefineOptions& o) { return o.honour == Honour::tolerance ? o.tolerance : 0; }
+
+/// What the sizes come to, told before the work. Throws Error{cannot_mesh} beyond the limit.
+void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
+                       const RunContext& context, RefineResult& result);
+
+/// Share of the edges that are between half and twice as long as asked.
+double share_of_edges_within_size(Toolbox& tools);
+
+/// How many elements the sizes come to: integrals over volume and faces of the inverse of what an element of the asked
+/// size takes of them, and the cells that the mesh has before where surfaces keep their place. Measured within 30 %
+/// there. Not counted much farther than the limit of the options. Near-linear in the result.
+double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/start/planar_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geomesh::remesh {
+
+namespace {
+
+/// Of the size at a seed: a place that does not keep this from others is refused before the size there is asked for.
+/// Sizes that fall by less than 0.5 a unit would refuse it too.
+constexpr double surely_crowded = 0.5;
+
+Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
+double squared_distance(const Vec2& a, const Vec2& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+
+double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d{b.x - a.x, b.y - a.y};
+  const double dd = d.x * d.x + d.y * d.y;
+  const double t = dd > 0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / dd, 0.0, 1.0) : 0.0;
+  return squared_distance(p, plus(a, t, d));
+}
+
+int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }
+
+/// Of a cell by its column and row, whole numbers. Collisions cost time only: points are compared by distance.
+std::uint64_t key(double column, double row) {
+  const auto whole = [](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(c)); };
+  return (whole(column) * 0x9E3779B97F4A7C15u) ^ (whole(row) * 0xC2B2AE3D27D4EB4Fu);
+}
+
+}  // namespace
+
+PlanarSampler::PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size) : size_(std::move(size)) {
+  double high = -std::numeric_limits<double>::infinity();
+  low_ = -high;
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      edges_.push_back({loop[i].at, loop[(i + 1) % loop.size()].at, loop[i].size});
+      low_ = std::min(low_, loop[i].at.y);
+      high = std::max(high, loop[i].at.y);
+    }
+  rows_.resize(std::clamp<std::size_t>(edges_.size() / 2, 1, 4096));
+  strip_ = std::max(high - low_, std::numeric_limits<double>::min()) / static_cast<double>(rows_.size());
+  for (Index e = 0; e < edges_.size(); ++e) {
+    enter(e, edges_[e], rows_);
+    add(edges_[e].a, edges_[e].size);
+  }
+}
+
+std::size_t PlanarSampler::row(double y) const {
+  return static_cast<std::size_t>(std::clamp((y - low_) / strip_, 0.0, static_cast<double>(rows_.size() - 1)));
+}
+
+void PlanarSampler::enter(Index e, const Edge& edge, std::vector<std::vector<Index>>& rows) const {
+  const auto [first, last] = std::minmax({row(edge.a.y), row(edge.b.y)});
+  for (std::size_t r = first; r <= last; ++r) rows[r].push_back(e);
+}
+
+void PlanarSampler::block(const Place& a, const Place& b) {
+  block(a);
+  block(b);
+  if (inner_rows_.empty()) inner_rows_.resize(rows_.size());
+  inner_edges_.push_back({a.at, b.at, a.size});
+  enter(static_cast<Index>(inner_edges_.size() - 1), inner_edges_.back(), inner_rows_);
+}
+
+void PlanarSampler::add(const Vec2& p, double size) {
+  const int number = level_of(size);
+  auto level =
+      std::lower_bound(levels_.begin(), levels_.end(), number, [](const Level& l, int n) { return l.number < n; });
+  if (level == levels_.end() || level->number != number)
+    level = levels_.insert(level, {number, std::ldexp(1.0, number), {}});
+  level->cells[key(std::floor(p.x / level->cell), std::floor(p.y / level->cell))].push_back(p);
+}
+
+bool PlanarSampler::is_inside(const Vec2& p) const {
+  if (!(p.y >= low_)) return false;
+  const auto r = static_cast<std::size_t>((p.y - low_) / strip_);
+  if (r >= rows_.size()) return false;
+  bool inside = false;
+  for (const Index e : rows_[r]) {
+    const auto& [a, b, size] = edges_[e];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// Sizes vary slowly, so points of much smaller size are not near; those of any larger size may be.
+bool PlanarSampler::is_free(const Vec2& p, double size) const {
+  const double radius = spacing_ratio * size, limit = radius * radius;
+  const int least = level_of(size) - 2;
+  for (const auto& [number, cell, cells] : levels_) {
+    if (number < least) continue;
+    const double last_column = std::floor((p.x + radius) / cell), last_row = std::floor((p.y + radius) / cell);
+    for (double column = std::floor((p.x - radius) / cell); column <= last_column; ++column)
+      for (double row = std::floor((p.y - radius) / cell); row <= last_row; ++row) {
+        const auto at = cells.find(key(column, row));
+        if (at == cells.end()) continue;
+        for (const Vec2& q : at->second)
+          if (squared_distance(p, q) < limit) return false;
+      }
+  }
+  return true;
+}
+
+bool PlanarSampler::is_clear_of(const std::vector<Edge>& edges, const std::vector<std::vector<Index>>& rows,
+                                const Vec2& p, double radius) const {
+  if (rows.empty()) return true;
+  const double limit = radius * radius;
+  for (std::size_t r = row(p.y - radius), last = row(p.y + radius); r <= last; ++r)
+    for (const Index e : rows[r])
+      if (squared_distance(p, edges[e].a, edges[e].b) < limit) return false;
+  return true;
+}
+
+bool PlanarSampler::take(const Vec2& p, const Place& from) {
+  if (!is_inside(p)) return false;
+  const double size = size_(p, from);
+  if (!is_free(p, size)) return false;
+  if (!is_clear_of(edges_, rows_, p, edge_ratio * size) ||
+      !is_clear_of(inner_edges_, inner_rows_, p, edge_ratio * size))
+    return false;
+  add(p, size);
+  taken_.push_back(p);
+  const double l = std::sqrt(squared_distance(p, from.at));
+  seeds_.push_back({{p, size}, {(p.x - from.at.x) / l, (p.y - from.at.y) / l}});
+  return true;
+}
+
+void PlanarSampler::advance(unsigned n_directions, double distance) {
+  std::vector<Vec2> turns;
+  for (unsigned i = 0; i < n_directions; ++i) {
+    const double angle = i * 2 * std::acos(-1.0) / n_directions;
+    turns.push_back({std::cos(angle), std::sin(angle)});
+  }
+  for (std::size_t k = 0; k < seeds_.size(); ++k) {
+    const auto [place, d] = seeds_[k];
+    const double size = place.size;
+    for (const Vec2& turn : turns) {
+      const Vec2 direction{turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y};
+      const Vec2 nearest = plus(place.at, distance * size, direction);
+      if (!is_inside(nearest) || !is_free(nearest, surely_crowded * size)) continue;
+      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));  // the mean of what both ends ask
+      take(plus(place.at, distance * reach, direction), place);
+    }
+  }
+}
+
+std::vector<Vec2> PlanarSampler::run() {
+  // First over the border's edges, then round about each point taken, then what is still open.
+  for (const auto& [a, b, size_at_a] : edges_) {
+    const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    const double l = std::sqrt(squared_distance(a, b)), size = size_(middle, {a, size_at_a});
+    if (!(l > 0)) continue;
+    const double height = std::sqrt(std::max(size * size - 0.25 * l * l, 0.5 * size * size));
+    take(plus(middle, height / l, {a.y - b.y, b.x - a.x}), {a, size_at_a});
+  }
+  advance(6, 1.0);
+  for (const auto& [a, b, size] : edges_)
+    if (const double l = std::sqrt(squared_distance(a, b)); l > 0)
+      seeds_.push_back({{a, size}, {(b.x - a.x) / l, (b.y - a.y) / l}});
+  advance(12, 0.95);
+  return taken_;
+}
+
+}  // namespace geomesh::remesh

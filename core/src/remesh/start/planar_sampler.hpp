@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Points inside a polygon of the plane at asked distances from each other.
+#pragma once
+
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::remesh {
+
+/// Advances from the border inwards; a point is taken where none is nearer than `spacing_ratio` of the size asked
+/// there, and no edge nearer than `edge_ratio` of it: a point in the middle of an edge longer than asked would be far
+/// enough from its ends.
+class PlanarSampler {
+ public:
+  static constexpr double spacing_ratio = 0.75, edge_ratio = 0.4;
+  /// A place and the size asked there.
+  struct Place {
+    Vec2 at;
+    double size;
+  };
+  /// Of p, beside a place nearby where it is known.
+  using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
+  /// Loops with vertices at about the asked distances, the outer one turning left, holes turning right.
+  PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
+  /// A point, or an inner segment, that others keep away from.
+  void block(const Place& p) { add(p.at, p.size); }
+  void block(const Place& a, const Place& b);
+  /// The points taken, in the order of taking.
+  std::vector<Vec2> run();
+
+ private:
+  struct Edge {
+    Vec2 a, b;
+    double size;  ///< at a
+  };
+  struct Seed {
+    Place place;
+    Vec2 direction;  ///< of length one: where the next point is tried first
+  };
+  void add(const Vec2& p, double size);
+  std::size_t row(double y) const;
+  void enter(Index e, const Edge& edge, std::vector<std::vector<Index>>& rows) const;
+  bool is_inside(const Vec2& p) const;
+  bool is_clear_of(const std::vector<Edge>& edges, const std::vector<std::vector<Index>>& rows, const Vec2& p,
+                   double radius) const;
+  bool is_free(const Vec2& p, double size) const;
+  bool take(const Vec2& p, const Place& from);
+  void advance(unsigned n_directions, double distance);
+
+  SizeBeside size_;
+  std::vector<Edge> edges_, inner_edges_;
+  std::vector<std::vector<Index>> rows_, inner_rows_;  // edges by strip in y
+  double low_ = 0, strip_ = 1;
+  /// Points of sizes from one power of two up to the next, in cells as large as that.
+  struct Level {
+    int number;
+    double cell;
+    std::unordered_map<std::uint64_t, std::vector<Vec2>> cells;
+  };
+  std::vector<Level> levels_;  // ascending
+  std::vector<Seed> seeds_;
+  std::vector<Vec2> taken_;
+};
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/start/sample_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "geomesh/core/simplex_mesh.hpp"
+#include "quality/measure/shape.hpp"
+#include "remesh/start/mesh_anew.hpp"
+#include "remesh/start/planar_sampler.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+using Edge = std::array<VertexIndex, 2>;
+Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// A frame in a facet's plane. Axes are those of space where the plane is normal to one, so that nothing is rounded off
+/// it.
+struct PlaneFrame {
+  Vec3 origin, u, v;
+  Vec2 flat(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
+  Vec3 lifted(const Vec2& p) const { return origin + p.x * u + p.y * v; }
+};
+
+std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+  const Vec3& o = plc.points[loop[0]];
+  Vec3 n;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
+  const double l = length(n);
+  if (!(l > 0)) return std::nullopt;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::abs(n[axis]) == l) {
+      PlaneFrame f{o, {}, {}};
+      f.u[(axis + 1) % 3] = 1;
+      f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
+      return f;
+    }
+  // A short edge is off the plane of many points by much of its length in relation: only its part in the plane is
+  // taken.
+  const Vec3 unit = (1 / l) * n, along = plc.points[loop[1]] - o, flat = along - dot(along, unit) * unit,
+             u = (1 / length(flat)) * flat;
+  return PlaneFrame{o, u, cross(unit, u)};
+}
+
+class SurfaceSampler {
+ public:
+  SurfaceSampler(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size)
+      : plc_(merged.plc), size_(size), beside_(merged.plc.n_facets(), {no_index, no_index}) {
+    for (const auto& f : mesh.faces) {
+      std::array<Index, 2>& beside = beside_[merged.row_of_facet[f.facet]];
+      if (f.tetrahedron_below != no_index) beside[0] = mesh.component[f.tetrahedron_below];
+      if (f.tetrahedron_above != no_index) beside[1] = mesh.component[f.tetrahedron_above];
+    }
+  }
+
+  SampledComplex run(const RunContext& context) {
+    collect_edges();
+    PiecewiseLinearComplex& out = out_.plc;
+    out.points = plc_.points;
+    for (auto& [edge, parts] : edges_) cut(edge, parts);
+    out.provenance_sets = plc_.provenance_sets;
+    for (const auto& s : plc_.facet_segments)
+      for_each_piece(s.a, s.b, [&](VertexIndex a, VertexIndex b) { out.facet_segments.push_back({s.facet, a, b}); });
+    for (Index s = 0; s < plc_.segments.size(); ++s)
+      for_each_piece(plc_.segments[s].a, plc_.segments[s].b, [&](VertexIndex a, VertexIndex b) {
+        out.segments.push_back({a, b, plc_.segments[s].curve});
+        out_.segment.push_back(s);
+      });
+    out.facet_points = plc_.facet_points;
+    out.isolated_points = plc_.isolated_points;
+    out.region_seeds = plc_.region_seeds;
+    out.hole_seeds = plc_.hole_seeds;
+    index_inner_parts();
+    for (Index f = 0; f < plc_.n_facets(); ++f) {
+      if (f % 64 == 0) context.check_cancelled();
+      sample_facet(f);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// An edge of facets or a segment: the facets at it, and the points put on it, from the lower vertex to the higher.
+  struct EdgeParts {
+    std::vector<Index> facets;
+    std::vector<VertexIndex> points;
+  };
+
+  void collect_edges() {
+    for (Index f = 0; f < plc_.n_facets(); ++f)
+      for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
+        const auto loop = plc_.loop(l);
+        for (std::size_t i = 0; i < loop.size(); ++i)
+          edges_[edge_of(loop[i], loop[(i + 1) % loop.size()])].facets.push_back(f);
+      }
+    for (const auto& s : plc_.facet_segments) edges_[edge_of(s.a, s.b)].facets.push_back(s.facet);
+    for (const auto& s : plc_.segments) edges_[edge_of(s.a, s.b)];
+  }
+
+  double size_at(const Vec3& p, std::span<const Index> facets) const {
+    double h = size_.at(p);
+    if (!size_.limits().component_size.empty())
+      for (const Index f : facets)
+        for (const Index c : beside_[f])
+          if (c != no_index) h = std::min(h, size_.at(p, c));
+    return h;
+  }
+
+  double size_beside(const Vec3& p, const Vec3& q, double size_at_q, std::span<const Index> facets) const {
+    return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
+  }
+
+  /// At a point of the model or one put on an edge; remembered where sizes do not depend on the facet.
+  double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
+    const std::vector<Vec3>& points = out_.plc.points;
+    if (!size_.limits().component_size.empty()) return size_at(points[v], facets);
+    if (vertex_size_.size() <= v) vertex_size_.resize(points.size() + points.size() / 4, -1);
+    if (vertex_size_[v] < 0) vertex_size_[v] = size_.at(points[v]);
+    return vertex_size_[v];
+  }
+
+  /// Equal shares of the integral of 1 / size along the edge.
+  void cut(const Edge& edge, EdgeParts& parts) {
+    constexpr double surely_one = 1.2;  // by the sizes at the ends; half a share more would make two
+    const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
+    const double l = length(d);
+    if (l < surely_one * std::min(size_at_vertex(edge[0], parts.facets), size_at_vertex(edge[1], parts.facets))) return;
+    std::vector<std::array<double, 2>> passed{{0, 0}};  // parameter, integral
+    while (passed.back()[0] < 1) {
+      const auto [t, sum] = passed.back();
+      const double h = size_at(a + t * d, parts.facets), next = std::min(1.0, t + 0.25 * h / l);
+      passed.push_back({next, sum + (next - t) * l / h});
+    }
+    const auto n = static_cast<std::size_t>(std::max(1.0, std::round(passed.back()[1])));
+    std::size_t at = 1;
+    for (std::size_t k = 1; k < n; ++k) {
+      const double wanted = passed.back()[1] * static_cast<double>(k) / static_cast<double>(n);
+      while (passed[at][1] < wanted) ++at;
+      const auto &p = passed[at - 1], &q = passed[at];
+      const double t = p[0] + (q[0] - p[0]) * (wanted - p[1]) / (q[1] - p[1]);
+      parts.points.push_back(static_cast<VertexIndex>(out_.plc.points.size()));
+      out_.plc.points.push_back(a + t * d);
+    }
+  }
+
+  template <class Visit>
+  void for_each_piece(VertexIndex a, VertexIndex b, Visit visit) const {
+    std::vector<VertexIndex> chain = edges_.at(edge_of(a, b)).points;
+    if (a > b) std::reverse(chain.begin(), chain.end());
+    chain.push_back(b);
+    VertexIndex last = a;
+    for (const VertexIndex v : chain) {
+      visit(last, v);
+      last = v;
+    }
+  }
+
+  /// Pieces of inner segments and inner points, by facet.
+  void index_inner_parts() {
+    inner_segments_.resize(plc_.n_facets());
+    inner_points_.resize(plc_.n_facets());
+    for (const auto& s : out_.plc.facet_segments) inner_segments_[s.facet].push_back({s.a, s.b});
+    for (const auto& p : plc_.facet_points) inner_points_[p.facet].push_back(p.v);
+  }
+
+  void sample_facet(Index f) {
+    std::vector<std::vector<VertexIndex>> loops;
+    for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
+      const auto loop = plc_.loop(l);
+      std::vector<VertexIndex>& fine = loops.emplace_back();
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        for_each_piece(loop[i], loop[(i + 1) % loop.size()], [&](VertexIndex a, VertexIndex) { fine.push_back(a); });
+    }
+    out_.plc.add_polygon(loops, plc_.facet_provenance[f]);
+    if (is_full(f, loops)) return;
+    const auto frame = frame_of(plc_, plc_.outer_loop(f));
+    if (!frame) return;
+    const std::array<Index, 1> facet{f};
+    const auto place = [&](VertexIndex v) {
+      return PlanarSampler::Place{frame->flat(out_.plc.points[v]), size_at_vertex(v, facet)};
+    };
+    std::vector<std::vector<PlanarSampler::Place>> flat;
+    for (const auto& loop : loops) {
+      auto& ring = flat.emplace_back();
+      for (const VertexIndex v : loop) ring.push_back(place(v));
+      const bool is_hole = flat.size() > 1;
+      if (is_hole == turns_left(ring)) std::reverse(ring.begin(), ring.end());
+    }
+    PlanarSampler sampler(flat, [&](const Vec2& p, const PlanarSampler::Place& beside) {
+      return size_beside(frame->lifted(p), frame->lifted(beside.at), beside.size, facet);
+    });
+    for (const auto& [a, b] : inner_segments_[f]) sampler.block(place(a), place(b));
+    for (const VertexIndex v : inner_points_[f]) sampler.block(place(v));
+    for (const Vec2& p : sampler.run()) {
+      out_.plc.facet_points.push_back({f, static_cast<VertexIndex>(out_.plc.points.size())});
+      out_.plc.points.push_back(frame->lifted(p));
+    }
+  }
+
+  /// A triangle that got no points on its sides and of which no place is far enough from its corners: the farthest is
+  /// at most 1 / sqrt 3 of the longest side.
+  bool is_full(Index f, const std::vector<std::vector<VertexIndex>>& loops) {
+    if (loops.size() > 1 || loops[0].size() != 3) return false;
+    const std::array<Index, 1> facet{f};
+    const std::vector<VertexIndex>& t = loops[0];
+    const std::vector<Vec3>& p = out_.plc.points;
+    if (std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return v >= plc_.points.size(); })) return false;
+    double longest = 0, least = size_at((1.0 / 3) * (p[t[0]] + p[t[1]] + p[t[2]]), facet);
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, squared_distance(p[t[k]], p[t[(k + 1) % 3]]));
+      least = std::min(least, size_at_vertex(t[k], facet));
+    }
+    const double free = PlanarSampler::spacing_ratio * least;
+    return longest / 3 < free * free;
+  }
+
+  static bool turns_left(const std::vector<PlanarSampler::Place>& ring) {
+    double area = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 &a = ring[i].at, &b = ring[(i + 1) % ring.size()].at;
+      area += a.x * b.y - a.y * b.x;
+    }
+    return area > 0;
+  }
+
+  const PiecewiseLinearComplex& plc_;
+  const SizeField& size_;
+  std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
+  std::map<Edge, EdgeParts> edges_;
+  std::vector<std::vector<Edge>> inner_segments_;
+  std::vector<std::vector<VertexIndex>> inner_points_;
+  std::vector<double> vertex_size_;  // negative: not asked for yet
+  SampledComplex out_;
+};
+
+/// Per merged facet the first of those that it was made of.
+std::vector<Index> first_facets(const MergedFacets& merged) {
+  std::vector<Index> first(merged.plc.n_facets(), no_index);
+  for (Index f = 0; f < merged.row_of_facet.size(); ++f)
+    first[merged.row_of_facet[f]] = std::min(first[merged.row_of_facet[f]], f);
+  return first;
+}
+
+/// Rows as they were for points, facets and segments.
+ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const MergedFacets& merged,
+                                         const SampledComplex& sampled) {
+  const std::size_t n_points = merged.plc.points.size();
+  const std::vector<Index> first = first_facets(merged);
+  for (auto& f : fresh.faces) f.facet = first[f.facet];
+  std::vector<bool> on_facet(sampled.plc.points.size(), false);
+  for (const auto& p : sampled.plc.facet_points) on_facet[p.v] = true;
+  for (std::size_t v = 0; v < fresh.points.size(); ++v) {
+    VertexIndex& row = fresh.input_vertex[v];
+    if (row == no_vertex || row < n_points) continue;
+    fresh.origin[v] = on_facet[row] ? VertexOrigin::on_facet : VertexOrigin::on_segment;
+    row = no_vertex;
+  }
+  for (auto& e : fresh.edges) e.segment = sampled.segment[e.segment];
+  return fresh;
+}
+
+}  // namespace
+
+SampledComplex sample_surfaces(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh,
+                               const SizeField& size, const RunContext& context) {
+  return SurfaceSampler(merged, mesh, size).run(context);
+}
+
+std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
+                                                          const ConstrainedTetrahedralization& mesh,
+                                                          SampledComplex sampled, const RunContext& context) {
+  auto fresh = tetrahedralize_as(mesh, merged.row_of_facet, sampled.plc, context);
+  if (!fresh) return std::nullopt;
+  return renumbered(std::move(*fresh), merged, sampled);
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Points on edges and facets at the asked distances, before anything is meshed: for `exact`, where surfaces stay what
+/// they are.
+#pragma once
+
+#include <optional>
+
+#include "geomesh/core/plc.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/core/size_field.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
+#include "remesh/domain/merge_pieces.hpp"
+
+namespace geomesh::remesh {
+
+/// The merged facets and the segments in their order with more points: rows of the PLC given first.
+struct SampledComplex {
+  PiecewiseLinearComplex plc;
+  std::vector<Index> segment;  ///< per row of plc.segments the row that it is a piece of
+};
+
+/// Edges of facets and segments are cut into pieces of about the asked length, equal in units of it. In each facet
+/// points follow from the border inwards at the asked distance from each other, each at least 0.75 of it from all
+/// others there: the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
+/// before facets were merged, and tells which components a facet has beside it. Deterministic. Near-linear in the
+/// points where sizes vary slowly.
+SampledComplex sample_surfaces(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh,
+                               const SizeField& size, const RunContext& context);
+
+/// The mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and components as
+/// `mesh` has them, facets by the first of those that were merged, nothing of a component that it lacks. Nothing where
+/// rounding made facets cross, or components cannot be told.
+std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
+                                                          const ConstrainedTetrahedralization& mesh,
+                                                          SampledComplex sampled, const RunContext& context);
+
+}  // namespace geomesh::remesh

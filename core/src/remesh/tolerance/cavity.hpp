@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A region of the mesh that is to be refilled by the star of one vertex: what split, collapse, insertion and smoothing
+/// have in common.
+///
+///   split     the cells about an edge, refilled from a point of the edge;
+///   collapse  the cells about a vertex, refilled from one of its neighbours;
+///   insert    cells of one component, refilled from a new point;
+///   smooth    the cells about a vertex, refilled from the same vertex elsewhere (no change of connectivity).
+///
+/// Where every new cell is positive the star tiles the region exactly: the signed indicator functions of the new cells
+/// add up to that of the region, whose border they share. So positivity, decided exactly, is the whole geometric test.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "quality/measure/link_shapes.hpp"
+#include "remesh/domain/domain_mesh.hpp"
+
+namespace geomesh::remesh {
+
+/// (v0, v1, v2, apex) is to be a positive cell.
+struct LinkFace {
+  Triangle vertices;
+  Index component;
+};
+
+/// A constrained face (apex, a, b) in the orientation of its facet.
+struct Spoke {
+  VertexIndex a, b;
+  Index facet;
+};
+
+/// A curve edge (apex, a).
+struct CurveSpoke {
+  VertexIndex a;
+  Index curve;
+};
+
+struct StarCavity {
+  std::vector<CellIndex> cells;
+  std::vector<LinkFace> link;
+  std::vector<Spoke> spokes;
+  std::vector<CurveSpoke> curves;
+  void clear() {
+    cells.clear();
+    link.clear();
+    spokes.clear();
+    curves.clear();
+  }
+};
+
+/// Scratch of one thread.
+struct Workspace {
+  CellMarks marks;
+  std::vector<CellIndex> cells, created;
+  std::vector<VertexIndex> ring;
+  std::vector<NewCell> added;
+  StarCavity cavity;
+  LinkShapes link;  ///< of what is being optimised
+  CellMarks vertex_marks;
+};
+
+/// Star of v as a cavity, its surfaces and curves as spokes.
+void gather_star(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, StarCavity& cavity);
+
+/// Cells about the edge (a, b) of cell c, to be refilled from a point of the edge.
+void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, StarCavity& cavity);
+
+/// The cells given (of one component, no constrained face between them), to be refilled from a new point inside.
+void gather_cells(const DomainMesh& mesh, CellMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity);
+
+/// Whether each new cell is exactly positive with the apex at p.
+bool star_is_positive(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
+/// Least shape of a cell with the apex at p; stops below `enough` (returning some value at most that).
+double star_shape(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, double enough = -1);
+/// Least cached shape of the cells to be removed.
+double removed_shape(const DomainMesh& mesh, const StarCavity& cavity);
+
+/// Least dihedral angle in degrees below which a cell is bad.
+inline constexpr double bad_angle = 8;
+/// Whether the star with its apex at p has more bad cells than are to be removed: where one cell cannot be mended,
+/// raising the worst shape by next to nothing would let its neighbours become as bad.
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
+/// The same where its shapes are known, in the order of the link.
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes);
+
+/// Replaces the cavity by the star of `apex`. The caller has checked that it is positive and keeps curves registered.
+/// `shapes` of the new cells in the order of the link, where they are known.
+void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
+                    std::span<const double> shapes = {});
+
+/// Orders cells and ring vertices about the edge (a, b) of cell c, turning the same way. Where the edge is on the
+/// outside of the model the ring is open and starts and ends there. Cell k lies between ring vertices k and k + 1 (mod
+/// n where closed), and is positive in the order (a, b, ring[k], ring[k + 1]). Returns whether the ring is closed.
+bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
+               std::vector<VertexIndex>& ring);
+
+/// The constrained faces about an edge given by its ring: positions k in the ring with face (a, b, ring[k]) tagged.
+struct EdgeFaces {
+  std::array<std::size_t, 2> at{};  ///< the first two
+  std::array<FaceTag, 2>
+      tag{};  ///< seen from cell at[i] (the cell after the face), or from the last cell of an open ring
+  std::size_t n = 0;
+};
+EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,
+                                    const std::vector<VertexIndex>& ring, bool closed);
+
+/// orient3d with a filter that spares the call where the determinant is far from zero.
+Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+inline bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return orientation(a, b, c, d) == Sign::positive;
+}
+
+}  // namespace geomesh::remesh

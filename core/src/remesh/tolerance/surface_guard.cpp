@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/tolerance/surface_guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <utility>
+
+#include "quality/measure/shape.hpp"
+
+namespace geomesh::remesh {
+
+std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto at = [&](double u, double v, double w) { return u * a + v * b + w * c; };
+  constexpr double t = 1.0 / 3, s = 1.0 / 6, m = 2.0 / 3;
+  return {a,           b,           c,           at(.5, .5, 0),    at(0, .5, .5),    at(.5, 0, .5),   at(t, t, t),
+          at(m, s, s), at(s, m, s), at(s, s, m), at(.45, .45, .1), at(.1, .45, .45), at(.45, .1, .45)};
+}
+
+namespace {
+
+/// What is left of the tolerance is for rounding in the distances themselves.
+constexpr double proven_share = 1 - 1e-6;
+/// What new faces are proven to be within, of what samples of the original are held to: all of a face is looked at, so
+/// it may be nearer to the tolerance.
+constexpr double faces_over_samples = 1.15;
+/// Of the angle between a reference's normals and their mean up to which no samples are needed.
+constexpr double even_cosine = 0.9;
+/// Newell's normal of a loop, of twice its area.
+Vec3 loop_area(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+  Vec3 n;
+  const Vec3& o = plc.points[loop[0]];
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
+  return n;
+}
+/// Of length one, or zero.
+Vec3 unit(const Vec3& n) {
+  const double l = length(n);
+  return l > 0 ? (1 / l) * n : n;
+}
+
+/// The coordinate in which all points of the loop are equal, or 3.
+std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
+  for (std::uint8_t axis = 0; axis < 3; ++axis)
+    if (std::all_of(loop.begin(), loop.end(),
+                    [&](VertexIndex v) { return plc.points[v][axis] == plc.points[loop[0]][axis]; }))
+      return axis;
+  return 3;
+}
+
+/// Of one patch.
+class FaceSet {
+ public:
+  FaceSet(const std::vector<SurfaceFace>& faces, Index patch) {
+    for (const SurfaceFace& f : faces)
+      if (f.patch == patch) triangles_.emplace_back(f.corners);
+  }
+  bool is_near(const Vec3& p, double limit) const {
+    return std::any_of(triangles_.begin(), triangles_.end(),
+                       [&](const auto& t) { return squared_distance(p, t.closest_to(p)) <= limit * limit; });
+  }
+
+ private:
+  std::vector<search::PreparedTriangle> triangles_;
+};
+
+/// Of all that is near to a triangle.
+Box3 box_about(const search::Corners& triangle, double reach) {
+  Box3 box;
+  for (const Vec3& p : triangle) {
+    box.add(p - Vec3{reach, reach, reach});
+    box.add(p + Vec3{reach, reach, reach});
+  }
+  return box;
+}
+
+Box3 joined(Box3 a, const Box3& b) {
+  a.add(b.min);
+  a.add(b.max);
+  return a;
+}
+
+bool contains(const Box3& box, const Vec3& p) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box.min[i] || p[i] > box.max[i]) return false;
+  return true;
+}
+
+/// By patch: whether no edge is passed in the same direction by two of its faces.
+std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
+  struct Side {
+    Index patch;
+    VertexIndex from, to;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  for_each_face_of_facets(mesh, [&](Triangle t, FaceTag tag) {
+    if (!tag.above()) std::swap(t[1], t[2]);
+    for (unsigned k = 0; k < 3; ++k) sides.push_back({mesh.patch_of(tag), t[k], t[(k + 1) % 3]});
+  });
+  std::sort(sides.begin(), sides.end());
+  std::vector<bool> alike(mesh.n_patches(), true);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i] == sides[i + 1]) alike[sides[i].patch] = false;
+  return alike;
+}
+
+/// What must stay near to the mesh of a triangle of the original: the usual samples, and where it is large against the
+/// tolerance a lattice no wider than some tolerances.
+template <class Visit>
+void for_each_reference_sample(const search::Corners& t, double tolerance, Visit visit) {
+  constexpr double wide = 8;
+  constexpr int most = 12;
+  for (const Vec3& p : triangle_samples(t[0], t[1], t[2])) visit(p);
+  const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  const int n = longest > wide * most * tolerance ? most : static_cast<int>(std::ceil(longest / (wide * tolerance)));
+  for (int i = 0; n > 2 && i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
+      visit((1 - u - v) * t[0] + u * t[1] + v * t[2]);
+    }
+}
+
+}  // namespace
+
+SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc,
+                           Honour honour, double tolerance, const Hold& hold)
+    : honour_(honour),
+      tolerance_(hold.margin * tolerance),
+      zones_(hold.zones),
+      proving_(Proving{search::DistanceProver(proven_share * tolerance), {}, {}}),
+      reach_(tolerance) {
+  if (exact()) {
+    find_planes(mesh, plc);
+    return;
+  }
+  for (Index f = 0; f < plc.n_facets(); ++f)
+    planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
+  given_ = surface_items(given, mesh);
+  oriented_ = patches_oriented_alike(given);
+  std::vector<search::ClosestPointTrees::Item> boxes;
+  for (const TightZone& zone : zones_)
+    boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
+  zone_boxes_ = search::ClosestPointTrees(std::move(boxes), zones_.empty() ? 0 : 1);
+}
+
+double SurfaceGuard::share_about(std::span<const Vec3> points) const {
+  double least = reach_;
+  Box3 box;
+  for (const Vec3& p : points) box.add(p);
+  zone_boxes_.for_each_in(box, 0, [&](const auto& item) {
+    const TightZone& zone = zones_[item.id];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (zone.box.min[i] > box.max[i] || zone.box.max[i] < box.min[i]) return;
+    least = std::min(least, zone.tolerance);
+  });
+  return least / reach_;
+}
+
+/// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than
+/// rounding.
+void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc) {
+  planes_.resize(mesh.n_patches());
+  std::vector<Index> count(mesh.n_patches(), 0);
+  std::vector<double> weight(mesh.n_patches(), 0);
+  std::vector<Vec3> offset(mesh.n_patches());
+  for (Index f = 0; f < plc.n_facets(); ++f) {
+    const Index patch = mesh.patch_of_facet(f);
+    const auto loop = plc.outer_loop(f);
+    const Vec3 n = loop_area(plc, loop);
+    const double w = length(n);
+    Plane& plane = planes_[patch];
+    const std::uint8_t axis = common_axis(plc, loop);
+    if (count[patch]++ == 0) {
+      plane.point = plc.points[loop[0]];
+      plane.axis = axis;
+    } else if (axis != plane.axis || (axis < 3 && plc.points[loop[0]][axis] != plane.point[axis])) {
+      plane.axis = 3;
+    }
+    plane.normal = plane.normal + n;
+    weight[patch] += w;
+    for (const VertexIndex v : loop)
+      offset[patch] = offset[patch] + (w / static_cast<double>(loop.size())) * (plc.points[v] - plane.point);
+  }
+  for (Index p = 0; p < planes_.size(); ++p) {
+    planes_[p].normal = unit(planes_[p].normal);
+    if (count[p] > 1 && weight[p] > 0 && planes_[p].axis == 3)
+      planes_[p].point = planes_[p].point + (1 / weight[p]) * offset[p];
+  }
+}
+
+Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_.faces.closest(p, patch).item; }
+
+Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
+  const Index row = exact() ? patch : nearest_facet(patch, p);
+  return row < planes_.size() ? planes_[row].normal : Vec3{};
+}
+
+Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
+  if (!exact()) return given_.faces.closest(p, patch).point;
+  const Plane& plane = planes_[patch];
+  Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
+  if (plane.axis < 3) q[plane.axis] = plane.point[plane.axis];
+  return q;
+}
+
+Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return given_.curves.closest(p, curve).point; }
+
+bool SurfaceGuard::is_even_about(const Box3& box, Index patch) const {
+  Vec3 sum;
+  Index n = 0;
+  const auto visit = [&](const auto& what) {
+    given_.faces.for_each_in(box, patch, [&](const auto& item) { what(planes_[item.id].normal); });
+  };
+  visit([&](const Vec3& normal) { sum = sum + normal, ++n; });
+  const double least = even_cosine * length(sum);
+  bool is_even = n > 0;
+  visit([&](const Vec3& normal) { is_even &= dot(normal, sum) >= least; });
+  return is_even;
+}
+
+bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                                  const std::vector<SurfaceFace>& around) const {
+  std::vector<Index> patches;
+  for (const SurfaceFace& f : before)
+    if (std::find(patches.begin(), patches.end(), f.patch) == patches.end()) patches.push_back(f.patch);
+  return std::all_of(patches.begin(), patches.end(), [&](Index patch) {
+    Box3 box;
+    for (const SurfaceFace& f : before)
+      if (f.patch == patch) box = joined(box, box_about(f.corners, tolerance_));
+    return is_even_about(box, patch) || samples_near(patch, box, before, after, around);
+  });
+}
+
+bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before,
+                                const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const {
+  const FaceSet old_faces(before, patch), new_faces(after, patch), others(around, patch);
+  bool near = true;
+  given_.faces.for_each_in(box, patch, [&](const auto& item) {
+    if (!near) return;
+    for_each_reference_sample(item.corners, reach_, [&](const Vec3& p) {
+      if (!near || !contains(box, p)) return;
+      const double limit = share_about({&p, 1}) * tolerance_;
+      if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
+      near = !old_faces.is_near(p, tolerance_);  // else covered by others
+    });
+  });
+  return near;
+}
+
+bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const {
+  for (const CurvePiece& c : after) {
+    const double limit = share_about(std::array{c.a, c.b}) * tolerance_;
+    for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
+      if (!(given_.curves.closest((1 - t) * c.a + t * c.b, c.curve, limit).distance <= limit)) return false;
+  }
+  // The pieces that go lie within the tolerance of those that come: sampled at their ends and between.
+  for (const CurvePiece& c : before)
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Vec3 p = given_.curves.closest((1 - t) * c.a + t * c.b, c.curve).point;
+      double best = std::numeric_limits<double>::infinity();
+      for (const CurvePiece& d : after)
+        if (d.curve == c.curve) best = std::min(best, distance(p, search::closest_on_segment(p, d.a, d.b)));
+      if (!(best <= share_about({&p, 1}) * tolerance_)) return false;
+    }
+  return true;
+}
+
+bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& over) const {
+  auto& [prover, nearby, rows] = proving_.local();
+  nearby.clear();
+  rows.clear();
+  limit *= share_about(f.corners);
+  prover.set_limit(limit);
+  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) {
+    nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
+    rows.push_back(row);
+  });
+  const bool is_within = prover.is_within(f.corners, nearby);
+  over = prover.sheet_row() == no_index ? no_index : given_.faces.items()[rows[prover.sheet_row()]].id;
+  return is_within;
+}
+
+bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
+  Index over;
+  return is_proven_within(f, proven_share * reach_, over);
+}
+
+bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                          const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
+                          const std::vector<CurvePiece>& curves_after) const {
+  if (exact()) return true;
+  if (!curves_near(curves_before, curves_after)) return false;
+  std::vector<Index> over(after.size(), no_index);
+  for (std::size_t k = 0; k < after.size(); ++k)
+    if (!is_proven_within(after[k], faces_over_samples * tolerance_, over[k])) return false;
+  return keeps_direction(before, after, over, curves_before.empty() && curves_after.empty()) &&
+         reference_near(before, after, around);
+}
+
+Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {
+  if (!exact()) return verify_surfaces(mesh, given_, reach_, threads);
+  Deviations d;
+  for (const auto& face : face_items(mesh)) {
+    const Plane& plane = planes_[face.group];
+    for (const Vec3& p : face.corners)
+      d.result_to_input = std::max(d.result_to_input, std::abs(dot(p - plane.point, plane.normal)));
+  }
+  d.input_to_result = d.result_to_input;
+  return d;
+}
+
+}  // namespace geomesh::remesh

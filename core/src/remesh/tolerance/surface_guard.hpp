@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Keeps surfaces and curves where the user allows them to be while they are remeshed.
+///
+/// `exact`: a patch is one facet or several in its plane, so a vertex within a patch moves in that plane and a curve is
+/// one input edge; no face can leave its plane but by rounding. `tolerance`: every point of a new face is proven to be
+/// within 0.8 of the tolerance of the ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not proven
+/// is refused). The other way round nothing is asked where those are a smooth sheet about the change; elsewhere samples
+/// of the original patch near the faces that go must be within 0.7 of the tolerance of those that come or of their
+/// neighbours; they are eight tolerances apart at most where a triangle is not longer than a hundred. Curves are held
+/// to 0.7 of it at samples both ways. Deviations do not add up over operations. No new face may be turned by 78 degrees
+/// or more from the original where it is nearest, which is near enough to a fold: nothing else keeps surfaces from
+/// folding on the side where nothing is meshed. What is promised is proven of the whole result in the end
+/// (verify_surfaces.hpp).
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geomesh/core/refine.hpp"
+#include "remesh/tolerance/cavity.hpp"
+#include "remesh/tolerance/verify_surfaces.hpp"
+#include "search/proven_distance.hpp"
+
+namespace geomesh::remesh {
+
+/// A constrained face by its corners and its patch. Those of one operation and one patch, before and after, are all
+/// oriented alike.
+struct SurfaceFace {
+  std::array<Vec3, 3> corners;
+  Index patch;
+};
+struct CurvePiece {
+  Vec3 a, b;
+  Index curve;
+};
+
+/// How surfaces are held within the tolerance.
+struct Hold {
+  double margin = 0.7;  ///< of the tolerance, for samples: so that the proof that follows seldom fails and seldom has
+                        ///< to look closely
+  std::vector<TightZone> zones;  ///< what is in them is held to less
+  unsigned run = 0;              ///< from 0: runs before this one held surfaces less closely
+};
+
+class SurfaceGuard {
+ public:
+  SurfaceGuard() = default;
+  /// References are the faces of `given` and the curves of `mesh`, as they are now: the same surfaces, in `mesh`
+  /// perhaps with more points and without the edges between coplanar pieces. Planes are those of the facets.
+  SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
+               double tolerance, const Hold& hold = {});
+
+  bool exact() const { return honour_ == Honour::exact; }
+
+  /// Direction in which a vertex on a patch may not move: normal of the reference near p.
+  Vec3 normal(Index patch, const Vec3& p) const;
+  /// p brought back to the patch (exact: to the facet's plane; without rounding where that is normal to an axis).
+  Vec3 project_to_patch(Index patch, const Vec3& p) const;
+  /// p brought back to the curve. Not for exact, where curve vertices do not move.
+  Vec3 project_to_curve(Index curve, const Vec3& p) const;
+  /// Facet of the patch nearest to a place: provenance of a remade face. Not for exact.
+  Index nearest_facet(Index patch, const Vec3& p) const;
+
+  /// Not for several threads at once. Whether faces and curve pieces may be exchanged; `around` are faces that stay and
+  /// share a vertex with those that go.
+  bool admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+              const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
+              const std::vector<CurvePiece>& curves_after) const;
+
+  /// Whether all of a face is proven to be within the tolerance of the reference.
+  bool is_proven_near_reference(const SurfaceFace& f) const;
+
+  /// Of the mesh's faces and curves from the references, and the other way round, proven where not listed (exact: of
+  /// corners from their planes, for both).
+  Deviations deviations(const DomainMesh& mesh, unsigned threads) const;
+
+ private:
+  struct Plane {
+    Vec3 normal;  ///< of length one
+    Vec3 point;
+    std::uint8_t axis = 3;  ///< the coordinate that is the same for all its points, 3: none
+  };
+  /// The least share of the tolerance that holds somewhere about these points.
+  double share_about(std::span<const Vec3> points) const;
+  /// Whether each new face is turned from the reference by no more than the faces that go, or not by much. `over`: by
+  /// new face what is_proven_within tells; `curves_stay`: faces that go and that come have the same border.
+  bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                       const std::vector<Index>& over, bool curves_stay) const;
+  /// Whether the patch's faces are all over sheets of the reference (`over`) and turned to the same side.
+  bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
+  /// Cosine between the face's normal and the reference's nearest to its middle; 1 for a face without area.
+  double direction_cosine(const SurfaceFace& f) const;
+  void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
+  /// `over`: a facet that is over the face, where the reference is a sheet over all of it; else no_index.
+  bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
+  bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
+                      const std::vector<SurfaceFace>& around) const;
+  /// Whether the reference in the box is nearly the graph of a function over a plane. Then faces with the same border
+  /// as those before that are near to it cover it, seen along the plane's normal, since their border winds about each
+  /// of its points once; so it is as near to them, but for its slope.
+  bool is_even_about(const Box3& box, Index patch) const;
+  bool samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before,
+                    const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
+  bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
+
+  Honour honour_ = Honour::exact;
+  double tolerance_ = 0;  // what samples are held to, outside of zones
+  std::vector<TightZone> zones_;
+  search::ClosestPointTrees zone_boxes_;  // as line pieces from corner to corner
+  struct Proving {
+    search::DistanceProver prover;
+    std::vector<search::SheetTriangle> nearby;
+    std::vector<Index> rows;  // of nearby, in given_.faces
+  };
+  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}, {}}};  // scratch
+  double reach_ = 0;            // the tolerance: what is farther away has no say
+  std::vector<Plane> planes_;   // by patch in exact mode, else by facet
+  std::vector<bool> oriented_;  // by patch: whether its faces in the reference are oriented alike
+  SurfaceItems given_;
+};
+
+/// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.
+std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// What is promised of surfaces remeshed within a tolerance, proven of the whole result and not of each change alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "remesh/domain/domain_mesh.hpp"
+#include "search/closest_point.hpp"
+
+namespace geomesh::remesh {
+
+/// Surfaces by patch and curves by class, as triangles and line pieces.
+struct SurfaceItems {
+  search::ClosestPointTrees faces, curves;
+  std::vector<std::uint8_t> open_edges;  ///< of faces (search::find_open_edges)
+};
+/// The faces of one mesh and the curves of another.
+SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_of);
+
+/// Visits (vertices as seen from the cell of the tag, tag) of each constrained face once, but for those that stand for
+/// no facet.
+template <class Visit>
+void for_each_face_of_facets(const DomainMesh& mesh, Visit visit) {
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!mesh.is_live(c)) continue;
+      const FaceTag tag = mesh.tag(c, i);
+      if (!tag.constrained() || tag.facet() == hull_facet || (!tag.above() && mesh.has_neighbor(c, i))) continue;
+      const Tetrahedron& v = mesh.vertices(c);
+      const auto& f = face_vertices[i];
+      visit(Triangle{v[f[0]], v[f[1]], v[f[2]]}, tag);
+    }
+}
+
+/// Each constrained face once, but for those that stand for no facet: group: its patch; id: its facet.
+std::vector<search::ClosestPointTrees::Item> face_items(const DomainMesh& mesh);
+/// Each edge of a curve; group: the curve's class; no id.
+std::vector<search::ClosestPointTrees::Item> curve_items(const DomainMesh& mesh);
+
+/// A triangle or line piece of the input or of the result that is not proven to be within the tolerance of the other.
+struct Breach {
+  Vec3 place{};
+  double distance = 0;     ///< of a point looked at, at most the tolerance where nothing was decided
+  Index group = no_index;  ///< patch or curve class
+  Index facet = no_index;  ///< of the input; none on curves
+  bool on_curve = false;
+  bool of_input = false;  ///< what is off is a part of the input
+};
+
+struct Deviations {
+  double result_to_input = 0,
+         input_to_result =
+             0;  ///< largest distances found: lower bounds that are nearly reached; the tolerance is above them
+  std::vector<Breach> breaches;  ///< empty: all of both is proven to be within the tolerance of the other
+};
+
+/// Faces and curve edges of the mesh against those of the same patch or curve of the input, and the other way round.
+/// Near-linear where sizes of both are alike; on all threads given, with the same result.
+Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads);
+
+/// A place where surfaces are held more closely than by the tolerance.
+struct TightZone {
+  Box3 box;
+  double tolerance;
+};
+
+/// Where faces on the outside of the model meet others beyond shared vertices and edges: nothing is meshed there, so no
+/// cell tells when surfaces that are nearer to each other than the tolerance come to cross. Where this is empty the
+/// mesh fills space once. Exact. Boxes are those of the edges and faces that meet, their tolerance 0. O(n log n).
+std::vector<TightZone> crossings_outside(const DomainMesh& mesh);
+
+}  // namespace geomesh::remesh

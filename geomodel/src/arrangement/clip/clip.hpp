@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Removal of pieces by rules, decided exactly on exact vertices: outside the box, inside bodies, inner parts of bodies
+/// that cross themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arrangement/model/arranged.hpp"
+#include "arrangement/model/ingest.hpp"
+#include "arrangement/model/winding.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Facets of one arrangement with the means to take origins away from them.
+struct ClipContext {
+  Arranged& arranged;
+  const SurfaceList& surfaces;
+  ArrangementResult& result;  ///< areas, spots and warnings go here
+};
+
+/// Removes facets, wells and points outside the closed box. A piece lies on one side of each box plane, as the sides
+/// take part in the arrangement.
+void clip_to_box(ClipContext context, const Box3& box, const std::vector<Polyline>& polylines);
+
+/// Removes facets, wells and points outside the closed volume that the sides (SurfaceList::box_sides) enclose. Which
+/// side a piece lies on is the winding number of one exact point of it.
+void clip_to_volume(ClipContext context, const Complex& complex, const Ingested& ingested,
+                    const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points);
+
+/// For bodies: inner parts of those that cross themselves are removed (winding number not zero on both sides), then the
+/// parts of horizons and faults strictly inside bodies with cuts_all. `crosses_itself` is per given surface.
+void cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
+                   const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
+
+/// Facet f loses the origins that `remove` accepts; where none is left the facet goes (keep[f] = 0).
+template <typename Remove>
+void remove_origins(Arranged& arranged, std::vector<std::uint8_t>& which, Remove&& remove) {
+  std::vector<Triangle> facets;
+  std::vector<std::uint8_t> changed;
+  OriginLists origins;
+  for (std::size_t f = 0; f < arranged.facets.size(); ++f) {
+    std::vector<Origin> left;
+    for (const Origin& o : arranged.origins.of(f))
+      if (!which[f] || !remove(o)) left.push_back(o);
+    if (left.empty()) continue;
+    Triangle t = arranged.facets[f];
+    if (left.front().reversed) {
+      std::swap(t[1], t[2]);
+      for (Origin& o : left) o.reversed = !o.reversed;
+    }
+    facets.push_back(t);
+    changed.push_back(arranged.changed[f]);
+    origins.push(left);
+  }
+  arranged.facets = std::move(facets);
+  arranged.changed = std::move(changed);
+  arranged.origins = std::move(origins);
+}
+
+/// Facets marked `outside` lose all origins; their area is counted as clipped by the box.
+void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
+
+/// Pieces of wells marked `outside` go, with a warning that tells their length.
+void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outside,
+                     const std::vector<Polyline>& polylines);
+
+double facet_area(const Arranged& arranged, std::size_t f);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Facets of one arrangement that hang together: what lies on one side of a surface is decided once for each such set.
+#pragma once
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "arrangement/model/arranged.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+struct FacetEdge {
+  VertexIndex a, b;
+  Index facet;
+  bool operator<(const FacetEdge& o) const { return std::tie(a, b, facet) < std::tie(o.a, o.b, o.facet); }
+};
+
+/// Components of `chosen` facets joined across the edges that `passes(begin, end)` lets through; edges are given by all
+/// chosen facets and all `barrier` facets at them. Returns per facet the component, from 0 in the order of the least
+/// facet, or no_index.
+template <typename Passes>
+std::vector<Index> components(const Arranged& arranged, const std::vector<std::uint8_t>& chosen,
+                              const std::vector<std::uint8_t>& barrier, Passes&& passes) {
+  std::vector<FacetEdge> edges;
+  for (Index f = 0; f < arranged.facets.size(); ++f) {
+    if (!chosen[f] && !barrier[f]) continue;
+    const Triangle& t = arranged.facets[f];
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), f});
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Index> parent(arranged.facets.size());
+  for (Index f = 0; f < parent.size(); ++f) parent[f] = f;
+  const auto root = [&parent](Index f) {
+    while (parent[f] != f) f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
+    for (end = begin + 1; end < edges.size() && edges[end].a == edges[begin].a && edges[end].b == edges[begin].b;)
+      ++end;
+    if (!passes(std::span<const FacetEdge>(edges.data() + begin, end - begin))) continue;
+    for (std::size_t e = begin + 1; e < end; ++e) {
+      const Index a = root(edges[begin].facet), b = root(edges[e].facet);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<Index> component(arranged.facets.size(), no_index);
+  Index n = 0;
+  for (Index f = 0; f < component.size(); ++f)
+    if (chosen[f]) component[f] = root(f) == f ? n++ : component[root(f)];
+  return component;
+}
+
+inline ExactPoint facet_centroid(const Arranged& arranged, const Triangle& t) {
+  return centroid(arranged.vertices.exact(t[0]), arranged.vertices.exact(t[1]), arranged.vertices.exact(t[2]));
+}
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What crosses, touches, overlaps and dangles, as spots and in a geologist's words.
+#pragma once
+
+#include "arrangement/model/arranged.hpp"
+#include "arrangement/model/ingest.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Crossings of input surfaces (the box's sides apart), inside the box where there is one. Adds spots and warnings,
+/// fills n_crossing_pairs; `crosses_itself` is set per given surface.
+void diagnose_crossings(const Complex& complex, const Contacts& contacts, const Arranged& arranged,
+                        const SurfaceList& surfaces, const std::optional<Box3>& box, ArrangementResult& result,
+                        std::vector<std::uint8_t>& crosses_itself);
+
+/// Throws Error{invalid_input} that names the pairs and places if any input surfaces cross.
+void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces);
+
+/// Free borders and overlaps of the finished soup, what was brought together or vanished, and what was clipped.
+void diagnose_soup(const SurfaceList& surfaces, const std::vector<VanishedFacet>& vanished, ArrangementResult& result);
+
+}  // namespace geomesh::geomodel::arrangement

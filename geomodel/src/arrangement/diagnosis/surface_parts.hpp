@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Into which parts the surfaces of a soup cut each other.
+#pragma once
+
+#include <vector>
+
+#include "geomesh/geomodel/arrangement.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Facets of each surface joined across edges at which no other surface lies; what other surfaces separate is joined
+/// again on demand.
+class SurfaceParts {
+ public:
+  /// Near-linear.
+  SurfaceParts(const PolygonSoup& soup, std::size_t n_surfaces);
+
+  /// Area of surface `a` that its curves with surface `b` part from the largest piece: what lies beyond `b` where the
+  /// two cross over a patch. 0 where `b` parts nothing. Linear in the edges at which `a` meets other surfaces.
+  double area_parted(Index a, Index b) const;
+
+ private:
+  /// Facets at an edge at which several surfaces lie: (surface, part) pairs, ascending.
+  using SharedEdge = std::vector<std::pair<Index, Index>>;
+  void add_edge(const PolygonSoup& soup, const std::vector<Index>& facets);
+  Index root(Index node) const;
+  void unite(Index a, Index b);
+
+  std::vector<Index> parent_;  ///< per row of soup.origins
+  std::vector<double> area_;   ///< per root
+  std::vector<SharedEdge> shared_;
+  std::vector<std::vector<Index>> shared_of_, parts_of_;  ///< per surface: rows in shared_; its roots
+};
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One exact round: from contacts to facets over exact vertices that meet only in shared vertices and edges.
+#pragma once
+
+#include <vector>
+
+#include "arrangement/model/complex.hpp"
+#include "arrangement/model/contacts.hpp"
+#include "arrangement/model/exact_point.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Vertices of a round: rows below n_given are the complex' own points, the others were constructed.
+class ExactVertices {
+ public:
+  ExactVertices(const std::vector<Vec3>& given, ExactFrame frame) : given_(given), frame_(frame) {}
+  std::size_t n_given() const { return given_.size(); }
+  std::size_t size() const { return given_.size() + made_.size(); }
+  bool is_made(Index v) const { return v >= given_.size(); }
+  const Vec3& rounded(Index v) const { return is_made(v) ? made_rounded_[v - given_.size()] : given_[v]; }
+  const ExactPoint* made(Index v) const { return is_made(v) ? &made_[v - given_.size()] : nullptr; }
+  ExactPoint exact(Index v) const { return is_made(v) ? made_[v - given_.size()] : frame_.to_exact(given_[v]); }
+  const ExactFrame& frame() const { return frame_; }
+  void append(std::vector<ExactPoint>&& points, std::vector<Vec3>&& rounded);
+
+ private:
+  const std::vector<Vec3>& given_;
+  ExactFrame frame_;
+  std::vector<ExactPoint> made_;
+  std::vector<Vec3> made_rounded_;
+};
+
+/// Equal places have equal rows in `facets`, `segments`; rows may be unused.
+struct Arranged {
+  ExactVertices vertices;
+  std::vector<Triangle> facets;
+  OriginLists origins;
+  std::vector<std::uint8_t> changed;  ///< per facet: not one of the complex' facets
+  std::vector<PolygonSoup::Segment> segments;
+  std::vector<PolygonSoup::IsolatedPoint> isolated_points;
+  /// Per facet contact: the one or two distinct vertices that its ends are (second no_index where one).
+  std::vector<std::array<Index, 2>> contact_ends;
+};
+
+/// Throws Error{cannot_mesh} where it would take more than `max_bytes`.
+Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context,
+                       std::size_t max_bytes = no_memory_bound);
+
+/// Facets that overlap in their plane, with all contacts on them, split into pieces.
+struct ClusterPieces {
+  static constexpr Index made_here = 0x80000000u;  ///< flag: row in `made` instead of a vertex
+  std::vector<Triangle> facets;
+  OriginLists origins;
+  std::vector<ExactPoint> made;
+  std::vector<Vec3> made_rounded;
+};
+struct ClusterInput {
+  std::vector<Index> members;  ///< facets, ascending
+  std::vector<Index> points;   ///< vertices on them besides corners
+  struct Constraint {
+    Index a, b;
+    Line line;
+    friend auto operator<=>(const Constraint&, const Constraint&) = default;
+  };
+  std::vector<Constraint> constraints;
+};
+ClusterPieces triangulate_cluster(const Complex& complex, const ExactVertices& vertices, ClusterInput input);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What one round of the arrangement takes and gives: triangles, wells' segments and points in doubles, each with its
+/// origins.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geomesh/geomodel/arrangement.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+inline constexpr std::size_t no_memory_bound = ~std::size_t{0};
+
+using Origin = PolygonSoup::Origin;
+
+/// Lists of origins, one for each facet, back to back.
+struct OriginLists {
+  std::vector<Origin> items;
+  std::vector<Index> offsets{0};
+  std::span<const Origin> of(std::size_t facet) const {
+    return {items.data() + offsets[facet], items.data() + offsets[facet + 1]};
+  }
+  void push(std::span<const Origin> list) {
+    items.insert(items.end(), list.begin(), list.end());
+    offsets.push_back(static_cast<Index>(items.size()));
+  }
+};
+
+/// Invariants: points are distinct; no facet is degenerate. Facets may cross, overlap and repeat.
+struct Complex {
+  std::vector<Vec3> points;
+  std::vector<Index> input_point;  ///< as PolygonSoup::input_point
+  std::vector<Triangle> facets;
+  OriginLists origins;
+  std::vector<PolygonSoup::Segment> segments;
+  std::vector<PolygonSoup::IsolatedPoint> isolated_points;
+  /// Per facet and per segment: not known to be free of crossings with the others that are not dirty either.
+  std::vector<std::uint8_t> dirty_facet, dirty_segment;
+};
+
+/// A facet that lost its area when its corners were rounded or brought together.
+struct VanishedFacet {
+  Index surface = no_index;
+  Vec3 place;
+};
+
+/// A well that runs to and fro along the same line gives each piece once.
+void remove_repeated_segments(Complex& complex);
+
+/// Sorts origins by surface and triangle and drops repeated ones. True where the first one is then reversed: all are
+/// turned, and the facet is to be.
+bool normalise_origins(std::vector<Origin>& origins);
+
+/// Facets on the same three vertices become the first of them, with the origins of all. Returns how many went.
+std::size_t merge_equal_facets(Complex& complex);
+
+struct PointHash {
+  std::size_t operator()(const Vec3& p) const {
+    const std::hash<double> h;
+    return (h(p.x) * 0x9E3779B97F4A7C15ull ^ h(p.y)) * 0xC2B2AE3D27D4EB4Full ^ h(p.z);
+  }
+};
+
+/// Points that no facet, segment or isolated point names go; the others keep their order.
+void drop_unused_points(Complex& complex);
+
+/// A facet's plane seen along the axis in which its normal is longest in doubles; `sign` is its orientation there,
+/// never zero.
+struct Projection {
+  std::size_t i = 0, j = 1;
+  Sign sign = Sign::zero;
+};
+inline Vec2 project(const Vec3& p, const Projection& frame) { return {p[frame.i], p[frame.j]}; }
+/// sign is zero only where a, b, c are exactly collinear.
+Projection projection_of(const Vec3& a, const Vec3& b, const Vec3& c);
+
+double area(const Vec3& a, const Vec3& b, const Vec3& c);
+double length(const Vec3& a);
+
+}  // namespace geomesh::geomodel::arrangement

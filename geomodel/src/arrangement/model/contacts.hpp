@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Narrow phase: the intersection of closed triangles, wells' segments and points, pair by pair, as symbols. Signs of
+/// exact predicates on doubles decide everything; no point is constructed here.
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "arrangement/model/complex.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// A point by what defines it: a point of the complex; the line through two of its points with a facet's plane; or two
+/// coplanar lines. The same place may have several symbols; identification is exact and comes later.
+struct Symbol {
+  Index a = no_index, b = no_index, c = no_index, d = no_index;
+  static Symbol point(VertexIndex v) { return {v, no_index, no_index, no_index}; }
+  static Symbol line_plane(VertexIndex p, VertexIndex q, Index facet) {
+    return p < q ? Symbol{p, q, facet, no_index} : Symbol{q, p, facet, no_index};
+  }
+  static Symbol line_line(VertexIndex p, VertexIndex q, VertexIndex r, VertexIndex s);
+  bool is_point() const { return b == no_index; }
+  bool is_line_plane() const { return b != no_index && d == no_index; }
+  friend auto operator<=>(const Symbol&, const Symbol&) = default;
+};
+
+/// The line that a constraint inside a facet lies on: an edge's, or the cut with another facet's plane (b == no_index).
+struct Line {
+  Index a = no_index, b = no_index;
+  static Line edge(VertexIndex p, VertexIndex q) { return p < q ? Line{p, q} : Line{q, p}; }
+  static Line plane(Index facet) { return {facet, no_index}; }
+  bool is_edge() const { return b != no_index; }
+  friend auto operator<=>(const Line&, const Line&) = default;
+};
+
+/// A point (all symbols name one place) or a segment (they name its two ends) in which something meets a facet.
+struct FacetContact {
+  Index facet = no_index;
+  Index other = no_index;  ///< the other facet, or no_index for a well or point
+  Line line;
+  std::array<Symbol, 4> ends;
+  std::uint8_t n_ends = 0;
+  friend auto operator<=>(const FacetContact&, const FacetContact&) = default;
+};
+struct SegmentContact {
+  Index segment;
+  Symbol point;
+  friend auto operator<=>(const SegmentContact&, const SegmentContact&) = default;
+};
+/// Two coplanar facets whose insides overlap.
+struct Overlap {
+  Index a, b;
+  friend auto operator<=>(const Overlap&, const Overlap&) = default;
+};
+
+struct Contacts {
+  std::vector<FacetContact> facets;
+  std::vector<SegmentContact> segments;
+  std::vector<Overlap> overlaps;
+  std::size_t n_pairs = 0;
+  bool empty() const { return facets.empty() && segments.empty() && overlaps.empty(); }
+  std::size_t size() const { return facets.size() + segments.size() + overlaps.size(); }
+  void append(const Contacts& more);
+};
+
+void facet_facet_contact(const Complex& complex, Index a, Index b, Contacts& out);
+void segment_facet_contact(const Complex& complex, Index segment, Index facet, Contacts& out);
+void segment_segment_contact(const Complex& complex, Index a, Index b, Contacts& out);
+void point_facet_contact(const Complex& complex, VertexIndex point, Index facet, Contacts& out);
+void point_segment_contact(const Complex& complex, VertexIndex point, Index segment, Contacts& out);
+
+/// All contacts in which something dirty takes part, other than shared vertices and edges; sorted. Near-linear,
+/// parallel. Throws Error{cannot_mesh} where they would take more than `max_bytes`.
+Contacts find_contacts(const Complex& complex, const RunContext& context, std::size_t max_bytes = no_memory_bound);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Memory of the arrangement. What it holds grows with the places in which triangles meet, which no size of the input
+/// bounds (surfaces that lie on each other, triangles far larger than the model), so each big step counts what it makes
+/// and ends with a message long before the machine swaps.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Three quarters of the machine's memory, or of what the container that the program runs in may use.
+std::size_t default_memory_bound();
+
+/// What one step may still take, counted by all threads. Bytes an item were measured on crossing grids and on random
+/// triangles: contacts with what identification makes of them, and facets with their exact vertices.
+class MemoryUse {
+ public:
+  static constexpr std::size_t per_contact = 300, per_facet = 350;
+
+  explicit MemoryUse(std::size_t bound, std::size_t used = 0) : bound_(bound), used_(used) {}
+
+  /// Throws Error{cannot_mesh} with the place where the bound is passed.
+  void take(std::size_t n_items, std::size_t bytes_each, const Vec3& place) {
+    if (used_.fetch_add(n_items * bytes_each, std::memory_order_relaxed) + n_items * bytes_each > bound_) refuse(place);
+  }
+
+ private:
+  [[noreturn]] void refuse(const Vec3& place) const;
+
+  std::size_t bound_;
+  std::atomic<std::size_t> used_;
+};
+
+}  // namespace geomesh::geomodel::arrangement

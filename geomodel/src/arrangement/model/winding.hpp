@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Winding numbers by exact rays along an axis, made general by a symbolic shift of the ray.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "arrangement/model/complex.hpp"
+#include "arrangement/model/exact_point.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// A ray along an axis; `up` towards greater coordinates.
+struct RayDirection {
+  std::size_t axis = 2;
+  bool up = true;
+};
+
+/// Closed oriented triangles and queries against them. Triangles without area are ignored.
+class WindingNumber {
+ public:
+  WindingNumber(std::span<const Vec3> points, std::vector<Triangle> triangles);
+
+  /// Zero outside. `rounded`: nearest doubles of q. q may lie on triangles only if `skip` (ascending) lists them: these
+  /// are not counted.
+  int operator()(const ExactFrame& frame, const ExactPoint& q, const Vec3& rounded, RayDirection ray,
+                 std::span<const Index> skip = {}) const;
+  /// q in doubles, not on a triangle.
+  int operator()(const Vec3& q, RayDirection ray) const;
+
+  /// What crossing triangle t adds to the winding number of points on its lower side along the axis.
+  int contribution(Index t, std::size_t axis) const;
+  const Box3& box() const { return box_; }
+
+ private:
+  template <typename Query>
+  int count(const Query& query, const Vec3& rounded, RayDirection ray, std::span<const Index> skip) const;
+  std::span<const Vec3> points_;
+  std::vector<Triangle> triangles_;
+  Box3 box_;
+};
+
+}  // namespace geomesh::geomodel::arrangement

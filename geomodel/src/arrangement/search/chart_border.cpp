@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+
+#include "arrangement/search/bvh.hpp"
+#include "arrangement/search/charts.hpp"
+#include "geomesh/core/predicates.hpp"
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+bool before(const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+class Border {
+ public:
+  Border(const std::vector<Vec3>& points, std::size_t axis, const std::vector<BorderEdge>& edges)
+      : points_(points), i_((axis + 1) % 3), j_((axis + 2) % 3), edges_(edges) {}
+
+  bool winds_at_most_once() {
+    if (!is_simple()) return false;
+    list_ends();
+    return alternates_everywhere() && n_outer_components() == 1;
+  }
+
+ private:
+  /// One end of an edge at `at`; `is_out` where the edge leaves it.
+  struct End {
+    VertexIndex at, other;
+    bool is_out;
+  };
+  Vec2 flat(VertexIndex v) const { return {points_[v][i_], points_[v][j_]}; }
+
+  /// Edges meet in shared vertices alone.
+  bool is_simple() const {
+    std::vector<Box3> boxes(edges_.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      for (const VertexIndex v : {edges_[e].from, edges_[e].to}) boxes[e].add({flat(v).x, flat(v).y, 0});
+    const BoxTree tree(boxes);
+    bool simple = true;
+    for (std::size_t leaf = 0; leaf < tree.n_leaves() && simple; ++leaf)
+      tree.pairs_of_leaf(leaf, [&](Index a, Index b) { simple = simple && !meet(edges_[a], edges_[b]); });
+    return simple;
+  }
+
+  /// True also for some collinear edges that only come near each other: it costs speed alone.
+  bool meet(const BorderEdge& e, const BorderEdge& f) const {
+    for (const auto& [s, p] : {std::pair{e.from, e.to}, std::pair{e.to, e.from}})
+      for (const auto& [t, q] : {std::pair{f.from, f.to}, std::pair{f.to, f.from}})
+        if (s == t) return overlap_from(flat(s), flat(p), flat(q));
+    const Vec2 a = flat(e.from), b = flat(e.to), c = flat(f.from), d = flat(f.to);
+    if (orient2d(a, b, c) * orient2d(a, b, d) == Sign::positive ||
+        orient2d(c, d, a) * orient2d(c, d, b) == Sign::positive)
+      return false;
+    return std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <= std::min(std::max(a.x, b.x), std::max(c.x, d.x)) &&
+           std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
+  }
+
+  /// Segments s p and s q run along each other.
+  static bool overlap_from(const Vec2& s, const Vec2& p, const Vec2& q) {
+    return orient2d(s, p, q) == Sign::zero && before(s, p) == before(s, q);
+  }
+
+  void list_ends() {
+    for (const BorderEdge& e : edges_) {
+      ends_.push_back({e.from, e.to, true});
+      ends_.push_back({e.to, e.from, false});
+    }
+    std::sort(ends_.begin(), ends_.end(),
+              [](const End& a, const End& b) { return std::tie(a.at, a.other) < std::tie(b.at, b.other); });
+    for (std::size_t k = 0; k < ends_.size(); ++k)
+      if (k == 0 || ends_[k].at != ends_[k - 1].at) begin_.push_back(k);
+    begin_.push_back(ends_.size());
+  }
+
+  /// Edges around each vertex, by angle, leave and reach it in turns: the winding numbers there are two that follow
+  /// each other.
+  bool alternates_everywhere() {
+    for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
+      const std::size_t n = begin_[k + 1] - begin_[k];
+      if (n == 2 && ends_[begin_[k]].is_out != ends_[begin_[k] + 1].is_out) continue;
+      sort_by_angle(begin_[k], begin_[k + 1]);
+      for (std::size_t m = 0; m < n; ++m)
+        if (ends_[begin_[k] + m].is_out == ends_[begin_[k] + (m + 1) % n].is_out) return false;
+    }
+    return true;
+  }
+
+  /// Counterclockwise, from the direction straight down on.
+  void sort_by_angle(std::size_t begin, std::size_t end) {
+    const Vec2 s = flat(ends_[begin].at);
+    std::sort(ends_.begin() + static_cast<std::ptrdiff_t>(begin), ends_.begin() + static_cast<std::ptrdiff_t>(end),
+              [&](const End& a, const End& b) {
+                const Vec2 p = flat(a.other), q = flat(b.other);
+                const bool p_left = before(p, s), q_left = before(q, s);
+                return p_left != q_left ? q_left : orient2d(s, p, q) == Sign::positive;
+              });
+  }
+
+  /// Connected parts of the border whose outside is on the right of their edges. With one, the others bound holes in
+  /// it: see the header.
+  std::size_t n_outer_components() {
+    std::map<VertexIndex, VertexIndex> parent;
+    const auto root = [&parent](VertexIndex v) {
+      for (auto at = parent.try_emplace(v, v).first; at->second != v; at = parent.find(v))
+        v = at->second = parent.at(at->second);
+      return v;
+    };
+    for (const BorderEdge& e : edges_) {
+      const VertexIndex a = root(e.from), b = root(e.to);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+    std::map<VertexIndex, std::size_t> first_of;  // component -> row in begin_ of its least vertex as seen
+    for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
+      const auto [at, is_new] = first_of.try_emplace(root(ends_[begin_[k]].at), k);
+      if (!is_new && before(flat(ends_[begin_[k]].at), flat(ends_[begin_[at->second]].at))) at->second = k;
+    }
+    std::size_t n = 0;
+    for (const auto& [component, k] : first_of) {
+      sort_by_angle(begin_[k], begin_[k + 1]);
+      n += ends_[begin_[k]].is_out;  // below it lies the outside
+    }
+    return n;
+  }
+
+  const std::vector<Vec3>& points_;
+  std::size_t i_, j_;
+  const std::vector<BorderEdge>& edges_;
+  std::vector<End> ends_;           ///< by vertex
+  std::vector<std::size_t> begin_;  ///< first end of each vertex
+};
+
+}  // namespace
+
+bool winds_at_most_once(const std::vector<Vec3>& points, std::size_t axis, const std::vector<BorderEdge>& border) {
+  return Border(points, axis, border).winds_at_most_once();
+}
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Parts of a surface that provably do not cross themselves, so that the broad phase need not look at pairs inside
+/// them.
+///
+/// Most pairs of triangles whose boxes meet are neighbours in one surface. A chart is a set of facets joined across
+/// edges that all turn left when seen along one axis (each taken in the orientation in which it does). Over a point of
+/// the plane that lies on no edge the number of facets of a chart is the winding number of its border about the point.
+/// Where the border's edges meet in shared ends alone and the winding number never exceeds one, facets of the chart are
+/// disjoint as seen, but for shared corners and edges, and so they are in space. (The idea of culling self-collisions
+/// by normals and contours is Volino and Magnenat-Thalmann's, 1994; here every sign is exact.)
+#pragma once
+
+#include <vector>
+
+#include "arrangement/model/complex.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Per facet the chart it lies in, or no_index. Two facets of one chart meet in shared vertices and edges alone. The
+/// same whatever the number of threads; time linear but for the borders, which cost n log n.
+std::vector<Index> find_charts(const Complex& complex);
+
+/// An edge of a chart's border, the chart on its left.
+struct BorderEdge {
+  VertexIndex from, to;
+};
+/// The border, seen along `axis`, meets itself in shared vertices alone and no point has a winding number above one.
+/// Border edges leave each vertex as often as they reach it.
+bool winds_at_most_once(const std::vector<Vec3>& points, std::size_t axis, const std::vector<BorderEdge>& border);
+
+}  // namespace geomesh::geomodel::arrangement

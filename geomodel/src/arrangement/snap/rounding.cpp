@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/snap/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+/// Places that constructed points may snap to, in cells twice the snapping distance wide.
+class Anchors {
+ public:
+  explicit Anchors(double snap) : snap_(snap) {}
+  void add(const Vec3& p) { cells_[cell_of(p)].push_back(p); }
+
+  /// The nearest anchor closer than the snapping distance that keeps p on the box planes it lies on; else p, which
+  /// becomes an anchor.
+  Vec3 nearest_or_new(const Vec3& p, const std::optional<Box3>& box) {
+    const Vec3 centre = cell_of(p);
+    const Vec3* best = nullptr;
+    double best_distance = snap_;
+    for (double dx = -1; dx <= 1; ++dx)
+      for (double dy = -1; dy <= 1; ++dy)
+        for (double dz = -1; dz <= 1; ++dz) {
+          const auto cell = cells_.find(centre + Vec3{dx, dy, dz});
+          if (cell == cells_.end()) continue;
+          for (const Vec3& q : cell->second)
+            if (length(p - q) < best_distance && keeps_sides(p, q, box)) {
+              best = &q;
+              best_distance = length(p - q);
+            }
+        }
+    if (best) return *best;
+    add(p);
+    return p;
+  }
+
+ private:
+  Vec3 cell_of(const Vec3& p) const {
+    const double width = 2 * snap_;
+    return {std::floor(p.x / width) + 0.0, std::floor(p.y / width) + 0.0, std::floor(p.z / width) + 0.0};
+  }
+  static bool keeps_sides(const Vec3& p, const Vec3& q, const std::optional<Box3>& box) {
+    for (std::size_t i = 0; box && i < 3; ++i)
+      if ((p[i] == box->min[i] || p[i] == box->max[i]) && p[i] != q[i]) return false;
+    return true;
+  }
+  double snap_;
+  std::unordered_map<Vec3, std::vector<Vec3>, PointHash> cells_;
+};
+
+class Rounding {
+ public:
+  Rounding(const Arranged& arranged, const Complex& before, const RoundingOptions& options)
+      : arranged_(arranged),
+        before_(before),
+        options_(options),
+        anchors_(options.snap),
+        row_(arranged.vertices.size(), no_vertex) {}
+
+  Rounded run() {
+    for (const Triangle& t : arranged_.facets)
+      for (const VertexIndex v : t) row_[v] = used;
+    for (const auto& s : arranged_.segments) row_[s.a] = row_[s.b] = used;
+    for (const auto& p : arranged_.isolated_points) row_[p.v] = used;
+    number_vertices();
+    take_facets();
+    take_segments();
+    for (const auto& p : arranged_.isolated_points) result_.complex.isolated_points.push_back({row_[p.v], p.point});
+    if (result_.displacement.points_moved > 0)
+      result_.displacement.mean /= static_cast<double>(result_.displacement.points_moved);
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr VertexIndex used = no_vertex - 1;
+
+  void number_vertices() {
+    const ExactVertices& vertices = arranged_.vertices;
+    Complex& out = result_.complex;
+    std::unordered_map<Vec3, VertexIndex, PointHash> made_at;
+    if (options_.snap > 0) add_anchors();
+    std::vector<Vec3> placed(vertices.size() - vertices.n_given());
+    for (Index v = static_cast<Index>(vertices.n_given()); v < vertices.size(); ++v)
+      if (row_[v] == used) made_at.emplace(placed[v - vertices.n_given()] = place(v), no_vertex);
+    for (Index v = 0; v < vertices.n_given(); ++v) {
+      if (row_[v] != used) continue;
+      row_[v] = push_point(vertices.rounded(v), before_.input_point[v]);
+      if (made_at.empty()) continue;
+      const auto at = made_at.find(vertices.rounded(v));
+      if (at != made_at.end()) at->second = row_[v];
+    }
+    for (Index v = static_cast<Index>(vertices.n_given()); v < vertices.size(); ++v) {
+      if (row_[v] != used) continue;
+      const Vec3& p = placed[v - vertices.n_given()];
+      VertexIndex& row = made_at.at(p);
+      const bool merged = row != no_vertex;
+      if (!merged) row = push_point(p, no_index);
+      row_[v] = row;
+      const bool moved = note_displacement(v, p);
+      if (merged || moved) moved_[row] = 1;
+    }
+    out.input_point.resize(out.points.size(), no_index);
+  }
+
+  VertexIndex push_point(const Vec3& p, Index input_point) {
+    result_.complex.points.push_back(p);
+    result_.complex.input_point.push_back(input_point);
+    moved_.push_back(0);
+    return static_cast<VertexIndex>(result_.complex.points.size() - 1);
+  }
+
+  Vec3 place(Index v) {
+    const Vec3& nearest = arranged_.vertices.rounded(v);
+    const Vec3 p{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
+    return options_.snap == 0 ? p : anchors_.nearest_or_new(p, options_.box);
+  }
+
+  void add_anchors() {
+    std::vector<std::uint8_t> seen(arranged_.vertices.n_given(), 0);
+    for (std::size_t f = 0; f < arranged_.facets.size(); ++f) {
+      if (!arranged_.changed[f]) continue;
+      for (const VertexIndex v : arranged_.facets[f])
+        if (!arranged_.vertices.is_made(v) && !std::exchange(seen[v], 1)) anchors_.add(arranged_.vertices.rounded(v));
+    }
+  }
+
+  /// True where the doubles are not the exact place.
+  bool note_displacement(Index v, const Vec3& p) {
+    const ExactPoint& q = *arranged_.vertices.made(v);
+    const ExactPoint r = arranged_.vertices.frame().to_exact_beyond(p);
+    double squared = 0;
+    bool moved = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const mpz_class difference = r[i] * q.w - q[i] * r.w;
+      if (sgn(difference) == 0) continue;
+      moved = true;
+      const double d = arranged_.vertices.frame().ratio(difference, q.w * r.w);
+      squared += d * d;
+    }
+    if (!moved) return false;
+    const double d = std::sqrt(squared);
+    result_.displacement.mean += d;
+    ++result_.displacement.points_moved;
+    if (d > result_.displacement.largest) {
+      result_.displacement.largest = d;
+      result_.displacement.where = p;
+    }
+    return true;
+  }
+
+  void take_facets() {
+    Complex& out = result_.complex;
+    for (std::size_t f = 0; f < arranged_.facets.size(); ++f) {
+      const Triangle& old = arranged_.facets[f];
+      const Triangle t{row_[old[0]], row_[old[1]], row_[old[2]]};
+      const bool dirty = moved_[t[0]] || moved_[t[1]] || moved_[t[2]];
+      if (dirty && (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+                    projection_of(out.points[t[0]], out.points[t[1]], out.points[t[2]]).sign == Sign::zero)) {
+        result_.vanished.push_back({arranged_.origins.of(f)[0].surface, out.points[t[0]]});
+        continue;
+      }
+      out.facets.push_back(t);
+      out.origins.push(arranged_.origins.of(f));
+      out.dirty_facet.push_back(dirty);
+    }
+  }
+
+  void take_segments() {
+    Complex& out = result_.complex;
+    std::vector<std::array<Index, 3>> seen;
+    for (const auto& s : arranged_.segments) {
+      const VertexIndex a = row_[s.a], b = row_[s.b];
+      if (a == b) continue;
+      out.segments.push_back({a, b, s.polyline});
+      out.dirty_segment.push_back(moved_[a] || moved_[b]);
+    }
+    remove_repeated_segments(out);
+  }
+
+  const Arranged& arranged_;
+  const Complex& before_;
+  const RoundingOptions& options_;
+  Anchors anchors_;
+  std::vector<VertexIndex> row_;
+  std::vector<std::uint8_t> moved_;
+  Rounded result_;
+};
+
+}  // namespace
+
+Rounded round_to_doubles(const Arranged& arranged, const Complex& before, const RoundingOptions& options) {
+  return Rounding(arranged, before, options).run();
+}
+
+}  // namespace geomesh::geomodel::arrangement

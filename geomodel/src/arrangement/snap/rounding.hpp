@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// From exact vertices to doubles.
+#pragma once
+
+#include "arrangement/model/arranged.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+struct RoundingOptions {
+  /// 0: constructed points go to their nearest doubles. Else to a vertex of the changed facets or an earlier
+  /// constructed point where one is nearer than this: crossings then bend to vertices that are there instead of making
+  /// ever more of them (as hot pixels do in snap rounding: Hobby 1999).
+  double snap = 0;
+  std::optional<Box3> box;  ///< points on its planes stay on them
+};
+
+struct Rounded {
+  Complex complex;
+  Displacement displacement;
+  std::vector<VanishedFacet> vanished;
+};
+
+/// Vertices that get equal doubles become one; facets that lose their area by that are dropped (their neighbours take
+/// their place, or the next round mends them). Only used vertices are kept, those of the complex first. Marks what may
+/// have become improper as dirty.
+Rounded round_to_doubles(const Arranged& arranged, const Complex& before, const RoundingOptions& options);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/snap/snap.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "arrangement/snap/snap_search.hpp"
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+class Snapper {
+ public:
+  Snapper(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options)
+      : complex_(complex), options_(options), planes_(options.box), grid_(complex.points, options.distance) {
+    for (Index f = 0; f < complex.facets.size(); ++f)
+      if (active[f]) facets_.push_back(f);
+    now_.resize(complex.points.size());
+    for (VertexIndex v = 0; v < now_.size(); ++v) now_[v] = v;
+  }
+
+  SnapOutcome run() {
+    list_vertices();
+    if (options_.move_to_box) move_to_box();
+    merge_vertices();
+    list_edges();
+    std::vector<VertexIndex> standing;
+    for (const VertexIndex v : vertices_)
+      if (now_[v] == v) standing.push_back(v);
+    insertions_ = find_insertions(complex_, active_facets_, edges_, std::move(standing), grid_, options_);
+    for (const auto& [edge, on] : insertions_.on_edge) note_insertions(edge, on);
+    for (const auto& [facet, in] : insertions_.in_facet) outcome_.n_vertices_inserted += in.size();
+    rebuild_facets();
+    rebuild_segments();
+    for (auto& p : complex_.isolated_points) p.v = now_[p.v];
+    if (outcome_.moved.points_moved > 0) outcome_.moved.mean /= static_cast<double>(outcome_.moved.points_moved);
+    return outcome_;
+  }
+
+  std::vector<VertexIndex> take_vertices() { return std::move(now_); }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
+
+  void list_vertices() {
+    for (const Index f : facets_)
+      vertices_.insert(vertices_.end(), complex_.facets[f].begin(), complex_.facets[f].end());
+    for (const auto& s : complex_.segments) vertices_.insert(vertices_.end(), {s.a, s.b});
+    for (const auto& p : complex_.isolated_points) vertices_.push_back(p.v);
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  }
+
+  void note_move(double distance, const Vec3& where) {
+    Displacement& d = outcome_.moved;
+    ++d.points_moved;
+    d.mean += distance;
+    if (distance <= d.largest) return;
+    d.largest = distance;
+    d.where = where;
+  }
+
+  /// Places must stay distinct: a vertex that would come to another's place merges with it afterwards, being nearer
+  /// than the distance.
+  void move_to_box() {
+    std::set<std::array<double, 3>> taken;
+    for (const Vec3& p : complex_.points) taken.insert({p.x, p.y, p.z});
+    for (const VertexIndex v : vertices_) {
+      const Vec3 p = planes_.onto_near(point(v), options_.distance);
+      if (p == point(v) || !taken.insert({p.x, p.y, p.z}).second) continue;
+      note_move(length(p - point(v)), p);
+      complex_.points[v] = p;
+    }
+  }
+
+  void merge_vertices() {
+    std::vector<VertexIndex> order = vertices_;
+    const auto rank = [this](VertexIndex v) {
+      return std::pair{-std::popcount(planes_.of(point(v))), complex_.input_point[v] == no_index};
+    };
+    std::stable_sort(order.begin(), order.end(), [&](VertexIndex a, VertexIndex b) { return rank(a) < rank(b); });
+    for (const VertexIndex v : order) {
+      const VertexIndex stands = grid_.nearest(point(v), planes_.of(point(v)), planes_);
+      if (stands == no_vertex) {
+        grid_.add(v);
+        continue;
+      }
+      now_[v] = stands;
+      ++outcome_.n_vertices_merged;
+      note_move(length(point(v) - point(stands)), point(stands));
+    }
+    for (Index f = 0; f < complex_.facets.size(); ++f)
+      for (VertexIndex& v : complex_.facets[f]) {
+        if (now_[v] == v) continue;
+        v = now_[v];
+        touched_.insert(f);
+      }
+  }
+
+  void list_edges() {
+    for (const Index f : facets_) {
+      const Triangle& t = complex_.facets[f];
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+      active_facets_.push_back(f);
+      for (std::size_t k = 0; k < 3; ++k) edges_.push_back(edge_key(t[k], t[(k + 1) % 3]));
+    }
+    for (auto& s : complex_.segments) {
+      s.a = now_[s.a];
+      s.b = now_[s.b];
+      if (s.a != s.b) edges_.push_back(edge_key(s.a, s.b));
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+
+  void note_insertions(const EdgeKey& edge, const std::vector<VertexIndex>& on) {
+    outcome_.n_vertices_inserted += on.size();
+    const Vec3 d = point(edge.second) - point(edge.first);
+    for (const VertexIndex v : on) note_move(length(cross(point(v) - point(edge.first), d)) / length(d), point(v));
+  }
+
+  /// From a to b with what is inserted between; without b.
+  void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
+    walk.push_back(a);
+    const auto on = insertions_.on_edge.find(edge_key(a, b));
+    if (on == insertions_.on_edge.end()) return;
+    if (a < b)
+      walk.insert(walk.end(), on->second.begin(), on->second.end());
+    else
+      walk.insert(walk.end(), on->second.rbegin(), on->second.rend());
+  }
+  std::vector<VertexIndex> border_of(const Triangle& t) const {
+    std::vector<VertexIndex> walk;
+    for (std::size_t k = 0; k < 3; ++k) walk_edge(t[k], t[(k + 1) % 3], walk);
+    return walk;
+  }
+
+  /// Pieces of the active facets' edges from both ends, sorted.
+  std::vector<EdgeKey> list_pieces() const {
+    std::vector<EdgeKey> pieces;
+    for (const EdgeKey& e : edges_) {
+      std::vector<VertexIndex> walk;
+      walk_edge(e.first, e.second, walk);
+      walk.push_back(e.second);
+      for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
+        pieces.emplace_back(walk[k], walk[k + 1]);
+        pieces.emplace_back(walk[k + 1], walk[k]);
+      }
+    }
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
+  }
+
+  /// Pieces of edges between vertices of one facet: facets that share the vertices then share the edge.
+  static std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
+    std::sort(vertices.begin(), vertices.end());
+    std::vector<EdgeKey> found;
+    for (const VertexIndex v : vertices)
+      for (auto at = std::lower_bound(pieces.begin(), pieces.end(), EdgeKey{v, 0});
+           at != pieces.end() && at->first == v; ++at)
+        if (v < at->second && std::binary_search(vertices.begin(), vertices.end(), at->second)) found.push_back(*at);
+    return found;
+  }
+
+  void rebuild_facets() {
+    const std::vector<EdgeKey> pieces = list_pieces();
+    Complex out;
+    for (Index f = 0; f < complex_.facets.size(); ++f) {
+      const Triangle& t = complex_.facets[f];
+      const std::vector<VertexIndex> border = border_of(t);
+      const auto inside = insertions_.in_facet.find(f);
+      if (border.size() == 3 && inside == insertions_.in_facet.end() && !touched_.contains(f)) {
+        push(out, t, f, complex_.dirty_facet[f]);
+        continue;
+      }
+      const std::vector<VertexIndex> none;
+      const std::vector<VertexIndex>& in = inside == insertions_.in_facet.end() ? none : inside->second;
+      std::vector<VertexIndex> all = border;
+      all.insert(all.end(), in.begin(), in.end());
+      const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
+      if (!split)
+        push(out, t, f, 1);
+      else if (split->empty())
+        note_vanished(t, f);
+      else
+        for (const Triangle& piece : *split) push(out, piece, f, 1);
+    }
+    complex_.facets = std::move(out.facets);
+    complex_.origins = std::move(out.origins);
+    complex_.dirty_facet = std::move(out.dirty_facet);
+    outcome_.n_facets_merged = merge_equal_facets(complex_);
+  }
+
+  void note_vanished(const Triangle& t, Index from) {
+    outcome_.vanished.push_back({complex_.origins.of(from)[0].surface, point(t[0])});
+  }
+
+  void push(Complex& out, const Triangle& t, Index from, std::uint8_t dirty) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+        projection_of(point(t[0]), point(t[1]), point(t[2])).sign == Sign::zero) {
+      note_vanished(t, from);
+      return;
+    }
+    out.facets.push_back(t);
+    out.origins.push(complex_.origins.of(from));
+    out.dirty_facet.push_back(dirty);
+  }
+
+  void rebuild_segments() {
+    std::vector<PolygonSoup::Segment> segments;
+    std::vector<std::uint8_t> dirty;
+    for (std::size_t s = 0; s < complex_.segments.size(); ++s) {
+      const PolygonSoup::Segment& segment = complex_.segments[s];
+      if (segment.a == segment.b) continue;
+      std::vector<VertexIndex> walk;
+      walk_edge(segment.a, segment.b, walk);
+      walk.push_back(segment.b);
+      for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
+        segments.push_back({walk[k], walk[k + 1], segment.polyline});
+        dirty.push_back(1);
+      }
+    }
+    complex_.segments = std::move(segments);
+    complex_.dirty_segment = std::move(dirty);
+    remove_repeated_segments(complex_);
+  }
+
+  Complex& complex_;
+  const SnapOptions& options_;
+  BoxPlanes planes_;
+  VertexGrid grid_;
+  std::vector<Index> facets_, active_facets_;  ///< active ones; those of them left with three corners
+  std::vector<VertexIndex> vertices_, now_;
+  std::vector<EdgeKey> edges_;
+  std::set<Index> touched_;  ///< facets of which a corner merged
+  Insertions insertions_;
+  SnapOutcome outcome_;
+};
+
+}  // namespace
+
+SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
+                      std::vector<VertexIndex>* vertex_now) {
+  Snapper snapper(complex, active, options);
+  const SnapOutcome outcome = snapper.run();
+  if (vertex_now) *vertex_now = snapper.take_vertices();
+  return outcome;
+}
+
+}  // namespace geomesh::geomodel::arrangement

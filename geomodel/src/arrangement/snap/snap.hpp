@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Bringing together what is nearer than a distance: for `tolerance`, and, at a few ulps, for overlaps too thin for any
+/// rounding.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "arrangement/model/complex.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+struct SnapOptions {
+  double distance = 0;
+  std::optional<Box3> box;   ///< what lies on its planes stays there
+  bool move_to_box = false;  ///< vertices nearer than the distance to a plane of the box go to it
+};
+
+struct SnapOutcome {
+  std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
+  std::vector<VanishedFacet> vanished;
+  Displacement moved;  ///< of merged vertices, and of edges and facets at vertices inserted in them
+  bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
+};
+
+/// Among the facets with active[f] and all wells' segments: vertices nearer than the distance become one (the one on
+/// more box planes, then the one from the input, then the earlier stands); edges and facets nearer to a vertex are
+/// split at it; edges nearer to each other are split at a common new vertex. Facets without area go, equal ones merge.
+/// What changed is marked dirty. Rows of points stay; `vertex_now`, where given, has for each the vertex that stands
+/// for it.
+///
+/// This is a step towards separation, no proof of it: the exact check that follows decides. Deterministic; near-linear
+/// where each neighbourhood of that distance holds a bounded number of things.
+SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
+                      std::vector<VertexIndex>* vertex_now = nullptr);
+
+/// An edge or a well's segment by its ends, the lesser one first.
+using EdgeKey = std::pair<VertexIndex, VertexIndex>;
+inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
+
+/// What is to be inserted where; vertices on an edge are in order from its lesser end.
+struct Insertions {
+  std::map<EdgeKey, std::vector<VertexIndex>> on_edge;
+  std::map<Index, std::vector<VertexIndex>> in_facet;
+};
+
+/// The facet with vertices on its edges and inside, as triangles that turn as the facet does; edges of `wanted` between
+/// its vertices are there where they cross nothing. nothing: its border crosses itself as seen along the normal, and
+/// the facet is best left alone. Empty: no area is left.
+std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet,
+                                                 const std::vector<VertexIndex>& border,
+                                                 const std::vector<VertexIndex>& inside,
+                                                 const std::vector<EdgeKey>& wanted);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/snap/snap_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "arrangement/search/bvh.hpp"
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+Box3 wider(Box3 box, double by) {
+  const Vec3 margin{by, by, by};
+  return {box.min - margin, box.max + margin};
+}
+
+class Search {
+ public:
+  Search(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
+         std::vector<VertexIndex> vertices, VertexGrid& grid, const SnapOptions& options)
+      : complex_(complex),
+        facets_(facets),
+        edges_(edges),
+        vertices_(std::move(vertices)),
+        grid_(grid),
+        distance_(options.distance),
+        planes_(options.box) {}
+
+  Insertions run() {
+    std::vector<Box3> boxes;
+    for (const EdgeKey& e : edges_) boxes.push_back(wider(box_of({e.first, e.second}), distance_));
+    const BoxTree tree(boxes);
+    for (const VertexIndex v : vertices_) insert_in_edges(v, tree);
+    const std::size_t n_before = vertices_.size();
+    for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf)
+      tree.pairs_of_leaf(leaf, [&](Index a, Index b) { join_edges(edges_[std::min(a, b)], edges_[std::max(a, b)]); });
+    for (std::size_t k = n_before; k < vertices_.size(); ++k) insert_in_edges(vertices_[k], tree);
+    insert_in_facets();
+    for (auto& [edge, on] : result_.on_edge) sort_along(edge, on);
+    return std::move(result_);
+  }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
+  Box3 box_of(std::initializer_list<VertexIndex> vertices) const {
+    Box3 box;
+    for (const VertexIndex v : vertices) box.add(point(v));
+    return box;
+  }
+  unsigned planes_of(const EdgeKey& e) const { return planes_.of(point(e.first)) & planes_.of(point(e.second)); }
+  bool lies_on(VertexIndex v, unsigned planes) const { return (planes_.of(point(v)) & planes) == planes; }
+
+  /// Parameter of the point of the edge's line nearest to p.
+  double parameter(const EdgeKey& e, const Vec3& p) const {
+    const Vec3 d = point(e.second) - point(e.first);
+    return dot(p - point(e.first), d) / dot(d, d);
+  }
+  Vec3 at(const EdgeKey& e, double t) const { return point(e.first) + t * (point(e.second) - point(e.first)); }
+
+  bool is_on(const EdgeKey& e, VertexIndex v) const {
+    if (v == e.first || v == e.second) return true;
+    const auto on = result_.on_edge.find(e);
+    return on != result_.on_edge.end() && std::find(on->second.begin(), on->second.end(), v) != on->second.end();
+  }
+  void insert(const EdgeKey& e, VertexIndex v) {
+    if (!is_on(e, v) && lies_on(v, planes_of(e))) result_.on_edge[e].push_back(v);
+  }
+  void sort_along(const EdgeKey& e, std::vector<VertexIndex>& on) const {
+    std::sort(on.begin(), on.end(), [&](VertexIndex a, VertexIndex b) {
+      const double s = parameter(e, point(a)), t = parameter(e, point(b));
+      return s != t ? s < t : a < b;
+    });
+  }
+
+  void insert_in_edges(VertexIndex v, const BoxTree& tree) {
+    Box3 place;
+    place.add(point(v));
+    std::vector<Index> near;
+    tree.boxes_meeting(place, [&](Index e) { near.push_back(e); });
+    for (const Index e : near) {
+      const double t = parameter(edges_[e], point(v));
+      if (t > 0 && t < 1 && length(point(v) - at(edges_[e], t)) < distance_) insert(edges_[e], v);
+    }
+  }
+
+  /// A vertex of the edge, inserted ones included, nearer to p than the distance.
+  VertexIndex vertex_near(const EdgeKey& e, const Vec3& p) const {
+    const auto on = result_.on_edge.find(e);
+    if (on != result_.on_edge.end())
+      for (const VertexIndex v : on->second)
+        if (length(point(v) - p) < distance_) return v;
+    for (const VertexIndex v : {e.first, e.second})
+      if (length(point(v) - p) < distance_) return v;
+    return no_vertex;
+  }
+
+  void join_edges(const EdgeKey& e, const EdgeKey& f) {
+    if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
+    const Vec3 u = point(e.second) - point(e.first), v = point(f.second) - point(f.first),
+               w = point(e.first) - point(f.first);
+    const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
+    if (!(determinant > 1e-12 * uu * vv)) return;  // parallel: the ends that are near were inserted
+    const double s = (uv * dot(v, w) - vv * dot(u, w)) / determinant,
+                 t = (uu * dot(v, w) - uv * dot(u, w)) / determinant;
+    if (!(s > 0 && s < 1 && t > 0 && t < 1)) return;
+    const Vec3 p = at(e, s), q = at(f, t);
+    if (length(p - q) >= distance_) return;
+    const VertexIndex on_e = vertex_near(e, p), on_f = vertex_near(f, q);
+    if (on_e != no_vertex && on_f != no_vertex) return;
+    if (on_e != no_vertex) return insert(f, on_e);
+    if (on_f != no_vertex) return insert(e, on_f);
+    const VertexIndex x = vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f));
+    insert(e, x);
+    insert(f, x);
+  }
+
+  VertexIndex vertex_at(const Vec3& place, unsigned planes) {
+    const Vec3 p = planes_.onto(place, planes);
+    const VertexIndex there = grid_.nearest(p, planes, planes_);
+    if (there != no_vertex) return there;
+    complex_.points.push_back(p);
+    complex_.input_point.push_back(no_index);
+    const auto v = static_cast<VertexIndex>(complex_.points.size() - 1);
+    grid_.add(v);
+    vertices_.push_back(v);
+    return v;
+  }
+
+  void insert_in_facets() {
+    std::vector<Box3> boxes;
+    for (const Index f : facets_) boxes.push_back(wider(box_of({corner(f, 0), corner(f, 1), corner(f, 2)}), distance_));
+    const BoxTree tree(boxes);
+    for (const VertexIndex v : vertices_) {
+      Box3 place;
+      place.add(point(v));
+      tree.boxes_meeting(place, [&](Index k) {
+        if (is_in(v, facets_[k])) result_.in_facet[facets_[k]].push_back(v);
+      });
+    }
+  }
+  VertexIndex corner(Index f, std::size_t k) const { return complex_.facets[f][k]; }
+
+  /// Nearer to the facet's inside than the distance, and not on its border.
+  bool is_in(VertexIndex v, Index f) const {
+    unsigned planes = ~0u;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_on(edge_key(corner(f, k), corner(f, (k + 1) % 3)), v)) return false;
+      planes &= planes_.of(point(corner(f, k)));
+    }
+    if (!lies_on(v, planes)) return false;
+    const Vec3 &a = point(corner(f, 0)), &b = point(corner(f, 1)), &c = point(corner(f, 2)), &p = point(v);
+    const Vec3 n = cross(b - a, c - a);
+    if (!(std::fabs(dot(n, p - a)) < distance_ * length(n))) return false;
+    return dot(n, cross(b - a, p - a)) > 0 && dot(n, cross(c - b, p - b)) > 0 && dot(n, cross(a - c, p - c)) > 0;
+  }
+
+  Complex& complex_;
+  const std::vector<Index>& facets_;
+  const std::vector<EdgeKey>& edges_;
+  std::vector<VertexIndex> vertices_;
+  VertexGrid& grid_;
+  double distance_;
+  BoxPlanes planes_;
+  Insertions result_;
+};
+
+}  // namespace
+
+unsigned BoxPlanes::of(const Vec3& p) const {
+  unsigned planes = 0;
+  for (std::size_t i = 0; box_ && i < 3; ++i)
+    planes |= (p[i] == box_->min[i] ? 1u : 0u) << (2 * i) | (p[i] == box_->max[i] ? 2u : 0u) << (2 * i);
+  return planes;
+}
+
+Vec3 BoxPlanes::onto(Vec3 p, unsigned planes) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (planes >> (2 * i) & 1) p[i] = box_->min[i];
+    if (planes >> (2 * i) & 2) p[i] = box_->max[i];
+  }
+  return p;
+}
+
+Vec3 BoxPlanes::onto_near(const Vec3& p, double distance) const {
+  if (!box_) return p;
+  unsigned planes = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (p[i] < box_->min[i] - distance || p[i] > box_->max[i] + distance) return p;
+    planes |= (std::fabs(p[i] - box_->min[i]) < distance ? 1u : 0u) << (2 * i) |
+              (std::fabs(p[i] - box_->max[i]) < distance ? 2u : 0u) << (2 * i);
+  }
+  return onto(p, planes);
+}
+
+Vec3 VertexGrid::cell_of(const Vec3& p) const {
+  return {std::floor(p.x / distance_) + 0.0, std::floor(p.y / distance_) + 0.0, std::floor(p.z / distance_) + 0.0};
+}
+
+VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes& box) const {
+  const Vec3 centre = cell_of(p);
+  VertexIndex best = no_vertex;
+  double best_distance = distance_;
+  for (double dx = -1; dx <= 1; ++dx)
+    for (double dy = -1; dy <= 1; ++dy)
+      for (double dz = -1; dz <= 1; ++dz) {
+        const auto cell = cells_.find(centre + Vec3{dx, dy, dz});
+        if (cell == cells_.end()) continue;
+        for (const VertexIndex v : cell->second) {
+          const double d = length(p - points_[v]);
+          if (d >= best_distance || (box.of(points_[v]) & planes) != planes) continue;
+          best = v;
+          best_distance = d;
+        }
+      }
+  return best;
+}
+
+Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
+                           std::vector<VertexIndex> vertices, VertexGrid& grid, const SnapOptions& options) {
+  return Search(complex, facets, edges, std::move(vertices), grid, options).run();
+}
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// How far a triangle is from a triangulated set, at worst: a bound that is proven where it can be, and samples where
+/// it cannot.
+///
+/// A triangle is within a distance t of a set where one of these holds:
+///   - its corners are within t of one triangle X of the set: the distance to a convex set is convex;
+///   - two corners are within s of X, the third within s of Y, X and Y share an edge E, and the chords from the
+///   corners' nearest
+///     points on X to that on Y pass E at no more than t - s: what of the triangle between those points does not lie on
+///     X or Y is mapped there by moving the crossing points of the chords onto E;
+///   - a corner is within s of the set and no corner is farther from it than t - s.
+/// Where none holds, the triangle is cut in two at its longest edge, until it is small against t.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "check/exact/box_tree.hpp"
+
+namespace geomesh::geomodel::checking {
+
+using Corners = std::array<Vec3, 3>;
+
+/// Point of the triangle (which may be degenerate) nearest to p. Ericson 2005, section 5.1.5.
+Vec3 nearest_on_triangle(const Vec3& p, const Corners& t);
+
+/// Triangles with what is needed to measure distances to them. Edges with equal coordinates are shared.
+class TriangleSet {
+ public:
+  explicit TriangleSet(std::vector<Corners> triangles);
+
+  struct Near {
+    Index triangle;
+    double distance;
+    Vec3 point;  ///< of the triangle
+  };
+  /// Triangles within `reach` of p, by row.
+  std::vector<Near> near(const Vec3& p, double reach) const;
+  /// Distance to the whole set; infinite for an empty one.
+  double distance(const Vec3& p) const;
+  /// The edge that triangles a and b share; nothing where they share none.
+  std::optional<std::array<Vec3, 2>> shared_edge(Index a, Index b) const;
+  bool empty() const { return triangles_.empty(); }
+
+ private:
+  std::vector<Corners> triangles_;
+  std::vector<std::array<Index, 3>> corner_ids_;  ///< equal for equal coordinates
+  Box3 box_;
+  BoxTree tree_;
+};
+
+/// What is known of triangles against a set, added up over all that were measured.
+struct Deviation {
+  double largest = 0;  ///< over the samples that are within the tolerance
+  double area = 0, proven = 0,
+         beyond = 0;   ///< judged; proven within; in pieces all of whose corners are farther and not due
+  double spacing = 0;  ///< longest edge of a piece that was sampled only
+};
+
+/// Judges whether triangles lie within a tolerance of the set.
+class DeviationJudge {
+ public:
+  /// `is_due`: whether a point farther away than the tolerance is a fault; where not given, every one is.
+  DeviationJudge(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
+
+  /// Adds the triangle to `so_far`. A point that is farther than the tolerance and due is returned.
+  /// At most `most_pieces` pieces are looked at; what is undecided then has been sampled at the corners of pieces.
+  std::optional<Vec3> judge(const Corners& triangle, Deviation& so_far) const;
+
+ private:
+  struct Spot {
+    Vec3 p;
+    std::vector<TriangleSet::Near> near;  ///< within the tolerance
+  };
+  struct Piece {
+    std::array<Spot, 3> corners;
+    int depth;
+  };
+  Spot look(const Vec3& p) const;
+  bool is_fault(const Spot& spot) const { return spot.near.empty() && (!is_due_ || is_due_(spot.p)); }
+  bool is_proven(const Piece& piece, double longest) const;
+  bool is_proven_across_edge(const Spot& a, const Spot& b, const Spot& c) const;
+
+  const TriangleSet& set_;
+  double tolerance_;
+  std::function<bool(const Vec3&)> is_due_;
+};
+
+}  // namespace geomesh::geomodel::checking

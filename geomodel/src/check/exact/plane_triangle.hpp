@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// An input triangle with its plane, for judging which mesh faces lie on it. Normals and distances come from exact
+/// determinants, so that needles are judged as well as round triangles; areas and clipping are in doubles relative to a
+/// corner.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel::checking {
+
+class PlaneTriangle {
+ public:
+  PlaneTriangle(const Vec3& a, const Vec3& b, const Vec3& c);
+
+  bool degenerate() const { return length_ == 0; }
+  double area() const { return 0.5 * length_; }
+  double perimeter() const;
+  const Vec3& normal() const { return normal_; }  ///< of unit length
+  const std::array<Vec3, 3>& corners() const { return corner_; }
+
+  /// Distance of p from the plane.
+  double distance(const Vec3& p) const;
+  /// How far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its sides.
+  double outside(const Vec3& p) const;
+  /// Side (0..2) on whose line both points lie within `tolerance`; -1: none.
+  int common_side(const Vec3& p, const Vec3& q, double tolerance) const;
+  /// Area that the triangle p q r, projected into the plane, has in common with this one.
+  double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
+  /// Area of the part inside the closed box.
+  double area_inside(const Box3& box) const;
+  /// That part, a convex polygon (fewer than three points: nothing).
+  std::vector<Vec3> inside(const Box3& box) const;
+
+ private:
+  Vec2 project(const Vec3& p) const;
+
+  std::array<Vec3, 3> corner_;
+  Vec3 normal_, axis_u_, axis_v_;  ///< unit vectors
+  double length_;                  ///< twice the area
+  std::array<Vec2, 3> flat_;       ///< corners in the plane, counter-clockwise
+};
+
+}  // namespace geomesh::geomodel::checking

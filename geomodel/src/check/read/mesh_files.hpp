@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Meshes and face sets as they stand in files, of any tool. Reading only; indices are checked, everything else is left
+/// to be judged.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel::checking {
+
+struct MeshFile {
+  std::string format;
+  std::vector<Vec3> points;
+  bool single_precision = false;  ///< the file holds 32-bit coordinates
+  std::vector<Tetrahedron> tetrahedra;
+  std::vector<std::size_t> cell;     ///< per tetrahedron: its number among all cells of the file, for messages
+  std::size_t n_other_solids = 0;    ///< hexahedra, prisms ...
+  std::size_t n_lower_cells = 0;     ///< triangles, lines, points beside the solids
+  std::vector<std::int32_t> region;  ///< per tetrahedron; empty where the file has no such array
+  std::string region_array;          ///< its name
+  std::map<std::int32_t, std::string> region_names;
+  std::vector<std::string> arrays;          ///< of points and cells, with their type (VTK files only)
+  std::vector<std::int32_t> input_vertex;   ///< per point, -1 where added; empty where the file has no such array
+  std::vector<std::string> missing_arrays;  ///< point arrays of the output contract that are not there (VTK files only)
+};
+
+struct FacesFile {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::vector<std::int32_t> surface, surface_set, patch, region_minus, region_plus, source_triangle;
+  std::map<std::int32_t, std::string> surface_names;
+  std::vector<std::vector<std::int32_t>> surface_sets;
+  std::vector<std::string> missing_arrays;  ///< of the output contract
+};
+
+/// By extension: .vtu, .vtk (VTK); .msh; .inp. Throws Error{usage} where the file cannot be opened,
+/// Error{invalid_input} where it cannot be understood.
+MeshFile read_mesh_file(const std::filesystem::path& path);
+MeshFile read_vtk_mesh(const std::filesystem::path& path);
+MeshFile read_gmsh(const std::filesystem::path& path);
+MeshFile read_abaqus(const std::filesystem::path& path);
+
+FacesFile read_faces_file(const std::filesystem::path& path);
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vtkAbstractArray.h>
+#include <vtkCell.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <fstream>
+#include <limits>
+
+#include "check/read/mesh_files.hpp"
+#include "geomesh/core/error.hpp"
+#include "readers/vtk/vtk_xml_guard.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+  throw Error(ErrorKind::invalid_input, path.string() + ": " + why);
+}
+
+void require_readable(const std::filesystem::path& path) {
+  if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
+}
+
+/// Up to the appended data, which are not text.
+std::string text_of(const std::filesystem::path& path) {
+  constexpr std::string_view last = "<AppendedData";
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  for (char block[1 << 16]; in.read(block, sizeof block) || in.gcount() > 0;) {
+    const std::size_t seen = text.size() < last.size() ? 0 : text.size() - last.size();
+    text.append(block, static_cast<std::size_t>(in.gcount()));
+    if (const std::size_t at = text.find(last, seen); at != std::string::npos) return text.substr(0, at);
+  }
+  return text;
+}
+
+/// Keeps VTK from composing its error messages while alive: it prints them, and the one for broken cell data of a file
+/// without point data dereferences a null pointer (vtkXMLDataReader::ReadPieceData, up to 9.1 at least). A read that
+/// failed leaves no points.
+class QuietVtk {
+ public:
+  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::SetGlobalWarningDisplay(0); }
+  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+ private:
+  int before_;
+};
+
+/// Runs the reader; refuses where it left nothing.
+template <class Reader>
+void update(Reader& reader, const std::filesystem::path& path) {
+  const QuietVtk quiet;
+  reader.SetFileName(path.string().c_str());
+  if (!survives_sizes([&] { reader.Update(); }))
+    refuse(path, "sizes in it are not those of what follows: it is damaged");
+  if (reader.GetErrorCode() != 0 || !reader.GetOutput() || reader.GetOutput()->GetNumberOfPoints() == 0)
+    refuse(path, "VTK finds no points in it: it is empty, truncated or damaged");
+}
+
+template <class Reader>
+void read_xml(Reader& reader, const std::filesystem::path& path) {
+  require_readable(path);
+  if (!reader.CanReadFile(path.string().c_str()))
+    refuse(path, "is not a VTK XML file of the kind that its extension says");
+  const std::string fault = fault_of_vtk_elements(text_of(path), std::filesystem::file_size(path));
+  if (!fault.empty()) refuse(path, fault);
+  update(reader, path);
+}
+
+std::vector<Vec3> points_of(vtkPointSet& data, bool& single_precision) {
+  std::vector<Vec3> points(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double p[3];
+    data.GetPoint(static_cast<vtkIdType>(i), p);
+    points[i] = {p[0], p[1], p[2]};
+  }
+  single_precision = data.GetPoints() && data.GetPoints()->GetDataType() == VTK_FLOAT;
+  return points;
+}
+
+/// What is no 32-bit number (an array of floats may hold anything) becomes the least one, which no id is.
+std::int32_t nearest_id(double value) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  return value > Limits::min() && value <= Limits::max() ? static_cast<std::int32_t>(value) : Limits::min();
+}
+
+/// "porosity (cells, double)".
+void list_arrays(vtkFieldData& data, const char* where, std::vector<std::string>& names) {
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
+    vtkAbstractArray* array = data.GetAbstractArray(i);
+    if (!array || !array->GetName()) continue;
+    const int n = array->GetNumberOfComponents();
+    names.push_back(std::string(array->GetName()) + " (" + where + ", " + array->GetDataTypeAsString() +
+                    (n > 1 ? " x " + std::to_string(n) : "") + ")");
+  }
+}
+
+std::vector<std::int32_t> integers_of(vtkDataArray& array) {
+  std::vector<std::int32_t> values(static_cast<std::size_t>(array.GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = nearest_id(array.GetComponent(static_cast<vtkIdType>(i), 0));
+  return values;
+}
+
+std::vector<std::int32_t> integers_of(vtkFieldData& data, const char* name) {
+  vtkDataArray* array = data.GetArray(name);
+  return array ? integers_of(*array) : std::vector<std::int32_t>{};
+}
+
+/// Names by id from a pair of field-data arrays <what>_ids and <what>_names.
+std::map<std::int32_t, std::string> names_of(vtkFieldData& field, const std::string& what) {
+  std::map<std::int32_t, std::string> names;
+  auto* texts = vtkStringArray::SafeDownCast(field.GetAbstractArray((what + "_names").c_str()));
+  const std::vector<std::int32_t> ids = integers_of(field, (what + "_ids").c_str());
+  if (texts)
+    for (std::size_t i = 0; i < ids.size() && i < static_cast<std::size_t>(texts->GetNumberOfValues()); ++i)
+      names.emplace(ids[i], texts->GetValue(static_cast<vtkIdType>(i)));
+  return names;
+}
+
+/// Points of a cell, refused where the file names a point that it does not hold.
+std::vector<VertexIndex> cell_points(vtkCellArray& cells, vtkIdType cell, std::size_t n_points,
+                                     const std::filesystem::path& path) {
+  vtkIdType n = 0;
+  const vtkIdType* ids = nullptr;
+  cells.GetCellAtId(cell, n, ids);
+  std::vector<VertexIndex> result;
+  for (vtkIdType i = 0; i < n; ++i) {
+    if (ids[i] < 0 || static_cast<std::size_t>(ids[i]) >= n_points)
+      refuse(path, "cell " + std::to_string(cell) + " names point " + std::to_string(ids[i]) + " of " +
+                       std::to_string(n_points));
+    result.push_back(static_cast<VertexIndex>(ids[i]));
+  }
+  return result;
+}
+
+bool is_solid(int type) {
+  switch (type) {
+    case VTK_EMPTY_CELL:
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+    case VTK_TRIANGLE:
+    case VTK_TRIANGLE_STRIP:
+    case VTK_POLYGON:
+    case VTK_PIXEL:
+    case VTK_QUAD:
+    case VTK_QUADRATIC_EDGE:
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_QUADRATIC_QUAD:
+      return false;
+    default:
+      return true;
+  }
+}
+
+MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path) {
+  MeshFile mesh;
+  mesh.format = "VTK unstructured grid";
+  mesh.points = points_of(grid, mesh.single_precision);
+  if (mesh.points.size() >= no_vertex) refuse(path, "holds more points than 32 bits can count");
+  if (grid.GetCells() && !grid.GetCells()->IsValid())
+    refuse(path, "has offsets of cells that do not fit their connectivity (damaged)");
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
+    const int type = grid.GetCellType(cell);
+    if (type == VTK_TETRA) {
+      const auto p = cell_points(*grid.GetCells(), cell, mesh.points.size(), path);
+      if (p.size() != 4)
+        refuse(path, "cell " + std::to_string(cell) + " is called a tetrahedron and has " + std::to_string(p.size()) +
+                         " points");
+      mesh.tetrahedra.push_back({p[0], p[1], p[2], p[3]});
+      mesh.cell.push_back(static_cast<std::size_t>(cell));
+    } else {
+      ++(is_solid(type) ? mesh.n_other_solids : mesh.n_lower_cells);
+    }
+  }
+  list_arrays(*grid.GetPointData(), "points", mesh.arrays);
+  list_arrays(*grid.GetCellData(), "cells", mesh.arrays);
+  for (const char* name :
+       {"region", "RegionId", "region_id", "MaterialIDs", "attribute", "gmsh:physical", "medit:ref"}) {
+    vtkDataArray* array = grid.GetCellData()->GetArray(name);
+    if (!array) continue;
+    const auto all = integers_of(*array);
+    mesh.region_array = name;
+    for (const std::size_t cell : mesh.cell) mesh.region.push_back(all[cell]);
+    break;
+  }
+  mesh.region_names = names_of(*grid.GetFieldData(), "region");
+  for (const char* name : {"kind", "input_vertex"})
+    if (!grid.GetPointData()->GetArray(name)) mesh.missing_arrays.emplace_back(name);
+  if (vtkDataArray* rows = grid.GetPointData()->GetArray("input_vertex")) mesh.input_vertex = integers_of(*rows);
+  return mesh;
+}
+
+}  // namespace
+
+MeshFile read_vtk_mesh(const std::filesystem::path& path) {
+  if (path.extension() == ".vtu") {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    read_xml(*reader, path);
+    return take_grid(*reader->GetOutput(), path);
+  }
+  require_readable(path);
+  vtkNew<vtkUnstructuredGridReader> reader;
+  update(*reader, path);
+  return take_grid(*reader->GetOutput(), path);
+}
+
+FacesFile read_faces_file(const std::filesystem::path& path) {
+  vtkNew<vtkXMLPolyDataReader> reader;
+  read_xml(*reader, path);
+  vtkPolyData& data = *reader->GetOutput();
+  FacesFile faces;
+  bool single_precision = false;
+  faces.points = points_of(data, single_precision);
+  for (vtkIdType cell = 0; cell < data.GetPolys()->GetNumberOfCells(); ++cell) {
+    const auto p = cell_points(*data.GetPolys(), cell, faces.points.size(), path);
+    if (p.size() != 3) refuse(path, "face " + std::to_string(cell) + " is no triangle");
+    faces.triangles.push_back({p[0], p[1], p[2]});
+  }
+  const auto take = [&](const char* name, std::vector<std::int32_t>& values) {
+    vtkDataArray* array = data.GetCellData()->GetArray(name);
+    if (array && static_cast<std::size_t>(array->GetNumberOfTuples()) == faces.triangles.size()) {
+      values = integers_of(*array);
+    } else {
+      faces.missing_arrays.emplace_back(name);
+    }
+  };
+  take("surface", faces.surface);
+  take("surface_set", faces.surface_set);
+  take("patch", faces.patch);
+  take("region_minus", faces.region_minus);
+  take("region_plus", faces.region_plus);
+  take("source_triangle", faces.source_triangle);
+  vtkFieldData& field = *data.GetFieldData();
+  faces.surface_names = names_of(field, "surface");
+  const auto offsets = integers_of(field, "surface_set_offsets"), members = integers_of(field, "surface_set_ids");
+  for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
+    if (offsets[i] < 0 || offsets[i + 1] < offsets[i] || static_cast<std::size_t>(offsets[i + 1]) > members.size())
+      refuse(path, "surface_set_offsets and surface_set_ids do not fit each other");
+    faces.surface_sets.emplace_back(members.begin() + offsets[i], members.begin() + offsets[i + 1]);
+  }
+  return faces;
+}
+
+MeshFile read_mesh_file(const std::filesystem::path& path) {
+  if (path.extension() == ".msh") return read_gmsh(path);
+  if (path.extension() == ".inp") return read_abaqus(path);
+  if (path.extension() == ".vtu" || path.extension() == ".vtk") return read_vtk_mesh(path);
+  throw Error(ErrorKind::usage, path.string() + ": no known mesh format; check reads .vtu, .vtk, .msh and .inp");
+}
+
+}  // namespace geomesh::geomodel::checking

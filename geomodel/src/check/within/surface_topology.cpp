@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "check/exact/exact.hpp"
+#include "check/judged/faults.hpp"
+#include "check/within/within_tolerance.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+using Edge = std::array<VertexIndex, 2>;
+Edge edge_of(const Triangle& t, std::size_t i) {
+  return {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])};
+}
+
+/// Places along a segment at which it is looked at.
+constexpr std::array<double, 5> between{0.125, 0.3125, 0.5, 0.6875, 0.875};
+
+/// Edges with the rows of the triangles at them.
+std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangles) {
+  std::map<Edge, std::vector<Index>> edges;
+  for (Index t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) edges[edge_of(triangles[t], i)].push_back(t);
+  return edges;
+}
+
+/// The surface's triangles with equal points as one; triangles that are degenerate then are left out.
+std::vector<Triangle> welded(const TriangulatedSurface& surface) {
+  const auto less = [&](VertexIndex a, VertexIndex b) {
+    const Vec3 &p = surface.points[a], &q = surface.points[b];
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  std::set<VertexIndex, decltype(less)> first(less);
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : surface.triangles) {
+    Triangle w{};
+    for (std::size_t i = 0; i < 3; ++i) w[i] = *first.insert(t[i]).first;
+    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) triangles.push_back(w);
+  }
+  return triangles;
+}
+
+struct Topology {
+  std::size_t pieces = 0, borders = 0;
+  long euler = 0;
+  bool manifold = true;  ///< no edge with more than two triangles
+  friend bool operator==(const Topology&, const Topology&) = default;
+};
+
+class Roots {
+ public:
+  explicit Roots(std::size_t n) : root_(n) { std::iota(root_.begin(), root_.end(), Index{0}); }
+  Index find(Index i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  void join(Index a, Index b) { root_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+
+ private:
+  std::vector<Index> root_;
+};
+
+Topology topology_of(const std::vector<Triangle>& triangles) {
+  Topology t;
+  std::map<VertexIndex, Index> rows;
+  for (const Triangle& f : triangles)
+    for (const VertexIndex v : f) rows.try_emplace(v, static_cast<Index>(rows.size()));
+  Roots all(rows.size()), border(rows.size());
+  std::set<Index> on_border;
+  const auto edges = edges_of(triangles);
+  for (const auto& [e, at] : edges) {
+    const Index a = rows[e[0]], b = rows[e[1]];
+    all.join(a, b);
+    t.manifold = t.manifold && at.size() <= 2;
+    if (at.size() != 1) continue;
+    border.join(a, b);
+    on_border.insert({a, b});
+  }
+  std::set<Index> pieces, borders;
+  for (Index v = 0; v < rows.size(); ++v) pieces.insert(all.find(v));
+  for (const Index v : on_border) borders.insert(border.find(v));
+  t.pieces = pieces.size();
+  t.borders = borders.size();
+  t.euler = static_cast<long>(rows.size()) - static_cast<long>(edges.size()) + static_cast<long>(triangles.size());
+  return t;
+}
+
+std::string words(const Topology& t) {
+  return std::to_string(t.pieces) + " pieces, " + std::to_string(t.borders) + " borders, Euler characteristic " +
+         std::to_string(t.euler);
+}
+
+class TopologyJudge {
+ public:
+  TopologyJudge(const ClaimedFaces& claimed, const Allowed& allowed)
+      : claimed_(claimed),
+        claim_(claimed.claim()),
+        allowed_(allowed),
+        pairs_(pair_surfaces(claimed)),
+        edges_(edges_of(claimed.candidates())) {}
+
+  void check_presence(CheckResult& result);
+  void check_whole_surfaces(CheckResult& result);
+  void check_borders(CheckResult& result);
+  void check_curves(CheckResult& result);
+  void check_patches(CheckResult& result);
+
+ private:
+  bool is_told(Index row) const { return claim_.clipped_area.contains(row); }
+  bool is_in_box(const Vec3& p, double room) const;
+  /// Whether a body may take parts of the surface.
+  bool may_be_cut(Index row) const;
+  bool is_whole(Index row) const;
+  std::vector<Triangle> faces_of(Index row) const;
+  std::vector<Corners> free_edges(Index row, bool but_excused) const;
+  bool is_excused(const Edge& e, Index row) const;
+  std::vector<Corners> input_border(Index row) const;
+  Corners as_corners(const Edge& e) const {
+    const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
+    return {a, b, b};
+  }
+  void check_crossings(Index i, Index j, FaultCollector& off, std::size_t& n_places);
+
+  const ClaimedFaces& claimed_;
+  const Claim& claim_;
+  Allowed allowed_;
+  std::vector<SurfacePair> pairs_;
+  std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
+};
+
+bool TopologyJudge::is_in_box(const Vec3& p, double room) const {
+  if (!claim_.box()) return true;
+  const Box3 inner = inflated(*claim_.box(), -room);
+  return p.x >= inner.min.x && p.y >= inner.min.y && p.z >= inner.min.z && p.x <= inner.max.x && p.y <= inner.max.y &&
+         p.z <= inner.max.z;
+}
+
+bool TopologyJudge::may_be_cut(Index row) const {
+  if (!claimed_.is_cut_kind(row)) return false;
+  const auto box_of_surface = [](const TriangulatedSurface& s) {
+    Box3 box;
+    for (const Vec3& p : s.points) box.add(p);
+    return box;
+  };
+  const Box3 own = box_of_surface(claim_.surfaces[row]);
+  return std::any_of(claimed_.bodies().begin(), claimed_.bodies().end(), [&](const Body& body) {
+    return body.surface->cuts_all && overlap(own, box_of_surface(*body.surface));
+  });
+}
+
+bool TopologyJudge::is_whole(Index row) const {
+  const auto& points = claim_.surfaces[row].points;
+  return !is_told(row) && !may_be_cut(row) &&
+         std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return is_in_box(p, 0); });
+}
+
+std::vector<Triangle> TopologyJudge::faces_of(Index row) const {
+  std::vector<Triangle> faces;
+  for (const Index f : pairs_[row].faces) faces.push_back(claimed_.candidates()[f]);
+  return faces;
+}
+
+void TopologyJudge::check_presence(CheckResult& result) {
+  FaultCollector missing("missing_surfaces");
+  std::string names;
+  for (Index row = 0; row < claim_.surfaces.size(); ++row) {
+    const TriangulatedSurface& s = claim_.surfaces[row];
+    if (!pairs_[row].faces.empty() || !is_whole(row) || s.triangles.empty()) continue;
+    missing.add(row, s.points[s.triangles[0][0]]);
+    names += (names.empty() ? "" : ", ") + s.name;
+  }
+  missing.report(result, "surfaces that lie in the box have no face in the mesh: " + names);
+}
+
+/// Surfaces that nothing clips have the topology of their input.
+void TopologyJudge::check_whole_surfaces(CheckResult& result) {
+  FaultCollector changed("surfaces_changed");
+  std::string how;
+  std::size_t n_judged = 0;
+  for (Index row = 0; row < claim_.surfaces.size(); ++row) {
+    if (!is_whole(row) || pairs_[row].faces.empty()) continue;
+    const Topology input = topology_of(welded(claim_.surfaces[row])), now = topology_of(faces_of(row));
+    if (!input.manifold || !now.manifold) continue;  // meets itself: it is parted there
+    ++n_judged;
+    if (input == now) continue;
+    changed.add(row, claim_.surfaces[row].points[claim_.surfaces[row].triangles[0][0]]);
+    how += (how.empty() ? "" : "; ") + claim_.surfaces[row].name + ": " + words(now) + ", in the input " + words(input);
+  }
+  changed.report(result, "surfaces are not made of the pieces, borders and handles of their input (" + how + ")");
+  result.checks_done.push_back(
+      std::to_string(n_judged) + " of " + std::to_string(claim_.surfaces.size()) +
+      " surfaces are clipped by nothing and do not meet themselves: their pieces, borders and Euler "
+      "characteristic were held against the input's");
+}
+
+/// A surface may end at the box, at a body that cuts it, and, where rules trim it, at any other surface.
+bool TopologyJudge::is_excused(const Edge& e, Index row) const {
+  for (const Index f : edges_.at(e))
+    for (const std::int32_t id : claimed_.set_of(f)) {
+      const Index other = claimed_.surface_of(id);
+      if (other == row) continue;
+      if (claimed_.is_box_side(id) ||
+          (other != no_index && (is_told(row) || (claim_.surfaces[other].cuts_all && claimed_.is_cut_kind(row)))))
+        return true;
+    }
+  return false;
+}
+
+std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) const {
+  std::vector<Corners> free;
+  for (const auto& [e, at] : edges_of(faces_of(row)))
+    if (at.size() == 1 && !(but_excused && is_excused(e, row))) free.push_back(as_corners(e));
+  return free;
+}
+
+/// Without what lies on other triangles of the surface: a crack that intersecting has closed.
+std::vector<Corners> TopologyJudge::input_border(Index row) const {
+  const TriangulatedSurface& s = claim_.surfaces[row];
+  const TriangleSet all(triangles_of(s));
+  std::vector<Corners> border;
+  for (const auto& [e, at] : edges_of(welded(s))) {
+    const Vec3 &a = s.points[e[0]], &b = s.points[e[1]];
+    if (at.size() == 1 && all.near(0.5 * (a + b), allowed_.rounding).size() <= 1) border.push_back({a, b, b});
+  }
+  return border;
+}
+
+void TopologyJudge::check_borders(CheckResult& result) {
+  FaultCollector off("borders_off");
+  for (Index row = 0; row < claim_.surfaces.size(); ++row) {
+    const std::vector<Corners> border = input_border(row);
+    const TriangleSet input(border), mesh(free_edges(row, false));
+    const auto is_near = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
+    for (const Corners& e : free_edges(row, true))
+      for (const double t : between) {
+        const Vec3 p = e[0] + t * (e[1] - e[0]);
+        if (is_near(input, p)) continue;
+        off.add(row, p);
+        break;
+      }
+    for (const Corners& e : border)
+      for (const double t : between) {
+        const Vec3 p = e[0] + t * (e[1] - e[0]);
+        if (is_told(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) || claimed_.is_removed(row, p, {}))
+          continue;
+        off.add(row, p);
+        break;
+      }
+  }
+  off.report(
+      result,
+      "edges where a surface ends, in the mesh or in the input, have no such edge of the other within the tolerance");
+  if (off.count() == 0)
+    result.checks_done.emplace_back(
+        "surfaces end where their input ends (borders, fault tips), or where the box, a body or a rule ends them: "
+        "sampled, both ways");
+}
+
+/// Where the edge p q passes through the inside of the triangle; nothing where it touches its rim or lies in its plane.
+/// Decided exactly.
+std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Corners& t) {
+  const Sign above = orientation(t[0], t[1], t[2], p), below = orientation(t[0], t[1], t[2], q);
+  if (above == Sign::zero || below == Sign::zero || above == below) return std::nullopt;
+  const Sign turn = orientation(p, q, t[0], t[1]);
+  if (turn == Sign::zero || orientation(p, q, t[1], t[2]) != turn || orientation(p, q, t[2], t[0]) != turn)
+    return std::nullopt;
+  const double a = std::abs(six_volumes(t[0], t[1], t[2], p)), b = std::abs(six_volumes(t[0], t[1], t[2], q));
+  return p + (a / (a + b)) * (q - p);
+}
+
+/// Every place where input triangles of surfaces i and j pass through each other is near a mesh edge at which both
+/// surfaces meet.
+void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, std::size_t& n_places) {
+  const std::vector<Corners> a = triangles_of(claim_.surfaces[i]), b = triangles_of(claim_.surfaces[j]);
+  std::vector<Box3> boxes;
+  for (const Corners& t : b) boxes.push_back(box_of(t[0], t[1], t[2]));
+  const BoxTree tree(std::move(boxes));
+  std::vector<Corners> shared;
+  for (const auto& [e, at] : edges_) {
+    const auto carries = [&](Index row) {
+      return std::any_of(at.begin(), at.end(), [&](Index f) { return claimed_.carries(f, row); });
+    };
+    if (carries(i) && carries(j)) shared.push_back(as_corners(e));
+  }
+  const TriangleSet curve(std::move(shared));
+  const auto is_due = [&](const Vec3& p) {
+    return is_in_box(p, allowed_.both()) && !claimed_.is_removed(i, p, {}, j) && !claimed_.is_removed(j, p, {}, i);
+  };
+  for (const Corners& s : a)
+    tree.query(box_of(s[0], s[1], s[2]), [&](Index row) {
+      const Corners& t = b[row];
+      std::vector<Vec3> ends;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (const auto p = piercing(s[k], s[(k + 1) % 3], t)) ends.push_back(*p);
+        if (const auto p = piercing(t[k], t[(k + 1) % 3], s)) ends.push_back(*p);
+      }
+      if (ends.size() != 2) return;
+      for (const double at : between) {
+        const Vec3 p = ends[0] + at * (ends[1] - ends[0]);
+        ++n_places;
+        if (!curve.near(p, allowed_.both()).empty() || !is_due(p)) continue;
+        off.add(row, p);
+        return;
+      }
+    });
+}
+
+void TopologyJudge::check_curves(CheckResult& result) {
+  FaultCollector off("curves_off");
+  std::size_t n_places = 0;
+  for (Index i = 0; i < claim_.surfaces.size(); ++i)
+    for (Index j = i + 1; j < claim_.surfaces.size(); ++j)
+      if (!is_told(i) && !is_told(j)) check_crossings(i, j, off, n_places);
+  off.report(
+      result,
+      "places where input surfaces cross are farther than the tolerance from every mesh edge at which both meet");
+  if (off.count() == 0)
+    result.checks_done.push_back(
+        "surfaces that no rule trims meet where their inputs cross: " + std::to_string(n_places) + " places sampled");
+}
+
+/// Patches are the faces joined across edges where just two faces of the same surfaces meet.
+void TopologyJudge::check_patches(CheckResult& result) {
+  const FacesFile& faces = *claimed_.faces();
+  const auto& triangles = claimed_.candidates();
+  Roots roots(triangles.size());
+  for (const auto& [e, at] : edges_)
+    if (at.size() == 2 && faces.surface_set[at[0]] == faces.surface_set[at[1]]) roots.join(at[0], at[1]);
+  std::map<Index, std::int32_t> patch_of_root;
+  std::map<std::int32_t, Index> root_of_patch;
+  FaultCollector wrong("wrong_patches");
+  for (Index f = 0; f < triangles.size(); ++f) {
+    const Index root = roots.find(f);
+    const bool right = patch_of_root.try_emplace(root, faces.patch[f]).first->second == faces.patch[f] &&
+                       root_of_patch.try_emplace(faces.patch[f], root).first->second == root;
+    if (!right) wrong.add(f, claimed_.corner(triangles[f], 0));
+  }
+  wrong.report(
+      result,
+      "faces bear a patch number that other faces, not joined with them, bear, or that their neighbours do not");
+}
+
+}  // namespace
+
+void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
+  TopologyJudge judge(claimed, allowed);
+  judge.check_presence(result);
+  judge.check_whole_surfaces(result);
+  judge.check_borders(result);
+  judge.check_curves(result);
+  judge.check_patches(result);
+}
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/within/within_tolerance.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "check/exact/crossing.hpp"
+#include "check/exact/plane_triangle.hpp"
+#include "check/judged/faults.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+/// Whether a face may stand for a surface where faces bear no names: it bounds the mesh or parts two regions.
+bool parts_something(const JudgedMesh& mesh, const FacePair& face) {
+  if (is_boundary(face)) return true;
+  return !mesh.file.region.empty() && is_inner(face) && mesh.file.region[face.even] != mesh.file.region[face.odd];
+}
+
+/// "proven within 0.5 for 99.8 % of the area, the rest sampled at most 0.1 apart; largest distance sampled 0.34".
+std::string words(const Deviation& d, double tolerance) {
+  char text[240];
+  const double share = d.area > 0 ? 100 * std::min(1.0, d.proven / (d.area - d.beyond)) : 100;
+  std::snprintf(text, sizeof text, "proven within %.6g for %.4g %% of the area%s; largest distance sampled %.4g",
+                tolerance, share, share < 100 && d.spacing > 0 ? ", the rest sampled at points at most " : "",
+                d.largest);
+  std::string all = text;
+  if (share < 100 && d.spacing > 0) {
+    std::snprintf(text, sizeof text, "%.3g apart", d.spacing);
+    all.insert(all.find("; largest"), text);
+  }
+  return all;
+}
+
+class SurfacesWithin {
+ public:
+  SurfacesWithin(const ClaimedFaces& claimed, const Allowed& allowed) : claimed_(claimed), allowed_(allowed) {}
+
+  void judge(const SurfacePair& pair);
+  void report(CheckResult& result);
+
+ private:
+  void judge_faces(const SurfacePair& pair);
+  void judge_input(const SurfacePair& pair);
+  /// Judges what of the triangle is in the box, and adds what is outside it to `outside`.
+  std::optional<Vec3> judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle, Deviation& sum,
+                                   double& outside);
+
+  const ClaimedFaces& claimed_;
+  Allowed allowed_;
+  Deviation faces_, input_;
+  double worst_face_ = 0, worst_input_ = 0;
+  FaultCollector faces_off_{"faces_off_their_surface"}, input_off_{"input_off_the_mesh"}, area_{"uncovered_area"};
+  std::vector<std::string> face_names_, input_names_;
+};
+
+void add_name(std::vector<std::string>& names, const std::string& name) {
+  if (names.empty() || names.back() != name) names.push_back(name);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+void SurfacesWithin::judge_faces(const SurfacePair& pair) {
+  std::vector<Corners> input;
+  for (const Index row : pair.rows)
+    for (const Corners& t : triangles_of(claimed_.claim().surfaces[row])) input.push_back(t);
+  const TriangleSet set(std::move(input));
+  const DeviationJudge judge(set, allowed_.both());
+  for (const Index f : pair.faces) {
+    const auto witness = judge.judge(corners_of(claimed_, f), faces_);
+    if (!witness) continue;
+    worst_face_ = std::max(worst_face_, set.distance(*witness));
+    faces_off_.add(f, *witness);
+    add_name(face_names_, pair.name);
+  }
+}
+
+std::optional<Vec3> SurfacesWithin::judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle,
+                                                 Deviation& sum, double& outside) {
+  const Box3* box = claimed_.claim().box();
+  std::vector<Vec3> polygon(triangle.corners().begin(), triangle.corners().end());
+  if (box) {
+    polygon = triangle.inside(*box);
+    outside += triangle.area() - triangle.area_inside(*box);
+  }
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    if (const auto witness = judge.judge({polygon[0], polygon[i - 1], polygon[i]}, sum)) return witness;
+  return std::nullopt;
+}
+
+void SurfacesWithin::judge_input(const SurfacePair& pair) {
+  std::vector<Corners> faces;
+  for (const Index f : pair.faces) faces.push_back(corners_of(claimed_, f));
+  const TriangleSet set(std::move(faces));
+  std::size_t first = 0;
+  for (const Index row : pair.rows) {
+    const auto told = claimed_.claim().clipped_area.find(row);
+    const bool is_told = told != claimed_.claim().clipped_area.end();
+    const std::vector<Corners> triangles = triangles_of(claimed_.claim().surfaces[row]);
+    const double beyond_before = input_.beyond;
+    double outside = 0, total = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const PlaneTriangle triangle(triangles[i][0], triangles[i][1], triangles[i][2]);
+      if (triangle.degenerate()) continue;
+      total += triangle.area();
+      const Vec3 off = (4 * allowed_.rounding) * triangle.normal();
+      const DeviationJudge judge(set, allowed_.both(), [&](const Vec3& p) {
+        return !is_told && !(claimed_.claim().named && claimed_.is_removed(row, p, off));
+      });
+      const auto witness = judge_in_box(judge, triangle, input_, outside);
+      if (!witness) continue;
+      worst_input_ = std::max(worst_input_, set.distance(*witness));
+      input_off_.add(first + i, *witness);
+      add_name(input_names_, pair.name);
+    }
+    // What rules clip is known by its area only; no point of what they left is farther off than allowed.
+    if (is_told && outside + input_.beyond - beyond_before > told->second + 1e-9 * total && !triangles.empty())
+      area_.add(first, triangles[0][0]);
+    first += triangles.size();
+  }
+}
+
+void SurfacesWithin::judge(const SurfacePair& pair) {
+  judge_faces(pair);
+  judge_input(pair);
+}
+
+void SurfacesWithin::report(CheckResult& result) {
+  char text[200];
+  const bool pass = faces_off_.count() + input_off_.count() + area_.count() == 0;
+  std::snprintf(
+      text, sizeof text,
+      "faces of surfaces have points farther from the input than %.6g (the largest distance seen: %.6g; surfaces: ",
+      allowed_.both(), worst_face_);
+  faces_off_.report(result, text + joined(face_names_) + ")");
+  std::snprintf(text, sizeof text,
+                "input triangles have points farther from the mesh's faces than %.6g (the largest distance seen: %.6g; "
+                "surfaces: ",
+                allowed_.both(), worst_input_);
+  input_off_.report(result, text + joined(input_names_) + ")");
+  area_.report(result, "surfaces have more area away from the mesh's faces than the report says was clipped");
+  if (!pass) {
+    result.checks_done.emplace_back("distances between surfaces and input were judged, both ways");
+    return;
+  }
+  result.checks_done.push_back("from mesh to input: " + words(faces_, allowed_.both()));
+  result.checks_done.push_back("from input to mesh, less what the box and rules take: " +
+                               words(input_, allowed_.both()));
+}
+
+/// Faces of horizons and faults reach into a body that cuts by no more than what is allowed, judged at their centroids.
+void check_bodies_within(const ClaimedFaces& claimed, const Allowed& allowed, const std::vector<Triangle>& candidates,
+                         CheckResult& result) {
+  FaultCollector inside("faces_inside_bodies");
+  for (const Body& body : claimed.bodies()) {
+    if (!body.surface->cuts_all) continue;
+    const TriangleSet set(triangles_of(*body.surface));
+    for (Index f = 0; f < candidates.size(); ++f) {
+      const auto& ids = claimed.set_of(f);
+      const auto is = [&](auto&& property) {
+        return std::any_of(ids.begin(), ids.end(), [&](std::int32_t id) {
+          const Index row = claimed.surface_of(id);
+          return row != no_index && property(row);
+        });
+      };
+      if (!is([&](Index row) { return claimed.is_cut_kind(row); }) ||
+          is([&](Index row) { return claimed.claim().surfaces[row].kind == SurfaceKind::body; }))
+        continue;
+      const Corners c = corners_of(claimed, f);
+      const auto winding =
+          winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, c[0], c[1], c[2]);
+      if (!winding || *winding == 0) continue;
+      const Vec3 centre = (1.0 / 3) * (c[0] + c[1] + c[2]);
+      if (set.near(centre, allowed.both()).empty()) inside.add(f, centre);
+    }
+  }
+  inside.report(result, "faces of horizons and faults lie inside a body that cuts them, deeper than the tolerance");
+}
+
+}  // namespace
+
+Corners corners_of(const ClaimedFaces& claimed, Index face) {
+  const Triangle& t = claimed.candidates()[face];
+  return {claimed.corner(t, 0), claimed.corner(t, 1), claimed.corner(t, 2)};
+}
+
+std::vector<Corners> triangles_of(const TriangulatedSurface& surface) {
+  std::vector<Corners> corners;
+  for (const Triangle& t : surface.triangles)
+    corners.push_back({surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+  return corners;
+}
+
+std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed) {
+  const Claim& claim = claimed.claim();
+  std::vector<SurfacePair> pairs;
+  if (claim.named && claimed.faces()) {
+    for (Index s = 0; s < claim.surfaces.size(); ++s) {
+      pairs.push_back({claim.surfaces[s].name, {s}, {}});
+      for (Index f = 0; f < claimed.candidates().size(); ++f)
+        if (claimed.carries(f, s)) pairs.back().faces.push_back(f);
+    }
+    return pairs;
+  }
+  SurfacePair all{"the surfaces given", {}, {}};
+  for (Index s = 0; s < claim.surfaces.size(); ++s) all.rows.push_back(s);
+  for (Index f = 0; f < claimed.candidates().size(); ++f)
+    if (claimed.faces() ? !claimed.is_side_alone(f) : parts_something(claimed.mesh(), claimed.mesh().faces[f]))
+      all.faces.push_back(f);
+  pairs.push_back(std::move(all));
+  return pairs;
+}
+
+void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
+  SurfacesWithin within(claimed, allowed);
+  for (const SurfacePair& pair : pair_surfaces(claimed)) within.judge(pair);
+  within.report(result);
+  if (!claimed.faces() || !claimed.claim().named) return;
+  check_bodies_within(claimed, allowed, claimed.candidates(), result);
+  claimed.check_box_sides(result);
+}
+
+}  // namespace geomesh::geomodel::checking

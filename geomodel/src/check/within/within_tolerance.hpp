@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Meshes whose surfaces were remeshed within a distance of the input (`honour: tolerance`): what takes the place of
+/// coverage.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "check/exact/deviation.hpp"
+#include "check/judged/claimed_faces.hpp"
+
+namespace geomesh::geomodel::checking {
+
+/// What is allowed, in the mesh's unit.
+struct Allowed {
+  double surfaces = 0;  ///< between a surface and its input, both ways
+  double rounding = 0;  ///< of coordinates, as for coverage
+  double both() const { return surfaces + rounding; }
+};
+
+/// One surface of the claim (or all of them, where faces bear no names) with the faces of the mesh that stand for it.
+struct SurfacePair {
+  std::string name;
+  std::vector<Index> rows;   ///< of claim.surfaces
+  std::vector<Index> faces;  ///< rows of the candidates
+};
+std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed);
+Corners corners_of(const ClaimedFaces& claimed, Index face);
+std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
+
+/// Faces of each surface lie within what is allowed of the surface's input (fault `faces_off_their_surface`), and the
+/// input, less what the box and the rules take, within it of these faces (`input_off_the_mesh`, `uncovered_area`); no
+/// face of a horizon or fault lies deeper inside a body that cuts (`faces_inside_bodies`). What was proven and what
+/// sampled goes to `checks_done`.
+void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+
+/// Every surface is there (`missing_surfaces`); whole ones have the pieces, borders and handles of their input
+/// (`surfaces_changed`); borders and tips, and intersection curves, lie where the input's do (`borders_off`,
+/// `curves_off`); patches are what surfaces fall into (`wrong_patches`). Only with names.
+void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+
+/// Volumes of regions and of closed bodies differ from the input's by at most the area of their movable boundary times
+/// what is allowed (`region_volumes`, `body_volumes`). The input's region volumes are those that the report beside the
+/// mesh tells, which must fill the box; bodies' are computed here. Only with names.
+void check_volumes_within(const ClaimedFaces& claimed, const Allowed& allowed,
+                          const std::optional<nlohmann::json>& report, CheckResult& result);
+
+}  // namespace geomesh::geomodel::checking

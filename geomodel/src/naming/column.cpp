@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "naming/column.hpp"
+
+#include <algorithm>
+
+#include "geomesh/core/error.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+Column make_column(const std::vector<std::string>& names, const std::vector<TriangulatedSurface>& surfaces,
+                   std::vector<std::string>& warnings) {
+  Column column;
+  if (names.empty()) return column;
+  if (names.size() % 2 == 0)
+    throw Error(ErrorKind::usage,
+                "column: " + std::to_string(names.size()) +
+                    " entries; expected unit, horizon, unit, ..., unit, youngest first (an odd number)");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i % 2 == 0) {
+      column.units.push_back(names[i]);
+      continue;
+    }
+    const auto at = std::find_if(surfaces.begin(), surfaces.end(), [&](const auto& s) { return s.name == names[i]; });
+    if (at == surfaces.end())
+      throw Error(ErrorKind::usage, "column: entry " + std::to_string(i + 1) + " (" + names[i] +
+                                        ") must be a horizon and no surface has this name");
+    column.horizons.push_back(static_cast<Index>(at - surfaces.begin()));
+    column.sides.push_back(orient_upward(*at));
+    if (column.sides.back().n_unorientable_sheets > 0)
+      warnings.push_back(
+          "horizon " + names[i] + ": " + std::to_string(column.sides.back().n_unorientable_sheets) +
+          " of its sheets cannot be oriented; the upper side of each triangle there is the one that faces up");
+  }
+  return column;
+}
+
+std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
+                                              const ModelPlc& plc, const Column& column) {
+  std::vector<HorizonContacts> contacts(mesh.n_components);
+  std::map<Index, Index> row_of_surface;
+  for (Index h = 0; h < column.horizons.size(); ++h) row_of_surface[column.horizons[h]] = h;
+  for (const auto& face : mesh.faces) {
+    const double area =
+        triangle_area(mesh.points[face.vertices[0]], mesh.points[face.vertices[1]], mesh.points[face.vertices[2]]);
+    for (const PolygonSoup::Origin& o : origins_of(soup, plc, face.facet)) {
+      const auto row = row_of_surface.find(o.surface);
+      if (row == row_of_surface.end()) continue;
+      const Index h = row->second;
+      const bool facet_normal_is_up = (column.sides[h].as_stored[o.triangle] != 0) != o.reversed;
+      Index lower = component_of(mesh, face.tetrahedron_below), upper = component_of(mesh, face.tetrahedron_above);
+      if (!facet_normal_is_up) std::swap(lower, upper);
+      if (lower == upper) {
+        if (lower != no_index) contacts[lower].on_both_sides[h] += area;
+        continue;
+      }
+      if (lower != no_index) contacts[lower].lies_below[h] += area;
+      if (upper != no_index) contacts[upper].lies_above[h] += area;
+    }
+  }
+  return contacts;
+}
+
+UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column) {
+  UnitVerdict verdict;
+  if (!column.given()) return verdict;
+  const Index last_unit = static_cast<Index>(column.units.size() - 1);
+  Index first = 0, last = last_unit;
+  bool bounded_above = false, bounded_below = false;
+  const auto area_in = [](const std::map<Index, double>& areas, Index h) {
+    const auto at = areas.find(h);
+    return at == areas.end() ? 0.0 : at->second;
+  };
+  for (const auto& [h, area] : contacts.lies_below) {
+    if (area < area_in(contacts.lies_above, h)) continue;  // repeated by a fold or thrust: the larger side speaks
+    first = std::max(first, h + 1);
+    bounded_above = true;
+  }
+  for (const auto& [h, area] : contacts.lies_above) {
+    if (area <= area_in(contacts.lies_below, h)) continue;
+    last = std::min(last, h);
+    bounded_below = true;
+  }
+  verdict.first_possible = first;
+  verdict.last_possible = last;
+  if (first > last) {
+    verdict.kind = UnitVerdict::Kind::pocket;
+    verdict.first = verdict.last = last;
+    return verdict;
+  }
+  if (first == last) {
+    verdict.kind = UnitVerdict::Kind::unit;
+    verdict.first = verdict.last = first;
+    return verdict;
+  }
+  for (const auto& [h, area] : contacts.on_both_sides) {
+    if (h < first || h >= last) continue;
+    if (verdict.kind != UnitVerdict::Kind::joined) verdict.first = h;
+    verdict.last = h + 1;
+    verdict.kind = UnitVerdict::Kind::joined;
+  }
+  if (verdict.kind == UnitVerdict::Kind::joined || (!bounded_above && !bounded_below)) return verdict;
+  verdict.kind = UnitVerdict::Kind::incomplete;
+  verdict.first = verdict.last = bounded_above ? first : last;
+  return verdict;
+}
+
+std::string unit_name(const UnitVerdict& verdict, const Column& column) {
+  if (verdict.first == no_index) return "";
+  std::string name = column.units[verdict.first];
+  for (Index u = verdict.first + 1; u <= verdict.last; ++u) name += "+" + column.units[u];
+  return name;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Horizons that have holes, stop short or are absent: which, where, and which units join there.
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "naming/name_regions.hpp"
+#include "naming/soup_edges.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Free edges of one horizon that hang together: one hole, or one stretch of border.
+struct FreeBorder {
+  bool hole = false;
+  double length = 0;
+  Vec3 place;              ///< a hole's middle; the middle of the longest edge of a border
+  Index facet = no_index;  ///< a soup facet at it
+};
+
+struct HorizonEdges {
+  std::vector<EdgeUse> free;               ///< edges of one facet of the horizon and of no other
+  std::vector<EdgeUse> within;             ///< uses of edges with several facets of the horizon
+  std::vector<EdgeUse> ends_on_something;  ///< edges where one facet of the horizon ends on other surfaces
+};
+
+std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vector<std::vector<Index>>& rows_of_facet,
+                                        std::size_t n_horizons) {
+  std::vector<HorizonEdges> result(n_horizons);
+  for_each_edge(sorted_edge_uses(soup), [&](std::span<const EdgeUse> edge) {
+    std::map<Index, std::vector<EdgeUse>> of;
+    for (const EdgeUse& use : edge)
+      for (Index h : rows_of_facet[use.facet]) of[h].push_back(use);
+    for (const auto& [h, uses] : of) {
+      if (uses.size() > 1) {
+        result[h].within.insert(result[h].within.end(), uses.begin(), uses.end());
+      } else {
+        (edge.size() == 1 ? result[h].free : result[h].ends_on_something).push_back(uses.front());
+      }
+    }
+  });
+  return result;
+}
+
+FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& edges) {
+  FreeBorder border;
+  CompensatedSum length;
+  std::map<VertexIndex, int> degree;
+  Box3 box;
+  double longest = -1;
+  for (const EdgeUse& e : edges) {
+    const double l = norm(soup.points[e.b] - soup.points[e.a]);
+    length.add(l);
+    for (VertexIndex v : {e.a, e.b}) {
+      ++degree[v];
+      box.add(soup.points[v]);
+    }
+    if (l > longest) {
+      longest = l;
+      border.place = 0.5 * (soup.points[e.a] + soup.points[e.b]);
+      border.facet = e.facet;
+    }
+  }
+  border.length = length.value();
+  border.hole = std::all_of(degree.begin(), degree.end(), [](const auto& d) { return d.second % 2 == 0; });
+  if (border.hole) border.place = 0.5 * (box.min + box.max);
+  return border;
+}
+
+/// Splits the free edges into borders. A closed border is a hole, but for the longest one of a sheet that ends on
+/// nothing else.
+std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges& edges) {
+  UnionFind by_vertex(soup.points.size()), sheets(soup.facets.size());
+  for (const EdgeUse& e : edges.free) by_vertex.unite(e.a, e.b);
+  for (std::size_t i = 1; i < edges.within.size(); ++i)
+    if (edges.within[i].a == edges.within[i - 1].a && edges.within[i].b == edges.within[i - 1].b)
+      sheets.unite(edges.within[i].facet, edges.within[i - 1].facet);
+  std::map<Index, std::vector<EdgeUse>> groups;
+  for (const EdgeUse& e : edges.free) groups[by_vertex.find(e.a)].push_back(e);
+  std::map<Index, bool> anchored;
+  for (const EdgeUse& e : edges.ends_on_something) anchored[sheets.find(e.facet)] = true;
+  std::vector<FreeBorder> borders;
+  std::map<Index, std::size_t> outer;  // longest closed border by floating sheet
+  for (const auto& [vertex, group] : groups) {
+    borders.push_back(measure_border(soup, group));
+    const Index sheet = sheets.find(borders.back().facet);
+    if (!borders.back().hole || anchored[sheet]) continue;
+    const auto [at, is_new] = outer.emplace(sheet, borders.size() - 1);
+    if (!is_new && borders[at->second].length < borders.back().length) at->second = borders.size() - 1;
+  }
+  for (const auto& [sheet, row] : outer) borders[row].hole = false;
+  return borders;
+}
+
+/// "tertiary and chalk join" or "it ends inside chalk" for the component at a border.
+std::string consequence(Index component, Index horizon, const Column& column, const NamedRegions& named) {
+  if (component == no_index) return "outside of all regions";
+  const UnitVerdict& verdict = named.verdicts[component];
+  const std::string& region = named.regions[static_cast<std::size_t>(named.id_of_component[component] - 1)].name;
+  if (verdict.kind == UnitVerdict::Kind::joined && verdict.first <= horizon && horizon < verdict.last) {
+    std::string units;
+    for (Index u = verdict.first; u <= verdict.last; ++u)
+      units += (u == verdict.first ? "" : u == verdict.last ? " and " : ", ") + column.units[u];
+    return units + " join there (region " + region + "); extend, fill_holes or throw_at of the horizon can close it";
+  }
+  return "it ends there inside region " + region;
+}
+
+}  // namespace
+
+void warn_of_gaps(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                  const std::vector<TriangulatedSurface>& surfaces, const Column& column, const NamedRegions& named,
+                  std::vector<std::string>& warnings) {
+  if (!column.given()) return;
+  std::vector<std::vector<Index>> rows_of_facet(soup.facets.size());
+  std::vector<bool> present(column.horizons.size(), false);
+  for (Index f = 0; f < soup.facets.size(); ++f)
+    for (Index o = soup.origin_offsets[f]; o < soup.origin_offsets[f + 1]; ++o)
+      for (Index h = 0; h < column.horizons.size(); ++h)
+        if (column.horizons[h] == soup.origins[o].surface && (rows_of_facet[f].empty() || rows_of_facet[f].back() != h))
+          rows_of_facet[f].push_back(h);
+  std::vector<Index> component_at(soup.facets.size(), no_index);
+  for (const auto& face : mesh.faces) {
+    const Index below = component_of(mesh, face.tetrahedron_below);
+    const Index c = below != no_index ? below : component_of(mesh, face.tetrahedron_above);
+    for (Index i = plc.facet_soup_offsets[face.facet]; i < plc.facet_soup_offsets[face.facet + 1]; ++i) {
+      component_at[plc.facet_soup[i]] = c;
+      for (Index h : rows_of_facet[plc.facet_soup[i]]) present[h] = true;
+    }
+  }
+  const std::vector<HorizonEdges> edges = horizon_edges(soup, rows_of_facet, column.horizons.size());
+  for (Index h = 0; h < column.horizons.size(); ++h) {
+    const std::string& name = surfaces[column.horizons[h]].name;
+    if (!present[h]) {
+      warnings.push_back("horizon " + name + " has no face in the model: " + column.units[h] + " and " +
+                         column.units[h + 1] + " are not divided by it");
+      continue;
+    }
+    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // hole first, then by component
+    for (const FreeBorder& border : find_borders(soup, edges[h]))
+      by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
+    for (auto& [key, borders] : by_kind) {
+      const FreeBorder& largest = *std::max_element(borders.begin(), borders.end(),
+                                                    [](const auto& p, const auto& q) { return p.length < q.length; });
+      CompensatedSum length;
+      for (const FreeBorder& b : borders) length.add(b.length);
+      const std::string n = std::to_string(borders.size());
+      const std::string what = largest.hole
+                                   ? (borders.size() == 1 ? "has a hole" : "has " + n + " holes")
+                                   : "stops short along " + (borders.size() == 1 ? "one border" : n + " borders");
+      warnings.push_back("horizon " + name + " " + what + " (border length " + to_text(length.value()) + ", " +
+                         (borders.size() == 1 ? "near " : "the longest near ") + to_text(largest.place) +
+                         "): " + consequence(key.second, h, column, named));
+    }
+  }
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/build_model.hpp"
+#include "naming/name_regions.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+std::uint8_t kind_of(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, VertexIndex v) {
+  if (mesh.input_vertex[v] == no_vertex) return static_cast<std::uint8_t>(mesh.origin[v]);
+  return soup.kind[mesh.input_vertex[v]] == SoupVertexKind::input ? 0 : 1;
+}
+
+/// Points with those of kind input first, otherwise as the core orders them. Returns the new row of each point of the
+/// core.
+std::vector<VertexIndex> fill_points(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
+                                     ModelMesh& model) {
+  std::vector<VertexIndex> order(mesh.points.size()), row(mesh.points.size());
+  std::iota(order.begin(), order.end(), VertexIndex{0});
+  std::stable_partition(order.begin(), order.end(), [&](VertexIndex v) { return kind_of(mesh, soup, v) == 0; });
+  for (VertexIndex v : order) {
+    row[v] = static_cast<VertexIndex>(model.points.size());
+    model.points.push_back(mesh.points[v]);
+    model.point_kind.push_back(kind_of(mesh, soup, v));
+    const VertexIndex p = mesh.input_vertex[v];
+    const bool is_input = p != no_vertex && soup.input_point[p] != no_index;
+    model.input_vertex.push_back(is_input ? static_cast<std::int32_t>(soup.input_point[p]) : -1);
+  }
+  return row;
+}
+
+/// For facets that stand for several soup facets (polygons on a box side): the triangles of the side they come from.
+class SourceTriangles {
+ public:
+  SourceTriangles(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
+      : soup_(soup), plc_(plc), surfaces_(surfaces) {}
+
+  /// The one nearest to holding p, a point in their plane.
+  Index under(const Vec3& p, Index facet) {
+    const Index surface = origins_of(soup_, plc_, facet).front().surface;
+    std::vector<Index>& candidates = candidates_[facet];
+    if (candidates.empty()) candidates = triangles_of(facet);
+    Index best = candidates.front();
+    double best_excess = std::numeric_limits<double>::infinity();
+    for (Index triangle : candidates) {
+      const TriangulatedSurface& side = surfaces_[surface];
+      const Triangle& t = side.triangles[triangle];
+      const Vec3 &a = side.points[t[0]], &b = side.points[t[1]], &c = side.points[t[2]];
+      const double excess =
+          triangle_area(p, a, b) + triangle_area(p, b, c) + triangle_area(p, c, a) - triangle_area(a, b, c);
+      if (excess < best_excess) {
+        best_excess = excess;
+        best = triangle;
+      }
+    }
+    return best;
+  }
+
+ private:
+  std::vector<Index> triangles_of(Index facet) const {
+    std::set<Index> triangles;
+    for (Index i = plc_.facet_soup_offsets[facet]; i < plc_.facet_soup_offsets[facet + 1]; ++i)
+      triangles.insert(soup_.origins[soup_.origin_offsets[plc_.facet_soup[i]]].triangle);
+    return {triangles.begin(), triangles.end()};
+  }
+
+  const PolygonSoup& soup_;
+  const ModelPlc& plc_;
+  const std::vector<TriangulatedSurface>& surfaces_;
+  std::map<Index, std::vector<Index>> candidates_;
+};
+
+void fill_faces(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                const std::vector<TriangulatedSurface>& surfaces, const std::vector<std::int32_t>& surface_id,
+                const std::vector<VertexIndex>& row, ModelMesh& model) {
+  SourceTriangles sources(soup, plc, surfaces);
+  std::map<std::vector<std::int32_t>, std::int32_t> set_rows;
+  std::vector<std::int32_t> set;
+  for (const auto& face : mesh.faces) {
+    ModelMesh::Face out;
+    const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
+    out.region_minus = face.tetrahedron_below == no_index ? 0 : model.tet_region[face.tetrahedron_below];
+    out.region_plus = face.tetrahedron_above == no_index ? 0 : model.tet_region[face.tetrahedron_above];
+    out.vertices = {row[face.vertices[0]], row[face.vertices[1]], row[face.vertices[2]]};
+    const bool flip = below == no_index || (above != no_index && out.region_plus < out.region_minus);
+    if (flip) {
+      std::swap(out.vertices[1], out.vertices[2]);
+      std::swap(out.region_minus, out.region_plus);
+    }
+    const bool several = plc.facet_soup_offsets[face.facet + 1] - plc.facet_soup_offsets[face.facet] > 1;
+    const Vec3 middle =
+        (1.0 / 3) * (mesh.points[face.vertices[0]] + mesh.points[face.vertices[1]] + mesh.points[face.vertices[2]]);
+    const std::span<const PolygonSoup::Origin> origins = origins_of(soup, plc, face.facet);
+    out.surface = surface_id[origins.front().surface];
+    out.source_triangle =
+        static_cast<std::int32_t>(several ? sources.under(middle, face.facet) : origins.front().triangle);
+    out.patch = static_cast<std::int32_t>(plc.facet_patch[face.facet]);
+    set.clear();
+    for (const PolygonSoup::Origin& origin : origins)
+      if (const std::int32_t id = surface_id[origin.surface]; set.empty() || set.back() != id) set.push_back(id);
+    const auto [at, is_new] = set_rows.emplace(set, static_cast<std::int32_t>(model.surface_sets.size()));
+    if (is_new) model.surface_sets.push_back(set);
+    out.surface_set = at->second;
+    model.faces.push_back(out);
+  }
+}
+
+void sum_areas(ModelMesh& model) {
+  std::map<std::int32_t, CompensatedSum> areas;
+  for (const ModelMesh::Face& face : model.faces)
+    for (std::int32_t id : model.surface_sets[static_cast<std::size_t>(face.surface_set)])
+      areas[id].add(triangle_area(model.points[face.vertices[0]], model.points[face.vertices[1]],
+                                  model.points[face.vertices[2]]));
+  for (NamedSurface& surface : model.surfaces) surface.area = areas[surface.id].value();
+}
+
+/// Curves with at least one edge in the mesh, in the order of plc.curves, then marked points.
+void fill_curves(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                 const std::vector<NamedPoint>& points, const std::vector<VertexIndex>& row, std::int32_t next_id,
+                 ModelMesh& model) {
+  std::vector<CompensatedSum> lengths(plc.curves.size());
+  std::vector<std::size_t> n_edges(plc.curves.size(), 0);
+  for (const auto& edge : mesh.edges)
+    for (Index curve : plc.segment_curves[edge.segment]) {
+      lengths[curve].add(norm(mesh.points[edge.b] - mesh.points[edge.a]));
+      ++n_edges[curve];
+    }
+  std::vector<std::int32_t> id(plc.curves.size(), 0);
+  for (std::size_t c = 0; c < plc.curves.size(); ++c) {
+    if (n_edges[c] == 0) continue;
+    id[c] = next_id++;
+    model.curves.push_back({id[c], plc.curves[c].name, plc.curves[c].kind, lengths[c].value()});
+  }
+  for (const auto& edge : mesh.edges)
+    for (Index curve : plc.segment_curves[edge.segment])
+      model.curve_edges.push_back({row[edge.a], row[edge.b], id[curve]});
+  std::map<VertexIndex, VertexIndex> mesh_point;
+  for (const PolygonSoup::IsolatedPoint& p : soup.isolated_points) mesh_point[p.v] = no_vertex;
+  for (VertexIndex v = 0; v < mesh.points.size(); ++v)
+    if (const auto at = mesh_point.find(mesh.input_vertex[v]); at != mesh_point.end()) at->second = v;
+  for (const PolygonSoup::IsolatedPoint& p : soup.isolated_points)
+    if (mesh_point[p.v] != no_vertex)
+      model.marked_points.push_back({row[mesh_point[p.v]], next_id++, points[p.point].name});
+}
+
+/// Groups and attributes by unit or by region name; the region's own entry wins.
+void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::vector<std::string>& warnings) {
+  std::set<std::string> known;
+  for (const Region& r : model.regions) known.insert({r.name, r.unit});
+  for (const auto& [group, members] : rules.groups) {
+    RegionGroup out{group, {}};
+    for (const Region& r : model.regions)
+      if (std::any_of(members.begin(), members.end(), [&](const std::string& m) { return m == r.name || m == r.unit; }))
+        out.regions.push_back(r.id);
+    for (const std::string& m : members)
+      if (!known.contains(m))
+        warnings.push_back("group " + group + " names " + m + ", which is no unit or region of the mesh");
+    model.groups.push_back(std::move(out));
+  }
+  std::map<std::string, std::vector<double>> values;
+  for (const auto& [unit, list] : rules.attributes) {
+    if (!known.contains(unit))
+      warnings.push_back("attributes are given for " + unit + ", which is no unit or region of the mesh");
+    if (list.contains("region"))
+      throw Error(ErrorKind::usage, "attribute 'region' of " + unit + ": this name is taken by the region ids");
+    for (const auto& [name, value] : list)
+      values[name].assign(model.regions.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  for (auto& [name, by_region] : values) {
+    for (std::size_t r = 0; r < model.regions.size(); ++r)
+      for (const std::string& key : {model.regions[r].unit, model.regions[r].name})
+        if (const auto unit = rules.attributes.find(key); unit != rules.attributes.end())
+          if (const auto value = unit->second.find(name); value != unit->second.end()) by_region[r] = value->second;
+    model.attributes.push_back({name, by_region});
+  }
+}
+
+ModelMesh name_components(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                          const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points,
+                          const NamingRules& rules, std::vector<std::string>& warnings) {
+  const Column column = make_column(rules.column, surfaces, warnings);
+  NamedRegions named = name_regions(mesh, soup, plc, surfaces, rules, column, warnings);
+  warn_of_gaps(mesh, soup, plc, surfaces, column, named, warnings);
+
+  ModelMesh model;
+  model.regions = std::move(named.regions);
+  const std::vector<VertexIndex> row = fill_points(mesh, soup, model);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    model.tetrahedra.push_back({row[v[0]], row[v[1]], row[v[2]], row[v[3]]});
+    model.tet_region.push_back(named.id_of_component[mesh.component[t]]);
+  }
+  std::int32_t next_id = static_cast<std::int32_t>(model.regions.size()) + 1;
+  std::vector<std::int32_t> surface_id;
+  for (const TriangulatedSurface& surface : surfaces) {
+    surface_id.push_back(next_id);
+    model.surfaces.push_back({next_id++, surface.name, surface.kind, 0});
+  }
+  fill_faces(mesh, soup, plc, surfaces, surface_id, row, model);
+  sum_areas(model);
+  fill_curves(mesh, soup, plc, points, row, next_id, model);
+  add_groups_and_attributes(rules, model, warnings);
+  return model;
+}
+
+}  // namespace
+
+ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                     const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points,
+                     const NamingRules& rules, std::vector<std::string>& warnings) {
+  if (rules.topography.empty() && rules.floor.empty())
+    return name_components(mesh, soup, plc, surfaces, points, rules, warnings);
+  return name_components(within_ends(mesh, soup, plc, surfaces, rules, warnings), soup, plc, surfaces, points, rules,
+                         warnings);
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "naming/name_regions.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "geomesh/core/predicates.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+enum Class : Index { column_class, body_class, hint_class, seed_class, unnamed_class, hull_class };
+
+/// What a component is called before suffixes, and where it stands in the order of ids.
+struct Label {
+  Class order = unnamed_class;
+  Index rank = 0;  ///< within the class
+  std::string name;
+};
+
+/// Bodies (kind body) or, for files without rules, any surface: per component, the rows of closed ones it lies in,
+/// ascending.
+std::vector<std::vector<Index>> bodies_around(const std::vector<ComponentFacts>& facts,
+                                              const std::vector<TriangulatedSurface>& surfaces,
+                                              std::vector<std::string>& warnings) {
+  std::vector<std::vector<Index>> around(facts.size());
+  for (Index s = 0; s < surfaces.size(); ++s) {
+    const TriangulatedSurface& surface = surfaces[s];
+    if (surface.kind != SurfaceKind::body && surface.kind != SurfaceKind::surface) continue;
+    if (!is_closed(surface)) {
+      if (surface.kind == SurfaceKind::body)
+        warnings.push_back("body " + surface.name +
+                           " is not closed (or its triangles are not oriented alike): no region is named after it");
+      continue;
+    }
+    Box3 box;
+    for (const Triangle& t : surface.triangles)
+      for (VertexIndex v : t) box.add(surface.points[v]);
+    for (std::size_t c = 0; c < facts.size(); ++c) {
+      const Vec3& p = facts[c].inside_point;
+      if (p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x || p.y > box.max.y ||
+          p.z > box.max.z)
+        continue;
+      if (winding_number(surface, p) != 0) around[c].push_back(s);
+    }
+  }
+  return around;
+}
+
+/// The innermost of the bodies about component c: one that lies within all others that hold all of its components; of
+/// several the first.
+Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& around,
+                     const std::vector<TriangulatedSurface>& surfaces) {
+  const auto holds = [&](std::size_t component, Index body) {
+    return std::binary_search(around[component].begin(), around[component].end(), body);
+  };
+  // `inner` is strictly within `outer`: every component in inner is in outer, and not the other way round.
+  const auto within = [&](Index inner, Index outer) {
+    bool all = true, strict = false;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      all = all && (!holds(k, inner) || holds(k, outer));
+      strict = strict || (holds(k, outer) && !holds(k, inner));
+    }
+    return all && strict;
+  };
+  std::vector<Index> bodies;
+  for (Index s : around[c])
+    if (surfaces[s].kind == SurfaceKind::body) bodies.push_back(s);
+  for (Index body : bodies)
+    if (std::none_of(bodies.begin(), bodies.end(), [&](Index other) { return other != body && within(other, body); }))
+      return body;
+  return no_index;
+}
+
+/// Per component: the hint whose boundary faces it with the largest area, or no_index.
+std::vector<Index> hinted(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                          const std::vector<RegionHint>& hints) {
+  std::map<std::pair<Index, Index>, std::vector<std::pair<Index, bool>>> at_triangle;
+  for (Index h = 0; h < hints.size(); ++h)
+    for (const RegionHint::Side& side : hints[h].boundary)
+      at_triangle[{side.surface, side.triangle}].push_back({h, side.as_stored});
+  std::vector<std::map<Index, double>> votes(mesh.n_components);
+  for (const auto& face : mesh.faces) {
+    const double area =
+        triangle_area(mesh.points[face.vertices[0]], mesh.points[face.vertices[1]], mesh.points[face.vertices[2]]);
+    for (const PolygonSoup::Origin& o : origins_of(soup, plc, face.facet)) {
+      const auto at = at_triangle.find({o.surface, o.triangle});
+      if (at == at_triangle.end()) continue;
+      for (const auto& [hint, as_stored] : at->second) {
+        const bool outward_is_facet_normal = as_stored != o.reversed;
+        const Index c = component_of(mesh, outward_is_facet_normal ? face.tetrahedron_below : face.tetrahedron_above);
+        if (c != no_index) votes[c][hint] += area;
+      }
+    }
+  }
+  std::vector<Index> result(mesh.n_components, no_index);
+  for (std::size_t c = 0; c < votes.size(); ++c) {
+    double best = 0;
+    for (const auto& [hint, area] : votes[c])
+      if (area > best) {
+        best = area;
+        result[c] = hint;
+      }
+  }
+  return result;
+}
+
+void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, const Column& column,
+                     const std::vector<TriangulatedSurface>& surfaces, std::vector<std::string>& warnings) {
+  const auto horizon = [&](Index h) { return surfaces[column.horizons[h]].name; };
+  const std::string where = "the region of volume " + to_text(fact.volume) + " near " + to_text(fact.inside_point);
+  switch (verdict.kind) {
+    case UnitVerdict::Kind::unknown:
+      warnings.push_back(where + " touches no horizon of the column: it is not named after a unit");
+      break;
+    case UnitVerdict::Kind::vertical:
+      warnings.push_back(where + " touches no horizon of the column: it is named " + column.units[verdict.first] +
+                         ", by the horizons next above and below it on the vertical");
+      break;
+    case UnitVerdict::Kind::pocket:
+      warnings.push_back(where + " is a pocket below " + horizon(verdict.first_possible - 1) + " and above " +
+                         horizon(verdict.last_possible) + ", which cross; it is named " + column.units[verdict.first] +
+                         ", as if the younger horizon cut the older one (rules.on_crossing, or base: erode or onlap of "
+                         "a horizon, would cut one by the other)");
+      break;
+    case UnitVerdict::Kind::incomplete: {
+      std::string missing;
+      for (Index h = verdict.first_possible; h < verdict.last_possible; ++h)
+        missing += (missing.empty() ? "" : ", ") + horizon(h);
+      warnings.push_back(where + " could be " + column.units[verdict.first_possible] + " to " +
+                         column.units[verdict.last_possible] + ": no face of " + missing + " divides it; it is named " +
+                         column.units[verdict.first]);
+      break;
+    }
+    case UnitVerdict::Kind::unit:
+    case UnitVerdict::Kind::joined:
+      break;
+  }
+}
+
+/// Units of components that touch no horizon.
+void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup,
+                       const std::vector<TriangulatedSurface>& surfaces, const Column& column,
+                       std::vector<UnitVerdict>& verdicts) {
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    if (verdicts[c].kind != UnitVerdict::Kind::unknown) continue;
+    UnitVerdict verdict = judge_unit(contacts_on_vertical(soup, surfaces, column, facts[c].inside_point), column);
+    if (verdict.kind == UnitVerdict::Kind::unknown) continue;
+    verdict.kind = UnitVerdict::Kind::vertical;
+    verdicts[c] = verdict;
+  }
+}
+
+/// Rows of components in the order of their regions' ids.
+std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::vector<ComponentFacts>& facts) {
+  std::vector<std::size_t> order(labels.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const auto key = [](const Label& l) { return std::tie(l.order, l.rank, l.name); };
+    if (key(labels[i]) != key(labels[j])) return key(labels[i]) < key(labels[j]);
+    for (const auto member : {&ComponentFacts::min_point, &ComponentFacts::max_point, &ComponentFacts::centroid})
+      if (const int c = compare_lexicographic(facts[i].*member, facts[j].*member); c != 0) return c < 0;
+    return i < j;
+  });
+  return order;
+}
+
+/// Gives every region its final name: `__k` where several share one.
+void add_suffixes(const std::vector<std::size_t>& order, const std::vector<Label>& labels,
+                  const std::vector<ComponentFacts>& facts, std::vector<Region>& regions,
+                  std::vector<std::string>& warnings) {
+  std::map<std::string, std::vector<std::size_t>> rows;  // region rows by name
+  std::set<std::string> taken;
+  for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
+  for (const auto& [name, members] : rows)
+    if (members.size() == 1) taken.insert(name);
+  for (const auto& [name, members] : rows) {
+    std::string list;
+    std::size_t number = 0;
+    for (std::size_t r : members) {
+      regions[r].name = name;
+      if (members.size() == 1) continue;
+      do regions[r].name = name + "__" + std::to_string(++number);
+      while (!taken.insert(regions[r].name).second);
+      if (number <= 8)
+        list += (list.empty() ? "" : ", ") + regions[r].name + " (volume " + to_text(regions[r].volume) + " near " +
+                to_text(facts[order[r]].inside_point) + ")";
+    }
+    if (members.size() > 1)
+      warnings.push_back(name + " falls into " + std::to_string(members.size()) + " regions: " + list +
+                         (members.size() > 8 ? ", ..." : ""));
+  }
+}
+
+/// Labels of all components by the rules; warns of what the column cannot tell.
+std::vector<Label> make_labels(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                               const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
+                               const Column& column, const std::vector<ComponentFacts>& facts,
+                               const std::vector<std::vector<Index>>& around, const std::vector<UnitVerdict>& verdicts,
+                               std::vector<std::string>& warnings) {
+  const std::vector<Index> points = seeded(mesh, rules.seeds, warnings);
+  const std::vector<Index> hints = hinted(mesh, soup, plc, rules.hints);
+  std::vector<Label> labels(facts.size());
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    Label& label = labels[c];
+    const Index seed = c < mesh.component_seed.size() ? mesh.component_seed[c] : no_index;
+    if (points[c] != no_index) {
+      label = {seed_class, points[c], rules.seeds[points[c]].name};
+    } else if (seed < rules.seed_names.size()) {
+      label = {seed_class, seed, rules.seed_names[seed]};
+    } else if (const Index body = innermost_body(c, around, surfaces); rules.name_by_bodies && body != no_index) {
+      label = {body_class, body, surfaces[body].name};
+    } else if (hints[c] != no_index) {
+      label = {hint_class, hints[c], rules.hints[hints[c]].name};
+    } else if (!facts[c].enclosed) {
+      label = {hull_class, 0, "hull"};
+    } else if (column.given()) {
+      const UnitVerdict& verdict = verdicts[c];
+      warn_of_verdict(verdict, facts[c], column, surfaces, warnings);
+      if (verdict.first != no_index)
+        label = {column_class, 2 * verdict.first + (verdict.last > verdict.first), unit_name(verdict, column)};
+    }
+  }
+  std::vector<std::size_t> unnamed;
+  for (std::size_t c = 0; c < labels.size(); ++c)
+    if (labels[c].name.empty()) unnamed.push_back(c);
+  std::sort(unnamed.begin(), unnamed.end(), [&](std::size_t i, std::size_t j) {
+    return std::tie(facts[i].first_triangle, i) < std::tie(facts[j].first_triangle, j);
+  });
+  for (std::size_t k = 0; k < unnamed.size(); ++k)
+    labels[unnamed[k]] = {unnamed_class, static_cast<Index>(k), "region_" + std::to_string(k + 1)};
+  return labels;
+}
+
+/// `Unit__B2` for units of the column, where faults make more than one block.
+void add_blocks(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                const Column& column, const std::vector<ComponentFacts>& facts, std::vector<Label>& labels) {
+  const std::vector<Index> block = fault_blocks(mesh, soup, plc, facts, column);
+  std::map<Index, Index> number;  // of blocks that hold a unit, in the order of place
+  for (std::size_t c = 0; c < labels.size(); ++c)
+    if (labels[c].order == column_class) number[block[c]] = 0;
+  if (number.size() < 2) return;
+  Index n = 0;
+  for (auto& [key, value] : number) value = ++n;
+  for (std::size_t c = 0; c < labels.size(); ++c)
+    if (labels[c].order == column_class) labels[c].name += "__B" + std::to_string(number[block[c]]);
+}
+
+/// Which component's region each one joins; reports or merges what is smaller than min_volume.
+std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts,
+                                 const NamingRules& rules, const std::vector<Label>& labels,
+                                 std::vector<std::string>& warnings) {
+  std::vector<Index> target(facts.size());
+  std::iota(target.begin(), target.end(), Index{0});
+  if (!(rules.min_volume > 0)) return target;
+  if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    if (facts[c].volume >= rules.min_volume) continue;
+    const std::string what = "region of " + labels[c].name + " near " + to_text(facts[c].inside_point) +
+                             " has a volume of " + to_text(facts[c].volume) + ", less than min_volume";
+    warnings.push_back(target[c] == c ? what : what + ": it joins " + labels[target[c]].name);
+  }
+  return target;
+}
+
+}  // namespace
+
+NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
+                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
+                          const Column& column, std::vector<std::string>& warnings) {
+  const std::vector<ComponentFacts> facts = component_facts(mesh, soup, plc, rules.hull_surface);
+  const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
+  NamedRegions named;
+  for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column))
+    named.verdicts.push_back(judge_unit(contacts, column));
+  if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
+  std::vector<Label> labels =
+      make_labels(mesh, soup, plc, surfaces, rules, column, facts, around, named.verdicts, warnings);
+  std::vector<std::string> units;
+  for (const Label& label : labels) units.push_back(label.name);
+  if (rules.fault_blocks) add_blocks(mesh, soup, plc, column, facts, labels);
+  const std::vector<Index> target = small_regions(mesh, facts, rules, labels, warnings);
+
+  std::vector<std::size_t> order = id_order(labels, facts);
+  std::erase_if(order, [&](std::size_t c) { return target[c] != c; });
+  named.id_of_component.resize(facts.size());
+  for (std::size_t r = 0; r < order.size(); ++r) {
+    const std::size_t c = order[r];
+    named.id_of_component[c] = static_cast<std::int32_t>(r + 1);
+    Region region{static_cast<std::int32_t>(r + 1), "", {}, 0, 0, units[c]};
+    for (Index s : around[c]) region.inside.push_back(surfaces[s].name);
+    named.regions.push_back(std::move(region));
+  }
+  std::vector<CompensatedSum> volumes(order.size());
+  for (std::size_t c = 0; c < facts.size(); ++c) {
+    named.id_of_component[c] = named.id_of_component[target[c]];
+    const auto row = static_cast<std::size_t>(named.id_of_component[c] - 1);
+    named.regions[row].n_tetrahedra += facts[c].n_tetrahedra;
+    volumes[row].add(facts[c].volume);
+  }
+  for (std::size_t r = 0; r < order.size(); ++r) named.regions[r].volume = volumes[r].value();
+  add_suffixes(order, labels, facts, named.regions, warnings);
+  return named;
+}
+
+}  // namespace geomesh::geomodel

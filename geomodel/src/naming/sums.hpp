@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Sums without cancellation, and the measures that are summed.
+#pragma once
+
+#include <cmath>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel {
+
+/// Compensated sum (Neumaier 1974, the improved Kahan-Babuska algorithm): the error does not grow with the number of
+/// terms.
+class CompensatedSum {
+ public:
+  void add(double term) {
+    const double sum = sum_ + term;
+    correction_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
+    sum_ = sum;
+  }
+  double value() const { return sum_ + correction_; }
+
+ private:
+  double sum_ = 0, correction_ = 0;
+};
+
+inline double norm(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+/// Positive where orient3d is (up to rounding).
+inline double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return dot(cross(b - a, c - a), d - a) / 6;
+}
+inline double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) { return norm(cross(b - a, c - a)) / 2; }
+
+}  // namespace geomesh::geomodel

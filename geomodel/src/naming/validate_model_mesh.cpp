@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+#include "geomesh/geomodel/build_model.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Counts faults of one kind and keeps the first few rows.
+class FaultList {
+ public:
+  explicit FaultList(std::string what) : what_(std::move(what)) {}
+  void add(std::size_t row) {
+    if (++count_ <= 5) rows_ += (rows_.empty() ? "" : ", ") + std::to_string(row);
+  }
+  void flush(std::vector<std::string>& faults) const {
+    if (count_ > 0)
+      faults.push_back(std::to_string(count_) + " " + what_ + " (rows " + rows_ + (count_ > 5 ? ", ...)" : ")"));
+  }
+
+ private:
+  std::string what_, rows_;
+  std::size_t count_ = 0;
+};
+
+/// A face of a tetrahedron or a listed face: sorted vertices, whether the cyclic order is that of the sorted ones, and
+/// whose it is.
+struct FaceUse {
+  Triangle vertices;
+  bool even;
+  Index tetrahedron;  ///< no_index: a listed face
+  Index face;
+};
+
+FaceUse make_use(Triangle t, Index tetrahedron, Index face) {
+  bool even = true;
+  for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
+    if (t[static_cast<std::size_t>(i)] > t[static_cast<std::size_t>(j)]) {
+      std::swap(t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]);
+      even = !even;
+    }
+  return {t, even, tetrahedron, face};
+}
+
+bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
+  const std::size_t n = m.points.size(), before = faults.size();
+  if (m.point_kind.size() != n || m.input_vertex.size() != n) faults.push_back("point arrays differ in length");
+  if (m.tet_region.size() != m.tetrahedra.size()) faults.push_back("tet_region differs in length from tetrahedra");
+  const auto bad = [&](auto first, auto last) {
+    return std::any_of(first, last, [&](VertexIndex v) { return v >= n; });
+  };
+  FaultList tets("tetrahedra with a vertex out of range"), faces("faces with a vertex or surface set out of range"),
+      curves("curve edges with a vertex out of range"), marked("marked points out of range");
+  for (std::size_t t = 0; t < m.tetrahedra.size(); ++t)
+    if (bad(m.tetrahedra[t].begin(), m.tetrahedra[t].end())) tets.add(t);
+  for (std::size_t f = 0; f < m.faces.size(); ++f)
+    if (bad(m.faces[f].vertices.begin(), m.faces[f].vertices.end()) || m.faces[f].surface_set < 0 ||
+        static_cast<std::size_t>(m.faces[f].surface_set) >= m.surface_sets.size())
+      faces.add(f);
+  for (std::size_t e = 0; e < m.curve_edges.size(); ++e)
+    if (m.curve_edges[e].a >= n || m.curve_edges[e].b >= n) curves.add(e);
+  for (std::size_t p = 0; p < m.marked_points.size(); ++p)
+    if (m.marked_points[p].v >= n) marked.add(p);
+  for (const FaultList& list : {tets, faces, curves, marked}) list.flush(faults);
+  return faults.size() == before;
+}
+
+void check_points(const ModelMesh& m, std::vector<std::string>& faults) {
+  FaultList unused("points of no tetrahedron"), not_finite("points that are not finite"),
+      equal("points equal to another"), order("input points after added ones");
+  std::vector<bool> used(m.points.size(), false);
+  for (const Tetrahedron& t : m.tetrahedra)
+    for (VertexIndex v : t) used[v] = true;
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    if (!used[v]) unused.add(v);
+    if (!std::isfinite(m.points[v].x) || !std::isfinite(m.points[v].y) || !std::isfinite(m.points[v].z))
+      not_finite.add(v);
+    if (v > 0 && m.point_kind[v] == 0 && m.point_kind[v - 1] != 0) order.add(v);
+  }
+  std::vector<VertexIndex> sorted(m.points.size());
+  std::iota(sorted.begin(), sorted.end(), VertexIndex{0});
+  std::sort(sorted.begin(), sorted.end(),
+            [&](VertexIndex a, VertexIndex b) { return compare_lexicographic(m.points[a], m.points[b]) < 0; });
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    if (m.points[sorted[k]] == m.points[sorted[k - 1]]) equal.add(std::max(sorted[k], sorted[k - 1]));
+  for (const FaultList& list : {unused, not_finite, equal, order}) list.flush(faults);
+}
+
+void check_tetrahedra(const ModelMesh& m, std::vector<std::string>& faults) {
+  FaultList flat("tetrahedra that are not positive"), nameless("tetrahedra of no named region");
+  std::map<std::int32_t, std::size_t> count;
+  for (std::size_t t = 0; t < m.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = m.tetrahedra[t];
+    if (orient3d(m.points[v[0]], m.points[v[1]], m.points[v[2]], m.points[v[3]]) != Sign::positive) flat.add(t);
+    if (m.tet_region[t] < 1 || static_cast<std::size_t>(m.tet_region[t]) > m.regions.size()) {
+      nameless.add(t);
+    } else {
+      ++count[m.tet_region[t]];
+    }
+  }
+  flat.flush(faults);
+  nameless.flush(faults);
+  for (std::size_t r = 0; r < m.regions.size(); ++r) {
+    const Region& region = m.regions[r];
+    if (region.id != static_cast<std::int32_t>(r + 1)) faults.push_back("region ids do not count from 1");
+    if (region.n_tetrahedra != count[region.id])
+      faults.push_back("region " + region.name + " states a wrong number of tetrahedra");
+  }
+}
+
+/// The tetrahedra and listed faces on one triangle: `uses` share their vertices.
+void check_one_face(const ModelMesh& m, const FaceUse* begin, const FaceUse* end,
+                    std::map<std::string, FaultList>& lists) {
+  const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
+  std::vector<const FaceUse*> tets, listed;
+  for (const FaceUse* use = begin; use != end; ++use) (use->tetrahedron == no_index ? listed : tets).push_back(use);
+  if (tets.size() > 2) report("tetrahedra that share a face with two others", tets[2]->tetrahedron);
+  if (tets.size() == 2 && tets[0]->even == tets[1]->even)
+    report("tetrahedra that overlap their neighbour", tets[0]->tetrahedron);
+  if (listed.size() > 1) report("faces listed twice", listed[1]->face);
+  if (tets.empty()) report("faces that are no face of a tetrahedron", listed[0]->face);
+  if (tets.empty() || tets.size() > 2) return;
+  if (listed.empty()) {
+    const bool in_hull =
+        m.regions[static_cast<std::size_t>(m.tet_region[tets[0]->tetrahedron] - 1)].name.rfind("hull", 0) == 0;
+    if (tets.size() == 2 && m.tet_region[tets[0]->tetrahedron] != m.tet_region[tets[1]->tetrahedron])
+      report("tetrahedra next to another region without a face between", tets[0]->tetrahedron);
+    if (tets.size() == 1 && !in_hull)
+      report("tetrahedra on the outer boundary without a face there", tets[0]->tetrahedron);
+    return;
+  }
+  // A tetrahedron's faces are counter-clockwise seen from inside: its own normal points inwards, so a face with the
+  // same order has the tetrahedron on its plus side.
+  std::int32_t minus = 0, plus = 0;
+  for (const FaceUse* t : tets) (t->even == listed[0]->even ? plus : minus) = m.tet_region[t->tetrahedron];
+  const ModelMesh::Face& face = m.faces[listed[0]->face];
+  if (face.region_minus != minus || face.region_plus != plus)
+    report("faces whose regions differ from those of the tetrahedra there", listed[0]->face);
+  if (minus == 0 || (plus != 0 && plus < minus))
+    report("faces whose normal does not point from the lower region id to the higher", listed[0]->face);
+}
+
+void check_faces(const ModelMesh& m, std::vector<std::string>& faults) {
+  std::vector<FaceUse> uses;
+  uses.reserve(4 * m.tetrahedra.size() + m.faces.size());
+  for (Index t = 0; t < m.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = m.tetrahedra[t];
+    for (const auto& f : face_vertices) uses.push_back(make_use({v[f[0]], v[f[1]], v[f[2]]}, t, no_index));
+  }
+  for (Index f = 0; f < m.faces.size(); ++f) uses.push_back(make_use(m.faces[f].vertices, no_index, f));
+  std::sort(uses.begin(), uses.end(), [](const FaceUse& p, const FaceUse& q) {
+    return std::tie(p.vertices, p.tetrahedron, p.face) < std::tie(q.vertices, q.tetrahedron, q.face);
+  });
+  std::map<std::string, FaultList> lists;
+  for (std::size_t begin = 0; begin < uses.size();) {
+    std::size_t end = begin + 1;
+    while (end < uses.size() && uses[end].vertices == uses[begin].vertices) ++end;
+    check_one_face(m, uses.data() + begin, uses.data() + end, lists);
+    begin = end;
+  }
+  FaultList sets("faces whose surface is not the first of its set");
+  for (std::size_t f = 0; f < m.faces.size(); ++f) {
+    const auto& set = m.surface_sets[static_cast<std::size_t>(m.faces[f].surface_set)];
+    if (set.empty() || set.front() != m.faces[f].surface) sets.add(f);
+  }
+  for (const auto& [what, list] : lists) list.flush(faults);
+  sets.flush(faults);
+}
+
+void check_curves(const ModelMesh& m, std::vector<std::string>& faults) {
+  if (m.curve_edges.empty()) return;
+  std::vector<std::pair<VertexIndex, VertexIndex>> wanted;
+  for (const auto& e : m.curve_edges) wanted.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  std::vector<bool> found(wanted.size(), false);
+  for (const Tetrahedron& t : m.tetrahedra)
+    for (const auto& [i, j] : edge_vertices) {
+      const std::pair key(std::min(t[i], t[j]), std::max(t[i], t[j]));
+      const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
+      if (at != wanted.end() && *at == key) found[static_cast<std::size_t>(at - wanted.begin())] = true;
+    }
+  FaultList missing("curve edges that are no edge of a tetrahedron");
+  for (std::size_t e = 0; e < wanted.size(); ++e)
+    if (!found[e]) missing.add(e);
+  missing.flush(faults);
+}
+
+void check_ids(const ModelMesh& m, std::vector<std::string>& faults) {
+  std::set<std::int32_t> seen;
+  const auto add = [&](std::int32_t id, const std::string& name) {
+    if (id < 1 || !seen.insert(id).second)
+      faults.push_back("id " + std::to_string(id) + " of " + name + " is not positive or used twice");
+  };
+  std::set<std::string> names;
+  for (const Region& r : m.regions) {
+    add(r.id, r.name);
+    if (r.name.empty() || !names.insert(r.name).second)
+      faults.push_back("region name '" + r.name + "' is empty or used twice");
+  }
+  std::set<std::int32_t> surfaces, curves;
+  for (const NamedSurface& s : m.surfaces) {
+    add(s.id, s.name);
+    surfaces.insert(s.id);
+  }
+  for (const NamedCurve& c : m.curves) {
+    add(c.id, c.name);
+    curves.insert(c.id);
+  }
+  for (const auto& p : m.marked_points) add(p.id, p.name);
+  for (const auto& set : m.surface_sets)
+    for (std::int32_t id : set)
+      if (!surfaces.contains(id))
+        faults.push_back("a surface set names id " + std::to_string(id) + ", which is no surface");
+  FaultList bad("curve edges of no named curve");
+  for (std::size_t e = 0; e < m.curve_edges.size(); ++e)
+    if (!curves.contains(m.curve_edges[e].curve)) bad.add(e);
+  bad.flush(faults);
+}
+
+}  // namespace
+
+std::vector<std::string> validate_model_mesh(const ModelMesh& mesh) {
+  std::vector<std::string> faults;
+  if (!check_indices(mesh, faults)) return faults;
+  check_points(mesh, faults);
+  check_tetrahedra(mesh, faults);
+  if (faults.empty()) check_faces(mesh, faults);
+  check_curves(mesh, faults);
+  check_ids(mesh, faults);
+  return faults;
+}
+
+}  // namespace geomesh::geomodel

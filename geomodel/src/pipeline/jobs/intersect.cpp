@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdio>
+
+#include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
+#include "pipeline/jobs/prepare.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+bool looks_geographic(const Box3& extent) {
+  return extent.min.x >= -180 && extent.max.x <= 360 && extent.min.y >= -90 && extent.max.y <= 90;
+}
+
+/// What a geologist would look at first where a surface lies elsewhere than the model.
+const char* advice(const Box3& extent, const std::optional<Box3>& model) {
+  if (!model) return "";
+  if (looks_geographic(extent) && !looks_geographic(*model))
+    return ". Its coordinates look like longitude and latitude, the model's do not: project the file to the system of "
+           "the project";
+  const bool inside_map = extent.max.x >= model->min.x && extent.min.x <= model->max.x &&
+                          extent.max.y >= model->min.y && extent.min.y <= model->max.y;
+  if (inside_map && -extent.min.z >= model->min.z && -extent.max.z <= model->max.z)
+    return ". With z turned round it would lie in the box: are these depths, counted downwards?";
+  if (inside_map) return ". In the map it lies over the box, but not in height: are both in the same unit?";
+  return ". Are its coordinates in the same system and unit as those of the box?";
+}
+
+/// Faults that end inside, with the length of their tips: as given, or for want of an extent.
+void note_tips(PreparedModel& model, const RunContext& context) {
+  struct Tip {
+    double length = 0, longest = -1;
+    Vec3 place;
+  };
+  std::vector<Tip> tips(model.plc.curves.size());
+  const auto& points = model.plc.plc.points;
+  for (std::size_t s = 0; s < model.plc.segment_curves.size(); ++s)
+    for (const Index curve : model.plc.segment_curves[s]) {
+      if (model.plc.curves[curve].kind != "fault_tip") continue;
+      const Vec3 &a = points[model.plc.plc.segments[s].a], &b = points[model.plc.plc.segments[s].b];
+      const double length = norm(b - a);
+      tips[curve].length += length;
+      if (length <= tips[curve].longest) continue;
+      tips[curve].longest = length;
+      tips[curve].place = 0.5 * (a + b);
+    }
+  for (std::size_t c = 0; c < tips.size(); ++c) {
+    const std::string& name = model.plc.curves[c].name;
+    if (tips[c].length > 0)
+      note(model.notes, context,
+           "fault " + name.substr(0, name.rfind(".tip")) + " ends inside the model along a tip of length " +
+               to_text(tips[c].length) + ", near " + to_text(tips[c].place) + " (extent: to_box would continue it)");
+  }
+}
+
+/// A surface of which nothing is left is most often one in other coordinates than the box.
+void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
+  std::vector<bool> present(model.surfaces.size(), false);
+  for (const PolygonSoup::Origin& origin : model.arrangement.soup.origins)
+    if (origin.surface < present.size()) present[origin.surface] = true;
+  for (std::size_t s = 0; s < model.surfaces.size(); ++s) {
+    if (present[s] || model.surfaces[s].triangles.empty()) continue;
+    Box3 extent;
+    for (const Vec3& p : model.surfaces[s].points) extent.add(p);
+    char text[200];
+    std::snprintf(text, sizeof text, "it reaches from (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g)", extent.min.x,
+                  extent.min.y, extent.min.z, extent.max.x, extent.max.y, extent.max.z);
+    warn(model.warnings, context,
+         std::string(to_string(model.surfaces[s].kind)) + " " + model.surfaces[s].name +
+             " never meets the model: all of it lies outside the box or inside bodies that cut it; " + text +
+             advice(extent, model.rules.box));
+  }
+}
+
+/// What crosses, has gaps and dangles, but for what was warned of.
+void note_findings(PreparedModel& model, const RunContext& context) {
+  constexpr std::size_t most = 100;
+  std::size_t n = 0;
+  for (std::string& text : findings(model.arrangement.spots, model.surfaces))
+    if (std::find(model.warnings.begin(), model.warnings.end(), text) == model.warnings.end() && n++ < most)
+      note(model.notes, context, std::move(text));
+  if (n > most)
+    note(model.notes, context,
+         "... and " + std::to_string(n - most) + " more findings of this kind: see intersection.spots");
+}
+
+/// Continued blocks of a horizon with throw run through and onto each other until they are parted: nothing that the
+/// user gave is wrong there.
+void drop_spots_of_blocks(PreparedModel& model) {
+  ArrangementResult& found = model.arrangement;
+  const auto& blocks = model.built_rows.block_of_triangle;
+  std::erase_if(found.spots, [&](const Spot& spot) {
+    const bool of_blocks =
+        spot.surface_a == spot.surface_b && spot.surface_a < blocks.size() && !blocks[spot.surface_a].empty();
+    if (of_blocks) std::erase(found.warnings, describe(spot, model.surfaces));
+    return of_blocks;
+  });
+}
+
+}  // namespace
+
+void build(PreparedModel& model, const RunContext& context) {
+  StageScope stage(context, "build");
+  BuiltSurfaces built = build_surfaces(model.surfaces, model.rules);
+  model.surfaces = std::move(built.surfaces);
+  model.built_rows = std::move(built.rows);
+  for (std::string& text : built.notes) note(model.notes, context, std::move(text));
+  for (std::string& text : built.warnings) warn(model.warnings, context, std::move(text));
+}
+
+void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const ArrangementOptions& options,
+               const RunContext& context) {
+  StageScope stage(context, "intersect");
+  model.arrangement = arrange(model.surfaces, wells, model.points, options, context);
+  drop_spots_of_blocks(model);
+  for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
+  warn_of_absent_surfaces(model, context);
+  for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
+  note_findings(model, context);
+  if (model.rules.trims()) {
+    TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.built_rows, model.rules);
+    model.arrangement.soup = std::move(trimmed.soup);
+    model.arrangement.area_clipped_by_rules = std::move(trimmed.area_removed);
+    for (std::string& text : trimmed.notes) note(model.notes, context, std::move(text));
+    for (std::string& text : trimmed.warnings) warn(model.warnings, context, std::move(text));
+  }
+  model.plc = make_plc(model.arrangement.soup, model.surfaces, wells);
+  note_tips(model, context);
+  context.note(LogLevel::info, std::to_string(model.arrangement.n_crossing_pairs) + " pairs of triangles cross; " +
+                                   std::to_string(model.arrangement.soup.facets.size()) + " facets");
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geomesh/geomodel/pipeline.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "pipeline/jobs/prepare.hpp"
+
+namespace geomesh::geomodel {
+
+const std::vector<std::string>& stage_names() {
+  static const std::vector<std::string> names{"read",     "build",  "intersect", "delaunay", "recover",
+                                              "classify", "refine", "improve",   "verify",   "write"};
+  return names;
+}
+
+JobResult run_project(const ProjectRequest& request, const RunContext& context) {
+  const Project& project = request.project;
+  StageRecorder recorder(context, request.stop_after);
+  PreparedModel model;
+  model.command = "project";
+  model.name = project.name;
+  OutputPlan plan;
+  plan.stem = request.directory.value_or(project.output.directory) / project.name;
+  plan.formats = project.output.formats;
+  plan.report_copy = request.report;
+  return run_stages(model, plan, recorder, [&] { prepare_project(project, model, recorder.context()); });
+}
+
+JobResult run_mesh(const MeshRequest& request, const RunContext& context) {
+  StageRecorder recorder(context, request.stop_after);
+  PreparedModel model;
+  model.command = "mesh";
+  model.name = request.output.stem().string();
+  OutputPlan plan;
+  plan.stem = request.output.parent_path() / request.output.stem();
+  plan.formats = {request.output.extension().string().substr(1)};
+  plan.report_beside = plan.formats.front() == "vtu";
+  plan.report_copy = request.report;
+  return run_stages(model, plan, recorder, [&] { prepare_mesh(request, model, recorder.context()); });
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "coordinates/project_inputs.hpp"
+#include "grid_sizes/size_grid.hpp"
+#include "pipeline/jobs/prepare.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// The volume in the project's system with elevation up: its bounds, and its corners in the map where it is no box
+/// along the axes.
+nlohmann::ordered_json describe_volume(const ModelVolume& volume, const PreparedModel& model) {
+  const Vec3 min = volume.bounds.min + model.origin, max = volume.bounds.max + model.origin;
+  nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // zmin and zmax are the last
+    const Vec3 corner = volume.sides[i].points[0] + model.origin;
+    box["corners"].push_back({corner.x, corner.y});
+  }
+  return box;
+}
+
+/// With z scaled the mesh is Delaunay, and sizes and shapes are those asked for, in the scaled space and not in the one
+/// that is written.
+void refuse_scaling(const Project& project) {
+  if (project.crs.z_scale == 1) return;
+  const std::string where = project.file.filename().string() + ": crs.z_scale cannot be combined with ";
+  if (project.mesh.options.recover.mode == MeshMode::conforming)
+    throw Error(ErrorKind::usage,
+                where + "mesh.mode: conforming, whose mesh would be Delaunay in the scaled space alone");
+  if (project.mesh.refinement.refine)
+    throw Error(ErrorKind::usage, where +
+                                      "refinement (mesh.size, quality, honour or refine), which would judge sizes, "
+                                      "shapes and the tolerance in the scaled "
+                                      "space; leave out one of them");
+}
+
+/// From here on z is scaled, until the mesh is named. Rules have acted on the surfaces in true lengths.
+void scale_z(PreparedModel& model, std::vector<Polyline>& wells) {
+  ZScale& scale = model.z_scale;
+  if (scale.factor() == 1) return;
+  for (TriangulatedSurface& surface : model.surfaces) scale.apply(surface.points);
+  for (Polyline& well : wells) scale.apply(well.points);
+  for (NamedPoint& point : model.points) scale.apply(point.point);
+  for (TriangulatedSurface& side : model.volume.sides) scale.apply(side.points);
+  for (Box3* box : {&model.volume.bounds, model.volume.box ? &*model.volume.box : nullptr,
+                    model.rules.box ? &*model.rules.box : nullptr}) {
+    if (!box) continue;
+    scale.apply(box->min);
+    scale.apply(box->max);
+  }
+}
+
+std::string describe_input(const Project& project, const PreparedModel& model) {
+  nlohmann::ordered_json input;
+  input["project"] = project.file.filename().string();
+  input["crs"] = {{"horizontal", project.crs.horizontal},
+                  {"mesh", model.system},
+                  {"z", project.crs.depth ? "depth" : "elevation"},
+                  {"unit", project.crs.unit}};
+  if (!project.crs.z_datum.empty()) input["crs"]["z_datum"] = project.crs.z_datum;
+  if (project.crs.z_scale != 1) input["crs"]["z_scale"] = project.crs.z_scale;
+  if (project.box) input["box"] = describe_volume(model.volume, model);
+  for (const TriangulatedSurface& s : model.surfaces)
+    input["surfaces"].push_back({{"name", s.name},
+                                 {"kind", to_string(s.kind)},
+                                 {"file", s.file},
+                                 {"cuts_all", s.cuts_all},
+                                 {"points", s.points.size()},
+                                 {"triangles", s.triangles.size()}});
+  if (!project.column.empty()) input["column"] = project.column;
+  input["mesh"] = {{"mode", project.mesh.options.recover.mode == MeshMode::conforming ? "conforming" : "constrained"},
+                   {"refine", project.mesh.refinement.refine ? "default" : "none"},
+                   {"preserve_boundary", project.mesh.options.recover.preserve_boundary}};
+  input["output"] = {{"formats", project.output.formats},
+                     {"origin", {project.output.origin.x, project.output.origin.y, project.output.origin.z}}};
+  return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void prepare_project(const Project& project, PreparedModel& model, const RunContext& context) {
+  refuse_scaling(project);
+  ProjectInputs inputs = [&] {
+    StageScope stage(context, "read");
+    return read_project_inputs(project, context);
+  }();
+  for (std::string& text : inputs.notes) note(model.notes, context, std::move(text));
+  for (std::string& text : inputs.warnings) warn(model.warnings, context, std::move(text));
+  model.surfaces = std::move(inputs.surfaces);
+  model.points = std::move(inputs.points);
+  model.naming = project.naming;
+  for (NamedPoint& seed : model.naming.seeds) seed.point = inputs.frame.point(seed.point);
+  model.system = inputs.frame.system().name();
+  model.rules = project.rules;
+  model.origin = project.output.origin;
+  model.unit = project.crs.unit;
+  model.options = project.mesh.options;
+  model.refinement = project.mesh.refinement;
+  for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
+  load_background(model.refinement.size, model.origin);
+  ArrangementOptions options;
+  options.tolerance = project.tolerance;
+  if (inputs.volume) {
+    model.volume = make_volume(*inputs.volume, model.surfaces, Vec3{});
+    if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
+    model.rules.box = model.volume.bounds;
+  }
+  model.input_json = describe_input(project, model);
+  build(model, context);
+  model.z_scale = ZScale(project.crs.z_scale);
+  scale_z(model, inputs.wells);
+  if (inputs.volume) {
+    options.box = model.volume.box;
+    options.volume = model.volume.sides;
+  }
+  intersect(model, inputs.wells, options, context);
+}
+
+}  // namespace geomesh::geomodel

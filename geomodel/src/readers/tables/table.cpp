@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/tables/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "readers/text/frame.hpp"
+#include "readers/text/units.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+std::string_view without_quotes(std::string_view field) {
+  field = trim(field);
+  if (field.size() >= 2 && (field.front() == '"' || field.front() == '\'') && field.back() == field.front())
+    field = trim(field.substr(1, field.size() - 2));
+  return field;
+}
+
+/// The end of the field that begins at 0: quotes keep delimiters.
+std::size_t end_of_field(std::string_view rest, char delimiter) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest[i] == '"') quoted = !quoted;
+    const bool ends = delimiter == ' ' ? rest[i] == ' ' || rest[i] == '\t' : rest[i] == delimiter;
+    if (ends && !quoted) return i;
+  }
+  return rest.size();
+}
+
+/// "Depth [ft]", "Z (m)", "depth_ft": the name and its unit.
+std::pair<std::string, std::string> name_and_unit(std::string_view text) {
+  std::string name = to_lower(without_quotes(text)), unit;
+  const std::size_t open = name.find_first_of("[(");
+  if (open != std::string::npos) {
+    const std::size_t close = name.find_first_of("])", open);
+    unit = trim(std::string_view(name).substr(open + 1, close == std::string::npos ? close : close - open - 1));
+    name = trim(std::string_view(name).substr(0, open));
+  } else if (const std::size_t bar = name.rfind('_'); bar != std::string::npos && bar + 1 < name.size()) {
+    const std::string tail = name.substr(bar + 1);
+    if (tail != "s" && (length_unit_in_metres(tail) || is_time_unit(tail))) {
+      unit = tail;
+      name.resize(bar);
+    }
+  }
+  return {name, unit};
+}
+
+bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+bool is_longitude(std::string_view n) { return one_of(n, {"lon", "long", "longitude", "lng"}); }
+bool is_latitude(std::string_view n) { return one_of(n, {"lat", "latitude"}); }
+bool is_x(std::string_view n) {
+  return is_longitude(n) || one_of(n, {"x", "easting", "east", "e", "x_coord", "xcoord", "coord_x", "x_utm", "utm_x",
+                                       "utmx", "xx", "x_easting"});
+}
+bool is_y(std::string_view n) {
+  return is_latitude(n) || one_of(n, {"y", "northing", "north", "n", "y_coord", "ycoord", "coord_y", "y_utm", "utm_y",
+                                      "utmy", "yy", "y_northing"});
+}
+/// Rank of a column that parts points into sets, from 1; 0: none.
+std::size_t group_rank(std::string_view n) {
+  static constexpr std::string_view words[] = {"formation", "surface", "horizon", "layer",  "unit", "feature_name",
+                                               "feature",   "fault",   "name",    "object", "id",   "val"};
+  const auto* it = std::find(std::begin(words), std::end(words), n);
+  return it == std::end(words) ? 0 : static_cast<std::size_t>(it - std::begin(words)) + 1;
+}
+
+}  // namespace
+
+std::vector<std::string_view> Separation::split(std::string_view line) const {
+  std::vector<std::string_view> fields;
+  if (delimiter == ' ') line = trim(line);
+  while (true) {
+    if (delimiter == ' ') line = trim(line);
+    const std::size_t end = end_of_field(line, delimiter);
+    fields.push_back(without_quotes(line.substr(0, end)));
+    if (end == line.size()) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> Separation::number(std::string_view field) const {
+  if (!decimal_comma) return to_double(field);
+  std::string copy(field);
+  std::replace(copy.begin(), copy.end(), ',', '.');
+  return to_double(copy);
+}
+
+Separation sniff_separation(std::string_view line) {
+  const bool has_comma = line.find(',') != std::string_view::npos;
+  for (const char delimiter : {';', '\t'})
+    if (line.find(delimiter) != std::string_view::npos) {
+      const Separation without{delimiter, false}, with{delimiter, true};
+      const auto numbers = [&](const Separation& s) {
+        const auto fields = s.split(line);
+        return std::count_if(fields.begin(), fields.end(), [&](std::string_view f) { return s.number(f).has_value(); });
+      };
+      if (delimiter == '\t' && without.split(line).size() < 3) continue;  // a tab that only fills
+      return has_comma && numbers(with) > numbers(without) ? with : without;
+    }
+  if (!has_comma) return {};
+  const Separation blanks{' ', true};
+  const auto fields = blanks.split(line);
+  const bool commas_within = fields.size() >= 3 && std::all_of(fields.begin(), fields.end(), [](std::string_view f) {
+                               return f.back() != ',' && f.front() != ',' && std::count(f.begin(), f.end(), ',') <= 1;
+                             });
+  return commas_within ? blanks : Separation{',', false};
+}
+
+std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<std::string>& names) {
+  Columns columns;
+  bool has_x = false, has_y = false, has_z = false;
+  std::string time_column;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto [name, unit] = name_and_unit(names[i]);
+    const HeightColumn height = height_column(name);
+    if (is_x(name) && !has_x) {
+      columns.x = i;
+      has_x = true;
+      columns.geographic = is_longitude(name);
+    } else if (is_y(name) && !has_y) {
+      columns.y = i;
+      has_y = true;
+    } else if (height.is_height && (height.time || is_time_unit(unit))) {
+      if (time_column.empty()) time_column = names[i];
+    } else if (height.is_height && !has_z) {
+      columns.z = i;
+      has_z = true;
+      columns.depth = height.depth;
+      columns.z_unit = unit;
+    } else if (name == "column") {
+      columns.column = i;
+    } else if (name == "row") {
+      columns.row = i;
+    }
+  }
+  if (has_x && has_y && !has_z && !time_column.empty()) {
+    at.fail("the heights are in the column " + in_quotes(time_column) +
+            ", which is a time: a surface in time cannot be meshed with others in length; convert it to depth first");
+  }
+  return has_x && has_y && has_z ? std::optional(columns) : std::nullopt;
+}
+
+Table read_table(LineReader& lines, const Separation& separation, Columns columns, double null) {
+  Table table;
+  const std::size_t n_needed = std::max({columns.x, columns.y, columns.z}) + 1;
+  while (lines.next()) {
+    const std::string_view line = trim(lines.line());
+    if (line.empty() || line.front() == '#' || line.front() == '!') continue;
+    const std::vector<std::string_view> fields = separation.split(lines.line());
+    if (fields.size() < n_needed)
+      lines.fail("expected at least " + std::to_string(n_needed) + " columns, found " + std::to_string(fields.size()) +
+                 ": " + in_quotes(line));
+    TableRow row;
+    bool present = true;
+    const std::size_t column_of[3] = {columns.x, columns.y, columns.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string_view field = fields[column_of[k]];
+      const std::string lower = to_lower(field);
+      if (field.empty() || lower == "nan" || lower == "null" || lower == "na" || lower == "n/a") {
+        present = false;
+        continue;
+      }
+      const auto value = separation.number(field);
+      if (!value)
+        lines.fail(std::string("expected a number for ") + "xyz"[k] + " in column " + std::to_string(column_of[k] + 1) +
+                   ", found " + in_quotes(field));
+      if (!std::isfinite(*value))
+        lines.fail(std::string("coordinate ") + "xyz"[k] + " is not finite: " + in_quotes(field));
+      row.point[k] = *value;
+    }
+    if (!present || !(std::abs(row.point.z) < null)) {
+      ++table.n_skipped;
+      continue;
+    }
+    if (columns.group && *columns.group < fields.size()) row.group = fields[*columns.group];
+    const auto whole = [&](std::optional<std::size_t> c, std::size_t& out) {
+      if (!c) return;
+      const auto n = *c < fields.size() ? to_integer(fields[*c]) : std::nullopt;
+      if (!n || *n < 1)
+        lines.fail("expected a column or row of the grid, counted from 1, in column " + std::to_string(*c + 1));
+      out = static_cast<std::size_t>(*n) - 1;
+    };
+    whole(columns.column, row.column);
+    whole(columns.row, row.row);
+    table.rows.push_back(std::move(row));
+  }
+  table.columns = std::move(columns);
+  return table;
+}
+
+void choose_group(LineReader lines, const Separation& separation, const std::vector<std::string>& names,
+                  Columns& columns) {
+  struct Candidate {
+    std::size_t rank, column;
+    std::set<std::string, std::less<>> values;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const std::size_t rank = group_rank(name_and_unit(names[i]).first); rank > 0)
+      candidates.push_back({rank, i, {}});
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.rank, a.column) < std::tie(b.rank, b.column);
+  });
+  if (candidates.empty()) return;
+  std::size_t n_rows = 0;
+  while (lines.next()) {
+    if (trim(lines.line()).empty()) continue;
+    ++n_rows;
+    const auto fields = separation.split(lines.line());
+    for (Candidate& c : candidates)
+      if (c.column < fields.size() && !c.values.contains(fields[c.column])) c.values.emplace(fields[c.column]);
+  }
+  for (const Candidate& c : candidates) {
+    if (c.values.size() < 2 || 3 * c.values.size() > n_rows) continue;
+    columns.group = c.column;
+    columns.group_name = names[c.column];
+    return;
+  }
+}
+
+namespace {
+
+struct DuplicateCounts {
+  std::size_t equal = 0, same_place = 0;
+};
+DuplicateCounts count_duplicates(std::vector<Vec3> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  DuplicateCounts n;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].x != points[i - 1].x || points[i].y != points[i - 1].y) continue;
+    ++(points[i].z == points[i - 1].z ? n.equal : n.same_place);
+  }
+  return n;
+}
+
+void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> points, FileContents& contents) {
+  const DuplicateCounts twice = count_duplicates(points);
+  if (twice.equal > 0)
+    contents.warnings.push_back(std::to_string(twice.equal) + " points of '" + name + "' repeat another");
+  if (twice.same_place > 0)
+    contents.warnings.push_back(std::to_string(twice.same_place) + " points of '" + name +
+                                "' stand at the x and y of another with a different z");
+  if (const auto lattice = twice.same_place == 0 ? lattice_of_points(points) : std::nullopt) {
+    const std::vector<Vec3>& nodes = lattice->nodes;
+    const Vec3 &first = nodes.front(), &right = nodes[1], &up = nodes[lattice->n_columns];
+    add_lattice(file, name, *lattice,
+                {name, 0, 0, 0, {first.x, first.y}, {right.x - first.x, up.y - first.y}, 0, false}, contents);
+    contents.notes.push_back("the points of '" + name + "' are the nodes of a regular grid of " +
+                             std::to_string(lattice->n_columns) + " by " + std::to_string(lattice->n_rows));
+    return;
+  }
+  contents.point_sets.push_back({name, file.shown(), std::move(points)});
+}
+
+}  // namespace
+
+void add_table(const InputFile& file, const Table& table, FileContents& contents) {
+  if (table.rows.empty()) file.fail("the file holds no point with x, y and z");
+  contents.frame.depth = contents.frame.z_named = table.columns.depth;
+  contents.frame.geographic = table.columns.geographic;
+  contents.frame.z_unit = table.columns.z_unit;
+  if (table.columns.geographic)
+    contents.notes.push_back("x and y are longitude and latitude by the names of their columns");
+  if (table.n_skipped > 0)
+    contents.warnings.push_back(std::to_string(table.n_skipped) + " rows without a value of x, y or z are left out");
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<Vec3>> sets;
+  for (const TableRow& row : table.rows) {
+    const auto [it, fresh] = sets.try_emplace(row.group);
+    if (fresh) order.push_back(row.group);
+    it->second.push_back(row.point);
+  }
+  if (order.size() > 1)
+    contents.notes.push_back("the points are parted by the column '" + table.columns.group_name + "'");
+  for (const std::string& group : order) {
+    std::string name = order.size() == 1 ? file.path.stem().string() : group;
+    if (name.empty()) name = "(none)";
+    add_set(file, name, std::move(sets[group]), contents);
+  }
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include "geomesh/geomodel/report.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "report/words.hpp"
+#include "report_html/drawing.hpp"
+#include "report_html/section.hpp"
+#include "report_html/shape_section.hpp"
+#include "report_html/viewer.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+using page::colour;
+using page::escape;
+using page::number;
+
+constexpr std::string_view style = R"css(
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 62rem; padding: 0 1rem; color: #222; background: #fff; }
+h1 { font-size: 1.7rem; margin-bottom: 0; } h2 { font-size: 1.2rem; margin-top: 2.2rem; border-bottom: 1px solid #ddd; }
+h3 { font-size: .9rem; margin: .7rem 0 .2rem; } p.lead { color: #555; margin-top: .2rem; }
+table { border-collapse: collapse; } td, th { padding: .15rem .8rem .15rem 0; text-align: left; vertical-align: top; }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; } i { display: inline-block; width: .85em; height: .85em; border-radius: 2px; margin: 0 .45em 0 .2em; }
+svg { max-width: 100%; height: auto; font-size: 11px; } .unit { stroke: #fff; stroke-width: .35; stroke-linejoin: round; }
+.trace { stroke: #222; stroke-width: 1.1; fill: none; } .frame { fill: none; stroke: #888; } .bar { fill: #6b8fb3; }
+.warning { border-left: 4px solid #d99000; padding: .2rem .8rem; margin: .4rem 0; background: #fdf6e6; } .row { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 1.5rem; }
+#viewer { display: grid; grid-template-columns: 1fr 15rem; gap: 1rem; } #viewer canvas { width: 100%; height: 30rem; touch-action: none; cursor: grab; border: 1px solid #ddd; }
+#viewer .list { max-height: 30rem; overflow-y: auto; } #viewer label { display: block; } .hint { color: #666; font-size: .85rem; }
+)css";
+
+Box3 bounds_of(const ModelMesh& mesh) {
+  Box3 bounds;
+  for (const Vec3& p : mesh.points) bounds.add(p);
+  return bounds;
+}
+
+std::string swatch(std::size_t row) { return "<i style=\"background:" + colour(row) + "\"></i>"; }
+
+std::string cell(const std::string& text, bool is_number = false) {
+  return (is_number ? "<td class=\"n\">" : "<td>") + text + "</td>";
+}
+
+std::string regions_table(const ModelMesh& mesh) {
+  std::string out =
+      "<h2>Units</h2>\n<table><tr><th>unit</th><th class=\"n\">volume</th><th class=\"n\">tetrahedra</th><th>lies "
+      "in</th></tr>\n";
+  for (const Region& r : mesh.regions) {
+    std::string inside;
+    for (const std::string& body : r.inside) inside += (inside.empty() ? "" : ", ") + body;
+    out += "<tr>" + cell(swatch(static_cast<std::size_t>(r.id - 1)) + escape(r.name)) +
+           cell(volume_words(r.volume, mesh.unit), true) + cell(std::to_string(r.n_tetrahedra), true) +
+           cell(escape(inside)) + "</tr>\n";
+  }
+  return out + "</table>\n";
+}
+
+std::string surfaces_table(const ModelMesh& mesh) {
+  std::string out =
+      "<h2>Surfaces and curves</h2>\n<div class=\"row\"><table><tr><th>surface</th><th>kind</th><th "
+      "class=\"n\">area, " +
+      mesh.unit + "2</th></tr>\n";
+  for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+    const NamedSurface& s = mesh.surfaces[i];
+    out += "<tr>" + cell(swatch(mesh.regions.size() + i) + escape(s.name)) + cell(std::string(to_string(s.kind))) +
+           cell(number(s.area), true) + "</tr>\n";
+  }
+  out += "</table><table><tr><th>curve</th><th>kind</th><th class=\"n\">length, " + mesh.unit + "</th></tr>\n";
+  for (const NamedCurve& c : mesh.curves)
+    out += "<tr>" + cell(escape(c.name)) + cell(escape(c.kind)) + cell(number(c.length), true) + "</tr>\n";
+  return out + "</table></div>\n";
+}
+
+std::string viewer(const ModelMesh& mesh, const Box3& bounds) {
+  if (mesh.faces.size() > page::most_faces_shown)
+    return "<p class=\"hint\">" + std::to_string(mesh.faces.size()) +
+           " faces are too many to turn in a browser: open the .faces.vtp in ParaView.</p>\n";
+  return "<div id=\"viewer\"><div><canvas></canvas><div class=\"hint\">Drag to turn, wheel to zoom. Vertical stretch "
+         "<input type=\"range\" min=\"1\" max=\"10\" step=\"0.5\"> <input type=\"checkbox\" name=\"lines\" checked> "
+         "mesh edges</div></div>"
+         "<div class=\"list\"></div></div>\n<script type=\"application/json\" id=\"model\">" +
+         page::viewer_data(mesh, bounds) + "</script>\n<script>" + std::string(page::viewer_script()) + "</script>\n";
+}
+
+std::string sections(const ModelMesh& mesh, const Box3& bounds) {
+  static constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  const Vec3 middle = 0.5 * (bounds.min + bounds.max);
+  const double stretch = page::vertical_exaggeration(bounds);
+  std::string out = "<h2>Sections through the middle</h2>\n";
+  for (std::size_t axis : {1u, 0u, 2u}) {
+    out += std::string("<h3>") + names[axis] + " = " + number(middle[axis]);
+    if (axis != 2 && stretch != 1) out += ", heights stretched " + number(stretch) + " times";
+    out += "</h3>\n" + draw_section(page::cut_mesh(mesh, axis, middle[axis]), bounds);
+  }
+  return out;
+}
+
+std::string warnings(const Report& report) {
+  std::string out;
+  for (const std::string& w : report.warnings) out += "<div class=\"warning\">" + escape(w) + "</div>\n";
+  return out;
+}
+
+std::string notes(const Report& report) {
+  if (report.notes.empty()) return {};
+  std::string out = "<h2>Found in the surfaces, and changed by rules</h2>\n<ul>\n";
+  for (const std::string& n : report.notes) out += "<li>" + escape(n) + "</li>\n";
+  return out + "</ul>\n";
+}
+
+std::string run(const Report& report) {
+  std::string out = "<h2>The run</h2>\n<table><tr><th>stage</th><th class=\"n\">seconds</th></tr>\n";
+  for (const StageRecord& s : report.stages)
+    out += "<tr>" + cell(escape(s.name) + (s.runs > 1 ? " (" + std::to_string(s.runs) + " runs)" : "")) +
+           cell(number(s.wall_s), true) + "</tr>\n";
+  out += "</table>\n";
+  if (report.refinement && report.refinement->runs > 1)
+    out += "<p>Surfaces were not within the tolerance at first, in " + std::to_string(report.refinement->off_before) +
+           " places of earlier runs: they were held more closely there, and the model was refined again. The mesh is "
+           "that of the last run.</p>\n";
+  if (report.core) {
+    const RecoveryStatistics& r = report.core->recovery;
+    out += "<p>Points added to keep every surface: " + std::to_string(r.steiner_on_segments) +
+           " on curves and edges, " + std::to_string(r.steiner_on_facets) + " on surfaces, " +
+           std::to_string(r.steiner_inside) + " inside.</p>\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string to_html(const Report& report) {
+  std::string out = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escape(report.name) +
+                    "</title><meta name=\"viewport\" content=\"width=device-width\"><style>" + std::string(style) +
+                    "</style></head><body>\n<h1>" + escape(report.name) + "</h1>\n";
+  if (report.mesh) {
+    const ModelMesh& mesh = *report.mesh;
+    const Box3 bounds = bounds_of(mesh);
+    out += "<p class=\"lead\">" + std::to_string(mesh.tetrahedra.size()) + " tetrahedra, " +
+           std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.regions.size()) + " units</p>\n" +
+           warnings(report) + viewer(mesh, bounds) + regions_table(mesh) + notes(report) + sections(mesh, bounds);
+    if (report.quality) out += page::shape_section(*report.quality, mesh);
+    out += surfaces_table(mesh);
+  } else {
+    out += warnings(report) + notes(report);
+  }
+  return out + run(report) + "</body></html>\n";
+}
+
+void write_html_report(const Report& report, const std::filesystem::path& file) {
+  write_text_file(file, to_html(report));
+}
+
+}  // namespace geomesh::geomodel

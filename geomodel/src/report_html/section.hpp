@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A plane section of a mesh, for looking at: floating point, never used to decide anything.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+
+namespace geomesh::geomodel::page {
+
+/// What the plane `axis = at` (axis 0, 1, 2 for x, y, z) cuts, in the plane's two coordinates: (y, z), (x, z) or (x,
+/// y).
+struct Section {
+  std::size_t axis = 0;
+  double at = 0;
+  struct Cut {
+    std::int32_t region;
+    std::vector<Vec2> polygon;  ///< three or four corners of a cut tetrahedron, in order around it
+  };
+  std::vector<Cut> cuts;  ///< in the order of the tetrahedra
+  struct Trace {
+    std::int32_t surface;
+    Vec2 a, b;
+  };
+  std::vector<Trace> traces;  ///< where faces of surfaces cross the plane, in the order of the faces
+};
+
+/// Cuts all tetrahedra and faces. A vertex on the plane counts as above it, so each cut has three or four corners, some
+/// of which may coincide. Time linear in the mesh.
+Section cut_mesh(const ModelMesh& mesh, std::size_t axis, double at);
+
+}  // namespace geomesh::geomodel::page

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The page's section on the shape of the elements.
+#pragma once
+
+#include <string>
+
+#include "geomesh/geomodel/report.hpp"
+
+namespace geomesh::geomodel::page {
+
+/// Statistics of the whole and of each region in a table; histograms of the whole (least dihedral angles as in the
+/// paper's Figure 11, all dihedral angles, radius ratios, edges against the asked size), and of the least angles by
+/// region; the worst elements with place and cause.
+std::string shape_section(const QualityReport& report, const ModelMesh& mesh);
+
+}  // namespace geomesh::geomodel::page

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "geomesh/core/error.hpp"
+#include "naming/sheets.hpp"
+#include "rules/column_order.hpp"
+#include "rules/extend.hpp"
+#include "rules/fault_ends.hpp"
+#include "rules/thin_layers.hpp"
+#include "rules/throw_blocks.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Row of the fault that a horizon names under throw_at.
+std::size_t throw_fault(const std::vector<TriangulatedSurface>& surfaces, const TriangulatedSurface& horizon,
+                        const std::string& name) {
+  const auto fault =
+      std::find_if(surfaces.begin(), surfaces.end(), [&](const TriangulatedSurface& s) { return s.name == name; });
+  if (fault == surfaces.end())
+    throw Error(ErrorKind::usage, "horizon " + horizon.name + ": throw_at names " + name + ", which is no surface");
+  return static_cast<std::size_t>(fault - surfaces.begin());
+}
+
+/// Faults across which a horizon has throw and that are kept as given are continued beyond where they end inside the
+/// box.
+void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
+  built.rows.first_only_parting.assign(built.surfaces.size(), no_index);
+  if (!rules.box) return;
+  for (std::size_t s = 0; s < built.surfaces.size(); ++s)
+    for (const std::string& name : rules.of(s).throw_at) {
+      const std::size_t row = throw_fault(built.surfaces, built.surfaces[s], name);
+      TriangulatedSurface& fault = built.surfaces[row];
+      if (rules.of(row).extend != Extend::none || built.rows.first_only_parting[row] != no_index ||
+          fault.triangles.empty())
+        continue;
+      if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
+      built.rows.first_only_parting[row] = continue_fault(fault, *rules.box);
+    }
+}
+
+/// The blocks of a horizon with throw, each continued on its own.
+std::vector<Index> build_blocks(TriangulatedSurface& surface, const SurfaceRules& rule,
+                                const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& rows,
+                                const Box3& box, const BuildLog& log) {
+  std::vector<ThrowFault> faults;
+  for (const std::string& name : rule.throw_at) {
+    const std::size_t row = throw_fault(surfaces, surface, name);
+    const auto n = static_cast<Index>(surfaces[row].triangles.size());
+    faults.push_back({&surfaces[row], std::min(n, rows.first_only_parting[row])});
+  }
+  const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
+  std::vector<Index> block = sort_into_blocks(surface, faults, how, box, log);
+  if (BuiltRows::n_blocks(block) == 1)
+    log.warnings.push_back("horizon " + surface.name +
+                           ": all of it lies on one side of the faults across which it is to have throw");
+  extend_blocks(surface, block, how, box, log);
+  return block;
+}
+
+}  // namespace
+
+std::vector<TriangulatedSurface> BuiltSurfaces::model_surfaces() const {
+  std::vector<TriangulatedSurface> kept = surfaces;
+  for (std::size_t s = 0; s < rows.first_only_parting.size(); ++s)
+    if (rows.first_only_parting[s] < kept[s].triangles.size()) kept[s].triangles.resize(rows.first_only_parting[s]);
+  return kept;
+}
+
+BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
+  BuiltSurfaces built;
+  built.surfaces = surfaces;
+  built.rows.block_of_triangle.resize(surfaces.size());
+  const BuildLog log{built.notes, built.warnings};
+  built.rows.n_given_triangles.reserve(surfaces.size());
+  for (const TriangulatedSurface& s : surfaces)
+    built.rows.n_given_triangles.push_back(static_cast<Index>(s.triangles.size()));
+  warn_of_column_order(surfaces, rules, log);
+  continue_throw_faults(built, rules);
+  std::vector<std::size_t> order;  // horizons with throw after the faults that they are sorted by
+  for (const bool has_throw : {false, true})
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+      if (!rules.of(s).throw_at.empty() == has_throw) order.push_back(s);
+  for (const std::size_t s : order) {
+    TriangulatedSurface& surface = built.surfaces[s];
+    const SurfaceRules rule = rules.of(s);
+    if ((rule.extend != Extend::none || !rule.throw_at.empty()) && !rules.box)
+      throw Error(ErrorKind::usage,
+                  "surface " + surface.name + ": extend needs a box to extend to; give the project a box");
+    if (built.rows.first_only_parting[s] != no_index) continue;  // continued, and filled, above
+    if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
+    if (surface.kind == SurfaceKind::body) {
+      if (rule.close_at_box && rules.box && !is_closed(surface)) close_body(surface, *rules.box, log);
+    } else if (!rule.throw_at.empty() && !surface.triangles.empty()) {
+      built.rows.block_of_triangle[s] = build_blocks(surface, rule, built.surfaces, built.rows, *rules.box, log);
+    } else if (rule.extend != Extend::none) {
+      extend_to_box(surface, rule.extend, *rules.box, log);
+    }
+  }
+  if (rules.min_thickness > 0) apply_min_thickness(built, rules);
+  return built;
+}
+
+}  // namespace geomesh::geomodel

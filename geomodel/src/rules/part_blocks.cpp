@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/part_blocks.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "geomesh/core/error.hpp"
+#include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+using Origin = PolygonSoup::Origin;
+
+/// One horizon with throw.
+class HorizonParting {
+ public:
+  HorizonParting(const Parting& parting, Index horizon)
+      : p_(parting),
+        horizon_(horizon),
+        block_of_(parting.built.block_of_triangle[horizon]),
+        kept_by_some_(parting.soup.soup.facets.size(), 0) {
+    for (const std::string& name : throw_at()) faults_.push_back(row_of(name));
+  }
+
+  void run() {
+    const Index n_blocks = BuiltRows::n_blocks(block_of_);
+    for (Index block = 0; block < n_blocks; ++block) part(block, n_blocks > 1);
+    std::vector<Index> all(p_.soup.soup.facets.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    const auto is_remade = [this](const Origin& o) {
+      return o.surface == horizon_ && block_of_[o.triangle] == BuiltRows::of_no_block;
+    };
+    const double remade = p_.soup.remove(all, is_remade);
+    if (remade > 0)
+      p_.notes.push_back("horizon " + name() +
+                         ": given at or beyond a fault that ends inside the model, made anew from its blocks: area " +
+                         to_text(remade));
+    std::vector<Index> left;
+    for (const Index f : all)
+      if (!kept_by_some_[f]) left.push_back(f);
+    p_.removed[horizon_] += remade + p_.soup.remove(left, [this](const Origin& o) { return is_shared(o); });
+  }
+
+ private:
+  const std::string& name() const { return p_.surfaces[horizon_].name; }
+  const std::vector<std::string>& throw_at() const { return p_.rules.surfaces[horizon_].throw_at; }
+  Index row_of(const std::string& name) const {
+    for (Index s = 0; s < p_.surfaces.size(); ++s)
+      if (p_.surfaces[s].name == name) return s;
+    throw Error(ErrorKind::usage, "no surface is named " + name + " (under throw_at)");
+  }
+  bool is_given(const Origin& o) const { return o.triangle < p_.built.n_given_triangles[o.surface]; }
+  bool is_shared(const Origin& o) const {
+    return o.surface == horizon_ && block_of_[o.triangle] == BuiltRows::of_every_block;
+  }
+
+  void part(Index block, bool one_of_several) {
+    const auto is_own = [this, block](const Origin& o) {
+      return o.surface == horizon_ && block_of_[o.triangle] == block;
+    };
+    const auto is_mine = [&](Index f) {
+      return std::any_of(p_.soup.origins[f].begin(), p_.soup.origins[f].end(),
+                         [&](const Origin& o) { return is_own(o) || is_shared(o); });
+    };
+    const std::vector<Piece> pieces = pieces_of(p_.soup, is_mine, faults_, nullptr);
+    if (pieces.empty()) return;
+    const std::vector<double> given = given_area(pieces, is_own);
+    const auto main = static_cast<std::size_t>(std::max_element(given.begin(), given.end()) - given.begin());
+    for (const Index f : pieces[main].facets) kept_by_some_[f] = 1;
+    if (pieces.size() == 1 && one_of_several) return drop_continuation(pieces[0], is_own);
+    double area = 0, overshoot = 0;
+    Vec3 place;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (k == main) continue;
+      if (given[k] > 0 && given[k] >= overshoot) place = p_.soup.centre(pieces[k].largest);
+      area += p_.soup.remove(pieces[k].facets, is_own);
+      overshoot += given[k];
+    }
+    p_.removed[horizon_] += area;
+    p_.notes.push_back("horizon " + name() + ", block " + std::to_string(block + 1) +
+                       ": ended at its faults, area beyond them removed " + to_text(area) +
+                       (overshoot > 0 ? ", of which given (overshoot on the wrong side) " + to_text(overshoot) +
+                                            " near " + to_text(place)
+                                      : std::string()));
+  }
+
+  std::vector<double> given_area(const std::vector<Piece>& pieces,
+                                 const std::function<bool(const Origin&)>& is_own) const {
+    std::vector<double> given(pieces.size(), 0);
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      for (const Index f : pieces[k].facets)
+        for (const Origin& o : p_.soup.origins[f])
+          if (is_own(o) && is_given(o)) given[k] += p_.soup.area(f);
+    return given;
+  }
+
+  /// Where no fault parts a block's continuation from it, it would run through the other blocks.
+  void drop_continuation(const Piece& piece, const std::function<bool(const Origin&)>& is_own) {
+    p_.removed[horizon_] += p_.soup.remove(piece.facets, [&](const Origin& o) { return is_own(o) && !is_given(o); });
+    std::string faults;
+    for (const std::string& fault : throw_at()) faults += (faults.empty() ? "" : ", ") + fault;
+    p_.warnings.push_back("horizon " + name() + " is not divided by the faults across which it is to have throw (" +
+                          faults + "): a block near " + to_text(p_.soup.centre(piece.largest)) +
+                          " is kept as given; let the faults reach through the model (extent: to_box)");
+  }
+
+  const Parting& p_;
+  Index horizon_;
+  const std::vector<Index>& block_of_;
+  std::vector<std::uint8_t> kept_by_some_;  ///< per facet
+  std::vector<Index> faults_;
+};
+
+/// A fault that was continued to part blocks: the continuation goes, and what it leaves open is told.
+void remove_continuation(const Parting& p, Index fault) {
+  const Index first = p.built.first_only_parting[fault];
+  const auto is_made = [fault, first](const Origin& o) { return o.surface == fault && o.triangle >= first; };
+  const auto has = [&](Index f, auto&& accepts) {
+    return std::any_of(p.soup.origins[f].begin(), p.soup.origins[f].end(), accepts);
+  };
+  const auto has_throw = [&](Index s) {
+    return s < p.built.block_of_triangle.size() && !p.built.block_of_triangle[s].empty();
+  };
+  std::vector<double> open(p.surfaces.size(), 0);
+  std::vector<Vec3> place(p.surfaces.size());
+  for_each_edge(p.soup.uses, [&](std::span<const EdgeUse> edge) {
+    std::vector<Index> horizons;
+    bool crosses = false, closed = false;
+    for (const EdgeUse& u : edge) {
+      for (const Origin& o : p.soup.origins[u.facet])
+        if (has_throw(o.surface)) horizons.push_back(o.surface);
+      crosses = crosses || has(u.facet, is_made);
+      closed = closed || has(u.facet, [&](const Origin& o) {
+                 return (o.surface == fault && o.triangle < first) || p.surfaces[o.surface].kind == SurfaceKind::box;
+               });
+    }
+    if (!crosses || closed) return;
+    for (const Index h : horizons)
+      if (std::count(horizons.begin(), horizons.end(), h) == 1) {
+        place[h] = p.soup.soup.points[edge[0].a];
+        open[h] += norm(p.soup.soup.points[edge[0].b] - place[h]);
+      }
+  });
+  for (std::size_t h = 0; h < open.size(); ++h)
+    if (open[h] > 0)
+      p.warnings.push_back(
+          "horizon " + p.surfaces[h].name + " is not divided by fault " + p.surfaces[fault].name +
+          " alone: beyond the end of the fault its blocks lie at different heights over a length of " +
+          to_text(open[h]) + " m, near " + to_text(place[h]) +
+          "; let the fault reach through the model (extent: to_box), or give the horizon round its end");
+  std::vector<Index> made;
+  for (Index f = 0; f < p.soup.origins.size(); ++f)
+    if (has(f, is_made)) made.push_back(f);
+  p.removed[fault] += p.soup.remove(made, is_made);
+}
+
+}  // namespace
+
+void part_blocks(const Parting& parting) {
+  const BuiltRows& built = parting.built;
+  for (Index s = 0; s < built.block_of_triangle.size(); ++s)
+    if (!built.block_of_triangle[s].empty()) HorizonParting(parting, s).run();
+  for (Index s = 0; s < built.first_only_parting.size(); ++s)
+    if (built.first_only_parting[s] < parting.surfaces[s].triangles.size()) remove_continuation(parting, s);
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Horizons with throw in the arranged soup: blocks and their continuations end at the faults between them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/model_rules.hpp"
+#include "rules/planar/pieces.hpp"
+
+namespace geomesh::geomodel {
+
+/// What parting works on and what it tells; all outlive the call.
+struct Parting {
+  WorkingSoup& soup;
+  const std::vector<TriangulatedSurface>& surfaces;
+  const BuiltRows& built;
+  const ModelRules& rules;
+  std::vector<double>& removed;  ///< area, per surface
+  std::vector<std::string>& notes;
+  std::vector<std::string>& warnings;
+};
+
+/// Of each block's sheets and their continuation, what its faults part from most of what was given goes. Triangles of
+/// every block stay where one block keeps them. Continuations of faults that only served to part blocks go last; where
+/// blocks do not meet across them, a warning tells the length and the place.
+void part_blocks(const Parting& parting);
+
+}  // namespace geomesh::geomodel

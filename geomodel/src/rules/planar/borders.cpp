@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/planar/borders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface) {
+  const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
+  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+  const auto for_each = [&](auto&& visit) {
+    for (Index t = 0; t < surface.triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VertexIndex a = merged[surface.triangles[t][i]], b = merged[surface.triangles[t][(i + 1) % 3]];
+        if (a != b) visit(a, b, t);
+      }
+  };
+  for_each([&](VertexIndex a, VertexIndex b, Index) { ++uses[{std::min(a, b), std::max(a, b)}]; });
+  std::vector<BorderEdge> edges;
+  for_each([&](VertexIndex a, VertexIndex b, Index t) {
+    if (uses[{std::min(a, b), std::max(a, b)}] == 1) edges.push_back({a, b, t});
+  });
+  return edges;
+}
+
+BorderLoops border_loops(const std::vector<BorderEdge>& edges) {
+  std::map<VertexIndex, std::vector<std::size_t>> from;
+  for (std::size_t e = 0; e < edges.size(); ++e) from[edges[e].a].push_back(e);
+  std::vector<bool> used(edges.size(), false);
+  BorderLoops result;
+  for (std::size_t start = 0; start < edges.size(); ++start) {
+    if (used[start]) continue;
+    std::vector<VertexIndex> path;          // of the walk
+    std::map<VertexIndex, std::size_t> at;  // place on the path
+    for (std::size_t e = start;;) {
+      used[e] = true;
+      at[edges[e].a] = path.size();
+      path.push_back(edges[e].a);
+      const VertexIndex next = edges[e].b;
+      if (const auto closed = at.find(next); closed != at.end()) {  // a loop closes: take it off the path
+        const std::size_t first = closed->second;
+        result.loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(first), path.end());
+        for (std::size_t k = first; k < path.size(); ++k) at.erase(path[k]);
+        path.resize(first);
+      }
+      const auto& out = from[next];
+      const auto free = std::find_if(out.begin(), out.end(), [&](std::size_t k) { return !used[k]; });
+      if (free == out.end()) break;
+      e = *free;
+    }
+    result.n_edges_left += path.size();
+  }
+  return result;
+}
+
+Frame frame_of_normal(const Vec3& origin, const Vec3& normal) {
+  Frame frame;
+  const double length = norm(normal);
+  if (!(length > 0)) return frame;
+  frame.is_map = false;
+  frame.origin = origin;
+  frame.w = (1 / length) * normal;
+  const bool steep = std::abs(frame.w.z) < 0.9;
+  Vec3 u = cross(steep ? Vec3{0, 0, 1} : Vec3{1, 0, 0}, frame.w);
+  frame.u = (1 / norm(u)) * u;
+  frame.v = cross(frame.w, frame.u);
+  return frame;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Constrained Delaunay triangulation of points in a plane, with CGAL behind it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel {
+
+struct PlanarTriangle {
+  std::array<Index, 3> vertices;  ///< rows of the points, counter-clockwise
+  int depth;  ///< constraints crossed on the way in from outside: 0 outside all loops, 1 inside, 2 in a hole ...
+};
+
+/// All triangles of the points' convex hull; the order depends on the input alone. None where constraints cross each
+/// other or pass through a point, or where two points are equal.
+std::optional<std::vector<PlanarTriangle>> triangulate_plane(const std::vector<Vec2>& points,
+                                                             const std::vector<std::pair<Index, Index>>& constraints);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/throw_blocks.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "naming/region_facts.hpp"
+#include "naming/sheets.hpp"
+#include "naming/soup_edges.hpp"
+#include "naming/sums.hpp"
+#include "rules/fault_ends.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
+constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
+
+Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
+  return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+}
+
+double area_of(const TriangulatedSurface& s, Index t) {
+  const Triangle& v = s.triangles[t];
+  return triangle_area(s.points[v[0]], s.points[v[1]], s.points[v[2]]);
+}
+
+/// Pairs of triangles with an edge in common (equal coordinates merged).
+std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& s) {
+  const std::vector<VertexIndex> merged = merge_equal_points(s.points);
+  std::map<std::pair<VertexIndex, VertexIndex>, Index> first;
+  std::vector<std::pair<Index, Index>> pairs;
+  for (Index t = 0; t < s.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexIndex a = merged[s.triangles[t][i]], b = merged[s.triangles[t][(i + 1) % 3]];
+      const auto [at, is_new] = first.emplace(std::pair(std::min(a, b), std::max(a, b)), t);
+      if (!is_new) pairs.emplace_back(at->second, t);
+    }
+  return pairs;
+}
+
+/// Sheets joined across the pairs that `joins` accepts, as the least triangle of each.
+template <class F>
+std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pair<Index, Index>>& neighbours,
+                             F&& joins) {
+  UnionFind joined(n_triangles);
+  for (const auto& [a, b] : neighbours)
+    if (joins(a, b)) joined.unite(a, b);
+  std::vector<Index> sheet(n_triangles);
+  for (Index t = 0; t < sheet.size(); ++t) sheet[t] = joined.find(t);
+  return sheet;
+}
+
+/// A fault's triangles with normals to one side.
+class Sides {
+ public:
+  explicit Sides(const TriangulatedSurface& fault) {
+    const UpwardSides up = orient_upward(fault);
+    for (Index t = 0; t < fault.triangles.size(); ++t) {
+      const Triangle& v = fault.triangles[t];
+      const Vec3 n = cross(fault.points[v[1]] - fault.points[v[0]], fault.points[v[2]] - fault.points[v[0]]);
+      centres_.push_back(centre_of(fault, v));
+      normals_.push_back(up.as_stored[t] ? n : -1.0 * n);
+    }
+  }
+  bool is_above(const Vec3& p) const {
+    std::size_t nearest = 0;
+    for (std::size_t t = 1; t < centres_.size(); ++t)
+      if (norm(p - centres_[t]) < norm(p - centres_[nearest])) nearest = t;
+    return !centres_.empty() && dot(p - centres_[nearest], normals_[nearest]) > 0;
+  }
+
+ private:
+  std::vector<Vec3> centres_, normals_;
+};
+
+/// The block of each triangle by the sides of the faults on which its sheet lies for most of its area. Only triangles
+/// that `counts` accepts are sorted; the others are of no block.
+template <class F>
+std::vector<Index> blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
+                                    const std::vector<ThrowFault>& faults, F&& counts) {
+  std::map<Index, std::vector<double>> balance;  // per sheet and fault: area above less area below
+  std::vector<Sides> sides;
+  for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
+  for (Index t = 0; t < sheet.size(); ++t) {
+    if (!counts(t)) continue;
+    auto& sums = balance.try_emplace(sheet[t], faults.size(), 0.0).first->second;
+    const double area = area_of(horizon, t);
+    for (std::size_t f = 0; f < sides.size(); ++f)
+      sums[f] += sides[f].is_above(centre_of(horizon, horizon.triangles[t])) ? area : -area;
+  }
+  std::map<std::vector<bool>, Index> block_of_sides;
+  std::vector<Index> block(sheet.size(), BuiltRows::of_no_block);
+  for (Index t = 0; t < sheet.size(); ++t) {
+    if (!counts(t)) continue;
+    std::vector<bool> key;
+    for (const double sum : balance.at(sheet[t])) key.push_back(sum > 0);
+    block[t] = block_of_sides.emplace(key, static_cast<Index>(block_of_sides.size())).first->second;
+  }
+  return block;
+}
+
+/// The horizon's sheets as the faults that end inside part them.
+class Ends {
+ public:
+  Ends(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults)
+      : horizon_(horizon),
+        neighbours_(neighbours_in(horizon)),
+        crossing_(find_crossings(horizon, 0, faults, everywhere)) {
+    const std::size_t n = horizon.triangles.size();
+    whole_ = sheets_of(n, neighbours_, [](Index, Index) { return true; });
+    part_ = sheets_of(n, neighbours_, [this](Index a, Index b) { return is_free(a) && is_free(b); });
+    find_kept();
+  }
+  const std::vector<Index>& parts() const { return part_; }
+  /// In a part that counts: the largest of its sheet, and those that go round a fault's end.
+  bool is_kept(Index t) const { return is_free(t) && kept_.at(part_[t]); }
+  bool goes_round(Index t) const { return crossing_[t] == Crossing::continuation; }
+
+ private:
+  bool is_free(Index t) const { return crossing_[t] == Crossing::none; }
+  void find_kept() {
+    std::map<Index, double> area;
+    for (Index t = 0; t < part_.size(); ++t)
+      if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
+    std::map<Index, Index> largest;  // part of each sheet
+    for (const auto& [part, size] : area) {
+      kept_[part] = false;
+      const auto [at, is_new] = largest.emplace(whole_[part], part);
+      if (!is_new && size > area.at(at->second)) at->second = part;
+    }
+    for (const auto& [sheet, part] : largest) kept_[part] = true;
+    for (const auto& [a, b] : neighbours_) {
+      if (is_free(a) && goes_round(b)) kept_[part_[a]] = true;
+      if (is_free(b) && goes_round(a)) kept_[part_[b]] = true;
+    }
+  }
+
+  const TriangulatedSurface& horizon_;
+  std::vector<std::pair<Index, Index>> neighbours_;
+  std::vector<Crossing> crossing_;
+  std::vector<Index> whole_, part_;
+  std::map<Index, bool> kept_;
+};
+
+/// The greatest difference in height along an edge across a fault or its continuation.
+double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const std::vector<ThrowFault>& faults,
+                    const Box3& box) {
+  TriangulatedSurface edge{};
+  edge.triangles = {{0, 1, 2}};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &p = horizon.points[t[i]], &q = horizon.points[t[(i + 1) % 3]];
+    edge.points = {p, q, p};
+    if (find_crossings(edge, 0, faults, box).front() != Crossing::none)
+      greatest = std::max(greatest, std::abs(p.z - q.z));
+  }
+  return greatest;
+}
+
+/// Says how much throw is left where the faults end.
+void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, double at_end, double greatest,
+                const BuildLog& log) {
+  const std::string what = "horizon " + horizon.name + ": its blocks are joined beyond the end of its faults by " +
+                           std::to_string(n_joining) + " triangles (throw left there: at most " + to_text(at_end) +
+                           " m)";
+  if (at_end > most_throw_left * greatest) {
+    log.warnings.push_back(what + "; the throw does not die out towards the end (it is at most " + to_text(greatest) +
+                           " m elsewhere): should the fault reach further (extent: to_box)?");
+  } else {
+    log.notes.push_back(what);
+  }
+}
+
+/// Appends the triangles by which the kept sheets' common continuation runs round the faults' ends.
+void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, const std::vector<ThrowFault>& faults,
+                     Extend how, const Box3& box, const BuildLog& log) {
+  std::vector<std::string> notes, warnings;
+  TriangulatedSurface joint = horizon;
+  joint.triangles.clear();
+  for (std::size_t t = 0; t < horizon.triangles.size(); ++t)
+    if (block[t] != BuiltRows::of_no_block) joint.triangles.push_back(horizon.triangles[t]);
+  const std::size_t n_kept = joint.triangles.size();
+  fill_holes(joint, infinite, {notes, warnings});
+  extend_to_box(joint, how, box, {notes, warnings}, {0, false});
+  if (!warnings.empty())
+    log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
+  const std::vector<Crossing> crossing = find_crossings(joint, n_kept, faults, box);
+  const std::size_t first = horizon.triangles.size();
+  horizon.points = joint.points;
+  double at_end = 0, greatest = 0;
+  for (std::size_t k = 0; k < crossing.size(); ++k) {
+    if (crossing[k] == Crossing::none) continue;
+    const Triangle& t = joint.triangles[n_kept + k];
+    const double across = throw_across(joint, t, faults, box);
+    greatest = std::max(greatest, across);
+    if (crossing[k] != Crossing::continuation) continue;
+    at_end = std::max(at_end, across);
+    horizon.triangles.push_back(t);
+    block.push_back(BuiltRows::of_every_block);
+  }
+  if (horizon.triangles.size() > first) tell_throw(horizon, horizon.triangles.size() - first, at_end, greatest, log);
+}
+
+}  // namespace
+
+std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, Extend how,
+                                    const Box3& box, const BuildLog& log) {
+  const bool one_ends_inside = std::any_of(
+      faults.begin(), faults.end(), [](const ThrowFault& f) { return f.first_made < f.surface->triangles.size(); });
+  if (!one_ends_inside) {
+    const std::vector<Index> sheet =
+        sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
+    return blocks_of_sheets(horizon, sheet, faults, [](Index) { return true; });
+  }
+  const Ends ends(horizon, faults);
+  std::vector<Index> block = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
+  for (Index t = 0; t < block.size(); ++t)
+    if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
+  join_round_ends(horizon, block, faults, how, box, log);
+  return block;
+}
+
+void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, Extend how, const Box3& box,
+                   const BuildLog& log) {
+  if (block.empty()) return;
+  const TriangulatedSurface given = horizon;
+  const Index n_blocks = BuiltRows::n_blocks(block);
+  const std::size_t n_sorted = block.size();
+  for (Index b = 0; b < n_blocks; ++b) {
+    TriangulatedSurface part = given;
+    part.triangles.clear();
+    for (std::size_t t = 0; t < n_sorted; ++t)
+      if (block[t] == b || block[t] == BuiltRows::of_every_block) part.triangles.push_back(given.triangles[t]);
+    const std::size_t n_given = part.triangles.size();
+    extend_to_box(part, how, box, log, {b});
+    const auto shift = static_cast<VertexIndex>(horizon.points.size() - given.points.size());
+    horizon.points.insert(horizon.points.end(), part.points.begin() + static_cast<std::ptrdiff_t>(given.points.size()),
+                          part.points.end());
+    for (std::size_t t = n_given; t < part.triangles.size(); ++t) {
+      Triangle v = part.triangles[t];
+      for (VertexIndex& row : v)
+        if (row >= given.points.size()) row += shift;
+      horizon.triangles.push_back(v);
+      block.push_back(b);
+    }
+  }
+}
+
+}  // namespace geomesh::geomodel

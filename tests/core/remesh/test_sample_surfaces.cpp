@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Points on edges and facets before meshing: distances, planes, and that the mesh made of them is still one of the
+// model.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "quality/measure/shape.hpp"
+#include "refine_models.hpp"
+#include "remesh/start/sample_surfaces.hpp"
+
+using namespace geomesh;
+using namespace refine_models;
+
+namespace {
+
+constexpr double asked = 0.11;
+
+SizeField constant_size() {
+  SizeField::Limits limits;
+  limits.global = asked;
+  return SizeField({}, limits);
+}
+
+double volume_of(const ConstrainedTetrahedralization& mesh, Index component) {
+  double six = 0;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    const Vec3& o = mesh.points[v[0]];
+    if (mesh.component[t] == component)
+      six += dot(mesh.points[v[3]] - o, cross(mesh.points[v[1]] - o, mesh.points[v[2]] - o));
+  }
+  return six / 6;
+}
+
+}  // namespace
+
+TEST_CASE("Edges and facets are sampled at the asked distance, facets in their planes", "[refine]") {
+  const Model model = two_boxes(1);
+  const remesh::SampledComplex sampled =
+      remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), model.mesh, constant_size(), {});
+  const PiecewiseLinearComplex& plc = sampled.plc;
+  REQUIRE(plc.n_facets() == model.plc.n_facets());
+  std::map<Index, std::vector<VertexIndex>> inside;
+  for (const auto& p : plc.facet_points) inside[p.facet].push_back(p.v);
+  std::size_t n_inside = 0;
+  for (Index f = 0; f < plc.n_facets(); ++f) {
+    const auto loop = plc.outer_loop(f);
+    std::vector<VertexIndex> all(loop.begin(), loop.end());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double l = remesh::distance(plc.points[loop[i]], plc.points[loop[(i + 1) % loop.size()]]);
+      CHECK(l > 0.65 * asked);
+      CHECK(l < 1.5 * asked);
+    }
+    const auto first = model.plc.outer_loop(f);
+    for (const VertexIndex v : inside[f]) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double c = model.plc.points[first[0]][axis];
+        if (std::all_of(first.begin(), first.end(), [&](VertexIndex w) { return model.plc.points[w][axis] == c; }))
+          CHECK(plc.points[v][axis] == c);
+      }
+      for (const VertexIndex w : all) CHECK(remesh::distance(plc.points[v], plc.points[w]) > 0.7499 * asked);
+      all.push_back(v);
+      ++n_inside;
+    }
+  }
+  CHECK(n_inside > 200);
+}
+
+TEST_CASE("The mesh of the sampled model has the components of the first", "[refine]") {
+  const Model model = two_boxes(1);
+  const auto fresh = remesh::mesh_sampled(
+      remesh::merge_pieces(model.plc, {}), model.mesh,
+      remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), model.mesh, constant_size(), {}), {});
+  REQUIRE(fresh);
+  REQUIRE(fresh->n_components == model.mesh.n_components);
+  for (Index c = 0; c < fresh->n_components; ++c)
+    CHECK(volume_of(*fresh, c) == Approx(volume_of(model.mesh, c)).epsilon(1e-12));
+  for (std::size_t v = 0; v < fresh->points.size(); ++v) {
+    if (fresh->input_vertex[v] == no_vertex) {
+      CHECK(fresh->origin[v] != VertexOrigin::input);
+    } else {
+      CHECK(fresh->points[v] == model.plc.points[fresh->input_vertex[v]]);
+    }
+  }
+
+  // A component that the given mesh lacks stays away.
+  ConstrainedTetrahedralization one = model.mesh;
+  one.tetrahedra.clear();
+  one.component.clear();
+  std::vector<Index> row(model.mesh.tetrahedra.size(), no_index);
+  for (std::size_t t = 0; t < row.size(); ++t)
+    if (model.mesh.component[t] == 0) {
+      row[t] = static_cast<Index>(one.tetrahedra.size());
+      one.tetrahedra.push_back(model.mesh.tetrahedra[t]);
+      one.component.push_back(0);
+    }
+  one.n_components = 1;
+  for (auto& f : one.faces) {
+    if (f.tetrahedron_below != no_index) f.tetrahedron_below = row[f.tetrahedron_below];
+    if (f.tetrahedron_above != no_index) f.tetrahedron_above = row[f.tetrahedron_above];
+  }
+  const auto half =
+      remesh::mesh_sampled(remesh::merge_pieces(model.plc, {}), one,
+                           remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), one, constant_size(), {}), {});
+  REQUIRE(half);
+  CHECK(half->n_components == 1);
+  CHECK(volume_of(*half, 0) == Approx(volume_of(model.mesh, 0)).epsilon(1e-12));
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bringing together what is near: `tolerance`, and overlaps too thin for any rounding.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "arrangement/snap/snap.hpp"
+#include "arrangement_inputs.hpp"
+#include "geomesh/core/error.hpp"
+#include "require_sound.hpp"
+
+using namespace geomesh;
+using namespace geomesh::geomodel;
+using namespace geomesh::geomodel::testing;
+
+namespace {
+
+ArrangementOptions within(double tolerance) {
+  ArrangementOptions options;
+  options.tolerance = tolerance;
+  return options;
+}
+
+/// Edges at which facets of both surfaces lie.
+std::size_t n_common_edges(const PolygonSoup& soup, Index a, Index b) {
+  std::map<std::pair<VertexIndex, VertexIndex>, std::set<Index>> surfaces_at;
+  for (Index f = 0; f < soup.facets.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (Index o = soup.origin_offsets[f]; o < soup.origin_offsets[f + 1]; ++o)
+        surfaces_at[std::minmax(soup.facets[f][k], soup.facets[f][(k + 1) % 3])].insert(soup.origins[o].surface);
+  std::size_t n = 0;
+  for (const auto& [edge, at] : surfaces_at) n += at.contains(a) && at.contains(b);
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("tolerance: a wall that stops just above a floor stands on it", "[arrangement]") {
+  const auto floor = grid_surface("floor", SurfaceKind::horizon, 5, 0, 10, 0, 10, [](double, double) { return 0; });
+  const auto wall = triangles("wall", {{Vec3{1, 5.1, 0.004}, Vec3{9, 5.3, 0.002}, Vec3{9, 5.3, 4}},
+                                       {Vec3{1, 5.1, 0.004}, Vec3{9, 5.3, 4}, Vec3{1, 5.1, 4}}});
+  CHECK(n_common_edges(arrange({floor, wall}, {}, {}, {}).soup, 0, 1) == 0);
+  const auto result = arrange({floor, wall}, {}, {}, within(0.01));
+  require_sound(result.soup);
+  CHECK(n_common_edges(result.soup, 0, 1) > 4);
+  CHECK(result.merging.vertices_inserted > 4);
+  CHECK(result.merging.displacement.largest > 0.001);
+  CHECK(result.merging.displacement.largest < 0.05);
+  CHECK(area_of(result.soup, 0) == Approx(100).epsilon(1e-3));
+}
+
+TEST_CASE("tolerance: surfaces that nearly coincide become one", "[arrangement]") {
+  const auto shape = [](double lift) { return [lift](double x, double y) { return 0.1 * x * x - 0.2 * y + lift; }; };
+  const auto a = grid_surface("a", SurfaceKind::horizon, 8, 0, 10, 0, 10, shape(0)),
+             b = grid_surface("b", SurfaceKind::horizon, 8, 0, 10, 0, 10, shape(0.003));
+  CHECK(arrange({a, b}, {}, {}, {}).soup.facets.size() == 256);
+  const auto result = arrange({a, b}, {}, {}, within(0.01));
+  require_sound(result.soup);
+  CHECK(result.soup.facets.size() == 128);
+  CHECK(result.soup.origins.size() == 256);
+  CHECK(result.merging.vertices_merged == 81);
+  CHECK(result.merging.facets_merged == 128);
+  CHECK(result.soup.points.size() == 81);
+  const auto merged =
+      std::find_if(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "merged"; });
+  REQUIRE(merged != result.spots.end());
+  CHECK(merged->surface_a == 0);
+  CHECK(merged->surface_b == 1);
+  CHECK(merged->count == 128);
+  CHECK(merged->measure == Approx(area_of(result.soup, 0)));
+  CHECK(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& w) {
+    return w.find("a and horizon b were merged over") != std::string::npos;
+  }));
+  CHECK(std::none_of(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "overlap"; }));
+}
+
+TEST_CASE("merging: facets that lose their area are counted by surface", "[arrangement]") {
+  const auto needle = triangles(
+      "needle", {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}, {Vec3{3, 0, 0}, Vec3{4, 0, 0}, Vec3{3.5, 0.001, 0}}});
+  const auto result = arrange({needle}, {}, {}, within(0.01));
+  const auto vanished =
+      std::find_if(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "vanished"; });
+  REQUIRE(vanished != result.spots.end());
+  CHECK(vanished->surface_a == 0);
+  CHECK(vanished->count == 1);
+  CHECK(vanished->count == result.merging.facets_collapsed);
+  CHECK(describe(*vanished, {needle}).find("surface needle: 1 facets too thin") == 0);
+}
+
+TEST_CASE("tolerance: a surface that stops just short of the box goes to it", "[arrangement]") {
+  auto options = within(0.01);
+  options.box = Box3{{0, 0, -5}, {10, 10, 5}};
+  const auto top =
+      grid_surface("top", SurfaceKind::horizon, 4, 0.003, 9.998, -1, 11, [](double x, double) { return 0.1 * x; });
+  const auto result = arrange({top}, {}, {}, options);
+  require_sound(result.soup);
+  CHECK(std::none_of(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "free border"; }));
+  options.tolerance = 0;
+  const auto strict = arrange({top}, {}, {}, options);
+  CHECK(std::any_of(strict.spots.begin(), strict.spots.end(), [](const Spot& s) { return s.what == "free border"; }));
+}
+
+TEST_CASE("tolerance: crossing surfaces and a well keep their curves", "[arrangement]") {
+  const auto a = grid_surface("a", SurfaceKind::horizon, 20, 0, 10, 0, 10,
+                              [](double x, double y) { return std::sin(x) + 0.1 * y; });
+  const auto b = grid_surface("b", SurfaceKind::horizon, 17, 0, 10, 0, 10,
+                              [](double x, double y) { return std::cos(y) + 0.1 * x; });
+  const Polyline well{"well", "", {{5, 5, -4}, {5.1, 4.9, 4}}};
+  const auto result = arrange({a, b}, {well}, {}, within(0.02));
+  require_sound(result.soup);
+  CHECK(n_common_edges(result.soup, 0, 1) > 20);
+  CHECK(result.soup.segments.size() >= 3);
+  CHECK(area_of(result.soup, 0) == Approx(area_of(a)).epsilon(0.01));
+  CHECK(result.rounding.largest < 1e-13);
+}
+
+TEST_CASE("tolerance: below what rounding needs it is refused", "[arrangement]") {
+  const auto floor = grid_surface("floor", SurfaceKind::horizon, 2, 0, 1e6, 0, 1e6, [](double, double) { return 0; });
+  CHECK_THROWS_AS(arrange({floor}, {}, {}, within(1e-12)), Error);
+}
+
+TEST_CASE("arrange: integer-grid soups turned by odd angles", "[arrangement]") {
+  // Turned, exact overlaps become overlaps a few ulps thick.
+  double worst = 0;
+  for (unsigned seed = 0; seed < 120; ++seed) {
+    INFO("seed " << seed);
+    const RandomSoup soup = turned(random_soup(seed), 0.37);
+    const auto result = arrange(soup.surfaces, soup.polylines, soup.points, soup.options);
+    require_sound(result.soup);
+    worst =
+        std::max(worst, ulps_of_largest(result.soup, result.merging.displacement.largest + result.rounding.largest));
+  }
+  CHECK(worst <= 64);
+}
+
+TEST_CASE("arrange: 1000 integer-grid soups turned by an odd angle", "[arrangement][nightly]") {
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    INFO("seed " << seed);
+    const RandomSoup soup = turned(random_soup(seed), 0.37);
+    require_sound(arrange(soup.surfaces, soup.polylines, soup.points, soup.options).soup);
+  }
+}
+
+TEST_CASE("diagnosis: horizons that cross, a gap and a loose end in words", "[arrangement]") {
+  ArrangementOptions options;
+  options.box = Box3{{0, 0, -2000}, {4000, 4000, 0}};
+  // The upper horizon dips through the lower one over a strip of 4 km by 1.23 km.
+  const auto upper = grid_surface("top_chalk", SurfaceKind::horizon, 8, -500, 4500, -500, 4500, [](double x, double) {
+    return x > 3000 ? -1000 - 0.5 * (x - 3000) : -900 - 0.1 * (x - 2000);
+  });
+  auto lower = grid_surface("base_chalk", SurfaceKind::horizon, 20, -500, 4500, -500, 4500,
+                            [](double, double) { return -1000; });
+  lower.triangles.erase(lower.triangles.begin() + 2 * (20 * 10 + 5), lower.triangles.begin() + 2 * (20 * 10 + 7));
+  const auto fault =
+      triangles("f1", {{Vec3{1000, 500, -100}, Vec3{1000, 1500, -100}, Vec3{1000, 1000, -400}}}, SurfaceKind::fault);
+  const auto result = arrange({upper, lower, fault}, {}, {}, options);
+  require_sound(result.soup);
+  const auto lines = findings(result.spots, {upper, lower, fault});
+  const auto says = [&lines](const std::string& text) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.find(text) != std::string::npos; });
+  };
+  for (const std::string& line : lines) UNSCOPED_INFO(line);
+  CHECK(says("horizon top_chalk crosses horizon base_chalk over 4.92 km2 along 4 km near (2769.23"));
+  CHECK(says("horizon base_chalk has a gap: a hole with a border of 1.5 km near"));
+  CHECK(says("fault f1 ends inside the model (tip line) along 2.17 km near"));
+}
+
+TEST_CASE("split_facet: vertices on the border and inside", "[arrangement]") {
+  using arrangement::split_facet;
+  const std::vector<Vec3> p{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 1e-9, 0}, {1, 1, 1e-9}, {2, 2, 0}};
+  const auto area_of_pieces = [&](const std::vector<Triangle>& pieces) {
+    double sum = 0;
+    for (const auto& [a, b, c] : pieces) sum += 0.5 * cross(p[b] - p[a], p[c] - p[a]).z;
+    return sum;
+  };
+  const auto plain = split_facet(p, {0, 1, 2}, {0, 3, 1, 5, 2}, {4}, {{3, 5}});
+  REQUIRE(plain);
+  CHECK(plain->size() == 5);
+  CHECK(area_of_pieces(*plain) == Approx(8).epsilon(1e-8));
+  const auto turned_round = split_facet(p, {0, 2, 1}, {0, 2, 5, 1, 3}, {}, {});
+  REQUIRE(turned_round);
+  CHECK(area_of_pieces(*turned_round) == Approx(-8).epsilon(1e-8));
+  const auto collapsed = split_facet(p, {0, 1, 3}, {0, 3, 1, 3}, {}, {});
+  REQUIRE(collapsed);
+  CHECK(collapsed->empty());
+}
