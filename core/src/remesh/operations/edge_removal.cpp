@@ -270,9 +270,11 @@ class EdgeRemoval {
     return true;
   }
 
-  /// The new surface edge x-y must not be one already: its faces would fold onto others. Where the edge removed is on
-  /// the outside the other may be beyond it, so all cells at x are asked, or at y where those are not found.
+  /// The new surface edge x-y must not be one already, nor an edge of a curve (a well): its faces would fold onto
+  /// others. Where the edge removed is on the outside the other may be beyond it. So all cells at x are asked, or at y
+  /// where those are not found.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
+    if (mesh_.curve_of(x, y) != no_index) return true;
     if (mesh_.is_pinched(x)) std::swap(x, y);
     if (!closed_ && mesh_.is_pinched(x)) return true;
     std::vector<CellIndex> about_x;
