@@ -11,6 +11,7 @@
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/operations/edge_removal.hpp"
 #include "recover/operations/star_insertion.hpp"
 
 namespace geomesh::recover {

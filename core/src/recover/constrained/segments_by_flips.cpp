@@ -5,6 +5,7 @@
 #include "recover/model/crossing.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/operations/edge_removal.hpp"
 
 namespace geomesh::recover {
 

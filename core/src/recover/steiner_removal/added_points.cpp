@@ -7,6 +7,7 @@
 
 #include "recover/model/excerpt.hpp"
 #include "recover/model/messages.hpp"
+#include "recover/operations/edge_removal.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
 namespace geomesh::recover {

@@ -5,6 +5,7 @@
 
 #include "common/flood.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/operations/edge_removal.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 #include "recover/steiner_removal/region_filling.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/improve.hpp"
+#include "remesh/rescue/free_cell_judge.hpp"
 
 namespace geomesh::remesh {
 
@@ -24,13 +25,6 @@ using FlipsInVain = std::vector<std::uint64_t>;
 /// Flips that were in vain in a pass before are tried again only where something has changed since.
 void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context,
                 FlipsInVain& in_vain);
-
-/// Tells the bad cells that nothing of the input forces.
-struct FreeCellJudge {
-  std::function<std::vector<CellIndex>(const DomainMesh&)> find;
-  /// Those of some cells that are such, the worst first, by what is near to them: quick, and in doubt they are.
-  std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;
-};
 
 /// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What the judge finds in the
 /// end, where given, is worth a longer search.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "remesh/operations/improve.hpp"
+
 namespace geomesh::remesh {
 
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "quality/measure/shape.hpp"
+#include "remesh/operations/improve.hpp"
 #include "remesh/rescue/bad_cells.hpp"
 #include "remesh/rescue/openings.hpp"
 #include "remesh/rescue/trial.hpp"

@@ -3,6 +3,7 @@
 /// Repair that looks ahead: a sequence of operations about a bad cell, kept only where the whole of it is worth it.
 #pragma once
 
+#include "remesh/rescue/free_cell_judge.hpp"
 #include "remesh/rescue/openings.hpp"
 
 namespace geomesh::remesh {
