@@ -18,8 +18,8 @@
 namespace geomesh {
 
 enum class Honour {
-  exact,  ///< every facet, or what `facet_parent` makes one of several, stays a union of faces; points are added on
-          ///< facets (off their plane by rounding), none leaves
+  exact,      ///< every facet, or what `facet_parent` makes one of several, stays a union of faces; points are added on
+              ///< facets (off their plane by rounding), none leaves
   tolerance,  ///< surfaces may be remeshed within `RefineOptions::tolerance` of the input, both ways
 };
 

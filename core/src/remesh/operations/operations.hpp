@@ -53,9 +53,9 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
                                       const Vec3* place = nullptr);
 
 enum class CollapseRule {
-  improve,  ///< the worst shape about u must rise
-  coarsen,  ///< it must not fall below the lesser of what it was and `floor`, and no new edge may be longer than 1.4
-            ///< times its size
+  improve,   ///< the worst shape about u must rise
+  coarsen,   ///< it must not fall below the lesser of what it was and `floor`, and no new edge may be longer than 1.4
+             ///< times its size
   thin_out,  ///< as coarsen, and where bad cells may not spread there are no more of them than before
 };
 
