@@ -10,7 +10,7 @@
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
-#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/model_error.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -182,12 +182,15 @@ class Arrangement {
 
   [[noreturn]] void refuse(const Complex& complex, const Contacts& contacts) const {
     ErrorContext context;
+    ModelItems items;
     std::string names;
     const auto add = [&](Index f) {
       if (context.places.size() >= 10) return;
       context.facets.push_back(f);
       context.places.push_back(complex.points[complex.facets[f][0]]);
-      const std::string& name = surfaces_[complex.origins.of(f)[0].surface].name;
+      const auto& origin = complex.origins.of(f)[0];
+      const std::string& name = surfaces_[origin.surface].name;
+      items.add_triangle(name, origin.triangle);
       if (names.find(name) == std::string::npos) names += (names.empty() ? "" : ", ") + name;
     };
     for (const FacetContact& c : contacts.facets) add(c.facet);
@@ -195,7 +198,7 @@ class Arrangement {
     const std::string message = "the surfaces " + names + " lie so near each other near " +
                                 (context.places.empty() ? "?" : to_text(context.places[0])) +
                                 " that no rounding to doubles keeps them apart; move them apart or merge them there";
-    throw Error(ErrorKind::cannot_mesh, message, std::move(context));
+    throw ModelError(ErrorKind::cannot_mesh, message, std::move(items), std::move(context));
   }
 
   void fill_soup(Complex&& complex) {

@@ -134,15 +134,15 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
   contents.reserve(project.surfaces.size() + project.wells.size());
   std::vector<SourceInput> sources;
   std::vector<std::string> warnings;
-  const auto read = [&](const std::string& name, const std::filesystem::path& file, const SourceSpec& source) {
-    contents.push_back(read_surface_file(file));
-    for (const std::string& text : contents.back().warnings) warnings.push_back(name + ": " + text);
-    sources.push_back({name, &source, &contents.back()});
+  const auto read = [&](const auto& spec) {
+    contents.push_back(spec.given ? *spec.given : read_surface_file(spec.file));
+    for (const std::string& text : contents.back().warnings) warnings.push_back(spec.name + ": " + text);
+    sources.push_back({spec.name, &spec.source, &contents.back()});
     context.report(sources.size(), contents.capacity());
     context.check_cancelled();
   };
-  for (const SurfaceSpec& spec : project.surfaces) read(spec.name, spec.file, spec.source);
-  for (const WellSpec& spec : project.wells) read(spec.name, spec.file, spec.source);
+  for (const SurfaceSpec& spec : project.surfaces) read(spec);
+  for (const WellSpec& spec : project.wells) read(spec);
 
   ProjectInputs inputs{ModelFrame(project, sources)};
   inputs.warnings = std::move(warnings);

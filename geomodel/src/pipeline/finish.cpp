@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/name_regions.hpp"
@@ -172,13 +173,14 @@ void write_reports(const OutputPlan& plan, Report& report, const PreparedModel& 
     write_html_report(report, file);
     result.files.push_back(file);
   }
+  result.report_json = to_json(report);
   if (plan.report_beside) {
     const std::filesystem::path file = plan.stem.string() + ".report.json";
-    write_report(report, file);
+    write_text_file(file, result.report_json);
     result.files.push_back(file);
   }
   if (plan.report_copy) {
-    write_report(report, *plan.report_copy);
+    write_text_file(*plan.report_copy, result.report_json);
     result.files.push_back(*plan.report_copy);
   }
 }
@@ -244,15 +246,29 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     recorder.context().note(LogLevel::info, count_words(result.files.size(), "files"));
   }
   write_reports(plan, report, model, recorder, result);
+  result.mesh = std::move(mesh);
   return result;
 }
 
-/// Meshing has failed at a place that can be looked at: with `--stop-after recover` it is written, else the message
-/// tells how to get it.
-[[noreturn]] void fail_with_place(const Error& error, const PreparedModel& model, const OutputPlan& plan,
-                                  const StageRecorder& recorder) {
+/// The surfaces and triangles that the facets of an error of the core are pieces of.
+ModelItems items_of(const Error& error, const PreparedModel& model) {
+  ModelItems items;
+  for (const Index f : error.context().facets) {
+    if (f >= model.plc.plc.n_facets()) continue;
+    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
+      items.add_triangle(model.surfaces[o.surface].name, o.triangle);
+  }
+  return items;
+}
+
+/// Where meshing has failed at a place that can be looked at: with `--stop-after recover` it is written, else the
+/// message tells how to get it.
+[[noreturn]] void fail_in_terms_of_model(const Error& error, const PreparedModel& model, const OutputPlan& plan,
+                                         const StageRecorder& recorder) {
   std::string message = error.what();
-  if (recorder.stop_after() == "recover") {
+  if (!error.context().excerpt || plan.stem.empty()) {
+    // nothing to look at, or nowhere to write it
+  } else if (recorder.stop_after() == "recover") {
     make_output_folder(plan);
     message += ". The tetrahedra and constraints about the place are in";
     for (const auto& file :
@@ -261,7 +277,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   } else {
     message += ". With --stop-after recover the tetrahedra and constraints about the place are written for viewing";
   }
-  throw Error(error.kind(), message, error.context());
+  throw ModelError(error.kind(), message, items_of(error, model), error.context());
 }
 
 JobResult stop_early(PreparedModel& model, const OutputPlan& plan, const StageRecorder& recorder) {
@@ -296,9 +312,10 @@ JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder
     return mesh_and_write(model, plan, recorder);
   } catch (const StopRequested&) {
     return stop_early(model, plan, recorder);
+  } catch (const ModelError&) {
+    throw;
   } catch (const Error& error) {
-    if (!error.context().excerpt) throw;
-    fail_with_place(error, model, plan, recorder);
+    fail_in_terms_of_model(error, model, plan, recorder);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/given.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "project/read_coordinates.hpp"
@@ -44,6 +45,12 @@ class ProjectReader {
     project_.output.directory = folder_ / "out";
     const std::string stem = file.stem().string();
     project_.name = stem == "project" ? folder_.filename().string() : stem;
+  }
+  explicit ProjectReader(const GivenProject& given) : problems_(given.name), given_(&given.inputs) {
+    folder_ = std::filesystem::absolute(given.folder.empty() ? "." : given.folder).lexically_normal();
+    project_.file = folder_ / given.name;
+    project_.output.directory = folder_ / "out";
+    project_.name = given.name;
   }
 
   Project read(const std::string& text) {
@@ -147,6 +154,20 @@ class ProjectReader {
     }
   }
 
+  /// Where the content of an entry (a surface, a well) comes from: its file, or what was given in memory.
+  template <class Spec>
+  void read_content(const YamlMap& map, const char* what, Spec& spec) {
+    const auto given = given_ ? given_->find(spec.name) : GivenInputs::const_iterator{};
+    if (!given_ || given == given_->end()) {
+      if (const auto v = map.require("file", what)) read_file(*v, spec.file, spec.file_as_written);
+    } else if (const auto v = map.find("file")) {
+      v->problem("'" + spec.name + "' was given as arrays, and has a file too; leave out one of them");
+    } else {
+      spec.given = given->second;
+      spec.file_as_written = spec.given->format;
+    }
+  }
+
   void read_surface(const YamlValue& value) {
     const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at",
                               "object", "crs", "unit", "z_unit", "z", "z_datum", "gridding", "resample", "smooth"});
@@ -160,7 +181,7 @@ class ProjectReader {
       const auto kind = v->choice({"horizon", "fault", "body"});
       spec.kind = kind == "fault" ? SurfaceKind::fault : kind == "body" ? SurfaceKind::body : SurfaceKind::horizon;
     }
-    if (const auto v = map.require("file", "the file of the surface")) read_file(*v, spec.file, spec.file_as_written);
+    read_content(map, "the file of the surface", spec);
     spec.cuts_all = spec.kind == SurfaceKind::body;
     if (const auto v = map.find("cuts")) read_cuts(*v, spec);
     read_source(map, spec.source);
@@ -177,8 +198,7 @@ class ProjectReader {
     if (const auto v = map.require("name", "each well needs a name")) {
       if (read_name(*v, spec.name)) claim_name(*v, spec.name);
     }
-    if (const auto v = map.require("file", "the file of the well's path"))
-      read_file(*v, spec.file, spec.file_as_written);
+    read_content(map, "the file of the well's path", spec);
     read_source(map, spec.source);
     project_.wells.push_back(std::move(spec));
   }
@@ -299,6 +319,7 @@ class ProjectReader {
   Problems problems_;
   Project project_;
   std::filesystem::path folder_;
+  const GivenInputs* given_ = nullptr;
   std::map<std::string, int> name_line_;
 };
 
@@ -308,5 +329,7 @@ Project read_project(const std::filesystem::path& file) {
   const InputFile input = load_input_file(file);
   return ProjectReader(file).read(input.bytes);
 }
+
+Project read_given_project(const GivenProject& given) { return ProjectReader(given).read(given.text); }
 
 }  // namespace geomesh::geomodel

@@ -14,6 +14,7 @@
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
+#include "geomesh/geomodel/model_mesh.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/refinement.hpp"
 
@@ -24,6 +25,8 @@ struct JobResult {
   std::vector<std::filesystem::path> files;  ///< written, in order; the report last
   std::vector<std::string> warnings;
   std::vector<std::string> summary;  ///< lines for a person: regions with volumes, counts
+  ModelMesh mesh;                    ///< of project and mesh jobs that ran to the end: what was verified
+  std::string report_json;           ///< of these: the report, as in the file
 };
 
 /// Names accepted by `--stop-after`, in order.
@@ -34,6 +37,8 @@ struct ProjectRequest {
   std::optional<std::filesystem::path> directory;  ///< wins over the project's output.directory
   std::optional<std::filesystem::path> report;     ///< a further copy of the report
   std::string stop_after;                          ///< empty: run to the end
+  /// `kept`: no file is written, and `directory` and `report` have no meaning.
+  enum class Outputs { written, kept } outputs = Outputs::written;
 };
 /// `geomesh PROJECT.yaml`. Errors as the rooms it calls; nothing is written before the mesh has been verified.
 JobResult run_project(const ProjectRequest& request, const RunContext& context);

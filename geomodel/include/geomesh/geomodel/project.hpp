@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ struct SurfaceSpec {
   SurfaceKind kind = SurfaceKind::horizon;
   std::filesystem::path file;  ///< absolute, resolved against the project file
   std::string file_as_written;
-  bool cuts_all = false;  ///< `cuts: all`; default true for bodies
+  std::shared_ptr<const FileContents> given;  ///< in place of the file (given.hpp); null: the file
+  bool cuts_all = false;                      ///< `cuts: all`; default true for bodies
   SourceSpec source;
   GriddingSpec gridding;  ///< how points become a surface
   double resample = 0;    ///< length of the edges of the surface remade; 0: as it is
@@ -47,6 +49,7 @@ struct WellSpec {
   std::string name;
   std::filesystem::path file;
   std::string file_as_written;
+  std::shared_ptr<const FileContents> given;  ///< as of surfaces
   SourceSpec source;
   int line = 0;
 };

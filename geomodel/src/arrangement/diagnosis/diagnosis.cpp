@@ -9,8 +9,8 @@
 
 #include "arrangement/diagnosis/edge_buckets.hpp"
 #include "arrangement/diagnosis/surface_parts.hpp"
-#include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "geomesh/geomodel/model_error.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -195,15 +195,18 @@ void diagnose_crossings(const Complex& complex, const Contacts& contacts, const 
 void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces) {
   std::ostringstream text;
   ErrorContext context;
+  ModelItems items;
   for (const Spot& spot : result.spots) {
     if (spot.what != "crossing" && spot.what != "self-crossing") continue;
+    for (const Index s : {spot.surface_a, spot.surface_b})
+      if (s < surfaces.all().size()) items.add_surface(surfaces.all()[s].name);
     text << (context.places.empty() ? "" : "; ") << describe(spot, surfaces.all());
     context.places.push_back(spot.place);
   }
   if (context.places.empty()) return;
   const std::string message =
       "surfaces cross, and crossings are refused: " + text.str() + ". Mend them, or let crossings be resolved.";
-  throw Error(ErrorKind::invalid_input, message, std::move(context));
+  throw ModelError(ErrorKind::invalid_input, message, std::move(items), std::move(context));
 }
 
 void diagnose_soup(const SurfaceList& surfaces, const std::vector<VanishedFacet>& vanished, ArrangementResult& result) {

@@ -18,9 +18,13 @@ JobResult run_project(const ProjectRequest& request, const RunContext& context) 
   model.command = "project";
   model.name = project.name;
   OutputPlan plan;
-  plan.stem = request.directory.value_or(project.output.directory) / project.name;
-  plan.formats = project.output.formats;
-  plan.report_copy = request.report;
+  if (request.outputs == ProjectRequest::Outputs::written) {
+    plan.stem = request.directory.value_or(project.output.directory) / project.name;
+    plan.formats = project.output.formats;
+    plan.report_copy = request.report;
+  } else {
+    plan.report_beside = false;
+  }
   return run_stages(model, plan, recorder, [&] { prepare_project(project, model, recorder.context()); });
 }
 

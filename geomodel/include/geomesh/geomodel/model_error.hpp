@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Errors of a model in its own terms: the surfaces by name and the triangles by their rows as read.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geomesh/core/error.hpp"
+
+namespace geomesh::geomodel {
+
+/// What an error speaks of. Both lists may be empty.
+struct ModelItems {
+  std::vector<std::string> surfaces;  ///< each once
+  struct SourceTriangle {
+    std::string surface;
+    Index row;  ///< from 0, in the surface as read or given
+  };
+  std::vector<SourceTriangle> triangles;
+
+  void add_surface(const std::string& name) {
+    for (const std::string& known : surfaces)
+      if (known == name) return;
+    surfaces.push_back(name);
+  }
+  void add_triangle(const std::string& name, Index row) {
+    add_surface(name);
+    triangles.push_back({name, row});
+  }
+};
+
+class ModelError : public Error {
+ public:
+  ModelError(ErrorKind kind, const std::string& message, ModelItems items, ErrorContext context = {})
+      : Error(kind, message, std::move(context)), items_(std::move(items)) {}
+  const ModelItems& items() const { return items_; }
+
+ private:
+  ModelItems items_;
+};
+
+}  // namespace geomesh::geomodel
