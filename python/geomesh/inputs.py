@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces from whatever a caller has: arrays, files, and objects of other packages, met by their attributes."""
+import os
+
+import numpy
+
+from .core.errors import UsageError
+
+
+def is_path(thing):
+    return isinstance(thing, (str, os.PathLike))
+
+
+def as_points(points):
+    """float64, C-contiguous, shape (n, 3); the caller's own array where it is so already."""
+    array = numpy.ascontiguousarray(points, dtype=numpy.float64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise UsageError("points: an array of shape (n, 3) was expected, found shape %s" % (array.shape,))
+    return array
+
+
+def as_triangles(triangles):
+    array = numpy.asarray(triangles)
+    if array.ndim == 2 and array.shape[1] == 4:  # quadrangles, as grids and OBJ files have them
+        array = split_quadrangles(array)
+    return array
+
+
+def split_quadrangles(quads):
+    quads = numpy.asarray(quads)
+    return numpy.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+def _fans(flat):
+    """Triangles of polygons stored one after the other as (count, rows...), the form of VTK."""
+    flat = numpy.asarray(flat).ravel()
+    if flat.size % 4 == 0 and flat.size > 0 and (flat[::4] == 3).all():
+        return flat.reshape(-1, 4)[:, 1:]
+    triangles, at = [], 0
+    while at < flat.size:
+        n = int(flat[at])
+        rows = flat[at + 1:at + 1 + n]
+        triangles += [(rows[0], rows[k], rows[k + 1]) for k in range(1, n - 1)]
+        at += n + 1
+    return numpy.array(triangles, dtype=numpy.int64).reshape(-1, 3)
+
+
+def _of_meshio(mesh):
+    blocks = []
+    for block in mesh.cells:
+        kind, rows = (block.type, block.data) if hasattr(block, "type") else block
+        if kind == "triangle":
+            blocks.append(numpy.asarray(rows))
+        elif kind == "quad":
+            blocks.append(split_quadrangles(rows))
+    if not blocks:
+        raise UsageError("the meshio mesh has no triangles; found %s" %
+                         ", ".join(str(getattr(b, "type", b[0])) for b in mesh.cells))
+    return mesh.points, numpy.concatenate(blocks)
+
+
+def _of_vtk(data):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    return vtk_to_numpy(data.GetPoints().GetData()), _fans(vtk_to_numpy(data.GetPolys().GetData()))
+
+
+def arrays_of(thing):
+    """(points, triangles) of an object that is a triangulated surface in one of the forms in use.
+
+    Understood, in this order: meshio (``points``, ``cells``); PyVista (``points``, ``faces`` as one flat list);
+    VTK (``GetPoints``, ``GetPolys``); GemPy (``vertices``, ``edges`` of three columns); LoopStructural
+    (``vertices``, ``triangles``); trimesh and others (``vertices``, ``faces``); a pair (points, triangles).
+    """
+    if isinstance(thing, (tuple, list)) and len(thing) == 2:
+        return thing[0], thing[1]
+    if hasattr(thing, "points") and hasattr(thing, "cells") and not hasattr(thing, "GetPolys"):
+        return _of_meshio(thing)
+    if hasattr(thing, "points") and hasattr(thing, "faces"):
+        faces = numpy.asarray(thing.faces)
+        return thing.points, faces if faces.ndim == 2 else _fans(faces)
+    if hasattr(thing, "GetPolys"):
+        return _of_vtk(thing)
+    if hasattr(thing, "vertices"):
+        for name in ("triangles", "edges", "faces"):
+            rows = getattr(thing, name, None)
+            if rows is not None and numpy.ndim(rows) == 2 and numpy.shape(rows)[1] in (3, 4):
+                return thing.vertices, rows
+    raise UsageError("no triangulated surface is known in a %s: give points and triangles as arrays, a file, or an "
+                     "object with points and faces" % type(thing).__name__)
+
+
+def read_surfaces(file):
+    """The triangulated surfaces of a file, of any format of docs/input-formats.md.
+
+    Returns
+    -------
+    list of (name, points, triangles)
+        float64 (n, 3) with z upwards, uint32 (m, 3).
+    """
+    from . import _geomodel
+    return _geomodel.read_surfaces(os.fspath(file))

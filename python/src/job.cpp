@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "job.hpp"
+
+#include <chrono>
+#include <memory>
+
+namespace geomesh::python {
+namespace {
+
+const char* word(LogLevel level) {
+  return level == LogLevel::debug ? "debug" : level == LogLevel::info ? "info" : "warning";
+}
+
+}  // namespace
+
+Job::Job(const JobRequest& request) : request_(request) { attach(); }
+
+void Job::attach() {
+  context_.cancel = &cancelled_;
+  context_.threads = request_.threads;
+  if (!request_.progress.is_none()) {
+    context_.stage = [this](std::string_view stage, bool begins) {
+      const std::lock_guard lock(mutex_);
+      if (begins) events_.push_back({Event::Kind::stage, std::string(stage), {}});
+      tally_ = {std::string(stage), 0, 0, false};
+    };
+    context_.progress = [this](std::size_t done, std::size_t total) {
+      const std::lock_guard lock(mutex_);
+      tally_.done = done;
+      tally_.total = total;
+      tally_.fresh = true;
+    };
+  }
+  if (!request_.log.is_none())
+    context_.log = [this](LogLevel level, std::string_view text) {
+      const std::lock_guard lock(mutex_);
+      events_.push_back({Event::Kind::log, word(level), std::string(text)});
+    };
+}
+
+void Job::finish() {
+  const std::lock_guard lock(mutex_);
+  finished_ = true;
+  changed_.notify_all();
+}
+
+/// False once the work has ended.
+bool Job::wait() {
+  const py::gil_scoped_release released;
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return finished_; });
+  return !finished_;
+}
+
+void Job::watch() {
+  for (bool running = true; running;) {
+    running = wait();
+    if (failure_) continue;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      deliver();
+    } catch (py::error_already_set& error) {
+      fail(std::move(error));
+    }
+  }
+}
+
+void Job::deliver() {
+  std::vector<Event> events;
+  Tally tally;
+  {
+    const std::lock_guard lock(mutex_);
+    events.swap(events_);
+    tally = std::exchange(tally_.fresh, false) ? tally_ : Tally{};
+    if (!tally.stage.empty()) tally.fresh = true;
+  }
+  deliver_events(events, tally);
+}
+
+void Job::deliver_events(const std::vector<Event>& events, const Tally& tally) {
+  for (const Event& event : events) {
+    if (event.kind == Event::Kind::stage)
+      request_.progress(event.name, 0, 0);
+    else
+      request_.log(event.name, event.text);
+  }
+  if (tally.fresh) request_.progress(tally.stage, tally.done, tally.total);
+}
+
+void Job::fail(py::error_already_set&& error) {
+  if (!failure_) failure_.emplace(std::move(error));
+  cancelled_ = true;
+}
+
+void Job::join(std::thread& worker) {
+  const py::gil_scoped_release released;
+  worker.join();
+}
+
+void Job::throw_if_failed() {
+  if (failure_) throw std::move(*failure_);
+  if (thrown_) std::rethrow_exception(thrown_);
+}
+
+std::function<double(const Vec3&)> Job::size_function(py::object function) {
+  // Copies of the function object are made and destroyed by threads that do not hold the interpreter's lock.
+  const std::shared_ptr<py::object> shared(new py::object(std::move(function)), [](py::object* object) {
+    const py::gil_scoped_acquire held;
+    delete object;
+  });
+  return [this, shared](const Vec3& p) {
+    const py::gil_scoped_acquire held;
+    if (failure_) throw Error(ErrorKind::interrupted, "interrupted");
+    try {
+      return (*shared)(p.x, p.y, p.z).cast<double>();
+    } catch (py::error_already_set& error) {
+      fail(std::move(error));
+    } catch (const py::cast_error&) {
+      PyErr_SetString(PyExc_TypeError, "the size function is to return a number for each place (x, y, z)");
+      fail(py::error_already_set());
+    }
+    throw Error(ErrorKind::interrupted, "interrupted");
+  };
+}
+
+}  // namespace geomesh::python
