@@ -8,6 +8,7 @@
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/init.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "picture_command.hpp"
 #include "signals.hpp"
 
 namespace geomesh::app {
@@ -77,6 +78,10 @@ int run_command(const InitCommand& command, const RunContext&, Verbosity verbosi
   if (verbosity != Verbosity::quiet)
     std::cout << "wrote " << project.string() << "\nNow run: geomesh " << project.string() << '\n';
   return 0;
+}
+
+int run_command(const PictureCommand& command, const RunContext& context, Verbosity) {
+  return draw_picture(command, context);
 }
 
 }  // namespace

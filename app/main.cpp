@@ -43,7 +43,9 @@ int main(int argc, char** argv) {
     RunContext context;
     context.cancel = &app::cancel_token();
     context.threads = line.threads;
-    app::Progress progress(line.verbosity, terminal);
+    app::Progress progress(line.verbosity, line.json_progress ? app::ProgressStyle::json
+                                           : terminal         ? app::ProgressStyle::terminal
+                                                              : app::ProgressStyle::lines);
     progress.attach(context);
     const int status = app::run(line, context);
     if (!std::cout.flush())

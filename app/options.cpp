@@ -23,6 +23,7 @@ const char* const overview = R"(geomesh: tetrahedral meshes of earth models, fro
   geomesh check MESH                 exact verification of a mesh, of any tool's
   geomesh info FILE                  what a file holds, and what is wrong with it
   geomesh init DIR                   a commented project that runs as it is
+  geomesh picture MESH -o NAME.png   a picture of a mesh, or of a project's
 
 Each has its own help: geomesh mesh --help, or geomesh --help-project for the first.
 Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad input data or faults found by check,
@@ -32,7 +33,7 @@ Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad i
 /// Options that every command has.
 struct Common {
   unsigned threads = 0;
-  bool quiet = false, verbose = false;
+  bool quiet = false, verbose = false, json_progress = false;
   std::string report;
 
   void add_to(CLI::App& app) {
@@ -40,10 +41,13 @@ struct Common {
         ->check(CLI::Range(1u, 1024u));
     auto* q = app.add_flag("--quiet", quiet, "Print warnings and errors only");
     app.add_flag("--verbose", verbose, "Print details")->excludes(q);
+    app.add_flag("--json-progress", json_progress,
+                 "Progress for programs: JSON objects on the standard error, one a line");
     app.add_option("--report", report, "Write a report (JSON) to this file")->type_name("FILE");
   }
   void apply(CommandLine& line) const {
     line.threads = threads;
+    line.json_progress = json_progress;
     line.verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal;
   }
   std::optional<std::filesystem::path> report_file() const {
@@ -330,6 +334,33 @@ CommandLine parse_init(int argc, const char* const* argv) {
   return line;
 }
 
+/// The first word that is neither an option nor an option's value is the input.
+CommandLine parse_picture(int argc, const char* const* argv) {
+  PictureCommand command;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool flag = word.rfind("--no-", 0) == 0 || word.find('=') != std::string::npos;
+    if (word == "--help" || word == "-h") {
+      command = {{}, {"--help"}};
+      break;
+    }
+    if (word.size() > 1 && word[0] == '-') {
+      command.arguments.push_back(word);
+      if (!flag && i + 1 < argc) command.arguments.emplace_back(argv[++i]);
+    } else if (command.input.empty()) {
+      check_file_exists(word);
+      command.input = word;
+    } else {
+      usage_error(word + ": one mesh or project was expected\nSee geomesh picture --help");
+    }
+  }
+  if (command.input.empty() && command.arguments != std::vector<std::string>{"--help"})
+    usage_error("which mesh or project should be drawn?\nSee geomesh picture --help");
+  CommandLine line;
+  line.command = command;
+  return line;
+}
+
 using Commands = std::map<std::string, std::function<CommandLine(int, const char* const*)>>;
 
 /// The first word is a project, unless it is nearly a command and no file.
@@ -345,11 +376,8 @@ void check_is_no_misspelt_command(const std::string& word, const Commands& comma
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  static const Commands commands{{"mesh", parse_mesh},
-                                 {"delaunay", parse_delaunay},
-                                 {"check", parse_check},
-                                 {"info", parse_info},
-                                 {"init", parse_init}};
+  static const Commands commands{{"mesh", parse_mesh}, {"delaunay", parse_delaunay}, {"check", parse_check},
+                                 {"info", parse_info}, {"init", parse_init},         {"picture", parse_picture}};
   CommandLine line;
   if (argc < 2) usage_error(std::string("what should be meshed?\n\n") + overview);
   const std::string first = argv[1];

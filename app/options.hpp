@@ -39,12 +39,19 @@ struct InitCommand {
   std::string template_name;
 };
 
+/// Everything but the input goes to the drawing program as it is; without input its help is asked for.
+struct PictureCommand {
+  std::filesystem::path input;
+  std::vector<std::string> arguments;
+};
+
 struct CommandLine {
   std::variant<Help, ProjectCommand, geomodel::MeshRequest, geomodel::DelaunayRequest, CheckCommand, InfoCommand,
-               InitCommand>
+               InitCommand, PictureCommand>
       command;
   unsigned threads = 0;
   Verbosity verbosity = Verbosity::normal;
+  bool json_progress = false;  ///< progress as JSON, one object a line
 };
 
 CommandLine parse_command_line(int argc, const char* const* argv);

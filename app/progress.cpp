@@ -4,6 +4,34 @@
 #include <cstdio>
 
 namespace geomesh::app {
+namespace {
+
+constexpr double seconds_until_rate = 1;  ///< rates and times left are told from then on
+constexpr auto redraw_interval = std::chrono::milliseconds(200);
+constexpr auto tick_interval = std::chrono::seconds(1);
+
+std::string json_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      char code[8];
+      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
+      quoted += code;
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+const char* word(LogLevel level) {
+  return level == LogLevel::debug ? "debug" : level == LogLevel::info ? "info" : "warning";
+}
+
+}  // namespace
 
 std::string seconds_words(double seconds) {
   char text[32];
@@ -17,49 +45,118 @@ std::string seconds_words(double seconds) {
   return text;
 }
 
+std::string count_words(std::size_t n) {
+  const std::string digits = std::to_string(n);
+  std::string grouped;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) grouped += ',';
+    grouped += digits[i];
+  }
+  return grouped;
+}
+
+Progress::~Progress() {
+  if (!ticker_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  ends_.notify_all();
+  ticker_.join();
+}
+
 void Progress::attach(RunContext& context) {
   context.stage = [this](std::string_view name, bool begins) { on_stage(name, begins); };
   context.progress = [this](std::size_t done, std::size_t total) { on_progress(done, total); };
   context.log = [this](LogLevel level, std::string_view text) { on_log(level, text); };
+  if (verbosity_ != Verbosity::quiet && style_ != ProgressStyle::lines) ticker_ = std::thread([this] { tick(); });
+}
+
+/// Stages that say nothing for a while are seen to run.
+void Progress::tick() {
+  std::unique_lock lock(mutex_);
+  while (!ends_.wait_for(lock, tick_interval, [&] { return ended_; }))
+    if (!stage_.empty() && Clock::now() - last_drawn_ >= tick_interval) draw();
 }
 
 void Progress::clear_line() const {
-  if (terminal_) std::fputs("\r\033[K", stderr);
+  if (style_ == ProgressStyle::terminal) std::fputs("\r\033[K", stderr);
+}
+
+double Progress::seconds_spent() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+/// Negative where it is not known.
+double Progress::seconds_left() const {
+  const double spent = seconds_spent();
+  if (total_ == 0 || done_ == 0 || done_ > total_ || spent < seconds_until_rate) return -1;
+  return spent * static_cast<double>(total_ - done_) / static_cast<double>(done_);
 }
 
 void Progress::on_stage(std::string_view name, bool begins) {
+  const std::lock_guard lock(mutex_);
   if (verbosity_ == Verbosity::quiet) return;
   if (begins) {
     stage_ = name;
     note_.clear();
+    done_ = total_ = 0;
     start_ = last_drawn_ = Clock::now();
-    if (terminal_) std::fprintf(stderr, "%-10s ...", stage_.c_str());
-    return;
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  clear_line();
-  std::fprintf(stderr, "%-10s %8s   %s\n", stage_.c_str(), seconds_words(seconds).c_str(), note_.c_str());
-  stage_.clear();
+  if (style_ == ProgressStyle::json) {
+    print_stage_event(begins);
+  } else if (begins) {
+    if (style_ == ProgressStyle::terminal) std::fprintf(stderr, "%-10s ...", stage_.c_str());
+  } else {
+    clear_line();
+    std::fprintf(stderr, "%-10s %8s   %s\n", stage_.c_str(), seconds_words(seconds_spent()).c_str(), note_.c_str());
+  }
+  if (!begins) stage_.clear();
 }
 
 void Progress::on_progress(std::size_t done, std::size_t total) {
-  if (verbosity_ == Verbosity::quiet || !terminal_) return;
-  const auto now = Clock::now();
-  if (now - last_drawn_ < std::chrono::milliseconds(200)) return;
-  last_drawn_ = now;
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  total_ = total;
+  if (verbosity_ == Verbosity::quiet || style_ == ProgressStyle::lines || stage_.empty()) return;
+  if (Clock::now() - last_drawn_ >= redraw_interval) draw();
+}
+
+void Progress::draw() {
+  last_drawn_ = Clock::now();
+  if (style_ == ProgressStyle::json) return print_progress_event();
   clear_line();
-  std::fprintf(stderr, "%-10s %zu", stage_.c_str(), done);
-  if (total > 0 && done > 0 && done <= total) {
-    const double spent = std::chrono::duration<double>(now - start_).count();
-    const double left = spent * static_cast<double>(total - done) / static_cast<double>(done);
-    std::fprintf(stderr, " of %zu, about %s left", total, seconds_words(left).c_str());
-  }
+  const double spent = seconds_spent(), left = seconds_left();
+  std::string line = count_words(done_);
+  if (total_ > 0 && done_ <= total_) line += " of " + count_words(total_);
+  if (done_ > 0 && spent >= seconds_until_rate)
+    line += ", " + count_words(static_cast<std::size_t>(static_cast<double>(done_) / spent)) + " a second";
+  if (left >= 0) line += ", about " + seconds_words(left) + " left";
+  std::fprintf(stderr, "%-10s %8s   %s", stage_.c_str(), seconds_words(spent).c_str(), done_ > 0 ? line.c_str() : "");
+  std::fflush(stderr);
+}
+
+void Progress::print_stage_event(bool begins) const {
+  std::fprintf(stderr, "{\"event\": \"stage\", \"stage\": %s, \"begins\": %s, \"seconds\": %.3f}\n",
+               json_string(stage_).c_str(), begins ? "true" : "false", begins ? 0.0 : seconds_spent());
+}
+
+void Progress::print_progress_event() const {
+  const double spent = seconds_spent(), left = seconds_left();
+  std::fprintf(stderr, "{\"event\": \"progress\", \"stage\": %s, \"done\": %zu, \"total\": %zu, \"seconds\": %.3f",
+               json_string(stage_).c_str(), done_, total_, spent);
+  if (left >= 0) std::fprintf(stderr, ", \"seconds_left\": %.1f", left);
+  std::fputs("}\n", stderr);
 }
 
 void Progress::on_log(LogLevel level, std::string_view text) {
+  const std::lock_guard lock(mutex_);
   if (level == LogLevel::info) note_ = text;
-  const bool show = level == LogLevel::warning || verbosity_ == Verbosity::verbose;
-  if (!show) return;
+  const bool chatty = verbosity_ == Verbosity::verbose || (style_ == ProgressStyle::json && level == LogLevel::info);
+  if (level != LogLevel::warning && (!chatty || verbosity_ == Verbosity::quiet)) return;
+  if (style_ == ProgressStyle::json) {
+    std::fprintf(stderr, "{\"event\": \"log\", \"level\": \"%s\", \"text\": %s}\n", word(level),
+                 json_string(text).c_str());
+    return;
+  }
   clear_line();
   const char* label = level == LogLevel::warning ? "warning: " : "  ";
   std::fprintf(stderr, "%s%.*s\n", label, static_cast<int>(text.size()), text.data());

@@ -1,23 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Draws what a job says while it runs: one line a stage, with counts, time and time left. On a terminal the running
-/// stage's line is redrawn in place; elsewhere only finished lines are printed.
+/// Draws what a job says while it runs: one line a stage, with counts, rate, time and time left. On a terminal the
+/// running stage's line is redrawn in place, every second even where the stage says nothing; elsewhere only finished
+/// lines are printed. For programs: one JSON object a line (docs/command-line.md).
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "geomesh/core/run_context.hpp"
 
 namespace geomesh::app {
 
 enum class Verbosity { quiet, normal, verbose };
+enum class ProgressStyle {
+  lines,     ///< finished stages alone
+  terminal,  ///< the running one too, in place
+  json,      ///< objects with `event`: stage, progress, log
+};
 
 /// Prints to standard error. Keep it alive as long as the context made by `attach` is used.
 class Progress {
  public:
-  Progress(Verbosity verbosity, bool terminal) : verbosity_(verbosity), terminal_(terminal) {}
+  Progress(Verbosity verbosity, ProgressStyle style) : verbosity_(verbosity), style_(style) {}
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
   void attach(RunContext& context);
 
  private:
@@ -25,15 +38,29 @@ class Progress {
   void on_stage(std::string_view name, bool begins);
   void on_progress(std::size_t done, std::size_t total);
   void on_log(LogLevel level, std::string_view text);
+  void tick();
+  void draw();
+  void print_stage_event(bool begins) const;
+  void print_progress_event() const;
   void clear_line() const;
+  double seconds_spent() const;
+  double seconds_left() const;
 
   Verbosity verbosity_;
-  bool terminal_;
+  ProgressStyle style_;
+  std::mutex mutex_;  ///< of all below, and of the standard error
+  std::condition_variable ends_;
+  bool ended_ = false;
   std::string stage_, note_;
+  std::size_t done_ = 0, total_ = 0;
   Clock::time_point start_, last_drawn_;
+  std::thread ticker_;
 };
 
 /// "0.42 s", "75 s", "12 min".
 std::string seconds_words(double seconds);
+
+/// "1,234,567".
+std::string count_words(std::size_t n);
 
 }  // namespace geomesh::app

@@ -2,6 +2,9 @@
 """The named mesh. Arrays are read-only views of the mesh's own memory, which they keep alive."""
 import json
 import os
+import shutil
+import subprocess
+import tempfile
 from typing import List, NamedTuple
 
 import numpy
@@ -182,3 +185,37 @@ class Mesh:
         for name, values in self.cell_arrays.items():
             grid.cell_data[name] = values
         return grid
+
+    def picture(self, file, view="cut", size=(1200, 900), **options):
+        """Draws the mesh into a PNG file with the program ``geomesh picture``, which must be installed.
+
+        Parameters
+        ----------
+        file : path
+        view : {"regions", "cut", "exploded", "surfaces", "quality"}
+        size : (width, height) in pixels
+        **options
+            Of ``geomesh picture``: ``azimuth``, ``elevation`` in degrees, ``zoom``, ``scale_z``.
+
+        Raises
+        ------
+        UsageError
+            The program is not there, or could not draw (no display and no xvfb).
+        """
+        words = [_program(), "picture", None, "-o", os.path.abspath(os.fspath(file)), "--view=" + view,
+                 "--size=%dx%d" % tuple(size)]
+        words += ["--%s=%s" % (key.replace("_", "-"), value) for key, value in options.items()]
+        with tempfile.TemporaryDirectory() as folder:
+            words[2] = self.write(os.path.join(folder, "mesh.vtu"))[0]
+            done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            raise UsageError("no picture was drawn: " + done.stdout.strip())
+
+
+def _program():
+    """The program geomesh: GEOMESH_PROGRAM, that on the path, or that of the build folder this package is in."""
+    built = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(_geomodel.__file__))), "bin", "geomesh")
+    for program in (os.environ.get("GEOMESH_PROGRAM"), shutil.which("geomesh"), built):
+        if program and os.access(program, os.X_OK):
+            return program
+    raise UsageError("pictures are drawn by the program geomesh, which is not on the path")

@@ -35,6 +35,16 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   if (options.refine) announce_estimate(plc, mesh, options, context, result);
 }
 
+/// Passes the stage's counts of elements on as shares of the estimate. `context` must outlive what is returned.
+RunContext counting_towards(double estimate, const RunContext& context) {
+  RunContext counted = context;
+  if (context.progress)
+    counted.progress = [&context, estimate](std::size_t done, std::size_t total) {
+      context.progress(done, total > 0 ? total : std::max(done, static_cast<std::size_t>(estimate)));
+    };
+  return counted;
+}
+
 /// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
@@ -159,7 +169,8 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   release_elements(input);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);
-  if (options.refine) refine_to_size(tools, options, context);
+  const RunContext counted = counting_towards(result.statistics.estimated_elements, context);
+  if (options.refine) refine_to_size(tools, options, counted);
   if (options.refine && guard.exact() && sizes_surfaces(options))
     refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();

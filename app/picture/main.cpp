@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// geomesh-picture: draws a mesh into a PNG. A program of its own, because VTK ends the process where there is no
+// display; `geomesh picture` calls it, with a virtual display where none is there.
+#include <vtkObject.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "mesh_parts.hpp"
+#include "picture_options.hpp"
+#include "scene.hpp"
+
+int main(int argc, char** argv) {
+  using namespace geomesh::picture;
+  const PictureOptions options = parse_picture_options(argc, argv);
+  try {
+    const MeshFile mesh = read_mesh_file(options.mesh);
+    write_picture(*make_scene(mesh, options), options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 3;
+  }
+}

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene.hpp"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkCubeSource.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageResize.h>
+#include <vtkLegendBoxActor.h>
+#include <vtkLightKit.h>
+#include <vtkLookupTable.h>
+#include <vtkOutlineSource.h>
+#include <vtkPNGWriter.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextProperty.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace geomesh::picture {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int oversampling = 2;
+constexpr std::size_t most_names = 12;  ///< in the legend
+
+using Colour = std::array<double, 3>;
+
+/// Calm colours that are told apart side by side; more than these repeat.
+const std::array<Colour, 12> palette{{{0.93, 0.79, 0.45},
+                                      {0.45, 0.66, 0.80},
+                                      {0.62, 0.77, 0.49},
+                                      {0.84, 0.53, 0.42},
+                                      {0.66, 0.58, 0.78},
+                                      {0.90, 0.64, 0.72},
+                                      {0.55, 0.76, 0.74},
+                                      {0.75, 0.68, 0.56},
+                                      {0.96, 0.88, 0.64},
+                                      {0.42, 0.53, 0.66},
+                                      {0.78, 0.84, 0.52},
+                                      {0.72, 0.44, 0.50}}};
+
+Colour colour_of(std::size_t i) { return palette[i % palette.size()]; }
+
+class SceneBuilder {
+ public:
+  SceneBuilder(const MeshFile& mesh, const PictureOptions& options) : mesh_(mesh), options_(options) {
+    mesh_.cells->GetBounds(bounds_.data());
+    scene_->SetBackground(1, 1, 1);
+  }
+
+  vtkSmartPointer<vtkRenderer> build() {
+    switch (options_.view) {
+      case View::regions:
+        add_regions([](vtkIdType) { return true; });
+        break;
+      case View::cut:
+        add_regions(behind_the_cut());
+        break;
+      case View::exploded:
+        add_exploded();
+        break;
+      case View::surfaces:
+        add_surfaces();
+        break;
+      case View::quality:
+        add_quality();
+        break;
+    }
+    if (options_.legend && options_.view != View::quality) add_legend();
+    auto lights = vtkSmartPointer<vtkLightKit>::New();
+    lights->SetKeyLightWarmth(0.5);
+    lights->SetFillLightWarmth(0.5);
+    lights->SetKeyToFillRatio(2.2);
+    lights->SetKeyLightIntensity(0.9);
+    lights->AddLightsToRenderer(scene_);
+    aim_camera();
+    return scene_;
+  }
+
+ private:
+  using Wanted = std::function<bool(vtkIdType)>;
+
+  /// Towards the camera, in the map.
+  std::array<double, 2> towards_camera() const {
+    const double a = options_.azimuth * pi / 180;
+    return {std::sin(a), std::cos(a)};
+  }
+
+  /// Whether a tetrahedron stays: the quarter on the camera's side goes, so that two walls open.
+  Wanted behind_the_cut() const {
+    const auto [tx, ty] = towards_camera();
+    const double cx = 0.5 * (bounds_[0] + bounds_[1]), cy = 0.5 * (bounds_[2] + bounds_[3]);
+    return [this, cx, cy, sx = tx < 0 ? -1.0 : 1.0, sy = ty < 0 ? -1.0 : 1.0](vtkIdType c) {
+      std::array<double, 3> centre{};
+      centre_of(mesh_, c, centre.data());
+      return (centre[0] - cx) * sx < 0 || (centre[1] - cy) * sy < 0;
+    };
+  }
+
+  std::set<int> ids_in(const std::vector<int>& ids) const { return {ids.begin(), ids.end()}; }
+
+  vtkSmartPointer<vtkActor> add(vtkPolyData* data, vtkLookupTable* colours, double low, double high) {
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(data);
+    mapper->SetLookupTable(colours);
+    mapper->SetScalarRange(low, high);
+    mapper->SetScalarModeToUseCellData();
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->SetScale(1, 1, options_.scale_z);
+    actor->GetProperty()->SetInterpolationToFlat();
+    actor->GetProperty()->SetAmbient(0.15);
+    actor->GetProperty()->SetSpecular(0);
+    if (options_.edges) {
+      actor->GetProperty()->EdgeVisibilityOn();
+      actor->GetProperty()->SetEdgeColor(0.25, 0.25, 0.28);
+      actor->GetProperty()->SetLineWidth(1.1f);
+    }
+    scene_->AddActor(actor);
+    return actor;
+  }
+
+  /// One colour an id, in the order of the ids; fills the legend's entries.
+  vtkSmartPointer<vtkLookupTable> colours_of(const std::set<int>& ids, const std::map<int, std::string>& names) {
+    auto table = vtkSmartPointer<vtkLookupTable>::New();
+    low_ = *ids.begin();
+    high_ = std::max(*ids.rbegin(), low_ + 1);
+    table->SetNumberOfTableValues(high_ - low_ + 1);
+    std::size_t i = 0;
+    for (const int id : ids) {
+      const Colour c = colour_of(i++);
+      table->SetTableValue(id - low_, c[0], c[1], c[2]);
+      const auto name = names.find(id);
+      entries_.push_back({name == names.end() ? std::to_string(id) : name->second, c});
+    }
+    return table;
+  }
+
+  double region(vtkIdType c) const { return mesh_.region_of_cell[static_cast<std::size_t>(c)]; }
+
+  void add_regions(const Wanted& wanted) {
+    auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names);
+    add(outside_of(mesh_, wanted, [this](vtkIdType c) { return region(c); }), table, low_, high_);
+  }
+
+  /// Regions from the highest to the lowest, each moved up by a share of the model's height over the next.
+  void add_exploded() {
+    const std::set<int> ids = ids_in(mesh_.region_of_cell);
+    auto table = colours_of(ids, mesh_.region_names);
+    std::map<int, std::pair<double, std::size_t>> heights;
+    for (vtkIdType c = 0; c < mesh_.cells->GetNumberOfCells(); ++c) {
+      std::array<double, 3> centre{};
+      centre_of(mesh_, c, centre.data());
+      auto& [sum, n] = heights[static_cast<int>(region(c))];
+      sum += centre[2];
+      ++n;
+    }
+    std::vector<std::pair<double, int>> order;
+    for (const auto& [id, sum] : heights) order.emplace_back(sum.first / static_cast<double>(sum.second), id);
+    std::sort(order.begin(), order.end());
+    const double step = 0.35 * std::max(bounds_[5] - bounds_[4], 0.3 * (bounds_[1] - bounds_[0]) / options_.scale_z);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      auto actor = add(outside_of(
+                           mesh_, [&](vtkIdType c) { return region(c) == order[i].second; },
+                           [this](vtkIdType c) { return region(c); }),
+                       table, low_, high_);
+      actor->SetPosition(0, 0, static_cast<double>(i) * step * options_.scale_z);
+    }
+  }
+
+  void add_surfaces() {
+    auto data = inner_surfaces(mesh_);
+    if (!data)
+      throw std::runtime_error(
+          "there are no surfaces but the sides of the box to show (NAME.faces.vtp is read beside "
+          "the mesh)");
+    std::set<int> ids;
+    auto* const values = data->GetCellData()->GetScalars();
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) ids.insert(static_cast<int>(values->GetTuple1(i)));
+    auto table = colours_of(ids, mesh_.surface_names);
+    add(data, table, low_, high_);
+    auto outline = vtkSmartPointer<vtkOutlineSource>::New();
+    outline->SetBounds(bounds_.data());
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputConnection(outline->GetOutputPort());
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->SetScale(1, 1, options_.scale_z);
+    actor->GetProperty()->SetColor(0.35, 0.35, 0.35);
+    actor->GetProperty()->LightingOff();
+    scene_->AddActor(actor);
+  }
+
+  void add_quality() {
+    constexpr double regular = 70.53;  // degrees, of the regular tetrahedron
+    auto table = vtkSmartPointer<vtkLookupTable>::New();
+    table->SetNumberOfTableValues(7);
+    const std::array<Colour, 7> steps{{{0.70, 0.09, 0.17},
+                                       {0.94, 0.54, 0.38},
+                                       {0.99, 0.86, 0.72},
+                                       {0.88, 0.92, 0.95},
+                                       {0.65, 0.82, 0.90},
+                                       {0.40, 0.66, 0.81},
+                                       {0.13, 0.40, 0.67}}};
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      table->SetTableValue(static_cast<vtkIdType>(i), steps[i][0], steps[i][1], steps[i][2]);
+    table->SetTableRange(0, regular);
+    add(outside_of(mesh_, behind_the_cut(), [this](vtkIdType c) { return smallest_dihedral(mesh_, c); }), table, 0,
+        regular);
+    if (!options_.legend) return;
+    auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
+    bar->SetLookupTable(table);
+    bar->SetTitle("smallest dihedral angle (degrees)");
+    bar->SetLabelFormat("%.0f");
+    bar->SetNumberOfLabels(8);
+    bar->SetOrientationToHorizontal();
+    bar->SetPosition(0.25, 0.02);
+    bar->SetWidth(0.5);
+    bar->SetHeight(0.09);
+    for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
+      text->SetColor(0.1, 0.1, 0.1);
+      text->ItalicOff();
+      text->BoldOff();
+      text->ShadowOff();
+    }
+    scene_->AddActor2D(bar);
+  }
+
+  void add_legend() {
+    const std::size_t n = std::min(entries_.size(), most_names);
+    auto legend = vtkSmartPointer<vtkLegendBoxActor>::New();
+    legend->SetNumberOfEntries(static_cast<int>(n));
+    auto box = vtkSmartPointer<vtkCubeSource>::New();
+    box->Update();
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool rest = i + 1 == n && entries_.size() > n;
+      std::string name = rest ? "and " + std::to_string(entries_.size() - n + 1) + " more" : entries_[i].name;
+      legend->SetEntry(static_cast<int>(i), box->GetOutput(), name.c_str(), entries_[i].colour.data());
+      std::array<double, 3> ink{0.1, 0.1, 0.1};
+      legend->SetEntryColor(static_cast<int>(i), entries_[i].colour.data());
+      legend->GetEntryTextProperty()->SetColor(ink.data());
+    }
+    legend->GetEntryTextProperty()->ItalicOff();
+    legend->GetEntryTextProperty()->ShadowOff();
+    legend->BorderOff();
+    legend->SetPadding(4);
+    std::size_t longest = 6;
+    for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, entries_[i].name.size());
+    legend->SetPosition(0.01, 0.99 - 0.037 * static_cast<double>(n));
+    legend->SetPosition2(0.03 + 0.0125 * static_cast<double>(longest), 0.037 * static_cast<double>(n));
+    scene_->AddActor2D(legend);
+  }
+
+  void aim_camera() {
+    const auto [tx, ty] = towards_camera();
+    const double e = options_.elevation * pi / 180;
+    vtkCamera* const camera = scene_->GetActiveCamera();
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetPosition(tx * std::cos(e), ty * std::cos(e), std::sin(e));
+    camera->SetViewUp(0, 0, 1);
+    camera->SetViewAngle(25);
+    scene_->ResetCamera();
+    camera->Zoom(1.45 * options_.zoom);
+    scene_->ResetCameraClippingRange();
+  }
+
+  const MeshFile& mesh_;
+  const PictureOptions& options_;
+  vtkSmartPointer<vtkRenderer> scene_ = vtkSmartPointer<vtkRenderer>::New();
+  std::array<double, 6> bounds_{};
+  int low_ = 0, high_ = 1;
+  struct Entry {
+    std::string name;
+    Colour colour;
+  };
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+vtkSmartPointer<vtkRenderer> make_scene(const MeshFile& mesh, const PictureOptions& options) {
+  return SceneBuilder(mesh, options).build();
+}
+
+void write_picture(vtkRenderer& scene, const PictureOptions& options) {
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(oversampling * options.width, oversampling * options.height);
+  window->AddRenderer(&scene);
+  window->Render();
+  auto grab = vtkSmartPointer<vtkWindowToImageFilter>::New();
+  grab->SetInput(window);
+  grab->SetInputBufferTypeToRGB();
+  grab->ReadFrontBufferOff();
+  auto smaller = vtkSmartPointer<vtkImageResize>::New();
+  smaller->SetInputConnection(grab->GetOutputPort());
+  smaller->SetOutputDimensions(options.width, options.height, 1);
+  const std::filesystem::path temporary = options.output.string() + ".part";
+  auto writer = vtkSmartPointer<vtkPNGWriter>::New();
+  writer->SetCompressionLevel(9);
+  writer->SetFileName(temporary.c_str());
+  writer->SetInputConnection(smaller->GetOutputPort());
+  writer->Write();
+  if (writer->GetErrorCode() != 0) throw std::runtime_error(options.output.string() + " could not be written");
+  std::filesystem::rename(temporary, options.output);
+}
+
+}  // namespace geomesh::picture

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `geomesh picture`: has the program geomesh-picture beside this one draw a mesh, on a virtual display where there is
+/// none.
+#pragma once
+
+#include "geomesh/core/run_context.hpp"
+#include "options.hpp"
+
+namespace geomesh::app {
+
+/// Returns the drawing program's exit status. Throws Error{usage} where that program or a display is missing.
+int draw_picture(const PictureCommand& command, const RunContext& context);
+
+}  // namespace geomesh::app

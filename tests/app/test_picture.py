@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`geomesh picture` draws what it is asked for. Skipped, saying so, where the drawing program or a display is absent."""
+import os
+import shutil
+import struct
+import unittest
+import zlib
+
+from geomesh_program import PROGRAM, USAGE, ProgramTest
+
+
+def pixels(path):
+    """Width, height and the set of colours of an 8-bit RGB picture."""
+    with open(path, "rb") as file:
+        data = file.read()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, packed, width, height = 8, b"", 0, 0
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+            assert (depth, colour) == (8, 2)
+        if kind == b"IDAT":
+            packed += body
+        at += 12 + length
+    rows, stride, last, out = zlib.decompress(packed), 3 * width, bytes(3 * width), []
+    for y in range(height):
+        kind, row = rows[y * (stride + 1)], bytearray(rows[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride):
+            left, up, corner = (row[i - 3] if i >= 3 else 0), last[i], (last[i - 3] if i >= 3 else 0)
+            if kind == 1:
+                add = left
+            elif kind == 2:
+                add = up
+            elif kind == 3:
+                add = (left + up) // 2
+            elif kind == 4:
+                guess = left + up - corner
+                add = min((left, up, corner), key=lambda v: abs(guess - v))
+            else:
+                add = 0
+            row[i] = (row[i] + add) & 255
+        last = bytes(row)
+        out.append(last)
+    return width, height, out
+
+
+def share_of_background(rows):
+    n = white = 0
+    for row in rows:
+        for i in range(0, len(row), 3):
+            n += 1
+            white += row[i:i + 3] == b"\xff\xff\xff"
+    return white / n
+
+
+class Picture(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        if not os.path.exists(os.path.join(os.path.dirname(PROGRAM), "geomesh-picture")):
+            self.skipTest("skipped: no geomesh-picture beside the program (VTK without rendering)")
+
+    def needs_display(self):
+        if not os.environ.get("DISPLAY") and not shutil.which("xvfb-run"):
+            self.skipTest("skipped: no display and no xvfb-run")
+
+    def test_every_view_of_a_project_fills_a_good_part_of_the_picture_in_the_size_asked_for(self):
+        self.needs_display()
+        self.run_program(self.sample("salt-dome"), "-o", self.path("out"), "--quiet")
+        seen = {}
+        for view in ("regions", "cut", "exploded", "surfaces", "quality"):
+            file = self.path(view + ".png")
+            self.run_program("picture", self.path("out", "salt_dome.vtu"), "-o", file, "--view", view, "--size", "320x240", "--no-legend")
+            width, height, rows = pixels(file)
+            self.assertEqual((width, height), (320, 240))
+            self.assertLess(share_of_background(rows), 0.9, view)
+            self.assertGreater(share_of_background(rows), 0.1, view)
+            seen[view] = b"".join(rows)
+        self.assertEqual(len(set(seen.values())), 5, "each view shows something else")
+
+    def test_a_project_is_meshed_for_its_picture_and_leaves_nothing_else(self):
+        self.needs_display()
+        self.run_program("picture", self.sample("layer-cake"), "-o", self.path("cake.png"), "--size=200x150", "--no-edges")
+        self.assertEqual(os.listdir(self.folder), ["cake.png"])
+
+    def test_a_wrong_view_and_a_missing_mesh_are_refused_by_name(self):
+        self.needs_display()
+        self.write("empty.vtu", "")
+        self.assertIn("--view", self.run_program("picture", "empty.vtu", "-o", "x.png", "--view", "inside", status=USAGE))
+        self.assertIn("no such file", self.run_program("picture", "nothing.vtu", "-o", "x.png", status=USAGE))
+
+    def test_help_needs_no_display(self):
+        self.assertIn("exploded", self.run_program("picture", "--help"))
+
+
+if __name__ == "__main__":
+    unittest.main()
