@@ -3,10 +3,13 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkPlane.h>
 #include <vtkStringArray.h>
+#include <vtkTableBasedClipDataSet.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -125,6 +128,34 @@ vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::functio
     values.push_back(value_of(faces[i].cell));
   }
   return triangles(mesh.cells->GetPoints(), rows, values);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> with_region_values(const MeshFile& mesh) {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->ShallowCopy(mesh.cells);
+  auto value = vtkSmartPointer<vtkDoubleArray>::New();
+  value->SetName("value");
+  for (const int region : mesh.region_of_cell) value->InsertNextValue(region);
+  grid->GetCellData()->SetScalars(value);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> beyond(vtkUnstructuredGrid* grid, const HalfSpace& half) {
+  auto plane = vtkSmartPointer<vtkPlane>::New();
+  plane->SetOrigin(half.origin[0], half.origin[1], 0);
+  plane->SetNormal(half.normal[0], half.normal[1], 0);
+  auto clip = vtkSmartPointer<vtkTableBasedClipDataSet>::New();
+  clip->SetInputData(grid);
+  clip->SetClipFunction(plane);
+  clip->Update();
+  return clip->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> outside_of(vtkUnstructuredGrid* grid) {
+  auto outside = vtkSmartPointer<vtkDataSetSurfaceFilter>::New();
+  outside->SetInputData(grid);
+  outside->Update();
+  return outside->GetOutput();
 }
 
 void centre_of(const MeshFile& mesh, vtkIdType cell, double centre[3]) {

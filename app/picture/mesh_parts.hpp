@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -28,6 +29,18 @@ MeshFile read_mesh_file(const std::filesystem::path& file);
 /// The outside of the tetrahedra that `wanted` takes, flat shaded; cell array `value` from `value_of`.
 vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::function<bool(vtkIdType)>& wanted,
                                         const std::function<double(vtkIdType)>& value_of);
+
+/// The tetrahedra with their region as cell array `value`.
+vtkSmartPointer<vtkUnstructuredGrid> with_region_values(const MeshFile& mesh);
+
+/// The side of an upright plane that its normal points to.
+struct HalfSpace {
+  std::array<double, 2> origin, normal;
+};
+/// The part of the cells in the half space, cut along the plane.
+vtkSmartPointer<vtkUnstructuredGrid> beyond(vtkUnstructuredGrid* grid, const HalfSpace& half);
+
+vtkSmartPointer<vtkPolyData> outside_of(vtkUnstructuredGrid* grid);
 
 /// The centre of a tetrahedron.
 void centre_of(const MeshFile& mesh, vtkIdType cell, double centre[3]);

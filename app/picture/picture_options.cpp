@@ -10,15 +10,13 @@ PictureOptions parse_picture_options(int argc, char** argv) {
   PictureOptions o;
   CLI::App app("Draw a mesh into a PNG file.", "geomesh picture");
   std::string mesh, output, size = "1200x900";
-  const std::map<std::string, View> views{{"regions", View::regions},
-                                          {"cut", View::cut},
-                                          {"exploded", View::exploded},
-                                          {"surfaces", View::surfaces},
-                                          {"quality", View::quality}};
+  const std::map<std::string, View> views{{"regions", View::regions},   {"cut", View::cut},
+                                          {"elements", View::elements}, {"exploded", View::exploded},
+                                          {"surfaces", View::surfaces}, {"quality", View::quality}};
   bool no_edges = false, no_legend = false;
   app.add_option("MESH", mesh, "A mesh (.vtu); of a project the mesh is made first")->required();
   app.add_option("-o", output, "The picture (.png)")->required()->type_name("NAME.png");
-  app.add_option("--view", o.view, "regions, cut (default), exploded, surfaces, quality")
+  app.add_option("--view", o.view, "regions, cut (default), elements, exploded, surfaces, quality")
       ->transform(CLI::CheckedTransformer(views));
   app.add_option("--size", size, "Width and height in pixels, as 1200x900")->capture_default_str();
   app.add_option("--azimuth", o.azimuth, "Where the camera stands: degrees clockwise from north")

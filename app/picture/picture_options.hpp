@@ -10,10 +10,11 @@ namespace geomesh::picture {
 
 enum class View {
   regions,   ///< the whole, coloured by region
-  cut,       ///< without the quarter that is nearest to the camera
+  cut,       ///< without the quarter that is nearest to the camera: plane walls
+  elements,  ///< the same with whole elements: walls as the tetrahedra have them
   exploded,  ///< regions moved apart along the vertical
   surfaces,  ///< horizons, faults and bodies with the edges of their faces; sides of the box left out
-  quality,   ///< the cut, coloured by the smallest dihedral angle
+  quality,   ///< whole elements, coloured by the smallest dihedral angle
 };
 
 struct PictureOptions {

@@ -2,33 +2,35 @@
 #include "scene.hpp"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCubeSource.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageResize.h>
-#include <vtkLegendBoxActor.h>
 #include <vtkLightKit.h>
 #include <vtkLookupTable.h>
 #include <vtkOutlineSource.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkProperty.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <stdexcept>
+
+#include "aim_camera.hpp"
 
 namespace geomesh::picture {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int oversampling = 2;
 constexpr std::size_t most_names = 12;  ///< in the legend
 
@@ -63,6 +65,9 @@ class SceneBuilder {
         add_regions([](vtkIdType) { return true; });
         break;
       case View::cut:
+        add_cut();
+        break;
+      case View::elements:
         add_regions(behind_the_cut());
         break;
       case View::exploded:
@@ -79,27 +84,37 @@ class SceneBuilder {
     auto lights = vtkSmartPointer<vtkLightKit>::New();
     lights->SetKeyLightWarmth(0.5);
     lights->SetFillLightWarmth(0.5);
-    lights->SetKeyToFillRatio(2.2);
-    lights->SetKeyLightIntensity(0.9);
+    lights->SetKeyToFillRatio(2.5);
+    lights->SetKeyLightIntensity(0.75);
     lights->AddLightsToRenderer(scene_);
-    aim_camera();
+    aim_camera(*scene_, options_);
     return scene_;
   }
 
  private:
   using Wanted = std::function<bool(vtkIdType)>;
 
-  /// Towards the camera, in the map.
-  std::array<double, 2> towards_camera() const {
-    const double a = options_.azimuth * pi / 180;
-    return {std::sin(a), std::cos(a)};
+  std::array<double, 2> side() const {
+    const auto [tx, ty] = towards_camera(options_);
+    return {tx < 0 ? -1.0 : 1.0, ty < 0 ? -1.0 : 1.0};
+  }
+  std::array<double, 2> middle() const { return {0.5 * (bounds_[0] + bounds_[1]), 0.5 * (bounds_[2] + bounds_[3])}; }
+
+  /// Two blocks: the half behind the first wall, and what is beside the quarter that goes.
+  void add_cut() {
+    auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names);
+    const auto [sx, sy] = side();
+    const auto whole = with_region_values(mesh_);
+    const auto front = beyond(whole, {middle(), {sx, 0}});
+    for (const auto& block : {beyond(whole, {middle(), {-sx, 0}}), beyond(front, {middle(), {0, -sy}})})
+      add(outside_of(block), table, low_, high_);
   }
 
   /// Whether a tetrahedron stays: the quarter on the camera's side goes, so that two walls open.
   Wanted behind_the_cut() const {
-    const auto [tx, ty] = towards_camera();
-    const double cx = 0.5 * (bounds_[0] + bounds_[1]), cy = 0.5 * (bounds_[2] + bounds_[3]);
-    return [this, cx, cy, sx = tx < 0 ? -1.0 : 1.0, sy = ty < 0 ? -1.0 : 1.0](vtkIdType c) {
+    const auto [cx, cy] = middle();
+    const auto [sx, sy] = side();
+    return [this, cx = cx, cy = cy, sx = sx, sy = sy](vtkIdType c) {
       std::array<double, 3> centre{};
       centre_of(mesh_, c, centre.data());
       return (centre[0] - cx) * sx < 0 || (centre[1] - cy) * sy < 0;
@@ -235,42 +250,39 @@ class SceneBuilder {
     scene_->AddActor2D(bar);
   }
 
+  /// A square of each colour and its name, from the upper left corner down.
   void add_legend() {
     const std::size_t n = std::min(entries_.size(), most_names);
-    auto legend = vtkSmartPointer<vtkLegendBoxActor>::New();
-    legend->SetNumberOfEntries(static_cast<int>(n));
-    auto box = vtkSmartPointer<vtkCubeSource>::New();
-    box->Update();
+    const double row = oversampling * 0.035 * options_.height, left = 0.4 * row;
     for (std::size_t i = 0; i < n; ++i) {
       const bool rest = i + 1 == n && entries_.size() > n;
-      std::string name = rest ? "and " + std::to_string(entries_.size() - n + 1) + " more" : entries_[i].name;
-      legend->SetEntry(static_cast<int>(i), box->GetOutput(), name.c_str(), entries_[i].colour.data());
-      std::array<double, 3> ink{0.1, 0.1, 0.1};
-      legend->SetEntryColor(static_cast<int>(i), entries_[i].colour.data());
-      legend->GetEntryTextProperty()->SetColor(ink.data());
+      const double bottom = oversampling * options_.height - row * static_cast<double>(i + 1) - left;
+      if (!rest) add_square(left, bottom + 0.1 * row, 0.65 * row, entries_[i].colour);
+      auto text = vtkSmartPointer<vtkTextActor>::New();
+      const std::string more = "and " + std::to_string(entries_.size() - n + 1) + " more";
+      text->SetInput((rest ? more : entries_[i].name).c_str());
+      text->SetPosition(left + row, bottom);
+      text->GetTextProperty()->SetFontSize(static_cast<int>(0.72 * row));
+      text->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+      scene_->AddActor2D(text);
     }
-    legend->GetEntryTextProperty()->ItalicOff();
-    legend->GetEntryTextProperty()->ShadowOff();
-    legend->BorderOff();
-    legend->SetPadding(4);
-    std::size_t longest = 6;
-    for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, entries_[i].name.size());
-    legend->SetPosition(0.01, 0.99 - 0.037 * static_cast<double>(n));
-    legend->SetPosition2(0.03 + 0.0125 * static_cast<double>(longest), 0.037 * static_cast<double>(n));
-    scene_->AddActor2D(legend);
   }
 
-  void aim_camera() {
-    const auto [tx, ty] = towards_camera();
-    const double e = options_.elevation * pi / 180;
-    vtkCamera* const camera = scene_->GetActiveCamera();
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(tx * std::cos(e), ty * std::cos(e), std::sin(e));
-    camera->SetViewUp(0, 0, 1);
-    camera->SetViewAngle(25);
-    scene_->ResetCamera();
-    camera->Zoom(1.45 * options_.zoom);
-    scene_->ResetCameraClippingRange();
+  void add_square(double x, double y, double width, const Colour& colour) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      points->InsertNextPoint(x + i * width, y + j * width, 0);
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->InsertNextCell({0, 1, 2, 3});
+    auto square = vtkSmartPointer<vtkPolyData>::New();
+    square->SetPoints(points);
+    square->SetPolys(cells);
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
+    mapper->SetInputData(square);
+    auto actor = vtkSmartPointer<vtkActor2D>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+    scene_->AddActor2D(actor);
   }
 
   const MeshFile& mesh_;

@@ -70,7 +70,7 @@ class Picture(ProgramTest):
         self.needs_display()
         self.run_program(self.sample("salt-dome"), "-o", self.path("out"), "--quiet")
         seen = {}
-        for view in ("regions", "cut", "exploded", "surfaces", "quality"):
+        for view in ("regions", "cut", "elements", "exploded", "surfaces", "quality"):
             file = self.path(view + ".png")
             self.run_program("picture", self.path("out", "salt_dome.vtu"), "-o", file, "--view", view, "--size", "320x240", "--no-legend")
             width, height, rows = pixels(file)
@@ -78,7 +78,7 @@ class Picture(ProgramTest):
             self.assertLess(share_of_background(rows), 0.9, view)
             self.assertGreater(share_of_background(rows), 0.1, view)
             seen[view] = b"".join(rows)
-        self.assertEqual(len(set(seen.values())), 5, "each view shows something else")
+        self.assertEqual(len(set(seen.values())), 6, "each view shows something else")
 
     def test_a_project_is_meshed_for_its_picture_and_leaves_nothing_else(self):
         self.needs_display()
