@@ -169,18 +169,23 @@ class Trimmer {
 
   /// The furthest that a piece reaches from the edges where it meets other surfaces than box sides.
   double reach(const Piece& piece, const std::vector<std::pair<VertexIndex, VertexIndex>>& contacts) const {
-    double furthest = 0;
-    for (Index f : piece.facets)
-      for (VertexIndex v : working_.soup.facets[f]) {
-        const Vec3& p = working_.soup.points[v];
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const auto& [i, j] : contacts) {
-          const Vec3 &a = working_.soup.points[i], d = working_.soup.points[j] - a;
-          const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-          nearest = std::min(nearest, norm(p - (a + t * d)));
-        }
-        furthest = std::max(furthest, nearest);
+    const auto distance = [&](const Vec3& p) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& [i, j] : contacts) {
+        const Vec3 &a = working_.soup.points[i], d = working_.soup.points[j] - a;
+        const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
+        nearest = std::min(nearest, norm(p - (a + t * d)));
       }
+      return nearest;
+    };
+    double furthest = 0;
+    for (const Index f : piece.facets) {
+      const Triangle& t = working_.soup.facets[f];
+      const Vec3 &a = working_.soup.points[t[0]], &b = working_.soup.points[t[1]], &c = working_.soup.points[t[2]];
+      // A strip between two surfaces has all its corners on them: its middle tells how wide it is.
+      for (const Vec3& p : {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (1.0 / 3) * (a + b + c)})
+        furthest = std::max(furthest, distance(p));
+    }
     return furthest;
   }
 
