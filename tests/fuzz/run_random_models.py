@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes random whole models and has each judged by `geomesh check`; what is not in order is listed and kept.
+
+    tests/fuzz/run_random_models.py --count 1000 --seed 1 --folder build/random     all that fails stays in the folder
+    tests/fuzz/run_random_models.py --seed 4711 --count 1 --folder here --keep      one of them
+
+Outcomes: `passes`, `refused` (status 3 or 4 with a message), `wrong` (the check finds faults), `bug` (status 1, a signal, or a refusal
+without a message), `slow` (beyond --limit seconds of CPU). The exit status is 1 where anything is wrong, a bug or slow.
+"""
+import argparse
+import json
+import os
+import resource
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+from random_models import RandomModel  # noqa: E402
+
+
+def run(program, arguments, limit):
+    """Exit status (negative: a signal) and what was printed."""
+    def bounds():
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5))
+    done = subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", preexec_fn=bounds)
+    return done.returncode, done.stdout
+
+
+def outcome_of(seed, folder, program, limit):
+    project = RandomModel(seed).write(folder)
+    status, printed = run(program, [project, "--quiet", "--threads", "1"], limit)
+    if status in (-24, -9):  # SIGXCPU, or the harder bound behind it
+        return "slow", "meshing took more than %d s" % limit
+    if status in (3, 4) and "error: " in printed:
+        return "refused", printed[printed.index("error: "):][:300]
+    if status != 0:
+        return "bug", "status %d: %s" % (status, printed[-300:])
+    report = os.path.join(folder, "check.json")
+    status, printed = run(program, ["check", os.path.join(folder, "out", "model.vtu"), "--project", project, "--report", report], limit)
+    if status == 0:
+        return "passes", ""
+    if status == 3 and os.path.exists(report):
+        with open(report) as file:
+            return "wrong", "; ".join("%s: %s" % (fault["id"], fault["what"]) for fault in json.load(file)["faults"])[:600]
+    return "bug", "check, status %d: %s" % (status, printed[-300:])
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    options.add_argument("--count", type=int, default=100)
+    options.add_argument("--seed", type=int, default=1, help="of the first model")
+    options.add_argument("--folder", default="random-models")
+    options.add_argument("--program", default=os.path.join(HERE, "..", "..", "build", "release", "bin", "geomesh"))
+    options.add_argument("--limit", type=int, default=120, help="CPU seconds of one run")
+    options.add_argument("--keep", action="store_true", help="keep models that pass, too")
+    options = options.parse_args()
+    counts = {}
+    for seed in range(options.seed, options.seed + options.count):
+        folder = os.path.join(options.folder, str(seed))
+        outcome, why = outcome_of(seed, folder, options.program, options.limit)
+        counts[outcome] = counts.get(outcome, 0) + 1
+        if outcome != "passes":
+            print("%d %s: %s" % (seed, outcome, why.replace("\n", " ")), flush=True)
+        if outcome in ("passes", "refused") and not options.keep:
+            shutil.rmtree(folder)
+    print(", ".join("%d %s" % (n, outcome) for outcome, n in sorted(counts.items())))
+    return 1 if any(outcome not in ("passes", "refused") for outcome in counts) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
