@@ -280,6 +280,11 @@ CommandLine parse_check(int argc, const char* const* argv) {
                  "one, else 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("L");
+  app.add_option("--displacement", command.displacement,
+                 "Rounding may have moved points this far (default: 1024 units in the last place of the largest "
+                 "coordinate)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("L");
   common.add_to(app);
   CommandLine line;
   if (parse(app, argc, argv, help)) {

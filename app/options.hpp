@@ -27,7 +27,8 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false;
-  double within = -1;  ///< negative: what the project says
+  double within = -1;        ///< negative: what the project says
+  double displacement = -1;  ///< by rounding; negative: what the checker computes
   std::optional<std::filesystem::path> report;
 };
 struct InfoCommand {

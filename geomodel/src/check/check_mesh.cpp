@@ -7,14 +7,12 @@
 #include <set>
 #include <utility>
 
+#include "check/arrays/judge_arrays.hpp"
+#include "check/curves/judge_curves.hpp"
 #include "check/judged/judged_mesh.hpp"
+#include "check/names/judge_names.hpp"
 #include "check/within/within_tolerance.hpp"
-#include "coordinates/project_inputs.hpp"
-#include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
-#include "geomesh/geomodel/model_rules.hpp"
-#include "geomesh/geomodel/project.hpp"
-#include "geomesh/geomodel/readers.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -37,90 +35,22 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   return report;
 }
 
-/// Area clipped of each surface, as the report tells it.
-std::map<std::string, double> reported_clipping(const std::filesystem::path& mesh) {
-  std::map<std::string, double> areas;
-  const auto report = report_beside(mesh);
-  const nlohmann::json::json_pointer at("/displacement/clipping/surfaces");
-  if (!report || !report->contains(at)) return areas;
-  for (const auto& entry : report->at(at))
-    areas[entry.value("surface", "")] =
-        entry.value("area_by_box", 0.0) + entry.value("area_by_bodies", 0.0) + entry.value("area_by_rules", 0.0);
-  return areas;
-}
-
-/// Whether rules of the model may take parts of the surface away.
-bool may_be_trimmed(const Project& project, std::size_t row) {
-  const SurfaceSpec& spec = project.surfaces[row];
-  if (!spec.rules.stop_at.empty() || !spec.rules.cut_units.empty() || !spec.rules.throw_at.empty()) return true;
-  for (const std::string* end : {&project.rules.topography, &project.rules.floor})
-    if (!end->empty() && *end != spec.name) return true;
-  if (spec.kind == SurfaceKind::body) return false;
-  if (project.rules.trim_overshoot > 0) return true;
-  const bool orders = project.rules.on_crossing != OnCrossing::leave ||
-                      std::any_of(project.surfaces.begin(), project.surfaces.end(),
-                                  [](const SurfaceSpec& s) { return s.rules.base != BaseRule::conformable; });
-  return orders && std::find(project.column.begin(), project.column.end(), spec.name) != project.column.end();
-}
-
-/// What rules may trim, and what a volume that is no box cuts, is judged by its area: what is not covered is what the
-/// report tells.
-void claim_clipped_areas(const Project& project, const std::filesystem::path& mesh, Claim& claim) {
-  const std::map<std::string, double> told = reported_clipping(mesh);
-  for (Index s = 0; s < claim.surfaces.size(); ++s) {
-    if (!may_be_trimmed(project, s) && !(claim.volume && !claim.volume->box)) continue;
-    const auto area = told.find(claim.surfaces[s].name);
-    claim.clipped_area[s] = area == told.end() ? 0 : area->second;
-  }
-}
-
-Claim claim_of_project(const std::filesystem::path& file, const std::filesystem::path& mesh) {
-  const Project project = read_project(file);
-  ProjectInputs inputs = read_project_inputs(project, {});
-  Claim claim;
-  claim.named = true;
-  claim.surfaces = std::move(inputs.surfaces);
-  if (inputs.volume) claim.volume = make_volume(*inputs.volume, claim.surfaces, Vec3{});
-  claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
-  ModelRules rules = project.rules;
-  if (claim.volume) rules.box = claim.volume->bounds;
-  claim.surfaces = build_surfaces(claim.surfaces, rules).model_surfaces();
-  claim_clipped_areas(project, mesh, claim);
-  const RefinementSettings& refinement = project.mesh.refinement;
-  if (refinement.refine && refinement.honour == Honour::tolerance)
-    claim.within = refinement.tolerance;  // not together with crs.z_scale
-  return claim;
-}
-
-Claim claim_of_surfaces(const std::vector<std::filesystem::path>& files) {
-  Claim claim;
-  for (const auto& file : files) {
-    FileContents contents = read_surface_file(file);
-    if (contents.surfaces.empty())
-      throw Error(ErrorKind::invalid_input, file.string() + ": holds no triangulated surface");
-    for (TriangulatedSurface& s : contents.surfaces) claim.surfaces.push_back(std::move(s));
-  }
-  return claim;
-}
-
-/// Largest displacement by rounding that the report beside the mesh states; 0 where it states none.
-double reported_displacement(const std::filesystem::path& mesh) {
-  const auto report = report_beside(mesh);
-  const nlohmann::json::json_pointer at("/displacement/rounding/largest");
-  if (!report || !report->contains(at) || !report->at(at).is_number()) return 0;
-  return report->at(at).get<double>();
-}
-
-double tolerance_of(const CheckRequest& request, const MeshFile& mesh) {
-  if (request.tolerance >= 0) return request.tolerance;
+/// The distance between neighbouring numbers at the mesh's largest coordinate.
+double unit_in_last_place(const MeshFile& mesh) {
   double largest = 0;
   for (const Vec3& p : mesh.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double ulp =
-      mesh.single_precision
-          ? double(std::nextafter(float(largest), std::numeric_limits<float>::infinity())) - double(float(largest))
-          : std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-  constexpr double ulps = 8;
-  return std::max(ulps * ulp, 2 * reported_displacement(request.mesh));
+  if (mesh.single_precision)
+    return double(std::nextafter(float(largest), std::numeric_limits<float>::infinity())) - double(float(largest));
+  return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+}
+
+/// How far rounding may have moved anything: as asked, else what the rounding of crossings may bring together, and what
+/// the project's own `tolerance` may. No report of the run is asked.
+double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Claim& claim) {
+  constexpr double ulps_of_crossings = 1024, ulps_of_other_tools = 8;
+  if (request.tolerance >= 0) return request.tolerance;
+  const double ulps = mesh.single_precision ? ulps_of_other_tools : ulps_of_crossings;
+  return ulps * unit_in_last_place(mesh) + 2 * claim.merging;
 }
 
 /// What surfaces may be off their input beyond rounding: as asked, else as the project says of its meshing; 0: nothing.
@@ -128,12 +58,16 @@ double surfaces_may_be_off(const CheckRequest& request, const Claim& claim) {
   return request.within >= 0 ? request.within : claim.within;
 }
 
+bool all_known(const std::vector<Triangle>& faces) {
+  return std::all_of(faces.begin(), faces.end(),
+                     [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) == t.end(); });
+}
+
 /// The surfaces of the claim: covered, or followed within a tolerance.
 void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
                     const std::vector<Triangle>& set_faces, CheckResult& result) {
-  const double rounding = tolerance_of(request, mesh.file), within = surfaces_may_be_off(request, claim);
-  if (std::any_of(set_faces.begin(), set_faces.end(),
-                  [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) != t.end(); })) {
+  const double rounding = tolerance_of(request, mesh.file, claim), within = surfaces_may_be_off(request, claim);
+  if (!all_known(set_faces)) {
     result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
     return;
   }
@@ -142,16 +76,47 @@ void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const C
   const Allowed allowed{within, rounding};
   check_surfaces_within(claimed, allowed, result);
   if (!faces || !claim.named) return;
+  check_sources_within(claimed, allowed, result);
   check_surface_topology(claimed, allowed, result);
   check_volumes_within(claimed, allowed, report_beside(request.mesh), result);
+}
+
+/// Names, curves and arrays of the files against the project and docs/output-files.md.
+void judge_contract(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile& faces,
+                    const std::vector<Triangle>& set_faces, CheckResult& result) {
+  if (mesh.file.region.empty() || !all_known(set_faces)) return;
+  const ClaimedFaces claimed(mesh, claim, &faces, set_faces);
+  const double rounding = tolerance_of(request, mesh.file, claim), reach = rounding + claim.within;
+  check_surface_lists(claimed, rounding, result);
+  check_patches(claimed, result);
+  check_mesh_points(mesh, faces.points, faces.mesh_point, "the face set", result);
+  const std::filesystem::path curves_path = beside(request.mesh, ".curves.vtp");
+  std::optional<CurvesFile> file;
+  std::optional<JudgedCurves> curves;
+  if (curves_path.empty()) {
+    result.faults.push_back({"missing_curves", "1 file is missing: the curves that belong to the face set", 1, {}, {}});
+  } else {
+    file = read_curves_file(curves_path);
+    check_mesh_points(mesh, file->points, file->mesh_point, "the curves", result);
+    curves.emplace(check_curve_cells(mesh, *file, faces, result));
+    check_surface_curves(claimed, *curves, result);
+    check_wells_and_points(claimed, *curves, reach, result);
+  }
+  check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
+  check_region_names(claimed, reach, result);
+  check_unit_arrays(claimed, result);
+  if (const auto report = report_beside(request.mesh))
+    check_report(claimed, curves ? &*curves : nullptr, *report, rounding, result);
 }
 
 void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const FacesFile* faces,
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
   if (!request.project.empty()) {
-    const Claim claim = claim_of_project(request.project, request.mesh);
+    const Claim claim = claim_of_project(request.project);
     if (claim.volume) check_volume(mesh, claim, result);
     judge_surfaces(request, mesh, claim, faces, set_faces, result);
+    if (faces && request.contract == CheckRequest::Contract::judged)
+      judge_contract(request, mesh, claim, *faces, set_faces, result);
   }
   if (!request.surfaces.empty())
     judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);

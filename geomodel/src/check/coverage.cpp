@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "check/claim/taken_by_rules.hpp"
 #include "check/exact/crossing.hpp"
 #include "check/exact/plane_triangle.hpp"
 #include "check/judged/claimed_faces.hpp"
@@ -19,16 +20,13 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// By how much the area that no face covers may exceed the clipped area that the report tells, relative to the
-/// surface's area.
-constexpr double area_agreement = 1e-9;
-
 class CoverageJudge : public ClaimedFaces {
  public:
   CoverageJudge(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
                 const std::vector<Triangle>& set_faces, double tolerance)
       : ClaimedFaces(mesh, claim, faces, set_faces),
         tolerance_(tolerance),
+        rules_(claim, 2 * tolerance),
         tree_(tree_over(mesh.file.points, candidates_)) {
     if (faces_) collect_clip_edges();
   }
@@ -41,12 +39,17 @@ class CoverageJudge : public ClaimedFaces {
   void collect_clip_edges();
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
-  bool uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+  /// A triangle of the input: row of its surface, its own row there.
+  struct Source {
+    Index surface, triangle;
+  };
+  bool uncovered_is_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                             Vec3& place) const;
-  bool may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+  bool may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                       Vec3& place) const;
 
   double tolerance_;
+  TakenByRules rules_;
   BoxTree tree_;
   std::vector<std::pair<VertexIndex, VertexIndex>>
       clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
@@ -160,7 +163,7 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, co
 
 /// Judges a lattice of points of the triangle: what lies in the box and under no piece must have been taken away by
 /// rule.
-bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                          Vec3& place) const {
   constexpr int lattice = 14;
   const auto& c = triangle.corners();
@@ -171,16 +174,12 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index su
     for (int j = 1; i + j < lattice; ++j) {
       const double u = double(i) / lattice, v = double(j) / lattice;
       const Vec3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
-      if (claim_.box()) {
-        const Box3 inner = inflated(*claim_.box(), -tolerance_);
-        Box3 point;
-        point.add(p);
-        if (!overlap(inner, point)) continue;
-      }
       const bool covered = std::any_of(flat.begin(), flat.end(), [&](const PlaneTriangle& f) {
         return !f.degenerate() && f.outside(p) <= tolerance_;
       });
-      if (covered || is_removed(surface, p, (4 * tolerance_) * triangle.normal())) continue;
+      if (covered || rules_.may_be_away(source.surface, source.triangle, p) ||
+          is_removed(source.surface, p, (4 * tolerance_) * triangle.normal()))
+        continue;
       place = p;
       return false;
     }
@@ -188,11 +187,14 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Index su
 }
 
 /// Whether what no piece covers may be what the rules take away; `place`: where not.
-bool CoverageJudge::may_be_removed(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces,
+bool CoverageJudge::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                    Vec3& place) const {
-  if (bodies_.empty() || !(is_cut_kind(surface) || claim_.surfaces[surface].kind == SurfaceKind::body)) return false;
-  if (is_cut_kind(surface) && faces_ && !open_edges_run_along_clips(triangle, pieces)) return false;
-  return uncovered_is_removed(triangle, surface, pieces, place);
+  if (claim_.may_be_trimmed(source.surface) || (claim_.volume && !claim_.volume->box))
+    return uncovered_is_removed(triangle, source, pieces, place);
+  const bool is_cut = is_cut_kind(source.surface);
+  if (bodies_.empty() || !(is_cut || claim_.surfaces[source.surface].kind == SurfaceKind::body)) return false;
+  if (is_cut && faces_ && !open_edges_run_along_clips(triangle, pieces)) return false;
+  return uncovered_is_removed(triangle, source, pieces, place);
 }
 
 void CoverageJudge::check_triangles(CheckResult& result) {
@@ -201,8 +203,6 @@ void CoverageJudge::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < claim_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = claim_.surfaces[s];
-    const auto told = claim_.clipped_area.find(s);
-    double uncovered = 0, room = 0, total = 0;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];
       const PlaneTriangle triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
@@ -216,26 +216,16 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       for (const Index f : pieces)
         covered +=
             triangle.common_area(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
-      if (told != claim_.clipped_area.end()) {
-        uncovered += triangle.area() - covered;
-        room += 4 * tolerance_ * triangle.perimeter();
-        total += triangle.area();
-        continue;
-      }
       const double due = claim_.box() ? triangle.area_inside(*claim_.box()) : triangle.area();
       const double slack = 4 * tolerance_ * triangle.perimeter() + 1e-12 * triangle.area();
       if (due < triangle.area() - slack) ++n_clipped;
       if (covered >= due - slack) continue;
       Vec3 place = (1.0 / 3) * (triangle.corners()[0] + triangle.corners()[1] + triangle.corners()[2]);
-      if (may_be_removed(triangle, s, pieces, place)) {
+      if (may_be_removed(triangle, {s, static_cast<Index>(i)}, pieces, place)) {
         ++n_clipped;
         continue;
       }
       missing.add(first_of_surface + i, place);
-      short_of.insert(surface.name);
-    }
-    if (told != claim_.clipped_area.end() && uncovered - told->second > room + area_agreement * total) {
-      missing.add(first_of_surface, surface.points[surface.triangles[0][0]]);
       short_of.insert(surface.name);
     }
     first_of_surface += surface.triangles.size();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh check`: exact verification of any tool's mesh. Shares only file reading and the exact number type with what
-/// it judges: no code of the engine, the arrangement, the naming or the writers is used here.
+/// `geomesh check`: exact verification of any tool's mesh. No code of the engine, the arrangement, the naming or the
+/// writers is used here. What is shared with the mesher (readers, coordinates, rules that add to one surface) is listed
+/// in docs/checking.md. Nothing is believed that the run under judgement wrote.
 ///
 /// What decides is a sign computed exactly from the doubles in the file (a floating-point filter first). The one
 /// tolerance is that of coverage, since added points lie on their facet up to rounding only: see
@@ -22,12 +23,15 @@ struct CheckRequest {
   std::filesystem::path project;                ///< empty: none
   std::vector<std::filesystem::path> surfaces;  ///< each triangle must be covered by mesh faces
   bool delaunay = false;
-  /// How far a mesh face may be off the input triangle that it stands for, in the mesh's unit. Negative: 8 ulps of the
-  /// largest coordinate, or what NAME.report.json beside the mesh says that rounding moved, where that is more.
+  /// How far rounding may have moved a mesh face off the input triangle that it stands for, in the mesh's unit.
+  /// Negative: 1024 ulps of the largest coordinate (what lies nearer is brought together where crossings are rounded),
+  /// and twice the project's `tolerance`; 8 ulps for coordinates in single precision.
   double tolerance = -1;
   /// How far surfaces may be off the input, both ways, beyond that: they were remeshed. Negative: what the project says
   /// (`honour: tolerance`), else 0. Where it is not 0, distances, topology and volumes are judged in place of coverage.
   double within = -1;
+  /// Whether names, curves and arrays are judged too, where there are a project and a face set.
+  enum class Contract { judged, passed_over } contract = Contract::judged;
 };
 
 struct CheckFault {

@@ -8,10 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "check/claim/claim.hpp"
 #include "check/read/mesh_files.hpp"
 #include "geomesh/geomodel/check.hpp"
-#include "geomesh/geomodel/model_volume.hpp"
-#include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -72,18 +71,6 @@ std::vector<VertexIndex> match_points(const JudgedMesh& mesh, const std::vector<
 /// unknown.
 std::vector<Triangle> check_face_set(const JudgedMesh& mesh, const FacesFile& faces, CheckResult& result);
 
-/// What the mesh is said to be a mesh of.
-struct Claim {
-  std::vector<TriangulatedSurface> surfaces;  ///< in the mesh's frame, as the rules of one surface left them
-  std::optional<ModelVolume> volume;
-  bool ends_inside = false;  ///< at a topography or a bottom: less than the volume is filled
-  /// Per surface: the area that is said to be clipped away (by box, bodies and rules), where the triangles alone do not
-  /// tell.
-  std::map<Index, double> clipped_area;
-  double within = 0;  ///< how far surfaces may be off their triangles, both ways, beyond rounding
-  const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
-  bool named = false;  ///< surfaces bear the names under which the faces file knows them
-};
 /// The volume filled (box: 1e-12 relative; others: and two ulps of the largest coordinate over its sides), every point
 /// inside it.
 void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result);

@@ -4,6 +4,7 @@
 /// to be judged.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -28,6 +29,9 @@ struct MeshFile {
   std::vector<std::string> arrays;          ///< of points and cells, with their type (VTK files only)
   std::vector<std::int32_t> input_vertex;   ///< per point, -1 where added; empty where the file has no such array
   std::vector<std::string> missing_arrays;  ///< point arrays of the output contract that are not there (VTK files only)
+  std::vector<std::int32_t> kind;           ///< per point; empty where the file has no such array
+  std::map<std::string, std::vector<double>> cell_values;          ///< per tetrahedron, but "region" (VTK only)
+  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< regions under one more name
 };
 
 struct FacesFile {
@@ -37,6 +41,23 @@ struct FacesFile {
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
   std::vector<std::string> missing_arrays;  ///< of the output contract
+  std::vector<std::int32_t> mesh_point;     ///< per point; empty where the file has no such array
+  std::map<std::int32_t, std::string> region_names, surface_kinds;
+  std::vector<std::string> surface_set_names;  ///< by row of surface_sets; empty where the file has none
+};
+
+/// NAME.curves.vtp: edges of curves and named points.
+struct CurvesFile {
+  struct Curve {
+    std::int32_t id;
+    std::string name, kind;
+  };
+  std::vector<Curve> curves;  ///< as listed, named points among them
+  std::vector<Vec3> points;
+  std::vector<std::int32_t> mesh_point;  ///< per point; empty where the file has no such array
+  std::vector<std::array<VertexIndex, 2>> edges;
+  std::vector<VertexIndex> vertices;                   ///< of the cells of one point
+  std::vector<std::int32_t> edge_curve, vertex_curve;  ///< ids
 };
 
 /// By extension: .vtu, .vtk (VTK); .msh; .inp. Throws Error{usage} where the file cannot be opened,
@@ -47,5 +68,6 @@ MeshFile read_gmsh(const std::filesystem::path& path);
 MeshFile read_abaqus(const std::filesystem::path& path);
 
 FacesFile read_faces_file(const std::filesystem::path& path);
+CurvesFile read_curves_file(const std::filesystem::path& path);
 
 }  // namespace geomesh::geomodel::checking

@@ -61,25 +61,29 @@ class QuietVtk {
   int before_;
 };
 
+/// A mesh holds points; a model may have no curve.
+enum class May { not_be_empty, be_empty };
+
 /// Runs the reader; refuses where it left nothing.
 template <class Reader>
-void update(Reader& reader, const std::filesystem::path& path) {
+void update(Reader& reader, const std::filesystem::path& path, May may = May::not_be_empty) {
   const QuietVtk quiet;
   reader.SetFileName(path.string().c_str());
   if (!survives_sizes([&] { reader.Update(); }))
     refuse(path, "sizes in it are not those of what follows: it is damaged");
-  if (reader.GetErrorCode() != 0 || !reader.GetOutput() || reader.GetOutput()->GetNumberOfPoints() == 0)
+  const bool failed = reader.GetErrorCode() != 0 || !reader.GetOutput();
+  if (failed || (may == May::not_be_empty && reader.GetOutput()->GetNumberOfPoints() == 0))
     refuse(path, "VTK finds no points in it: it is empty, truncated or damaged");
 }
 
 template <class Reader>
-void read_xml(Reader& reader, const std::filesystem::path& path) {
+void read_xml(Reader& reader, const std::filesystem::path& path, May may = May::not_be_empty) {
   require_readable(path);
   if (!reader.CanReadFile(path.string().c_str()))
     refuse(path, "is not a VTK XML file of the kind that its extension says");
   const std::string fault = fault_of_vtk_elements(text_of(path), std::filesystem::file_size(path));
   if (!fault.empty()) refuse(path, fault);
-  update(reader, path);
+  update(reader, path, may);
 }
 
 std::vector<Vec3> points_of(vtkPointSet& data, bool& single_precision) {
@@ -170,6 +174,43 @@ bool is_solid(int type) {
   }
 }
 
+/// Arrays of one number a cell, of the tetrahedra alone.
+void take_cell_values(vtkUnstructuredGrid& grid, MeshFile& mesh) {
+  for (int i = 0; i < grid.GetCellData()->GetNumberOfArrays(); ++i) {
+    vtkDataArray* array = grid.GetCellData()->GetArray(i);
+    if (!array || !array->GetName() || array->GetNumberOfComponents() != 1 || mesh.region_array == array->GetName())
+      continue;
+    std::vector<double>& values = mesh.cell_values[array->GetName()];
+    for (const std::size_t cell : mesh.cell) values.push_back(array->GetComponent(static_cast<vtkIdType>(cell), 0));
+  }
+}
+
+std::vector<std::string> texts_of(vtkFieldData& field, const char* name) {
+  std::vector<std::string> texts;
+  auto* array = vtkStringArray::SafeDownCast(field.GetAbstractArray(name));
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i) texts.push_back(array->GetValue(i));
+  return texts;
+}
+
+/// Lists one after the other, cut at the offsets.
+std::vector<std::vector<std::int32_t>> lists_of(vtkFieldData& field, const char* offsets_name, const char* ids_name,
+                                                const std::filesystem::path& path) {
+  std::vector<std::vector<std::int32_t>> lists;
+  const auto offsets = integers_of(field, offsets_name), ids = integers_of(field, ids_name);
+  for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
+    if (offsets[i] < 0 || offsets[i + 1] < offsets[i] || static_cast<std::size_t>(offsets[i + 1]) > ids.size())
+      refuse(path, std::string(offsets_name) + " and " + ids_name + " do not fit each other");
+    lists.emplace_back(ids.begin() + offsets[i], ids.begin() + offsets[i + 1]);
+  }
+  return lists;
+}
+
+void take_groups(vtkFieldData& field, MeshFile& mesh, const std::filesystem::path& path) {
+  const std::vector<std::string> names = texts_of(field, "group_names");
+  const auto lists = lists_of(field, "group_offsets", "group_region_ids", path);
+  for (std::size_t i = 0; i < names.size() && i < lists.size(); ++i) mesh.region_groups[names[i]] = lists[i];
+}
+
 MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path) {
   MeshFile mesh;
   mesh.format = "VTK unstructured grid";
@@ -205,6 +246,9 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
   for (const char* name : {"kind", "input_vertex"})
     if (!grid.GetPointData()->GetArray(name)) mesh.missing_arrays.emplace_back(name);
   if (vtkDataArray* rows = grid.GetPointData()->GetArray("input_vertex")) mesh.input_vertex = integers_of(*rows);
+  if (vtkDataArray* kinds = grid.GetPointData()->GetArray("kind")) mesh.kind = integers_of(*kinds);
+  take_cell_values(grid, mesh);
+  take_groups(*grid.GetFieldData(), mesh, path);
   return mesh;
 }
 
@@ -250,13 +294,49 @@ FacesFile read_faces_file(const std::filesystem::path& path) {
   take("source_triangle", faces.source_triangle);
   vtkFieldData& field = *data.GetFieldData();
   faces.surface_names = names_of(field, "surface");
-  const auto offsets = integers_of(field, "surface_set_offsets"), members = integers_of(field, "surface_set_ids");
-  for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
-    if (offsets[i] < 0 || offsets[i + 1] < offsets[i] || static_cast<std::size_t>(offsets[i + 1]) > members.size())
-      refuse(path, "surface_set_offsets and surface_set_ids do not fit each other");
-    faces.surface_sets.emplace_back(members.begin() + offsets[i], members.begin() + offsets[i + 1]);
-  }
+  faces.surface_sets = lists_of(field, "surface_set_offsets", "surface_set_ids", path);
+  faces.surface_set_names = texts_of(field, "surface_set_names");
+  faces.region_names = names_of(field, "region");
+  const std::vector<std::int32_t> ids = integers_of(field, "surface_ids");
+  const std::vector<std::string> kinds = texts_of(field, "surface_kinds");
+  for (std::size_t i = 0; i < ids.size() && i < kinds.size(); ++i) faces.surface_kinds[ids[i]] = kinds[i];
+  if (vtkDataArray* rows = data.GetPointData()->GetArray("mesh_point")) faces.mesh_point = integers_of(*rows);
   return faces;
+}
+
+CurvesFile read_curves_file(const std::filesystem::path& path) {
+  CurvesFile curves;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  read_xml(*reader, path, May::be_empty);
+  vtkPolyData& data = *reader->GetOutput();
+  bool single_precision = false;
+  curves.points = points_of(data, single_precision);
+  for (vtkIdType cell = 0; cell < data.GetVerts()->GetNumberOfCells(); ++cell) {
+    const auto p = cell_points(*data.GetVerts(), cell, curves.points.size(), path);
+    if (p.size() != 1) refuse(path, "vertex cell " + std::to_string(cell) + " is no single point");
+    curves.vertices.push_back(p[0]);
+  }
+  for (vtkIdType cell = 0; cell < data.GetLines()->GetNumberOfCells(); ++cell) {
+    const auto p = cell_points(*data.GetLines(), cell, curves.points.size(), path);
+    if (p.size() != 2) refuse(path, "line " + std::to_string(cell) + " is no single edge");
+    curves.edges.push_back({p[0], p[1]});
+  }
+  const std::size_t n_vertices = curves.vertices.size();
+  if (vtkDataArray* array = data.GetCellData()->GetArray("curve")) {
+    const auto ids = integers_of(*array);
+    if (ids.size() != n_vertices + curves.edges.size()) refuse(path, "array curve has not one number a cell");
+    curves.vertex_curve.assign(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(n_vertices));
+    curves.edge_curve.assign(ids.begin() + static_cast<std::ptrdiff_t>(n_vertices), ids.end());
+  } else {
+    refuse(path, "has no cell array curve");
+  }
+  vtkFieldData& field = *data.GetFieldData();
+  const auto ids = integers_of(field, "curve_ids");
+  const auto names = texts_of(field, "curve_names"), kinds = texts_of(field, "curve_kinds");
+  for (std::size_t i = 0; i < ids.size() && i < names.size() && i < kinds.size(); ++i)
+    curves.curves.push_back({ids[i], names[i], kinds[i]});
+  if (vtkDataArray* rows = data.GetPointData()->GetArray("mesh_point")) curves.mesh_point = integers_of(*rows);
+  return curves;
 }
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {

@@ -108,10 +108,10 @@ class TopologyJudge {
   void check_whole_surfaces(CheckResult& result);
   void check_borders(CheckResult& result);
   void check_curves(CheckResult& result);
-  void check_patches(CheckResult& result);
 
  private:
-  bool is_told(Index row) const { return claim_.clipped_area.contains(row); }
+  /// Whether rules may trim the surface: what the volume clips that is no box counts as such.
+  bool may_be_trimmed(Index row) const { return claim_.may_be_trimmed(row) || (claim_.volume && !claim_.volume->box); }
   bool is_in_box(const Vec3& p, double room) const;
   /// Whether a body may take parts of the surface.
   bool may_be_cut(Index row) const;
@@ -155,7 +155,7 @@ bool TopologyJudge::may_be_cut(Index row) const {
 
 bool TopologyJudge::is_whole(Index row) const {
   const auto& points = claim_.surfaces[row].points;
-  return !is_told(row) && !may_be_cut(row) &&
+  return !may_be_trimmed(row) && !may_be_cut(row) &&
          std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return is_in_box(p, 0); });
 }
 
@@ -204,8 +204,8 @@ bool TopologyJudge::is_excused(const Edge& e, Index row) const {
     for (const std::int32_t id : claimed_.set_of(f)) {
       const Index other = claimed_.surface_of(id);
       if (other == row) continue;
-      if (claimed_.is_box_side(id) ||
-          (other != no_index && (is_told(row) || (claim_.surfaces[other].cuts_all && claimed_.is_cut_kind(row)))))
+      if (claimed_.is_box_side(id) || (other != no_index && (may_be_trimmed(row) || (claim_.surfaces[other].cuts_all &&
+                                                                                     claimed_.is_cut_kind(row)))))
         return true;
     }
   return false;
@@ -246,7 +246,8 @@ void TopologyJudge::check_borders(CheckResult& result) {
     for (const Corners& e : border)
       for (const double t : between) {
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (is_told(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) || claimed_.is_removed(row, p, {}))
+        if (may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
+            claimed_.is_removed(row, p, {}))
           continue;
         off.add(row, p);
         break;
@@ -315,34 +316,13 @@ void TopologyJudge::check_curves(CheckResult& result) {
   std::size_t n_places = 0;
   for (Index i = 0; i < claim_.surfaces.size(); ++i)
     for (Index j = i + 1; j < claim_.surfaces.size(); ++j)
-      if (!is_told(i) && !is_told(j)) check_crossings(i, j, off, n_places);
+      if (!may_be_trimmed(i) && !may_be_trimmed(j)) check_crossings(i, j, off, n_places);
   off.report(
       result,
       "places where input surfaces cross are farther than the tolerance from every mesh edge at which both meet");
   if (off.count() == 0)
     result.checks_done.push_back(
         "surfaces that no rule trims meet where their inputs cross: " + std::to_string(n_places) + " places sampled");
-}
-
-/// Patches are the faces joined across edges where just two faces of the same surfaces meet.
-void TopologyJudge::check_patches(CheckResult& result) {
-  const FacesFile& faces = *claimed_.faces();
-  const auto& triangles = claimed_.candidates();
-  Roots roots(triangles.size());
-  for (const auto& [e, at] : edges_)
-    if (at.size() == 2 && faces.surface_set[at[0]] == faces.surface_set[at[1]]) roots.join(at[0], at[1]);
-  std::map<Index, std::int32_t> patch_of_root;
-  std::map<std::int32_t, Index> root_of_patch;
-  FaultCollector wrong("wrong_patches");
-  for (Index f = 0; f < triangles.size(); ++f) {
-    const Index root = roots.find(f);
-    const bool right = patch_of_root.try_emplace(root, faces.patch[f]).first->second == faces.patch[f] &&
-                       root_of_patch.try_emplace(faces.patch[f], root).first->second == root;
-    if (!right) wrong.add(f, claimed_.corner(triangles[f], 0));
-  }
-  wrong.report(
-      result,
-      "faces bear a patch number that other faces, not joined with them, bear, or that their neighbours do not");
 }
 
 }  // namespace
@@ -353,7 +333,6 @@ void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed,
   judge.check_whole_surfaces(result);
   judge.check_borders(result);
   judge.check_curves(result);
-  judge.check_patches(result);
 }
 
 }  // namespace geomesh::geomodel::checking

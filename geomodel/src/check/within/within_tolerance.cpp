@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "check/claim/taken_by_rules.hpp"
 #include "check/exact/crossing.hpp"
 #include "check/exact/plane_triangle.hpp"
 #include "check/judged/faults.hpp"
@@ -34,7 +35,8 @@ std::string words(const Deviation& d, double tolerance) {
 
 class SurfacesWithin {
  public:
-  SurfacesWithin(const ClaimedFaces& claimed, const Allowed& allowed) : claimed_(claimed), allowed_(allowed) {}
+  SurfacesWithin(const ClaimedFaces& claimed, const Allowed& allowed)
+      : claimed_(claimed), allowed_(allowed), rules_(claimed.claim(), 2 * allowed.both()) {}
 
   void judge(const SurfacePair& pair);
   void report(CheckResult& result);
@@ -42,15 +44,15 @@ class SurfacesWithin {
  private:
   void judge_faces(const SurfacePair& pair);
   void judge_input(const SurfacePair& pair);
-  /// Judges what of the triangle is in the box, and adds what is outside it to `outside`.
-  std::optional<Vec3> judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle, Deviation& sum,
-                                   double& outside);
+  /// Judges what of the triangle is in the box.
+  std::optional<Vec3> judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle, Deviation& sum);
 
   const ClaimedFaces& claimed_;
   Allowed allowed_;
+  TakenByRules rules_;
   Deviation faces_, input_;
   double worst_face_ = 0, worst_input_ = 0;
-  FaultCollector faces_off_{"faces_off_their_surface"}, input_off_{"input_off_the_mesh"}, area_{"uncovered_area"};
+  FaultCollector faces_off_{"faces_off_their_surface"}, input_off_{"input_off_the_mesh"};
   std::vector<std::string> face_names_, input_names_;
 };
 
@@ -80,13 +82,10 @@ void SurfacesWithin::judge_faces(const SurfacePair& pair) {
 }
 
 std::optional<Vec3> SurfacesWithin::judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle,
-                                                 Deviation& sum, double& outside) {
+                                                 Deviation& sum) {
   const Box3* box = claimed_.claim().box();
   std::vector<Vec3> polygon(triangle.corners().begin(), triangle.corners().end());
-  if (box) {
-    polygon = triangle.inside(*box);
-    outside += triangle.area() - triangle.area_inside(*box);
-  }
+  if (box) polygon = triangle.inside(*box);
   for (std::size_t i = 2; i < polygon.size(); ++i)
     if (const auto witness = judge.judge({polygon[0], polygon[i - 1], polygon[i]}, sum)) return witness;
   return std::nullopt;
@@ -98,28 +97,21 @@ void SurfacesWithin::judge_input(const SurfacePair& pair) {
   const TriangleSet set(std::move(faces));
   std::size_t first = 0;
   for (const Index row : pair.rows) {
-    const auto told = claimed_.claim().clipped_area.find(row);
-    const bool is_told = told != claimed_.claim().clipped_area.end();
     const std::vector<Corners> triangles = triangles_of(claimed_.claim().surfaces[row]);
-    const double beyond_before = input_.beyond;
-    double outside = 0, total = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const PlaneTriangle triangle(triangles[i][0], triangles[i][1], triangles[i][2]);
       if (triangle.degenerate()) continue;
-      total += triangle.area();
       const Vec3 off = (4 * allowed_.rounding) * triangle.normal();
       const DeviationJudge judge(set, allowed_.both(), [&](const Vec3& p) {
-        return !is_told && !(claimed_.claim().named && claimed_.is_removed(row, p, off));
+        return !rules_.may_be_away(row, static_cast<Index>(i), p) &&
+               !(claimed_.claim().named && claimed_.is_removed(row, p, off));
       });
-      const auto witness = judge_in_box(judge, triangle, input_, outside);
+      const auto witness = judge_in_box(judge, triangle, input_);
       if (!witness) continue;
       worst_input_ = std::max(worst_input_, set.distance(*witness));
       input_off_.add(first + i, *witness);
       add_name(input_names_, pair.name);
     }
-    // What rules clip is known by its area only; no point of what they left is farther off than allowed.
-    if (is_told && outside + input_.beyond - beyond_before > told->second + 1e-9 * total && !triangles.empty())
-      area_.add(first, triangles[0][0]);
     first += triangles.size();
   }
 }
@@ -131,7 +123,7 @@ void SurfacesWithin::judge(const SurfacePair& pair) {
 
 void SurfacesWithin::report(CheckResult& result) {
   char text[200];
-  const bool pass = faces_off_.count() + input_off_.count() + area_.count() == 0;
+  const bool pass = faces_off_.count() + input_off_.count() == 0;
   std::snprintf(
       text, sizeof text,
       "faces of surfaces have points farther from the input than %.6g (the largest distance seen: %.6g; surfaces: ",
@@ -142,7 +134,6 @@ void SurfacesWithin::report(CheckResult& result) {
                 "surfaces: ",
                 allowed_.both(), worst_input_);
   input_off_.report(result, text + joined(input_names_) + ")");
-  area_.report(result, "surfaces have more area away from the mesh's faces than the report says was clipped");
   if (!pass) {
     result.checks_done.emplace_back("distances between surfaces and input were judged, both ways");
     return;

@@ -31,14 +31,18 @@ Corners corners_of(const ClaimedFaces& claimed, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 
 /// Faces of each surface lie within what is allowed of the surface's input (fault `faces_off_their_surface`), and the
-/// input, less what the box and the rules take, within it of these faces (`input_off_the_mesh`, `uncovered_area`); no
-/// face of a horizon or fault lies deeper inside a body that cuts (`faces_inside_bodies`). What was proven and what
-/// sampled goes to `checks_done`.
+/// input, less what the box and the rules take, within it of these faces (`input_off_the_mesh`); no face of a horizon
+/// or fault lies deeper inside a body that cuts (`faces_inside_bodies`). What was proven and what sampled goes to
+/// `checks_done`.
 void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+
+/// Each face names a triangle of its surface (`wrong_source_triangles`) that it comes within twice what is allowed of
+/// (`faces_off_their_triangle`). Only with names.
+void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
 /// Every surface is there (`missing_surfaces`); whole ones have the pieces, borders and handles of their input
 /// (`surfaces_changed`); borders and tips, and intersection curves, lie where the input's do (`borders_off`,
-/// `curves_off`); patches are what surfaces fall into (`wrong_patches`). Only with names.
+/// `curves_off`). Only with names.
 void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
 /// Volumes of regions and of closed bodies differ from the input's by at most the area of their movable boundary times

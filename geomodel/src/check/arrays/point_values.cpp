@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "check/arrays/judge_arrays.hpp"
+#include "check/judged/faults.hpp"
+#include "check/names/region_places.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4 };
+
+/// What lies at a point of the mesh.
+struct AtPoint {
+  std::set<std::int32_t> surfaces;
+  bool on_curve = false, is_named = false;
+};
+
+std::vector<AtPoint> things_at_points(const ClaimedFaces& claimed, const JudgedCurves* curves) {
+  std::vector<AtPoint> at(claimed.mesh().n_points());
+  for (Index f = 0; f < claimed.candidates().size(); ++f)
+    for (const VertexIndex v : claimed.candidates()[f])
+      if (v != no_vertex) at[v].surfaces.insert(claimed.set_of(f).begin(), claimed.set_of(f).end());
+  if (!curves) return at;
+  for (const MeshEdge& e : curves->edges)
+    for (const VertexIndex v : e)
+      if (v != no_vertex) at[v].on_curve = true;
+  for (const VertexIndex v : curves->vertices)
+    if (v != no_vertex) at[v].is_named = true;
+  return at;
+}
+
+/// Rows of the input's points by place; the first of equal ones.
+class InputRows {
+ public:
+  explicit InputRows(const std::vector<Vec3>& points) : points_(points), order_(points.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return points_[a] == points_[b] ? a < b : comes_before(points_[a], points_[b]);
+    });
+  }
+  /// -1 where there is none.
+  std::int32_t first_at(const Vec3& p) const {
+    const auto at = std::lower_bound(order_.begin(), order_.end(), p,
+                                     [&](std::size_t row, const Vec3& q) { return comes_before(points_[row], q); });
+    return at != order_.end() && points_[*at] == p ? static_cast<std::int32_t>(*at) : -1;
+  }
+
+ private:
+  const std::vector<Vec3>& points_;
+  std::vector<std::size_t> order_;
+};
+
+/// Whether the kind fits what lies at the point. `may_be_bare`: rules took surfaces away, so that an intersection may
+/// have lost one of its surfaces.
+bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool may_be_bare) {
+  const bool is_free = at.surfaces.empty() && !at.on_curve;
+  switch (kind) {
+    case input:
+      return input_vertex >= 0 || (at.surfaces.empty() && (at.on_curve || at.is_named));
+    case intersection:
+      return input_vertex < 0 && !is_free && (may_be_bare || at.on_curve || at.surfaces.size() > 1);
+    case on_segment:
+      return input_vertex < 0 && !is_free;
+    case on_facet:
+      return input_vertex < 0 && !at.surfaces.empty() && !at.on_curve;
+    case inside:
+      return input_vertex < 0 && is_free;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves, double rounding, CheckResult& result) {
+  const JudgedMesh& mesh = claimed.mesh();
+  const Claim& claim = claimed.claim();
+  if (mesh.file.kind.size() != mesh.n_points() || mesh.file.input_vertex.size() != mesh.n_points()) return;
+  const std::vector<AtPoint> at = things_at_points(claimed, curves);
+  const InputRows rows(claim.input_points);
+  const bool trimmed = std::any_of(claim.trims.begin(), claim.trims.end(), [](const TrimRules& t) { return t.any(); });
+  const bool exact = claim.within == 0 && claim.merging == 0;
+  FaultCollector wrong_kind("wrong_kinds"), wrong_row("wrong_input_vertices");
+  for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
+    const Vec3& p = mesh.point(v);
+    const std::int32_t row = mesh.file.input_vertex[v], here = rows.first_at(p);
+    if (row >= 0) {
+      const bool known = static_cast<std::size_t>(row) < claim.input_points.size();
+      const Vec3 d = known ? claim.input_points[static_cast<std::size_t>(row)] - p : Vec3{};
+      if (!known || std::sqrt(dot(d, d)) > rounding + claim.within + claim.merging ||
+          (exact && here >= 0 && row != here))
+        wrong_row.add(v, p);
+    } else if (row != -1 || (exact && here >= 0 && !at[v].surfaces.empty())) {
+      wrong_row.add(v, p);
+    }
+    if (!fits(mesh.file.kind[v], at[v], row, trimmed || claim.merging > 0)) wrong_kind.add(v, p);
+  }
+  wrong_kind.report(
+      result, "points have a kind that does not fit what lies at them (surfaces, curves, an input point, nothing)");
+  wrong_row.report(result, "points have an input_vertex that is not the row of the input's point at their place");
+  result.checks_done.emplace_back(
+      "kind and input_vertex of every point fit the input and the surfaces and curves at it");
+}
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "check/claim/claim.hpp"
+#include "coordinates/project_inputs.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
+#include "geomesh/geomodel/project.hpp"
+#include "geomesh/geomodel/readers.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+/// What the project's rules may take away of each surface, read off the rules alone.
+class TrimReader {
+ public:
+  explicit TrimReader(const Project& project) : project_(project) {}
+
+  TrimRules of(Index row) const {
+    TrimRules trim;
+    const SurfaceSpec& spec = project_.surfaces[row];
+    add(project_.rules.topography, row, trim.above);
+    add(project_.rules.floor, row, trim.below);
+    if (spec.kind != SurfaceKind::body) trim.near_others = project_.rules.trim_overshoot;
+    trim.continuation = !spec.rules.stop_at.empty() || !spec.rules.throw_at.empty();
+    trim.given_beyond_faults = !spec.rules.throw_at.empty();
+    add_order_of_horizons(row, trim);
+    add_cut_units(row, trim);
+    return trim;
+  }
+
+ private:
+  Index row_of(const std::string& name) const {
+    for (Index s = 0; s < project_.surfaces.size(); ++s)
+      if (project_.surfaces[s].name == name) return s;
+    return no_index;
+  }
+  void add(const std::string& name, Index but, std::vector<Index>& rows) const {
+    const Index row = name.empty() ? no_index : row_of(name);
+    if (row != no_index && row != but) rows.push_back(row);
+  }
+  /// Number of the horizon in the column, youngest first; no_index where it is none.
+  Index rank_of(const std::string& horizon) const {
+    for (std::size_t i = 1; i < project_.column.size(); i += 2)
+      if (project_.column[i] == horizon) return static_cast<Index>(i / 2);
+    return no_index;
+  }
+
+  /// Erosion, onlap, and what horizons that cross do to each other.
+  void add_order_of_horizons(Index row, TrimRules& trim) const {
+    const Index own = rank_of(project_.surfaces[row].name);
+    if (own == no_index) return;
+    for (const SurfaceSpec& other : project_.surfaces) {
+      const Index rank = rank_of(other.name);
+      if (rank == no_index || rank == own) continue;
+      const bool is_older = rank > own;  // the other one
+      if (!is_older && (other.rules.base == BaseRule::erode || project_.rules.on_crossing == OnCrossing::clip_older))
+        add(other.name, row, trim.above);
+      if (is_older && (other.rules.base == BaseRule::onlap || project_.rules.on_crossing == OnCrossing::clip_younger))
+        add(other.name, row, trim.below);
+    }
+  }
+
+  /// A fault that cuts some units alone ends at the horizons above the first and below the last of them.
+  void add_cut_units(Index row, TrimRules& trim) const {
+    const auto& units = project_.surfaces[row].rules.cut_units;
+    if (units.empty()) return;
+    std::size_t first = project_.column.size(), last = 0;
+    for (std::size_t i = 0; i < project_.column.size(); i += 2)
+      if (std::find(units.begin(), units.end(), project_.column[i]) != units.end()) {
+        first = std::min(first, i);
+        last = i;
+      }
+    for (std::size_t i = 1; i < project_.column.size(); i += 2) {
+      if (i < first) add(project_.column[i], row, trim.above);
+      if (i > last) add(project_.column[i], row, trim.below);
+    }
+  }
+
+  const Project& project_;
+};
+
+ClaimedNames names_of(const Project& project, const ProjectInputs& inputs) {
+  ClaimedNames names;
+  names.column = project.column;
+  names.seeds = project.naming.seeds;
+  for (NamedPoint& seed : names.seeds) seed.point = inputs.frame.point(seed.point);
+  names.groups = project.naming.groups;
+  names.attributes = project.naming.attributes;
+  names.fault_blocks = project.naming.fault_blocks;
+  names.merges_small = project.naming.merge_small && project.naming.min_volume > 0;
+  return names;
+}
+
+}  // namespace
+
+Claim claim_of_project(const std::filesystem::path& file) {
+  const Project project = read_project(file);
+  ProjectInputs inputs = read_project_inputs(project, {});
+  Claim claim;
+  claim.named = true;
+  claim.names = names_of(project, inputs);
+  claim.wells = std::move(inputs.wells);
+  claim.points = std::move(inputs.points);
+  if (inputs.volume) claim.volume = make_volume(*inputs.volume, inputs.surfaces, Vec3{});
+  claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
+  ModelRules rules = project.rules;
+  if (claim.volume) rules.box = claim.volume->bounds;
+  const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
+  for (const TriangulatedSurface& s : built.surfaces)
+    claim.input_points.insert(claim.input_points.end(), s.points.begin(), s.points.end());
+  claim.surfaces = built.model_surfaces();
+  const TrimReader reader(project);
+  for (Index row = 0; row < claim.surfaces.size(); ++row) {
+    claim.trims.push_back(reader.of(row));
+    claim.trims.back().n_given_triangles = inputs.surfaces[row].triangles.size();
+  }
+  claim.merging = project.tolerance;
+  const RefinementSettings& refinement = project.mesh.refinement;
+  claim.refined = refinement.refine;
+  if (refinement.refine && refinement.honour == Honour::tolerance)
+    claim.within = refinement.tolerance;  // not together with crs.z_scale
+  return claim;
+}
+
+Claim claim_of_surfaces(const std::vector<std::filesystem::path>& files) {
+  Claim claim;
+  for (const auto& file : files) {
+    FileContents contents = read_surface_file(file);
+    if (contents.surfaces.empty())
+      throw Error(ErrorKind::invalid_input, file.string() + ": holds no triangulated surface");
+    for (TriangulatedSurface& s : contents.surfaces) claim.surfaces.push_back(std::move(s));
+  }
+  return claim;
+}
+
+}  // namespace geomesh::geomodel::checking

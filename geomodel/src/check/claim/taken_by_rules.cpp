@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/claim/taken_by_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/exact/deviation.hpp"
+#include "check/exact/vertical_line.hpp"
+
+namespace geomesh::geomodel::checking {
+TakenByRules::TakenByRules(const Claim& claim, double room) : claim_(claim), room_(room) {
+  for (const TriangulatedSurface& s : claim.surfaces) trees_.push_back(tree_over_triangles(s));
+}
+
+bool TakenByRules::is_outside(const Vec3& p) const {
+  if (!claim_.volume) return false;
+  const Box3& box = claim_.volume->bounds;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box.min[i] + room_ || p[i] > box.max[i] - room_) return true;
+  if (claim_.volume->box) return false;
+  const auto& sides = claim_.volume->sides;
+  bool inside = false;
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // zmin and zmax are the last
+    const Vec3 &a = sides[i].points[0], &b = sides[i].points[1];
+    const double t = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
+                                    std::max((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), 1e-300),
+                                0.0, 1.0);
+    if (std::hypot(p.x - a.x - t * (b.x - a.x), p.y - a.y - t * (b.y - a.y)) <= room_) return true;
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return !inside;
+}
+
+/// Above (below) the other surface on the vertical; where it is not over p, against its nearest point.
+bool TakenByRules::is_beyond(Index other, const Vec3& p, bool above) const {
+  const TriangulatedSurface& surface = claim_.surfaces[other];
+  bool any = false, beyond = false;
+  for_each_height(surface, trees_[other], p, room_, [&](Index, double z) {
+    any = true;
+    beyond = beyond || (above ? p.z >= z - room_ : p.z <= z + room_);
+  });
+  if (any) return beyond;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 q = nearest_on_triangle(p, {surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+    const double distance = dot(q - p, q - p);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    beyond = above ? p.z >= q.z - room_ : p.z <= q.z + room_;
+  }
+  return beyond;
+}
+
+bool TakenByRules::is_near_another(Index surface, const Vec3& p, double distance) const {
+  for (Index other = 0; other < claim_.surfaces.size(); ++other) {
+    if (other == surface) continue;
+    const TriangulatedSurface& s = claim_.surfaces[other];
+    bool near = false;
+    trees_[other].query(inflated(box_of(p, p, p), distance), [&](Index t) {
+      const Triangle& v = s.triangles[t];
+      const Vec3 d = nearest_on_triangle(p, {s.points[v[0]], s.points[v[1]], s.points[v[2]]}) - p;
+      near = near || dot(d, d) <= distance * distance;
+    });
+    if (near) return true;
+  }
+  return false;
+}
+
+bool TakenByRules::may_be_away(Index surface, Index triangle, const Vec3& p) const {
+  if (is_outside(p)) return true;
+  if (!claim_.may_be_trimmed(surface)) return false;
+  const TrimRules& trim = claim_.trims[surface];
+  if (trim.given_beyond_faults || (trim.continuation && triangle >= trim.n_given_triangles)) return true;
+  const auto beyond = [&](const std::vector<Index>& rows, bool above) {
+    return std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_beyond(row, p, above); });
+  };
+  return beyond(trim.above, true) || beyond(trim.below, false) ||
+         (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_));
+}
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Which points of an input surface the rules of the model may have taken away, judged point by point from the input
+/// surfaces: heights on the vertical, distances, the outside of the volume. No report of the run is asked.
+#pragma once
+
+#include <vector>
+
+#include "check/claim/claim.hpp"
+#include "check/exact/box_tree.hpp"
+
+namespace geomesh::geomodel::checking {
+
+class TakenByRules {
+ public:
+  /// `room`: within this of the limit of a rule a point may have been taken.
+  TakenByRules(const Claim& claim, double room);
+
+  /// Whether p, a point of triangle `triangle` of the surface, may be away: outside the volume, or by a rule.
+  bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
+  /// Whether p is outside the volume (which need not be a box) or within the room of its sides.
+  bool is_outside(const Vec3& p) const;
+
+ private:
+  bool is_beyond(Index other, const Vec3& p, bool above) const;
+  bool is_near_another(Index surface, const Vec3& p, double distance) const;
+
+  const Claim& claim_;
+  double room_;
+  std::vector<BoxTree> trees_;  ///< over the triangles of each surface
+};
+
+}  // namespace geomesh::geomodel::checking

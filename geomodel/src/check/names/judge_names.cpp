@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/names/judge_names.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "check/judged/faults.hpp"
+#include "check/names/name_parts.hpp"
+#include "check/names/region_labels.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+/// Whether the face's normal points to the side that the normal of its source triangle points to.
+bool runs_along_source(const ClaimedFaces& claimed, Index face) {
+  const Index row = claimed.surface_of(claimed.faces()->surface[face]);
+  const auto source = static_cast<std::size_t>(claimed.faces()->source_triangle[face]);
+  if (row == no_index || source >= claimed.claim().surfaces[row].triangles.size()) return true;
+  const TriangulatedSurface& s = claimed.claim().surfaces[row];
+  const Triangle &t = s.triangles[source], &f = claimed.candidates()[face];
+  const auto normal = [](const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); };
+  return dot(normal(s.points[t[0]], s.points[t[1]], s.points[t[2]]),
+             normal(claimed.corner(f, 0), claimed.corner(f, 1), claimed.corner(f, 2))) >= 0;
+}
+
+class NameJudge {
+ public:
+  NameJudge(const ClaimedFaces& claimed, double reach)
+      : claimed_(claimed), judge_(claimed, reach), labels_(judge_.labels()) {}
+
+  void check(CheckResult& result);
+
+ private:
+  struct Row {
+    std::int32_t id;
+    std::string name;
+    NameParts parts;
+    RegionLabel label;
+  };
+  void check_same_everywhere(CheckResult& result) const;
+  bool read_rows(CheckResult& result);
+  void number_unnamed();
+  void check_suffixes(CheckResult& result) const;
+  void check_ids(CheckResult& result) const;
+  std::map<std::int32_t, std::size_t> blocks() const;
+  void check_blocks(CheckResult& result) const;
+  bool comes_first(const Row& a, const Row& b) const;
+  const Vec3& place_of(std::int32_t region) const { return judge_.places().at(region).samples.front(); }
+
+  const ClaimedFaces& claimed_;
+  LabelJudge judge_;
+  std::map<std::int32_t, AllowedLabels> labels_;
+  std::vector<Row> rows_;  ///< by id
+  std::size_t n_undecided_ = 0;
+};
+
+/// The face set tells the same names as the mesh.
+void NameJudge::check_same_everywhere(CheckResult& result) const {
+  FaultCollector differ("names_differ");
+  for (const auto& [id, name] : claimed_.mesh().file.region_names) {
+    const auto other = claimed_.faces()->region_names.find(id);
+    if (other == claimed_.faces()->region_names.end() || other->second != name)
+      differ.add(static_cast<std::size_t>(id), {});
+  }
+  for (const auto& [id, name] : claimed_.faces()->region_names)
+    if (!claimed_.mesh().file.region_names.contains(id)) differ.add(static_cast<std::size_t>(id), {});
+  differ.report(result, "regions bear one name in the mesh and another one, or none, in the face set");
+}
+
+/// Each name against what the project allows. False where suffixes and ids cannot be judged.
+bool NameJudge::read_rows(CheckResult& result) {
+  FaultCollector wrong("wrong_region_names");
+  const std::set<std::string> known = names_of_claim(claimed_.claim());
+  std::string how;
+  for (const auto& [id, allowed] : labels_) {
+    const auto name = claimed_.mesh().file.region_names.find(id);
+    Row row{id, name == claimed_.mesh().file.region_names.end() ? "" : name->second, {}, {}};
+    row.parts = parts_of(row.name, known);
+    if (allowed.empty()) {
+      ++n_undecided_;
+      continue;
+    }
+    const auto fits = std::find_if(allowed.begin(), allowed.end(), [&](const RegionLabel& label) {
+      return label.name.empty() ? row.name.starts_with("region_") : label.name == row.parts.base;
+    });
+    if (fits == allowed.end()) {
+      wrong.add(static_cast<std::size_t>(id), place_of(id));
+      const std::string should = allowed[0].name.empty() ? "region_k" : allowed[0].name;
+      if (wrong.count() <= 5) how += (how.empty() ? "" : "; ") + row.name + " should be " + should;
+      continue;
+    }
+    row.label = *fits;
+    rows_.push_back(std::move(row));
+  }
+  const bool all_right = wrong.count() == 0;
+  wrong.report(result, "regions bear a name that seeds, bodies and the column do not give them (" + how + ")");
+  return all_right && n_undecided_ == 0;
+}
+
+/// `region_1`, `region_2` ... in the order of the first triangle that bounds them.
+void NameJudge::number_unnamed() {
+  using Key = std::tuple<std::int32_t, std::int32_t, int>;
+  std::map<std::int32_t, Key> first;
+  const FacesFile& faces = *claimed_.faces();
+  for (Index f = 0; f < faces.surface.size(); ++f) {
+    const bool along = runs_along_source(claimed_, f);
+    for (const bool plus : {false, true}) {
+      const Key key{faces.surface[f], faces.source_triangle[f], plus == along ? 1 : 0};
+      const auto [at, is_new] = first.try_emplace(plus ? faces.region_plus[f] : faces.region_minus[f], key);
+      if (!is_new) at->second = std::min(at->second, key);
+    }
+  }
+  std::vector<Row*> unnamed;
+  for (Row& row : rows_)
+    if (row.label.kind == LabelKind::unnamed) unnamed.push_back(&row);
+  std::sort(unnamed.begin(), unnamed.end(),
+            [&](const Row* a, const Row* b) { return std::tie(first[a->id], a->id) < std::tie(first[b->id], b->id); });
+  for (std::size_t k = 0; k < unnamed.size(); ++k) {
+    unnamed[k]->label.rank = static_cast<Index>(k);
+    unnamed[k]->label.name = "region_" + std::to_string(k + 1);
+    unnamed[k]->parts = {unnamed[k]->name};
+  }
+}
+
+bool NameJudge::comes_first(const Row& a, const Row& b) const {
+  const RegionPlace &p = judge_.places().at(a.id), &q = judge_.places().at(b.id);
+  if (p.least != q.least) return comes_before(p.least, q.least);
+  if (p.greatest != q.greatest) return comes_before(p.greatest, q.greatest);
+  return comes_before(p.centroid, q.centroid);
+}
+
+/// One region of a name bears it alone; several bear `__1`, `__2` ... in the order of their places.
+void NameJudge::check_suffixes(CheckResult& result) const {
+  FaultCollector wrong("wrong_name_suffixes");
+  std::map<std::pair<std::string, std::size_t>, std::vector<const Row*>> named;
+  for (const Row& row : rows_) named[{row.label.name, row.parts.block}].push_back(&row);
+  for (auto& [name, rows] : named) {
+    std::sort(rows.begin(), rows.end(), [&](const Row* a, const Row* b) { return comes_first(*a, *b); });
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const bool right =
+          rows[k]->parts.base == rows[k]->label.name && rows[k]->parts.number == (rows.size() == 1 ? 0 : k + 1);
+      if (!right) wrong.add(static_cast<std::size_t>(rows[k]->id), place_of(rows[k]->id));
+    }
+  }
+  wrong.report(result, "regions do not bear the suffix that their place among those of one name gives them");
+}
+
+void NameJudge::check_ids(CheckResult& result) const {
+  FaultCollector wrong("wrong_region_ids");
+  std::vector<const Row*> order;
+  for (const Row& row : rows_) order.push_back(&row);
+  const auto key = [](const Row& r) {
+    return std::tuple(r.label.kind, r.label.rank,
+                      r.parts.block == 0 ? r.label.name : r.label.name + "__B" + std::to_string(r.parts.block));
+  };
+  std::sort(order.begin(), order.end(),
+            [&](const Row* a, const Row* b) { return key(*a) != key(*b) ? key(*a) < key(*b) : comes_first(*a, *b); });
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (order[k]->id != static_cast<std::int32_t>(k + 1))
+      wrong.add(static_cast<std::size_t>(order[k]->id), place_of(order[k]->id));
+  wrong.report(result, "region ids are not those that names and places give (units youngest first, bodies, seeds)");
+}
+
+/// Blocks that hold a unit, by region: regions joined across horizons of the column alone, numbered by place.
+std::map<std::int32_t, std::size_t> NameJudge::blocks() const {
+  std::map<std::int32_t, std::int32_t> root;
+  for (const Row& row : rows_) root[row.id] = row.id;
+  const auto find = [&](std::int32_t r) {
+    while (root.at(r) != r) r = root.at(r);
+    return r;
+  };
+  const FacesFile& faces = *claimed_.faces();
+  for (Index f = 0; f < faces.surface.size(); ++f) {
+    const auto& set = claimed_.set_of(f);
+    const bool horizons = std::all_of(
+        set.begin(), set.end(), [&](std::int32_t id) { return judge_.units().is_horizon(claimed_.surface_of(id)); });
+    const std::int32_t a = faces.region_minus[f], b = faces.region_plus[f];
+    if (horizons && root.contains(a) && root.contains(b)) root[std::max(find(a), find(b))] = std::min(find(a), find(b));
+  }
+  std::map<std::int32_t, Vec3> least;  // by root
+  std::set<std::int32_t> with_unit;
+  for (const Row& row : rows_) {
+    const std::int32_t r = find(row.id);
+    const auto [at, is_new] = least.try_emplace(r, judge_.places().at(row.id).least);
+    if (!is_new && comes_before(judge_.places().at(row.id).least, at->second))
+      at->second = judge_.places().at(row.id).least;
+    if (row.label.kind == LabelKind::unit) with_unit.insert(r);
+  }
+  std::vector<std::int32_t> order(with_unit.begin(), with_unit.end());
+  std::sort(order.begin(), order.end(),
+            [&](std::int32_t a, std::int32_t b) { return comes_before(least[a], least[b]); });
+  std::map<std::int32_t, std::size_t> number;
+  for (const Row& row : rows_) {
+    const auto at = std::find(order.begin(), order.end(), find(row.id));
+    if (row.label.kind == LabelKind::unit && order.size() > 1)
+      number[row.id] = static_cast<std::size_t>(at - order.begin()) + 1;
+  }
+  return number;
+}
+
+void NameJudge::check_blocks(CheckResult& result) const {
+  FaultCollector wrong("wrong_name_suffixes");
+  const auto number = claimed_.claim().names.fault_blocks ? blocks() : std::map<std::int32_t, std::size_t>{};
+  for (const Row& row : rows_) {
+    const auto at = number.find(row.id);
+    if (row.parts.block != (at == number.end() ? 0 : at->second))
+      wrong.add(static_cast<std::size_t>(row.id), place_of(row.id));
+  }
+  wrong.report(result, "regions do not bear the number of their fault block");
+}
+
+void NameJudge::check(CheckResult& result) {
+  check_same_everywhere(result);
+  if (!read_rows(result)) {
+    result.checks_done.push_back("region names were judged; suffixes and ids were not (" +
+                                 std::to_string(n_undecided_) + " regions too close to call)");
+    return;
+  }
+  number_unnamed();
+  if (claimed_.claim().names.merges_small) {
+    result.checks_done.emplace_back(
+        "region names are those of the project; small regions were merged: suffixes and ids were not judged");
+    return;
+  }
+  check_blocks(result);
+  check_suffixes(result);
+  check_ids(result);
+  result.checks_done.emplace_back(
+      "regions were held against seeds (located exactly), bodies (winding numbers) and the column (sides of the faces "
+      "at them, verticals); suffixes and ids against their places");
+}
+
+}  // namespace
+
+void check_region_names(const ClaimedFaces& claimed, double reach, CheckResult& result) {
+  if (!claimed.faces() || !claimed.claim().named || claimed.mesh().file.region.empty()) return;
+  NameJudge(claimed, reach).check(result);
+}
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/names/region_labels.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "check/exact/crossing.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+constexpr std::size_t n_samples = 12;
+
+/// Every edge is passed as often one way as the other.
+bool is_closed(const TriangulatedSurface& s) {
+  using Place = std::array<double, 3>;
+  std::map<std::array<Place, 2>, int> balance;
+  const auto place = [&](VertexIndex v) { return Place{s.points[v].x, s.points[v].y, s.points[v].z}; };
+  for (const Triangle& t : s.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Place a = place(t[i]), b = place(t[(i + 1) % 3]);
+      balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : a > b ? -1 : 0;
+    }
+  return !s.triangles.empty() &&
+         std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+bool holds(const std::vector<Index>& rows, Index row) { return std::find(rows.begin(), rows.end(), row) != rows.end(); }
+
+}  // namespace
+
+LabelJudge::LabelJudge(const ClaimedFaces& claimed, double reach)
+    : claimed_(claimed), reach_(reach), units_(claimed, reach), places_(region_places(claimed.mesh(), n_samples)) {}
+
+std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& place) const {
+  std::vector<Index> about;
+  for (const Body& body : claimed_.bodies()) {
+    const auto row = static_cast<Index>(body.surface - claimed_.claim().surfaces.data());
+    if (body.surface->kind != SurfaceKind::body || !is_closed(*body.surface)) continue;
+    bool decided = false;
+    for (const Vec3& p : place.samples) {
+      bool near = false;
+      body.tree.query(inflated(box_of(p, p, p), reach_), [&](Index t) {
+        const Triangle& v = body.surface->triangles[t];
+        const auto& points = body.surface->points;
+        const Vec3 d = nearest_on_triangle(p, {points[v[0]], points[v[1]], points[v[2]]}) - p;
+        near = near || dot(d, d) <= reach_ * reach_;
+      });
+      if (near) continue;
+      const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, p, p, p);
+      if (!winding) continue;
+      if (*winding != 0) about.push_back(row);
+      decided = true;
+      break;
+    }
+    if (!decided) return std::nullopt;
+  }
+  return about;
+}
+
+/// The first seed in a region names it. A seed on a border is in none for certain.
+std::map<std::int32_t, RegionLabel> LabelJudge::seeded() const {
+  std::map<std::int32_t, RegionLabel> labels;
+  const auto& seeds = claimed_.claim().names.seeds;
+  for (Index s = 0; s < seeds.size(); ++s) {
+    const auto regions = regions_at(claimed_.mesh(), seeds[s].point);
+    if (regions.size() == 1) labels.try_emplace(regions[0], RegionLabel{LabelKind::seed, s, seeds[s].name});
+  }
+  return labels;
+}
+
+/// The innermost of the bodies about a region: no other of them lies within it; of several the first. One lies within
+/// another where all regions in it are in the other, and not the other way round.
+std::optional<RegionLabel> LabelJudge::body_label(const std::vector<std::vector<Index>>& about,
+                                                  const std::vector<Index>& own) const {
+  const auto is_within = [&](Index inner, Index outer) {
+    bool all = true, strictly = false;
+    for (const auto& bodies : about) {
+      all = all && (!holds(bodies, inner) || holds(bodies, outer));
+      strictly = strictly || (holds(bodies, outer) && !holds(bodies, inner));
+    }
+    return all && strictly;
+  };
+  for (const Index body : own)
+    if (std::none_of(own.begin(), own.end(), [&](Index other) { return other != body && is_within(other, body); }))
+      return RegionLabel{LabelKind::body, body, claimed_.claim().surfaces[body].name};
+  return std::nullopt;
+}
+
+std::map<std::int32_t, AllowedLabels> LabelJudge::labels() const {
+  std::map<std::int32_t, std::optional<std::vector<Index>>> bodies;
+  std::vector<std::vector<Index>> about;
+  for (const auto& [region, place] : places_) {
+    const auto& own = bodies[region] = bodies_about(place);
+    about.push_back(own.value_or(std::vector<Index>{}));
+  }
+  const std::map<std::int32_t, RegionLabel> by_seed = seeded();
+  std::map<std::int32_t, AllowedLabels> labels;
+  for (const auto& [region, place] : places_) {
+    AllowedLabels& allowed = labels[region];
+    if (const auto seed = by_seed.find(region); seed != by_seed.end()) {
+      allowed.push_back(seed->second);
+    } else if (!bodies[region]) {
+      continue;
+    } else if (const auto body = body_label(about, *bodies[region])) {
+      allowed.push_back(*body);
+    } else if (!units_.given()) {
+      allowed.push_back({});
+    } else {
+      for (const UnitVerdict& verdict : units_.judge(region, place)) {
+        if (verdict.close) {
+          allowed.clear();
+          break;
+        }
+        RegionLabel label{LabelKind::unnamed, 0, units_.name_of(verdict)};
+        if (!label.name.empty()) {
+          label.kind = LabelKind::unit;
+          label.rank = 2 * verdict.first + (verdict.last > verdict.first ? 1 : 0);
+        }
+        const bool known = std::any_of(allowed.begin(), allowed.end(),
+                                       [&](const RegionLabel& other) { return other.name == label.name; });
+        if (!known) allowed.push_back(std::move(label));
+      }
+    }
+  }
+  return labels;
+}
+
+}  // namespace geomesh::geomodel::checking

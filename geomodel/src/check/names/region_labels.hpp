@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What each region should be called before suffixes, and where that stands in the order of ids.
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include "check/names/unit_of_region.hpp"
+
+namespace geomesh::geomodel::checking {
+
+/// In the order of ids.
+enum class LabelKind { unit, body, seed, unnamed };
+
+struct RegionLabel {
+  LabelKind kind = LabelKind::unnamed;
+  Index rank = 0;    ///< within the kind
+  std::string name;  ///< empty: `region_k`
+};
+
+/// Labels that the project allows the region: one, or several where places in it are judged differently; empty where
+/// nothing can be said.
+using AllowedLabels = std::vector<RegionLabel>;
+
+class LabelJudge {
+ public:
+  LabelJudge(const ClaimedFaces& claimed, double reach);
+  std::map<std::int32_t, AllowedLabels> labels() const;
+  const UnitJudge& units() const { return units_; }
+  const std::map<std::int32_t, RegionPlace>& places() const { return places_; }
+
+ private:
+  /// Rows of the bodies about the region; nothing where no place of it is clear of their surfaces.
+  std::optional<std::vector<Index>> bodies_about(const RegionPlace& place) const;
+  std::map<std::int32_t, RegionLabel> seeded() const;
+  std::optional<RegionLabel> body_label(const std::vector<std::vector<Index>>& about,
+                                        const std::vector<Index>& own) const;
+
+  const ClaimedFaces& claimed_;
+  double reach_;
+  UnitJudge units_;
+  std::map<std::int32_t, RegionPlace> places_;
+};
+
+}  // namespace geomesh::geomodel::checking

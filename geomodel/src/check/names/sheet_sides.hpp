@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Which side of a horizon is up: one answer for each connected sheet, by most of its area in the map.
+#pragma once
+
+#include <vector>
+
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel::checking {
+
+/// Per triangle: +1 where the normal as stored points to the upper side of its sheet, else -1. Sheets are joined across
+/// edges with just two triangles. A sheet that cannot be oriented is judged triangle by triangle.
+std::vector<int> upper_sides(const TriangulatedSurface& surface);
+
+}  // namespace geomesh::geomodel::checking

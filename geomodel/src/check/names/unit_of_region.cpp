@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/names/unit_of_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/exact/vertical_line.hpp"
+#include "check/names/sheet_sides.hpp"
+#include "check/within/within_tolerance.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+/// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
+constexpr double close_share = 0.45;
+
+double area_of(const std::map<Index, double>& areas, Index h) {
+  const auto at = areas.find(h);
+  return at == areas.end() ? 0 : at->second;
+}
+
+}  // namespace
+
+UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claimed) {
+  const Claim& claim = claimed.claim();
+  const auto& column = claim.names.column;
+  for (std::size_t i = 0; i < column.size(); i += 2) units_.push_back(column[i]);
+  for (std::size_t i = 1; i < column.size(); i += 2)
+    for (Index row = 0; row < claim.surfaces.size(); ++row) {
+      if (claim.surfaces[row].name != column[i]) continue;
+      horizon_of_surface_[row] = static_cast<Index>(horizons_.size());
+      horizons_.push_back({row, upper_sides(claim.surfaces[row]), TriangleSet(triangles_of(claim.surfaces[row]))});
+    }
+  left_.resize(horizons_.size());
+  add_faces(reach);
+}
+
+/// The side of a horizon that a face shows to each of its regions: by the input triangle nearest to the face.
+void UnitJudge::add_faces(double reach) {
+  const FacesFile& faces = *claimed_.faces();
+  for (Index f = 0; f < claimed_.candidates().size(); ++f) {
+    const Corners c = corners_of(claimed_, f);
+    const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]), middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
+    const double area = 0.5 * std::sqrt(dot(normal, normal));
+    for (const std::int32_t id : claimed_.set_of(f)) {
+      const auto at = horizon_of_surface_.find(claimed_.surface_of(id));
+      if (at == horizon_of_surface_.end()) continue;
+      const Index h = at->second;
+      const auto& surface = claimed_.claim().surfaces[at->first];
+      double best = -1, agreement = 0;
+      for (const auto& near : horizons_[h].triangles.near(middle, reach)) {
+        const Triangle& t = surface.triangles[near.triangle];
+        const Vec3 n = cross(surface.points[t[1]] - surface.points[t[0]], surface.points[t[2]] - surface.points[t[0]]);
+        const double size = std::sqrt(dot(n, n));
+        const double cosine = size > 0 && area > 0 ? dot(n, normal) / (2 * size * area) : 0;
+        if (std::abs(cosine) <= best) continue;
+        best = std::abs(cosine);
+        agreement = cosine * horizons_[h].upper_side[near.triangle];
+      }
+      if (best < 0 || agreement == 0) continue;  // off its surface: a fault of its own
+      const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
+      const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
+      if (lower == upper) {
+        contacts_[lower].both[h] += area;
+      } else {
+        contacts_[lower].below[h] += area;
+        contacts_[upper].above[h] += area;
+      }
+      TriangulatedSurface& left = left_[h];
+      const auto first = static_cast<VertexIndex>(left.points.size());
+      left.points.insert(left.points.end(), c.begin(), c.end());
+      left.triangles.push_back({first, first + 1, first + 2});
+    }
+  }
+}
+
+UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
+  UnitVerdict verdict;
+  Index first = 0, last = static_cast<Index>(units_.size() - 1);
+  bool has_over = false, has_under = false;
+  for (Index h = 0; h < horizons_.size(); ++h) {
+    const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
+    if (below == 0 && above == 0) continue;
+    verdict.close = verdict.close || std::min(below, above) > close_share * (below + above);
+    if (below >= above) {
+      first = std::max(first, h + 1);
+      has_over = true;
+    } else {
+      last = std::min(last, h);
+      has_under = true;
+    }
+  }
+  if (first >= last) {  // one unit; or a pocket, which takes the unit above the younger horizon
+    verdict.first = verdict.last = last;
+    return verdict;
+  }
+  for (const auto& [h, area] : contacts.both) {
+    if (h < first || h >= last) continue;
+    verdict.first = std::min(verdict.first, h);
+    verdict.last = h + 1;
+  }
+  if (verdict.first == no_index && (has_over || has_under)) verdict.first = verdict.last = has_over ? first : last;
+  return verdict;
+}
+
+/// The horizons next above and below: of what is left of them in the mesh, else of the input.
+UnitJudge::Contacts UnitJudge::on_vertical(const Vec3& p) const {
+  Contacts contacts;
+  for (const bool of_input : {false, true}) {
+    double over = std::numeric_limits<double>::infinity(), under = -over;
+    Index above = no_index, below = no_index;
+    for (Index h = 0; h < horizons_.size(); ++h) {
+      const TriangulatedSurface& s = of_input ? claimed_.claim().surfaces[horizons_[h].surface] : left_[h];
+      if (s.triangles.empty()) continue;
+      for_each_height(s, tree_over_triangles(s), p, 0, [&](Index, double z) {
+        if (z >= p.z && (z < over || (z == over && h > above))) over = z, above = h;
+        if (z < p.z && (z > under || (z == under && h < below))) under = z, below = h;
+      });
+    }
+    if (above != no_index) contacts.below[above] = 1;
+    if (below != no_index) contacts.above[below] = 1;
+    if (above != no_index || below != no_index) break;
+  }
+  return contacts;
+}
+
+std::vector<UnitVerdict> UnitJudge::judge(std::int32_t region, const RegionPlace& place) const {
+  const auto at = contacts_.find(region);
+  if (at != contacts_.end()) {
+    const UnitVerdict verdict = verdict_of(at->second);
+    if (verdict.first != no_index || verdict.close) return {verdict};
+  }
+  std::vector<UnitVerdict> verdicts;
+  for (const Vec3& p : place.samples) verdicts.push_back(verdict_of(on_vertical(p)));
+  return verdicts;
+}
+
+std::string UnitJudge::name_of(const UnitVerdict& verdict) const {
+  if (verdict.first == no_index) return "";
+  std::string name = units_[verdict.first];
+  for (Index u = verdict.first + 1; u <= verdict.last; ++u) name += "+" + units_[u];
+  return name;
+}
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Which unit of the column a region is, by the rules of docs/output-files.md ("Column"): decided here from the faces
+/// at the region and the input's sheets, not taken from the program's naming.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "check/exact/deviation.hpp"
+#include "check/judged/claimed_faces.hpp"
+#include "check/names/region_places.hpp"
+
+namespace geomesh::geomodel::checking {
+
+/// What is known of a region's place in the column.
+struct UnitVerdict {
+  Index first = no_index, last = no_index;  ///< units joined; no_index: no unit
+  bool close = false;  ///< a horizon shows nearly as much of either side to the region: nothing is claimed
+};
+
+class UnitJudge {
+ public:
+  /// `reach`: how far a face may be off the triangles that it stands for.
+  UnitJudge(const ClaimedFaces& claimed, double reach);
+
+  bool given() const { return !units_.empty(); }
+  const std::vector<std::string>& units() const { return units_; }
+  /// By the horizons at the region; one for each place of the region by the vertical through it, where none is at it.
+  std::vector<UnitVerdict> judge(std::int32_t region, const RegionPlace& place) const;
+  std::string name_of(const UnitVerdict& verdict) const;
+  /// Whether the surface is a horizon of the column.
+  bool is_horizon(Index surface) const { return horizon_of_surface_.contains(surface); }
+
+ private:
+  /// Areas that horizons show to one region.
+  struct Contacts {
+    std::map<Index, double> below, above, both;  ///< by horizon: the region is below it, above it, on both its sides
+  };
+  struct Horizon {
+    Index surface;
+    std::vector<int> upper_side;
+    TriangleSet triangles;
+  };
+  void add_faces(double reach);
+  UnitVerdict verdict_of(const Contacts& contacts) const;
+  Contacts on_vertical(const Vec3& p) const;
+
+  const ClaimedFaces& claimed_;
+  std::vector<std::string> units_;
+  std::vector<Horizon> horizons_;  ///< youngest first
+  std::map<Index, Index> horizon_of_surface_;
+  std::map<std::int32_t, Contacts> contacts_;
+  std::vector<TriangulatedSurface> left_;  ///< what the mesh has of each horizon
+};
+
+}  // namespace geomesh::geomodel::checking
