@@ -319,5 +319,22 @@ output: {directory: out, formats: [vtu, inp]}
             self.assertIn("*SURFACE, NAME=%s," % name, text)
 
 
+class Overshoot(RulesTest):
+    def test_a_strip_between_two_horizons_is_no_overshoot(self):
+        """The fault ends half a metre short of the box; its strip between the horizons is 3 high, its corners are all on them."""
+        self.write("top.ts", level("top", 6))
+        self.write("base.ts", level("base", 3))
+        self.write("f.ts", plane_ts("f", [(5, -1, -1), (5, 9.5, -1), (5, 9.5, 11), (5, -1, 11)]))
+        report, _ = self.mesh("""surfaces:
+  - {name: top, kind: horizon, file: top.ts}
+  - {name: base, kind: horizon, file: base.ts}
+  - {name: f, kind: fault, file: f.ts}
+column: [u1, top, u2, base, u3]
+rules: {trim_overshoot: 1}
+""")
+        area = {surface["name"]: surface["area"] for surface in report["surfaces"]}
+        self.assertAlmostEqual(area["f"], 95, delta=1e-9)
+
+
 if __name__ == "__main__":
     main()
