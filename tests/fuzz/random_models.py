@@ -230,9 +230,10 @@ class RandomModel:
             return "{mode: constrained, refine: none, preserve_boundary: true}"
         if draw < 0.5:
             return "{mode: conforming, refine: none}"
+        asked = "size: {global: %r, input_edges: false}, quality: fast" % size
         if draw < 0.75:
-            return "{size: %r, honour: exact, quality: fast, max_elements: 200000}" % size
-        return "{size: %r, honour: tolerance, tolerance: %r, quality: fast, max_elements: 200000}" % (size, float("%.3g" % (size * chance.choice([0.005, 0.02, 0.1]))))
+            return "{%s, honour: exact}" % asked
+        return "{%s, honour: tolerance, tolerance: %r}" % (asked, float("%.3g" % (size * chance.choice([0.005, 0.02, 0.1]))))
 
     def project_text(self):
         high = tuple(o + s for o, s in zip(self.origin, self.size))

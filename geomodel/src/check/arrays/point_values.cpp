@@ -54,8 +54,8 @@ class InputRows {
   std::vector<std::size_t> order_;
 };
 
-/// Whether the kind fits what lies at the point. `may_be_bare`: rules took surfaces away, so that an intersection may
-/// have lost one of its surfaces.
+/// Whether the kind fits what lies at the point. `may_be_bare`: rules or bodies took surfaces away, so that an
+/// intersection may have lost one of its surfaces.
 bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool may_be_bare) {
   const bool is_free = at.surfaces.empty() && !at.on_curve;
   switch (kind) {
@@ -82,7 +82,9 @@ void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves,
   if (mesh.file.kind.size() != mesh.n_points() || mesh.file.input_vertex.size() != mesh.n_points()) return;
   const std::vector<AtPoint> at = things_at_points(claimed, curves);
   const InputRows rows(claim.input_points);
-  const bool trimmed = std::any_of(claim.trims.begin(), claim.trims.end(), [](const TrimRules& t) { return t.any(); });
+  const bool trimmed =
+      std::any_of(claim.trims.begin(), claim.trims.end(), [](const TrimRules& t) { return t.any(); }) ||
+      std::any_of(claim.surfaces.begin(), claim.surfaces.end(), [](const auto& s) { return s.cuts_all; });
   const bool exact = claim.within == 0 && claim.merging == 0;
   FaultCollector wrong_kind("wrong_kinds"), wrong_row("wrong_input_vertices");
   for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
