@@ -4,11 +4,12 @@ hang, nothing half written."""
 import os
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import time
 
-from geomesh_program import BAD_INPUT, CANNOT_MESH, PROGRAM, USAGE, ProgramTest, box_surface, level, main
+from geomesh_program import BAD_INPUT, CANNOT_MESH, PROGRAM, SOURCE, USAGE, ProgramTest, box_surface, level, main
 
 PROJECT = """box: {min: [0, 0, 0], max: [10, 10, 10]}
 surfaces:
@@ -84,6 +85,76 @@ class Files(ProgramTest):
             done = subprocess.run([PROGRAM, "info", "cube.off"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, timeout=self.timeout)
         self.assertEqual(done.returncode, USAGE)
 
+    def test_full_disk_is_told_and_leaves_nothing(self):
+        """The report goes to a device that is full; the mesh beside it is written whole or not at all."""
+        self.write("cube.off", CUBE)
+        if not os.path.exists("/dev/full"):
+            self.skipTest("skipped: no /dev/full")
+        printed = self.run_program("mesh", "cube.off", "-o", "out.vtu", "--report", "/dev/full", status=None)
+        self.assertEqual(self.last_status, USAGE, printed)
+        self.assertIn("/dev/full", printed)
+        if os.path.exists(self.path("out.vtu")):
+            self.check(self.path("out.vtu"))
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".part")], [])
+
+    def test_folder_that_is_removed_while_meshing(self):
+        """Whatever the moment: the folder made again and all in it, or status 2 and a message; never a part of the files."""
+        self.write("cube.off", CUBE)
+        for after in (0.0, 0.02, 0.05, 0.1):
+            os.makedirs(self.path("gone"), exist_ok=True)
+            program = subprocess.Popen([PROGRAM, "mesh", "cube.off", "-o", "gone/out.vtu"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            time.sleep(after)
+            shutil.rmtree(self.path("gone"), ignore_errors=True)
+            printed = program.communicate(timeout=self.timeout)[0].decode()
+            self.assertIn(program.returncode, (0, USAGE), printed)
+            if program.returncode == USAGE:
+                self.assertIn("out", printed)
+            shutil.rmtree(self.path("gone"), ignore_errors=True)
+
+    def test_input_that_changes_while_it_is_read(self):
+        """Each run sees one state or a broken one: a mesh of it that passes, or a refusal."""
+        whole = CUBE.encode()
+        file = self.write("cube.off", CUBE)
+        for k in range(6):
+            program = subprocess.Popen([PROGRAM, "mesh", "cube.off", "-o", "out.vtu"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            for cut in range(20):
+                with open(file, "r+b") as stream:
+                    stream.truncate(len(whole) * ((cut * 7 + k) % 20) // 20)
+                with open(file, "wb") as stream:
+                    stream.write(whole)
+            printed = program.communicate(timeout=self.timeout)[0].decode()
+            self.assertIn(program.returncode, (0, BAD_INPUT, CANNOT_MESH, USAGE), printed)
+            if program.returncode == 0:
+                self.check(self.path("out.vtu"))
+
+    def test_two_runs_into_one_folder_at_once(self):
+        """Both end well, and what is there is whole: files are renamed into place."""
+        self.write("cube.off", CUBE)
+        runs = [subprocess.Popen([PROGRAM, "mesh", "cube.off", "-o", "both/out.vtu"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                for _ in range(3)]
+        for run in runs:
+            printed = run.communicate(timeout=self.timeout)[0].decode()
+            self.assertEqual(run.returncode, 0, printed)
+        self.check(self.path("both", "out.vtu"))
+        self.assertEqual([name for name in os.listdir(self.path("both")) if ".part" in name], [])
+
+    def test_a_locale_with_a_decimal_comma_changes_nothing(self):
+        known = subprocess.run(["locale", "-a"], stdout=subprocess.PIPE, text=True).stdout.split()
+        commas = [name for name in known if name.startswith(("de_", "fr_", "pt_", "it_"))]
+        if not commas:
+            self.skipTest("skipped: no locale with a decimal comma is installed")
+        self.write("cube.off", CUBE.replace("\n1 ", "\n1.25 "))
+        written = []
+        for language in ("C", commas[0]):
+            environment = dict(os.environ, LC_ALL=language, LANG=language)
+            for ending in ("msh", "inp"):
+                done = subprocess.run([PROGRAM, "mesh", "cube.off", "-o", "%s.%s" % (language, ending)], cwd=self.folder, env=environment, timeout=self.timeout,
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                self.assertEqual(done.returncode, 0, done.stdout)
+            with open(self.path(language + ".msh"), "rb") as file:
+                written.append(file.read())
+        self.assertEqual(len(set(written)), 1)
+
     def test_names_that_are_not_utf8(self):
         name = os.fsdecode(b"caf\xe9.off")
         self.write(name, CUBE)
@@ -120,6 +191,17 @@ class Projects(ProgramTest):
             bomb += "%s: &%s [%s]\n" % (key, key, ", ".join(["*" + before] * 10))
         self.refused(bomb.replace("i: &i", "column: &i") + PROJECT, "unknown key 'a'")
         self.refused("&r\nbox: *r\nsurfaces: *r\n")
+
+
+    def test_names_that_lead_out_of_the_output_folder(self):
+        """A project's name is a file's name: no folder, no way up."""
+        for name in ("../escaped", "/tmp/escaped", "a/b", ".."):
+            self.write("top.ts", level("top", 5))
+            self.write("model.yaml", "name: %s\n" % name + PROJECT)
+            self.run_program("model.yaml", "-o", "out", status=None)
+            self.assertIn(self.last_status, (0, USAGE), name)
+            for folder in (self.folder, os.path.dirname(self.folder), "/tmp"):
+                self.assertEqual([f for f in os.listdir(folder) if f.startswith("escaped") or f.startswith("b.")], [], name)
 
 
 class Numbers(ProgramTest):
@@ -186,6 +268,16 @@ class DamagedMeshes(ProgramTest):
         for part in (0.02, 0.3, 0.7):
             self.damage("out.vtu", lambda content: content[:int(part * len(content))])
 
+    def test_cells_of_a_legacy_file_that_run_beyond_their_block(self):
+        """VTK's reader wrote beyond its memory (found by fuzz.replay_meshes)."""
+        with open(os.path.join(SOURCE, "tests", "corpus", "bytes", "mesh_two_tetrahedra.vtk")) as file:
+            whole = file.read()
+        self.run_program("check", self.write("whole.vtk", whole))
+        for old, new in (("4 0 1 2 3", "40 0 1 2 3"), ("CELLS 2 10", "CELLS 2 9"), ("CELLS 2 10", "CELLS 3 10"), ("CELL_TYPES 2", "CELL_TYPES 1"),
+                         ("4 0 2 1 4", "-4 0 2 1 4")):
+            self.assertIn(old, whole)
+            self.assertIn("damaged", self.run_program("check", self.write("bad.vtk", whole.replace(old, new)), status=BAD_INPUT))
+
     def test_element_that_names_no_node(self):
         self.run_program("mesh", "cube.off", "-o", "out.inp")
         with open(self.path("out.inp")) as file:
@@ -225,6 +317,21 @@ class Signals(ProgramTest):
                 elif os.path.exists(self.path("out.msh")):
                     os.remove(self.path("out.msh"))
         self.assertGreater(ended, 0)
+
+    def test_killed_runs_leave_no_half_file_under_a_final_name(self):
+        """SIGKILL cannot be caught: what has its final name is whole, whatever is left beside it ends in .part."""
+        points = self.points_file()
+        for after in (0.1, 0.4, 0.8, 1.2):
+            status = self.interrupt(signal.SIGKILL, after, "delaunay", points, "-o", "out.msh", "--threads", "1")
+            self.assertIn(status, (0, -signal.SIGKILL))
+            if os.path.exists(self.path("out.msh")):
+                with open(self.path("out.msh"), "rb") as file:
+                    file.seek(-20, os.SEEK_END)
+                    self.assertIn(b"$EndElements", file.read())
+                os.remove(self.path("out.msh"))
+            for name in os.listdir(self.folder):
+                if ".part" in name:
+                    os.remove(self.path(name))
 
 
 if __name__ == "__main__":

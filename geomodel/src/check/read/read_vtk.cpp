@@ -17,9 +17,11 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "check/read/mesh_files.hpp"
+#include "check/read/vtk_legacy_guard.hpp"
 #include "geomesh/core/error.hpp"
 #include "readers/vtk/vtk_xml_guard.hpp"
 
@@ -178,7 +180,8 @@ bool is_solid(int type) {
 void take_cell_values(vtkUnstructuredGrid& grid, MeshFile& mesh) {
   for (int i = 0; i < grid.GetCellData()->GetNumberOfArrays(); ++i) {
     vtkDataArray* array = grid.GetCellData()->GetArray(i);
-    if (!array || !array->GetName() || array->GetNumberOfComponents() != 1 || mesh.region_array == array->GetName())
+    if (!array || !array->GetName() || array->GetNumberOfComponents() != 1 ||
+        array->GetNumberOfTuples() < grid.GetNumberOfCells() || mesh.region_array == array->GetName())
       continue;
     std::vector<double>& values = mesh.cell_values[array->GetName()];
     for (const std::size_t cell : mesh.cell) values.push_back(array->GetComponent(static_cast<vtkIdType>(cell), 0));
@@ -238,6 +241,8 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
     vtkDataArray* array = grid.GetCellData()->GetArray(name);
     if (!array) continue;
     const auto all = integers_of(*array);
+    if (all.size() < static_cast<std::size_t>(grid.GetNumberOfCells()))
+      refuse(path, "has fewer numbers in the cell array " + std::string(name) + " than cells (damaged)");
     mesh.region_array = name;
     for (const std::size_t cell : mesh.cell) mesh.region.push_back(all[cell]);
     break;
@@ -261,6 +266,9 @@ MeshFile read_vtk_mesh(const std::filesystem::path& path) {
     return take_grid(*reader->GetOutput(), path);
   }
   require_readable(path);
+  std::ifstream in(path, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (const std::string fault = fault_of_legacy_cells(content); !fault.empty()) refuse(path, fault);
   vtkNew<vtkUnstructuredGridReader> reader;
   update(*reader, path);
   return take_grid(*reader->GetOutput(), path);
