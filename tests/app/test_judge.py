@@ -11,7 +11,7 @@ import shutil
 import subprocess
 
 from geomesh_program import BAD_INPUT, DONE, PROGRAM, SOURCE, ProgramTest, main, plane_ts, triangles_ts
-from vtk_files import VtkFile
+from vtk_files import VtkArray, VtkFile
 
 PROJECT = """name: m
 box: {min: [0, 0, -2000], max: [3000, 3000, 0]}
@@ -35,6 +35,65 @@ MESHES = {"plain": "{mode: constrained, refine: none}", "refined": "{size: 900, 
 SIDES = ["xmin", "xmax", "ymin", "ymax", "zmin", "zmax"]
 
 
+KINDS = {"surface": ["surface", "horizon", "fault", "body", "box"], "curve": ["intersection", "border", "fault_tip", "well", "other"]}
+
+
+def gather_names(file):
+    """Names that stand as those of arrays (`region:NAME`, its value the id) become the lists `region_ids` and `region_names` that the
+    corruptions work on; kinds that stand as numbers become words, groups a list of lists. Files with lists of texts stay as they are."""
+    file.spread = any(array.section == "FieldData" and ":" in array.name for array in file.arrays)
+    if not file.spread:
+        return
+    found = {}
+    for array in [a for a in file.arrays if a.section == "FieldData" and ":" in a.name]:
+        what, name = array.name.split(":", 1)
+        found.setdefault(what, []).append((name, array.values))
+        file.arrays.remove(array)
+    points = found.pop("point", [])
+    for what, entries in found.items():
+        names, values = [name for name, _ in entries], [v for _, v in entries]
+        if what == "group":
+            offsets = [sum(map(len, values[:i])) for i in range(len(values) + 1)]
+            lists = {"group_offsets": offsets, "group_region_ids": [id for v in values for id in v]}
+        else:
+            lists = {what + "_ids": [v[0] for v in values]}
+        if what in KINDS and file.has("FieldData", what + "_kinds"):
+            kinds = file["FieldData", what + "_kinds"]
+            kinds.kind, kinds.values = "String", [KINDS[what][k] for k in kinds.values]
+            if what == "curve":
+                names, lists["curve_ids"] = names + [n for n, _ in points], lists["curve_ids"] + [v[0] for _, v in points]
+                kinds.values = kinds.values[:len(names) - len(points)] + ["point"] * len(points)
+        file.arrays += [VtkArray("FieldData", name, "Int32", 1, values) for name, values in lists.items()]
+        file.arrays.append(VtkArray("FieldData", what + "_names", "String", 1, names))
+
+
+def spread_names(file):
+    if not file.spread:
+        return
+    for what in ("region", "surface", "curve", "group"):
+        if not file.has("FieldData", what + "_names"):
+            continue
+        names = file["FieldData", what + "_names"].values
+        if what == "group":
+            offsets, ids = file["FieldData", "group_offsets"].values, file["FieldData", "group_region_ids"].values
+            values = [ids[offsets[i]:offsets[i + 1]] for i in range(len(names))]
+        else:
+            values = [[id] for id in file["FieldData", what + "_ids"].values]
+        prefixes = [what] * len(names)
+        if what in KINDS and file.has("FieldData", what + "_kinds"):
+            kinds = file["FieldData", what + "_kinds"].values
+            prefixes = ["point" if kind == "point" else what for kind in kinds]
+            numbers = [KINDS[what].index(kind) if kind in KINDS[what] else 9 for kind in kinds if kind != "point"]
+            file.remove("FieldData", what + "_kinds")
+            file.arrays.append(VtkArray("FieldData", what + "_kinds", "Int32", 1, numbers))
+        for name, value, prefix in zip(names, values, prefixes):
+            file.arrays.append(VtkArray("FieldData", prefix + ":" + name, "Int32", 1, value))
+        for array in ("_names", "_ids"):
+            file.remove("FieldData", what + array)
+    for array in ("group_offsets", "group_region_ids"):
+        file.remove("FieldData", array)
+
+
 class Model:
     """The files of one output, in memory."""
 
@@ -42,9 +101,14 @@ class Model:
         self.vtu, self.faces, self.curves = (VtkFile.read(os.path.join(folder, "m" + ending)) for ending in (".vtu", ".faces.vtp", ".curves.vtp"))
         with open(os.path.join(folder, "m.report.json")) as file:
             self.report = json.load(file)
+        for file in (self.vtu, self.faces, self.curves):
+            gather_names(file)
 
     def write(self, folder):
         os.makedirs(folder)
+        for file in (self.vtu, self.faces, self.curves):
+            if file:
+                spread_names(file)
         self.vtu.write(os.path.join(folder, "m.vtu"))
         self.faces.write(os.path.join(folder, "m.faces.vtp"))
         if self.curves:
@@ -396,7 +460,10 @@ def a_surface_of_another_kind(m):
 
 @corruption("wrong_surface_sets")
 def a_set_of_another_name(m):
-    m.faces["FieldData", "surface_set_names"].values[0] += "+salt"
+    if m.faces.has("FieldData", "surface_set_names"):
+        m.faces["FieldData", "surface_set_names"].values[0] += "+salt"
+    else:  # sets have no names of their own: one of another member
+        m.faces["FieldData", "surface_set_ids"].values[0] = m.id_of("salt")
 
 
 @corruption("wrong_patches")

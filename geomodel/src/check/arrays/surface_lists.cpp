@@ -55,7 +55,9 @@ void check_set_names(const FacesFile& faces, CheckResult& result) {
     }
     const auto& ids = faces.surface_sets[row];
     const bool ordered = std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end();
-    if (!ordered || row >= faces.surface_set_names.size() || faces.surface_set_names[row] != name) wrong.add(row, {});
+    const bool unnamed = faces.surface_set_names.empty();
+    if (!ordered || (!unnamed && (row >= faces.surface_set_names.size() || faces.surface_set_names[row] != name)))
+      wrong.add(row, {});
   }
   wrong.report(result, "sets of surfaces are not in the order of ids or do not bear their members' names");
 }
