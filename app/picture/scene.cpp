@@ -150,6 +150,7 @@ class SceneBuilder {
     low_ = *ids.begin();
     high_ = std::max(*ids.rbegin(), low_ + 1);
     table->SetNumberOfTableValues(high_ - low_ + 1);
+    for (int row = 0; row <= high_ - low_; ++row) table->SetTableValue(row, 0.6, 0.6, 0.6);  // all opaque
     std::size_t i = 0;
     for (const int id : ids) {
       const Colour c = colour_of(i++);
