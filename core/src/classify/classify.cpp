@@ -43,7 +43,7 @@ class Classifier {
   const TetMesh& cells() const { return mesh_.cells(); }
 
   void flood(CellIndex start, Index label) {
-    recover::flood_cells(cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
+    flood_cells(cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
   }
   void flood_outside() {
     for (std::size_t k = 0; k < 8; ++k) {

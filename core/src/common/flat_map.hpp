@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Open-addressing map from sorted vertex tuples (edges, faces) to an index: the declared constraints are looked up
-/// once per flip, so the lookup has to be one cache line. Never iterated, so that nothing depends on the order of
-/// hashes.
+/// Open-addressing tables of vertex tuples (edges, faces): they are asked once per flip, mostly for what they do not
+/// have, so the look-up has to be one cache line. What is listed is sorted, so that nothing depends on hashes.
 #pragma once
 
 #include <algorithm>
@@ -10,40 +9,46 @@
 #include <cstdint>
 #include <vector>
 
-#include "geomesh/core/geometry.hpp"
+#include "common/geometry.hpp"
+#include "common/hash.hpp"
 
-namespace geomesh::recover {
+namespace geomesh {
 
-/// Key of N vertices, in any order. Linear probing, load at most one half.
+/// From N vertices, in any order, to an index. Linear probing, load at most one half.
 template <std::size_t N>
 class SimplexMap {
  public:
   using Key = std::array<VertexIndex, N>;
 
-  Index find(Key key) const {
+  /// no_index where it is not there.
+  Index find(const Key& vertices) const {
     if (slots_.empty()) return no_index;
-    std::sort(key.begin(), key.end());
-    for (std::size_t i = hash(key) & mask(); slots_[i].value != empty; i = (i + 1) & mask())
-      if (slots_[i].key == key) return slots_[i].value == erased ? no_index : slots_[i].value;
-    return no_index;
+    const Slot& slot = slots_[place_of(sorted(vertices))];
+    return slot.value >= erased ? no_index : slot.value;
   }
   /// Overwrites an existing entry.
-  void insert(Key key, Index value) {
+  void insert(const Key& vertices, Index value) {
     if (2 * (n_used_ + 1) > slots_.size()) grow();
-    std::sort(key.begin(), key.end());
-    std::size_t i = hash(key) & mask();
-    while (slots_[i].value != empty && slots_[i].key != key) i = (i + 1) & mask();
-    if (slots_[i].value == empty) ++n_used_;
-    slots_[i] = {key, value};
+    const Key key = sorted(vertices);
+    Slot& slot = slots_[place_of(key)];
+    n_used_ += slot.value == empty;
+    slot = {key, value};
   }
-  void erase(Key key) {
+  void erase(const Key& vertices) {
     if (slots_.empty()) return;
-    std::sort(key.begin(), key.end());
-    for (std::size_t i = hash(key) & mask(); slots_[i].value != empty; i = (i + 1) & mask())
-      if (slots_[i].key == key) slots_[i].value = erased;
+    Slot& slot = slots_[place_of(sorted(vertices))];
+    if (slot.value != empty) slot.value = erased;
   }
   void reserve(std::size_t n) {
     while (slots_.size() < 2 * n + 2) grow();
+  }
+  /// Ascending.
+  std::vector<Key> sorted_keys() const {
+    std::vector<Key> keys;
+    for (const Slot& s : slots_)
+      if (s.value < erased) keys.push_back(s.key);
+    std::sort(keys.begin(), keys.end());
+    return keys;
   }
 
  private:
@@ -53,28 +58,29 @@ class SimplexMap {
     Index value = empty;
   };
 
-  static std::size_t hash(const Key& key) {
-    std::uint64_t h = 0x9E3779B97F4A7C15ull;
-    for (VertexIndex v : key) {
-      h = (h ^ v) * 0xD6E8FEB86659FD93ull;
-      h ^= h >> 32;
-    }
-    return static_cast<std::size_t>(h);
+  /// Where the key is or would go. What is erased keeps its slot.
+  std::size_t place_of(const Key& key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = hash_of(key) & mask;
+    while (slots_[i].value != empty && slots_[i].key != key) i = (i + 1) & mask;
+    return i;
   }
-  std::size_t mask() const { return slots_.size() - 1; }
   void grow() {
     std::vector<Slot> old(std::max<std::size_t>(16, 2 * slots_.size()));
     old.swap(slots_);
     n_used_ = 0;
-    for (const Slot& s : old)
-      if (s.value != empty && s.value != erased) insert(s.key, s.value);
+    for (const Slot& s : old) {
+      if (s.value >= erased) continue;
+      slots_[place_of(s.key)] = s;
+      ++n_used_;
+    }
   }
 
   std::vector<Slot> slots_;
   std::size_t n_used_ = 0;
 };
 
-/// Set of edges with a direction. Open addressing as above; never iterated either.
+/// Set of edges with a direction.
 class DirectedEdgeSet {
  public:
   using Edge = std::array<VertexIndex, 2>;
@@ -95,9 +101,7 @@ class DirectedEdgeSet {
 
   static std::uint64_t pack(const Edge& e) { return std::uint64_t{e[0]} << 32 | e[1]; }
   std::size_t place_of(std::uint64_t key) const {
-    std::uint64_t h = key * 0xD6E8FEB86659FD93ull;
-    h ^= h >> 32;
-    std::size_t i = h & (slots_.size() - 1);
+    std::size_t i = hash_of(std::array{key}) & (slots_.size() - 1);
     while (slots_[i] != empty && slots_[i] != key) i = (i + 1) & (slots_.size() - 1);
     return i;
   }
@@ -115,4 +119,4 @@ class DirectedEdgeSet {
 using EdgeMap = SimplexMap<2>;
 using FaceMap = SimplexMap<3>;
 
-}  // namespace geomesh::recover
+}  // namespace geomesh

@@ -7,7 +7,7 @@
 
 #include "geomesh/core/simplex_mesh.hpp"
 
-namespace geomesh::recover {
+namespace geomesh {
 
 /// Gives `label` to `start` and to all unlabelled cells that are reached from it through faces for which
 /// `is_open(FaceRef)`. `labels`: one a slot of `cells`, no_label where a cell has none. O(cells reached).
@@ -28,4 +28,4 @@ void flood_cells(const TetMesh& cells, CellIndex start, std::vector<Label>& labe
   }
 }
 
-}  // namespace geomesh::recover
+}  // namespace geomesh

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace geomesh::recover {
+namespace geomesh {
 
 template <class T>
 void sort_unique(std::vector<T>& v) {
@@ -12,4 +12,4 @@ void sort_unique(std::vector<T>& v) {
   v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
-}  // namespace geomesh::recover
+}  // namespace geomesh

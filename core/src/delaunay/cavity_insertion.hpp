@@ -27,9 +27,6 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex are left out (in 3D).
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
 
-  std::size_t cells_removed() const { return cells_removed_; }
-  std::size_t cells_made() const { return cells_made_; }
-
  private:
   using Face = CavityFace<dimension>;
 
@@ -64,7 +61,6 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: that on boundary vertex b, in
   /// row 0 where the new cell's edge begins with it.
   std::array<FaceRef, table_side * table_side> table_;
-  std::size_t cells_removed_ = 0, cells_made_ = 0;
 };
 
 template <class Space, bool Shared>
@@ -200,8 +196,6 @@ bool CavityInsertion<Space, Shared>::star_shaped(const Vec3& p) {
 
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::stellate(VertexIndex v) {
-  cells_removed_ += n_cavity_;
-  cells_made_ += n_boundary_;
   for (std::size_t k = n_cavity_; k < n_boundary_; ++k) cavity_[k] = this->slots_.take();
   for (std::size_t k = n_boundary_; k < n_cavity_; ++k) {
     cells_[cavity_[k]].vertices[0] = no_vertex;

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "common/random.hpp"
 #include "delaunay/kernels/lane_kernels.hpp"
 #include "delaunay/slots.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
@@ -90,11 +91,6 @@ class IncrementalTriangulation {
     refresh();
     return true;
   }
-  unsigned random() {
-    random_ = random_ * 1664525u + 1013904223u;
-    return random_ >> 24;
-  }
-
   Mesh& mesh_;
   Space space_;
   SlotSource slots_;
@@ -104,7 +100,7 @@ class IncrementalTriangulation {
   std::uint8_t* flags_ = nullptr;
   CellIndex hint_ = no_cell;
   VertexIndex twin_ = no_vertex;
-  std::uint32_t random_ = 1;
+  Random random_;
   std::size_t walk_steps_ = 0;
 };
 
@@ -161,7 +157,7 @@ CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
     ++walk_steps_;
     if (flags_[c] & ghost_flag) return c;
     const Cell& cell = cells_[c];
-    unsigned i = random() % n_faces;
+    unsigned i = random_.byte() % n_faces;
     FaceRef next;
     for (unsigned k = 0; k < n_faces; ++k, i = i + 1 == n_faces ? 0 : i + 1) {
       if (i == entered || space_.side(cell.vertices, i, p) != Sign::negative) continue;

@@ -7,7 +7,7 @@
 
 #include "geomesh/core/geometry.hpp"
 
-namespace geomesh::remesh {
+namespace geomesh {
 
 /// In the triangle's plane; nothing where its points are (nearly) on a line.
 inline std::optional<Vec3> circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -25,4 +25,4 @@ inline std::optional<Vec3> circumcentre(const Vec3& a, const Vec3& b, const Vec3
   return a + (0.5 / det) * (dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v));
 }
 
-}  // namespace geomesh::remesh
+}  // namespace geomesh

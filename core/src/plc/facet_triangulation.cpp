@@ -4,21 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "plc/planar_triangulation.hpp"
 
 namespace geomesh {
 
 namespace {
-
-/// Newell's normal of the outer loop, relative to its first vertex.
-Vec3 loop_normal(std::span<const Vec3> points, const std::vector<VertexIndex>& loop) {
-  Vec3 n;
-  const Vec3 origin = points[loop[0]];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    n = n + cross(points[loop[i]] - origin, points[loop[i + 1]] - origin);
-  return n;
-}
 
 /// Drops the coordinate in which the normal is largest; the outer loop turns left in what remains.
 Vec2 project(const Vec3& p, const Vec3& normal) {
@@ -69,8 +62,7 @@ class FacetTriangulator {
     for (const auto& loop : polygon_.loops) vertices_.insert(vertices_.end(), loop.begin(), loop.end());
     for (const auto& s : polygon_.segments) vertices_.insert(vertices_.end(), s.begin(), s.end());
     vertices_.insert(vertices_.end(), polygon_.inner_points.begin(), polygon_.inner_points.end());
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    sort_unique(vertices_);
   }
   void measure_planarity(const Vec3& normal) {
     std::array<VertexIndex, 3> base{vertices_[0], vertices_[0], vertices_[0]};
@@ -85,10 +77,10 @@ class FacetTriangulator {
       return orient3d(points_[base[0]], points_[base[1]], points_[base[2]], points_[v]) == Sign::zero;
     });
     if (out_.exactly_planar) return;
-    const double length = std::sqrt(dot(normal, normal));
+    const double size = length(normal);
     double low = 0, high = 0;
     for (VertexIndex v : vertices_) {
-      const double h = dot(normal, points_[v] - points_[vertices_[0]]) / length;
+      const double h = dot(normal, points_[v] - points_[vertices_[0]]) / size;
       low = std::min(low, h);
       high = std::max(high, h);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/sort_unique.hpp"
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/predicates.hpp"
 
@@ -71,8 +72,7 @@ class Validator {
       if (loop[i] == loop[(i + 1) % loop.size()])
         fault(name + " repeats a vertex in a row", {{f}, {}, {loop[i]}, {plc_.points[loop[i]]}});
     std::vector<VertexIndex> distinct(loop.begin(), loop.end());
-    std::sort(distinct.begin(), distinct.end());
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    sort_unique(distinct);
     if (distinct.size() < 3) fault(name + " has a loop of fewer than three vertices", {{f}, {}, distinct, {}});
   }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "common/geometry.hpp"
 #include "quality/soup_star.hpp"
 
 namespace geomesh {
@@ -18,13 +19,6 @@ struct Use {
   Index patch, facet;
   Vec3 inward;  ///< within the facet, off the edge
 };
-
-Vec3 loop_normal(const std::vector<Vec3>& points, std::span<const VertexIndex> loop) {
-  Vec3 n;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    n = n + cross(points[loop[i]] - points[loop[0]], points[loop[i + 1]] - points[loop[0]]);
-  return n;
-}
 
 std::vector<Use> uses_of_edges(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch) {
   std::vector<Use> uses;

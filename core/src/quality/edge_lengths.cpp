@@ -79,7 +79,7 @@ class EdgeTable {
  private:
   void measure_edge(VertexIndex lower, std::span<const Use> uses, std::vector<Measured>& out) const {
     const Vec3 &a = points_[lower], &b = points_[uses[0].upper];
-    const double length = remesh::distance(a, b);
+    const double length = distance(a, b);
     const auto bin = [&](double asked) { return size_ ? bin_of(length / asked) : std::uint8_t{0}; };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < uses.size();) {

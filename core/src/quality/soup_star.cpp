@@ -5,13 +5,12 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/geometry.hpp"
 #include "quality/measure/shape.hpp"
 
 namespace geomesh {
 
 namespace {
-
-const double degrees_per_radian = 180 / std::acos(-1.0);
 
 /// Least angle between a direction and the sector between two others.
 double angle_to_sector(const Vec3& d, const Vec3& a, const Vec3& b) {
@@ -22,13 +21,13 @@ double angle_to_sector(const Vec3& d, const Vec3& a, const Vec3& b) {
   const Vec3 foot = d - (dot(d, n) / nn) * n;  // within the sector where it turns from a towards b and not beyond
   if (dot(cross(a, foot), n) < 0 || dot(cross(foot, b), n) < 0) return at_sides;
   const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // a direction along the normal has no foot to speak of
-  return std::min(at_sides, std::atan2(height, remesh::length(foot)) * degrees_per_radian);
+  return std::min(at_sides, std::atan2(height, length(foot)) * degrees_per_radian);
 }
 
 }  // namespace
 
 double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(remesh::length(cross(a, b)), dot(a, b)) * degrees_per_radian;
+  return std::atan2(length(cross(a, b)), dot(a, b)) * degrees_per_radian;
 }
 
 SoupStars::SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch,

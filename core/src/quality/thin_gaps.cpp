@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/geometry.hpp"
 #include "quality/measure/shape.hpp"
 
 namespace geomesh {
@@ -13,11 +14,6 @@ namespace {
 
 constexpr double least_cosine = 0.5;  // 60 degrees
 constexpr double straight_sine = 1e-3;
-
-Vec3 unit(const Vec3& v) {
-  const double l = remesh::length(v);
-  return l > 0 ? (1 / l) * v : v;
-}
 
 search::ClosestPointTrees trees_of_patches(const SoupStars& stars) {
   const ConstrainedTetrahedralization& mesh = stars.mesh();
@@ -37,8 +33,8 @@ GapFinder::GapFinder(const SoupStars& stars, double angle, bool fixed_vertices)
     : stars_(stars),
       mesh_(stars.mesh()),
       patches_(trees_of_patches(stars)),
-      cosine_(std::cos(angle * std::acos(-1.0) / 180)),
-      sine_(std::sin(angle * std::acos(-1.0) / 180)),
+      cosine_(std::cos(angle * pi / 180)),
+      sine_(std::sin(angle * pi / 180)),
       fixed_vertices_(fixed_vertices) {}
 
 Vec3 GapFinder::normal_towards(Index face, const Vec3& inside) const {
@@ -98,7 +94,7 @@ VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) con
     if (edges.size() != 2) break;
     const VertexIndex next = edges[0].other == before ? edges[1].other : edges[0].other;
     const Vec3 d = unit(mesh_.points[at] - mesh_.points[before]), e = unit(mesh_.points[next] - mesh_.points[at]);
-    if (next == way.to || dot(d, e) < 0 || remesh::length(cross(d, e)) > straight_sine) break;
+    if (next == way.to || dot(d, e) < 0 || length(cross(d, e)) > straight_sine) break;
     before = std::exchange(at, next);
   }
   return at;
@@ -128,7 +124,7 @@ void GapFinder::to_segments(const Way& way, double above, Gap& best) const {
     if (end == way.from || has_side(way.from, e.other)) continue;
     const Vec3 nearest = search::closest_on_segment(from, to, mesh_.points[end]),
                along = unit(mesh_.points[e.other] - to);
-    const double width = remesh::distance(from, nearest);
+    const double width = distance(from, nearest);
     if (!(width > above) || !(width < best.width)) continue;
     const Vec3 step = unit(nearest - from);
     if (std::abs(dot(along, step)) > least_cosine) continue;
@@ -141,7 +137,7 @@ void GapFinder::to_segments(const Way& way, double above, Gap& best) const {
 
 void GapFinder::to_vertex(const Way& way, double above, Gap& best) const {
   if (!is_fixed(way.from) || !is_fixed(way.to) || has_side(way.from, way.to)) return;
-  const double width = remesh::distance(mesh_.points[way.from], mesh_.points[way.to]);
+  const double width = distance(mesh_.points[way.from], mesh_.points[way.to]);
   if (!(width > above) || !(width < best.width)) return;
   const auto facet_at = [&](VertexIndex v) {
     return stars_.faces(v).empty() ? no_index : mesh_.faces[stars_.faces(v).front()].facet;

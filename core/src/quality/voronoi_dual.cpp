@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/geometry.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "mesh/circumcentre.hpp"
 #include "quality/measure/shape.hpp"
@@ -22,17 +23,17 @@ struct Part {
 /// The piece of the dual of edge a-b in a cell, next to face a,b,c: a right triangle from the edge's middle over the
 /// face's circumcentre to the cell's. Each leg has a sign: towards c in the face, towards the apex off it.
 double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex, const Vec3& cell_centre) {
-  const auto face_centre = remesh::circumcentre(a, b, c);
+  const auto face_centre = circumcentre(a, b, c);
   const Vec3 u = b - a, n = cross(u, c - a);
   if (!face_centre || dot(n, n) == 0) return 0;
   const Vec3 middle = 0.5 * (a + b), in_face = cross(n, u);  // points towards c
-  const double along = dot(*face_centre - middle, in_face) / std::sqrt(dot(in_face, in_face));
-  const double up = dot(cell_centre - *face_centre, n) / std::sqrt(dot(n, n)) * (dot(apex - a, n) > 0 ? 1 : -1);
+  const double along = dot(*face_centre - middle, in_face) / length(in_face);
+  const double up = dot(cell_centre - *face_centre, n) / length(n) * (dot(apex - a, n) > 0 ? 1 : -1);
   return 0.5 * along * up;
 }
 
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, std::vector<Part>& parts) {
-  const auto centre = remesh::circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
+  const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
   for (const auto& e : edge_vertices) {
     std::array<unsigned, 2> rest{};
@@ -79,7 +80,7 @@ VoronoiDual measure_voronoi_dual(std::span<const Vec3> points, std::span<const T
   for (std::size_t i = 0, j = 0; i < parts.size(); i = j) {
     double area = 0;
     for (j = i; j < parts.size() && parts[j].edge == parts[i].edge; ++j) area += parts[j].area;
-    const double relative = area / remesh::squared_distance(points[parts[i].edge[0]], points[parts[i].edge[1]]);
+    const double relative = area / squared_distance(points[parts[i].edge[0]], points[parts[i].edge[1]]);
     dual.least = dual.edges == 0 ? relative : std::min(dual.least, relative);
     ++dual.edges;
     if (relative >= -1e-12) continue;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/geometry.hpp"
+
 namespace geomesh::search {
 
 namespace {
@@ -18,7 +20,6 @@ constexpr std::size_t pieces_besides = 200;
 constexpr double least_piece = 1.0 / 64;  ///< radius, of the limit
 constexpr double on_plane = 1e-9;         ///< of the piece's radius: not cut off
 
-double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(a - b, a - b)); }
 double distance_to(const Vec3& p, const Corners& t) { return distance(p, closest_on_triangle(p, t[0], t[1], t[2])); }
 
 bool is_line(const Corners& c) { return c[1] == c[2]; }
@@ -43,7 +44,6 @@ struct Plane {
 
 /// On the sides of the triangle (ends of the line piece), at right angles to it. None for a triangle of no height.
 std::vector<Plane> planes_on_sides(const Corners& t) {
-  const auto unit = [](const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; };
   std::vector<Plane> planes;
   if (is_line(t)) {
     if (t[0] == t[1]) return planes;
@@ -52,7 +52,7 @@ std::vector<Plane> planes_on_sides(const Corners& t) {
   }
   const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
   const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
-  if (!(std::sqrt(dot(n, n)) > 1e-9 * longest * longest)) return planes;
+  if (!(length(n) > 1e-9 * longest * longest)) return planes;
   for (std::size_t i = 0; i < 3; ++i) planes.push_back({t[i], unit(cross(n, t[(i + 1) % 3] - t[i]))});
   return planes;
 }

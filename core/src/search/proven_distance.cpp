@@ -6,14 +6,14 @@
 #include <limits>
 #include <optional>
 
+#include "common/geometry.hpp"
+
 namespace geomesh::search {
 
 namespace {
 
 constexpr std::size_t most_pieces = 100;
 constexpr double least_piece = 1.0 / 16;  ///< of the limit
-
-double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(a - b, a - b)); }
 
 /// The edge of both by equal corners; of line pieces their common end.
 std::optional<std::array<Vec3, 2>> common_edge(const Corners& x, const Corners& y) {

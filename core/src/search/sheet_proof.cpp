@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/geometry.hpp"
+
 namespace geomesh::search {
 
 namespace {
@@ -15,11 +17,6 @@ constexpr double smooth_cosine = 0.82;  ///< of the angle between two triangles 
 /// each other by more than the edges that are not open allow.
 constexpr double steep_cosine = 0.6;
 constexpr double on_side = 1e-9;  ///< of F's longest edge
-
-Vec3 unit(const Vec3& v) {
-  const double l = std::sqrt(dot(v, v));
-  return l > 0 ? (1 / l) * v : v;
-}
 
 struct EdgeUse {
   Index group;
@@ -69,7 +66,7 @@ SheetProof::SheetProof(const std::array<Vec3, 3>& triangle, double limit) : corn
   }
   tiny_ = on_side * std::sqrt(longest);
   limit_ = limit - 4 * tiny_;
-  is_possible_ = std::sqrt(dot(n, n)) > 1e-6 * longest && limit_ > 0;
+  is_possible_ = length(n) > 1e-6 * longest && limit_ > 0;
 }
 
 bool SheetProof::is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const {

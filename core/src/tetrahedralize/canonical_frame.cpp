@@ -7,18 +7,13 @@
 #include <numeric>
 #include <utility>
 
+#include "common/hash.hpp"
+
 namespace geomesh {
 
 namespace {
 
 using Hash = std::uint64_t;
-
-/// The finaliser of splitmix64 (Steele, Lea and Flood 2014).
-constexpr Hash mix(Hash h) {
-  h = (h ^ h >> 30) * 0xBF58476D1CE4E5B9ull;
-  h = (h ^ h >> 27) * 0x94D049BB133111EBull;
-  return h ^ h >> 31;
-}
 
 /// Kinds of items are told apart by a factor each.
 constexpr Hash facet_factor = 0x9E3779B97F4A7C15ull, segment_factor = 0xD1B54A32D192ED03ull,
@@ -46,7 +41,7 @@ class FrameChoice {
   /// Hash of the distance from the low or the high end of an axis' box, +0 where on it.
   Hash hash_from_end(const Vec3& p, std::size_t axis, bool from_high) const {
     const double distance = from_high ? box_.max[axis] - p[axis] : p[axis] - box_.min[axis];
-    return mix(std::bit_cast<Hash>(distance * scale_ + 0.0));
+    return mixed(std::bit_cast<Hash>(distance * scale_ + 0.0));
   }
   void sign_ends() {
     for (const VertexIndex v : used_)
@@ -89,7 +84,7 @@ class FrameChoice {
 
   Hash hash_of_point(const AxisFrame& f, VertexIndex v) const {
     Hash h = 0;
-    for (std::size_t i = 0; i < 3; ++i) h = mix(h ^ hash_from_end(plc_.points[v], f.axis[i], f.direction[i] < 0)) + i;
+    for (std::size_t i = 0; i < 3; ++i) h = mixed(h ^ hash_from_end(plc_.points[v], f.axis[i], f.direction[i] < 0)) + i;
     return h;
   }
   Hash signature_of_points(const AxisFrame& f) const {
@@ -101,7 +96,7 @@ class FrameChoice {
   Hash signature_of_items(const AxisFrame& f) const {
     std::vector<Hash> of_point(plc_.points.size());
     for (const VertexIndex v : used_) of_point[v] = hash_of_point(f, v);
-    const auto of_edge = [&](VertexIndex a, VertexIndex b) { return mix(of_point[a] + of_point[b]); };
+    const auto of_edge = [&](VertexIndex a, VertexIndex b) { return mixed(of_point[a] + of_point[b]); };
     Hash sum = 0;
     std::vector<Hash> of_facet(plc_.n_facets());
     for (Index facet = 0; facet < plc_.n_facets(); ++facet) {
@@ -109,13 +104,13 @@ class FrameChoice {
         const auto loop = plc_.loop(l);
         for (std::size_t i = 0; i < loop.size(); ++i) of_facet[facet] += of_edge(loop[i], loop[(i + 1) % loop.size()]);
       }
-      sum += mix(of_facet[facet] * facet_factor);
+      sum += mixed(of_facet[facet] * facet_factor);
     }
     for (const auto& s : plc_.facet_segments)
-      sum += mix((of_facet[s.facet] + of_edge(s.a, s.b)) * inner_segment_factor);
-    for (const auto& p : plc_.facet_points) sum += mix((of_facet[p.facet] + of_point[p.v]) * inner_point_factor);
-    for (const auto& s : plc_.segments) sum += mix(of_edge(s.a, s.b) * segment_factor);
-    for (const VertexIndex v : plc_.isolated_points) sum += mix(of_point[v] * isolated_factor);
+      sum += mixed((of_facet[s.facet] + of_edge(s.a, s.b)) * inner_segment_factor);
+    for (const auto& p : plc_.facet_points) sum += mixed((of_facet[p.facet] + of_point[p.v]) * inner_point_factor);
+    for (const auto& s : plc_.segments) sum += mixed(of_edge(s.a, s.b) * segment_factor);
+    for (const VertexIndex v : plc_.isolated_points) sum += mixed(of_point[v] * isolated_factor);
     return sum;
   }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "classify/classify.hpp"
+#include "common/sort_unique.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "recover/conforming/conforming.hpp"
 #include "recover/model/declare.hpp"
@@ -178,8 +179,7 @@ void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh) {
         Sign::positive)
       list.push_back(face.facet);
   }
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  sort_unique(list);
 }
 
 ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearComplex& plc,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "common/epoch_marks.hpp"
 #include "quality/measure/shape.hpp"
 #include "refine_bench.hpp"
 #include "remesh/driver/judge_cells.hpp"
@@ -49,7 +50,7 @@ TEST_CASE(
   const Bench bench(box_with_well(4));
   const ConstrainedTetrahedralization whole = export_domain(bench.mesh, bench.model.plc, bench.model.mesh);
   const CellIndex given = 3;
-  CellMarks marks;
+  EpochMarks marks;
   const auto one = export_about(bench.mesh, std::span(&given, 1), 1, bench.model.mesh, marks);
   std::vector<CellIndex> star, about;
   for (const VertexIndex v : bench.mesh.vertices(given)) {

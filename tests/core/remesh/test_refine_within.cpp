@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "common/epoch_marks.hpp"
 #include "quality/measure/shape.hpp"
 #include "refine_models.hpp"
 #include "remesh/domain/domain_io.hpp"
@@ -124,7 +125,7 @@ class SurfaceVertex {
         guard_(mesh_, mesh_, model.plc, Honour::tolerance, tolerance),
         place_(mesh_.point(vertex_of_kind(mesh_, VertexKind::surface))),
         turned_(turned) {
-    CellMarks marks;
+    EpochMarks marks;
     gather_star(mesh_, vertex_of_kind(mesh_, VertexKind::surface), marks, star_);
     REQUIRE(star_.spokes.size() > 3);
   }

@@ -48,7 +48,7 @@ TEST_CASE("Edges and facets are sampled at the asked distance, facets in their p
     const auto loop = plc.outer_loop(f);
     std::vector<VertexIndex> all(loop.begin(), loop.end());
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const double l = remesh::distance(plc.points[loop[i]], plc.points[loop[(i + 1) % loop.size()]]);
+      const double l = distance(plc.points[loop[i]], plc.points[loop[(i + 1) % loop.size()]]);
       CHECK(l > 0.65 * asked);
       CHECK(l < 1.5 * asked);
     }
@@ -59,7 +59,7 @@ TEST_CASE("Edges and facets are sampled at the asked distance, facets in their p
         if (std::all_of(first.begin(), first.end(), [&](VertexIndex w) { return model.plc.points[w][axis] == c; }))
           CHECK(plc.points[v][axis] == c);
       }
-      for (const VertexIndex w : all) CHECK(remesh::distance(plc.points[v], plc.points[w]) > 0.7499 * asked);
+      for (const VertexIndex w : all) CHECK(distance(plc.points[v], plc.points[w]) > 0.7499 * asked);
       all.push_back(v);
       ++n_inside;
     }

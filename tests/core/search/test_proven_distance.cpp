@@ -18,7 +18,7 @@ namespace {
 
 double distance_to(const Vec3& p, const std::vector<Corners>& set) {
   double d = std::numeric_limits<double>::infinity();
-  for (const Corners& t : set) d = std::min(d, remesh::distance(p, search::closest_on_triangle(p, t[0], t[1], t[2])));
+  for (const Corners& t : set) d = std::min(d, distance(p, search::closest_on_triangle(p, t[0], t[1], t[2])));
   return d;
 }
 

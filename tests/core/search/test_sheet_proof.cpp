@@ -51,7 +51,7 @@ struct Grid {
         const Vec3 p = (1 - u - v) * t[0] + u * t[1] + v * t[2];
         double nearest = 1e9;
         for (const auto& item : items)
-          nearest = std::min(nearest, remesh::distance(p, PreparedTriangle(item.corners).closest_to(p)));
+          nearest = std::min(nearest, distance(p, PreparedTriangle(item.corners).closest_to(p)));
         largest = std::max(largest, nearest);
       }
     return largest;

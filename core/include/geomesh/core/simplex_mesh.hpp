@@ -73,7 +73,6 @@ class SimplexMesh {
 
  public:
   static constexpr int dimension = Dim;
-  static constexpr int n_cell_vertices = Dim + 1;
   using CellVertices = std::array<VertexIndex, Dim + 1>;
   using CellNeighbors = std::array<FaceRef, Dim + 1>;
   struct Cell {

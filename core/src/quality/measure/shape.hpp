@@ -12,13 +12,10 @@
 #include <array>
 #include <cmath>
 
+#include "common/geometry.hpp"
 #include "geomesh/core/geometry.hpp"
 
 namespace geomesh::remesh {
-
-inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-inline double squared_distance(const Vec3& a, const Vec3& b) { return dot(a - b, a - b); }
-inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
 /// sin(24.85 degrees) / sin(145 degrees).
 inline constexpr double obtuse_weight = 0.73265;
@@ -31,7 +28,7 @@ inline constexpr double largest_shape = 0.94281;
 inline constexpr double sliver_shape = 0.2079, sliver_weight = 3;
 
 /// Value of the measure for an acute angle given in degrees.
-inline double shape_of_angle(double degrees) { return std::sin(degrees * 3.14159265358979323846 / 180); }
+inline double shape_of_angle(double degrees) { return std::sin(degrees * pi / 180); }
 
 /// The six weighted sines of a tetrahedron (a, b, c, p), with what their gradients with respect to p need.
 struct ShapeTerms {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "quality/measure/shape.hpp"
@@ -10,14 +11,12 @@ namespace geomesh {
 
 namespace {
 
-const double degrees = 180 / std::acos(-1.0);
-
 /// Solid angle at the apex of three edge vectors (Van Oosterom and Strackee 1983), as spherical excess in degrees.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double la = remesh::length(a), lb = remesh::length(b), lc = remesh::length(c);
+  const double la = length(a), lb = length(b), lc = length(c);
   const double numerator = std::abs(dot(a, cross(b, c)));
   const double denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
-  return 2 * std::atan2(numerator, denominator) * degrees;
+  return 2 * std::atan2(numerator, denominator) * degrees_per_radian;
 }
 
 }  // namespace
@@ -32,8 +31,8 @@ TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, 
   for (unsigned i = 0; i < 4; ++i) {
     const auto& f = face_vertices[i];
     n[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
-    area += remesh::length(n[i]) / 2;
-    largest = std::max(largest, remesh::length(n[i]) / 2);
+    area += length(n[i]) / 2;
+    largest = std::max(largest, length(n[i]) / 2);
   }
   double squares = 0;
   s.shortest_edge = std::numeric_limits<double>::infinity();
@@ -41,13 +40,13 @@ TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, 
   for (unsigned e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertices[e];
     const auto [k, l] = edge_vertices[5 - e];  // the faces at edge i-j are opposite the other two vertices
-    const double length = remesh::distance(p[i], p[j]);
+    const double length = distance(p[i], p[j]);
     s.shortest_edge = std::min(s.shortest_edge, length);
     s.longest_edge = std::max(s.longest_edge, length);
     squares += length * length;
     // The angle from its sine and cosine, both scaled by the lengths of the normals: accurate for flat and for sharp
     // ones.
-    s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees;
+    s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees_per_radian;
     if (!(det > 0)) s.dihedral[e] = dot(n[k], n[l]) > 0 ? 180 : 0;
     s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);
     s.max_dihedral = std::max(s.max_dihedral, s.dihedral[e]);
@@ -59,7 +58,7 @@ TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, 
   }
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double circumradius =
-      remesh::length(dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v)) / (2 * det);
+      length(dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v)) / (2 * det);
   s.radius_ratio = 3 * (3 * s.volume / area) / circumradius;
   s.aspect = (3 * s.volume / largest) / (s.longest_edge * std::sqrt(2.0 / 3.0));
   s.mean_ratio = 12 * std::cbrt(9 * s.volume * s.volume) / squares;

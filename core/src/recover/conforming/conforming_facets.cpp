@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "common/geometry.hpp"
 #include "plc/planar_triangulation.hpp"
 #include "recover/conforming/conforming.hpp"
 #include "recover/model/facet_trace.hpp"
@@ -21,7 +22,7 @@ class Draft {
   Draft(const ConstrainedMesh& mesh, const Triangle& plane, const FacetPiece& piece) : piece_(piece) {
     const Vec3 o = mesh.point(plane[0]), u = mesh.point(plane[1]) - o;
     const Vec3 n = cross(u, mesh.point(plane[2]) - o), w = cross(n, u);
-    const double lu = std::sqrt(dot(u, u)), lw = std::sqrt(dot(w, w));
+    const double lu = length(u), lw = length(w);
     members_ = piece.members;
     std::sort(members_.begin(), members_.end());
     for (VertexIndex v : members_) points_.push_back({dot(mesh.point(v) - o, u) / lu, dot(mesh.point(v) - o, w) / lw});

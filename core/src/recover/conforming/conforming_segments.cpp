@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "recover/conforming/conforming.hpp"
 #include "recover/model/crossing.hpp"
 #include "recover/model/presence.hpp"
@@ -20,8 +22,6 @@ bool is_sharp(const Vec3& a, const Vec3& b, double cosine) {
   constexpr double rounding = 1e-9;
   return dot(a, b) > (cosine + rounding) * std::sqrt(dot(a, a) * dot(b, b));
 }
-
-double distance(const Vec3& a, const Vec3& b) { return std::sqrt(dot(b - a, b - a)); }
 
 }  // namespace
 
@@ -54,8 +54,7 @@ bool ConformingRecovery::run() {
     if (constraints_.subfacets[f].live && !facet_is_given_up_[f]) queue_facet(f);
   recover_queued_facets();
   for (const Index f : missing_facets_) give_up_facet(f);
-  std::sort(given_up_.begin(), given_up_.end());
-  given_up_.erase(std::unique(given_up_.begin(), given_up_.end()), given_up_.end());
+  sort_unique(given_up_);
   return is_within_budget();
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sort_unique.hpp"
 #include "recover/model/facet_trace.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
@@ -76,8 +77,7 @@ class FacetRecovery {
     for (const PiercingEdge& e : trace.piercing)
       if (mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring))
         cells.insert(cells.end(), ring.cells.begin(), ring.cells.end());
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    sort_unique(cells);
     return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 

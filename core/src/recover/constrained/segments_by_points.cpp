@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "recover/model/crossing.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
@@ -109,8 +111,7 @@ std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const Li
         out.insert(out.end(), ring.cells.begin(), ring.cells.end());
     }
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 
@@ -139,8 +140,8 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   std::sort(order.begin(), order.end());
   VertexIndex x = no_vertex;
   for (const auto& [negative_clearance, i] : order)
-    if (try_point(recovery, places[i],
-                  cells_near_crossing(mesh, line, parameters, i, places[i], std::sqrt(dot(pb - pa, pb - pa))), x) ||
+    if (try_point(recovery, places[i], cells_near_crossing(mesh, line, parameters, i, places[i], distance(pb, pa)),
+                  x) ||
         try_point(recovery, places[i], crossed_cells(mesh, line.crossings[i]), x))
       return x;
   for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
@@ -212,13 +213,6 @@ bool is_missing(Recovery& recovery, Index subsegment) {
 }
 
 }  // namespace
-
-std::size_t count_missing_subsegments(Recovery& recovery) {
-  std::size_t n = 0;
-  for (Index s = 0; s < recovery.constraints.subsegments.size(); ++s)
-    if (is_missing(recovery, s)) ++n;
-  return n;
-}
 
 void recover_segments(Recovery& recovery) {
   Constraints& constraints = recovery.constraints;

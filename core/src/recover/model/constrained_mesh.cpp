@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "common/sort_unique.hpp"
+
 namespace geomesh::recover {
 
 ConstrainedMesh::ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input)
@@ -33,28 +35,16 @@ void ConstrainedMesh::lock(FaceRef f) {
   mesh_.flags(g.cell()) |= static_cast<std::uint8_t>(1u << g.face());
 }
 
-void ConstrainedMesh::unlock(FaceRef f) {
-  mesh_.flags(f.cell()) &= static_cast<std::uint8_t>(~(1u << f.face()));
-  const FaceRef g = mesh_.mirror(f);
-  mesh_.flags(g.cell()) &= static_cast<std::uint8_t>(~(1u << g.face()));
-}
-
 void ConstrainedMesh::star(VertexIndex v, std::vector<CellIndex>& out) {
-  if (visited_.size() < mesh_.n_slots()) visited_.resize(mesh_.n_slots() + mesh_.n_slots() / 2, 0);
-  if (++epoch_ == 0) {
-    std::fill(visited_.begin(), visited_.end(), 0);
-    epoch_ = 1;
-  }
+  visited_.begin(mesh_.n_slots());
   out.assign(1, cell_of_[v]);
-  visited_[cell_of_[v]] = epoch_;
+  visited_.mark(cell_of_[v]);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const CellIndex c = out[i];
     for (unsigned f = 0; f < 4; ++f) {
       if (mesh_.vertex(c, f) == v) continue;
       const CellIndex n = mesh_.neighbor_cell(c, f);
-      if (visited_[n] == epoch_) continue;
-      visited_[n] = epoch_;
-      out.push_back(n);
+      if (visited_.mark_first(n)) out.push_back(n);
     }
   }
 }
@@ -66,19 +56,18 @@ std::vector<VertexIndex> ConstrainedMesh::neighbors(VertexIndex v) {
   for (CellIndex c : cells)
     for (VertexIndex w : mesh_.vertices(c))
       if (w != v && w != infinite_vertex) out.push_back(w);
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 
-unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b, WalkDice& dice) const {
+unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const {
   const unsigned i = mesh_.index_of(c, a);
   const auto& v = mesh_.vertices(c);
   unsigned exit = 4, outside = 0;
   for (unsigned k = 0; k < 3; ++k) {
     const unsigned r = face_vertices[i][k], p = face_vertices[i][(k + 1) % 3], q = face_vertices[i][(k + 2) % 3];
     if (orient(a, v[p], v[q], b) != Sign::positive) continue;
-    if (++outside == 1 || dice(outside) == 0) exit = r;
+    if (++outside == 1 || random.below(outside) == 0) exit = r;
   }
   return exit;
 }
@@ -87,11 +76,11 @@ CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
   // A walk in the star of a towards b; a star is small, so a walk that has not arrived soon gives way to a search of
   // it.
   CellIndex c = cell_of_[a];
-  WalkDice dice(a, b);
+  Random random = walk_choices(a, b);
   for (unsigned step = 0; step < 24; ++step) {
     if (mesh_.has_vertex(c, b)) return c;
     if (mesh_.is_ghost(c)) break;
-    const unsigned exit = exit_towards(c, a, b, dice);
+    const unsigned exit = exit_towards(c, a, b, random);
     if (exit == 4) return no_cell;
     c = mesh_.neighbor_cell(c, exit);
   }

@@ -14,14 +14,15 @@
 #include <span>
 #include <vector>
 
+#include "common/epoch_marks.hpp"
 #include "common/flat_map.hpp"
+#include "common/random.hpp"
 #include "geomesh/core/geometry.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 
 namespace geomesh::recover {
 
-inline constexpr std::uint8_t locked_faces_mask = 0x0F;
 inline constexpr std::uint8_t cavity_flag = 0x80;  ///< set while a replacement runs
 inline constexpr std::uint8_t tested_flag = 0x40;  ///< set while a cavity is searched: found to lie outside it
 
@@ -38,19 +39,9 @@ inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1
                                                           {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
                                                           {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
 
-/// Deterministic choices of a walk's direction. They depend on where it starts and ends alone, not on walks before it,
-/// so that looking something up changes nothing.
-class WalkDice {
- public:
-  WalkDice(VertexIndex a, VertexIndex b) : state_(a * 0x9E3779B9u + b) {}
-  unsigned operator()(unsigned n) {
-    state_ = state_ * 1664525u + 1013904223u;
-    return (state_ >> 16) % n;
-  }
-
- private:
-  std::uint32_t state_;
-};
+/// Choices of a walk's direction. They depend on where it starts and ends alone, not on walks before it, so that
+/// looking something up changes nothing.
+inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
 class ConstrainedMesh {
  public:
@@ -85,7 +76,6 @@ class ConstrainedMesh {
 
   bool is_locked(FaceRef f) const { return (mesh_.flags(f.cell()) >> f.face()) & 1u; }
   void lock(FaceRef f);
-  void unlock(FaceRef f);
 
   /// All cells with v (ghosts too). The order depends on the mesh alone.
   void star(VertexIndex v, std::vector<CellIndex>& out);
@@ -109,8 +99,8 @@ class ConstrainedMesh {
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
   /// For a walk in the star of a towards b: a face of cell c, which has a, beyond whose plane b lies; of several one by
-  /// `dice`. 4 where c's cone about a has b.
-  unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, WalkDice& dice) const;
+  /// `random`. 4 where c's cone about a has b.
+  unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const;
 
   /// A finite cell that has p inside or on its boundary, walking from `start` (of a ghost: from beside it); no_cell
   /// where p is outside the box. Exact.
@@ -145,10 +135,7 @@ class ConstrainedMesh {
   void keep();
 
   /// Deterministic source of choices.
-  unsigned random(unsigned n) {
-    seed_ = seed_ * 1664525u + 1013904223u;
-    return (seed_ >> 16) % n;
-  }
+  unsigned random(unsigned n) { return random_.below(n); }
 
  private:
   struct CreatedCell {
@@ -184,9 +171,8 @@ class ConstrainedMesh {
   std::vector<WaitingFace> waiting_;  ///< open addressing, a power of two
   std::size_t waiting_mask_ = 0, n_waiting_ = 0;
   std::vector<Triangle> inner_locks_;  ///< locked faces between two of the old cells
-  std::vector<std::uint32_t> visited_;
-  std::uint32_t epoch_ = 0;
-  std::uint32_t seed_ = 1;
+  EpochMarks visited_;
+  Random random_;
 };
 
 template <class Test>

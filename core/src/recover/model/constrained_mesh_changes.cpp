@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <bit>
 
+#include "common/geometry.hpp"
+#include "common/hash.hpp"
 #include "recover/model/constrained_mesh.hpp"
 
 namespace geomesh::recover {
 
 namespace {
 
-Triangle sorted(VertexIndex a, VertexIndex b, VertexIndex c) {
-  if (a > b) std::swap(a, b);
-  if (b > c) std::swap(b, c);
-  if (a > b) std::swap(a, b);
-  return {a, b, c};
-}
-
 Triangle sorted_face(const TetMesh& mesh, FaceRef f) {
   const auto& local = face_vertices[f.face()];
   const auto& v = mesh.vertices(f.cell());
-  return sorted(v[local[0]], v[local[1]], v[local[2]]);
+  return sorted({v[local[0]], v[local[1]], v[local[2]]});
 }
 
 }  // namespace
@@ -66,10 +61,7 @@ void ConstrainedMesh::await_faces(std::size_t n_faces) {
 /// nothing.
 void ConstrainedMesh::link_or_wait(FaceRef f) {
   const Triangle key = sorted_face(mesh_, f);
-  std::uint64_t hash =
-      (key[0] * 0x9E3779B97F4A7C15ull) ^ (key[1] * 0xD6E8FEB86659FD93ull) ^ (key[2] * 0xC2B2AE3D27D4EB4Full);
-  hash ^= hash >> 32;
-  for (std::size_t i = hash & waiting_mask_;; i = (i + 1) & waiting_mask_) {
+  for (std::size_t i = hash_of(key) & waiting_mask_;; i = (i + 1) & waiting_mask_) {
     WaitingFace& slot = waiting_[i];
     if (!slot.face.valid()) {
       slot = {key, f, false};

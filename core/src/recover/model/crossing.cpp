@@ -31,14 +31,14 @@ Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b) {
   Crossing out;
   const TetMesh& cells = mesh.cells();
   CellIndex c = mesh.cell_of(a);
-  WalkDice dice(a, b);
+  Random random = walk_choices(a, b);
   for (unsigned step = 0; step < 24 && !cells.is_ghost(c); ++step) {
     if (cells.has_vertex(c, b)) {
       out.cell = c;
       return out;
     }
     if (crossing_in_cell(mesh, c, a, b, out)) return out;
-    const unsigned exit = mesh.exit_towards(c, a, b, dice);
+    const unsigned exit = mesh.exit_towards(c, a, b, random);
     if (exit == 4) break;
     c = cells.neighbor_cell(c, exit);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/sort_unique.hpp"
 #include "plc/facet_triangulation.hpp"
 
 namespace geomesh::recover {
@@ -122,8 +123,7 @@ class Declarer {
     for (const auto& s : polygon.segments)
       for (VertexIndex v : s) piece.members.push_back(local_[v]);
     for (VertexIndex v : polygon.inner_points) piece.members.push_back(local_[v]);
-    std::sort(piece.members.begin(), piece.members.end());
-    piece.members.erase(std::unique(piece.members.begin(), piece.members.end()), piece.members.end());
+    sort_unique(piece.members);
     const Triangle& t = draft.triangles.front();
     out_.constraints.add_piece({local_[t[0]], local_[t[1]], local_[t[2]]}, std::move(piece), f);
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "common/sort_unique.hpp"
+
 namespace geomesh::recover {
 
 namespace {
@@ -54,8 +56,7 @@ class ExcerptBuilder {
         out_.tetrahedra.push_back({number(t[0]), number(t[1]), number(t[2]), number(t[3])});
       }
     }
-    std::sort(reached.begin(), reached.end());
-    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    sort_unique(reached);
     return reached;
   }
 

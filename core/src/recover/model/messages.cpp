@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/sort_unique.hpp"
 #include "recover/model/excerpt.hpp"
 
 namespace geomesh::recover {
@@ -51,8 +52,7 @@ ErrorContext context_of(const Recovery& recovery, std::vector<Index> facets,
 
 std::vector<Index> join(std::vector<Index> a, const std::vector<Index>& b) {
   a.insert(a.end(), b.begin(), b.end());
-  std::sort(a.begin(), a.end());
-  a.erase(std::unique(a.begin(), a.end()), a.end());
+  sort_unique(a);
   return a;
 }
 

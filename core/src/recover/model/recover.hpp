@@ -66,8 +66,7 @@ void require_untouched_boundary(const Recovery& recovery);
 /// too. False: nothing has changed.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions = false);
 
-/// Counts declared simplices that are not in the mesh.
-std::size_t count_missing_subsegments(Recovery& recovery);
+/// Counts declared subfacets that are not in the mesh.
 std::size_t count_missing_subfacets(Recovery& recovery);
 
 /// The cells as they are at the end satisfy every invariant of ConstrainedMesh and hold every constraint; throws

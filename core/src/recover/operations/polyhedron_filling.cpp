@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "common/sort_unique.hpp"
 #include "recover/operations/side_masks.hpp"
 
 namespace geomesh::recover {
@@ -50,8 +51,7 @@ class Filler {
   static std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary) {
     std::vector<VertexIndex> out;
     for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
+    sort_unique(out);
     return out;
   }
 

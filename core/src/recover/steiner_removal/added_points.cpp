@@ -5,6 +5,7 @@
 /// can be done now.
 #include <algorithm>
 
+#include "common/sort_unique.hpp"
 #include "recover/model/excerpt.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/operations/edge_removal.hpp"
@@ -25,8 +26,7 @@ std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
       if (u != x && w != x && !recovery.constraints.is_subsegment(u, w))
         out.push_back({std::min(u, w), std::max(u, w)});
     }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 

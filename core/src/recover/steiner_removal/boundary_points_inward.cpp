@@ -12,6 +12,8 @@
 #include <cmath>
 #include <map>
 
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "recover/model/recover.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/steiner_removal/region_filling.hpp"
@@ -112,15 +114,13 @@ class PointRemoval {
         if (mesh_.cells().has_vertex(c, b)) with_b.push_back(v);
       }
     for (std::vector<VertexIndex>* v : {&with_a, &with_b}) {
-      std::sort(v->begin(), v->end());
-      v->erase(std::unique(v->begin(), v->end()), v->end());
+      sort_unique(*v);
     }
     std::set_intersection(with_a.begin(), with_a.end(), with_b.begin(), with_b.end(), std::back_inserter(out));
     const Vec3 inward = s.inward, along = mesh_.point(b) - mesh_.point(a), o = mesh_.point(x_);
     const auto evenness = [&](VertexIndex v) {
       const Vec3 d = mesh_.point(v) - o, across = d - dot(d, along) / dot(along, along) * along;
-      return s.wraps_round() ? -dot(away_from_fans(s), across) / std::sqrt(dot(across, across))
-                             : -dot(inward, across) / std::sqrt(dot(across, across));
+      return s.wraps_round() ? -dot(away_from_fans(s), across) / length(across) : -dot(inward, across) / length(across);
     };
     std::stable_sort(out.begin(), out.end(), [&](VertexIndex v, VertexIndex w) { return evenness(v) < evenness(w); });
     if (out.size() > 6) out.resize(6);
@@ -161,10 +161,10 @@ class PointRemoval {
       for (std::size_t i = 0; i < s.cells.size(); ++i) extend(s, s.cells[i], left, rims);
       for (const auto& [fan, side] : s.fans) {
         const Vec3 n = fan_normal(mesh_, x_, around_.fans[fan]);
-        const double length = std::sqrt(dot(n, n));
+        const double size = length(n);
         if (around_.fans[fan].is_thin() || side == 3u) continue;
-        if (side == 1u) s.inward = s.inward + (1 / length) * n;
-        if (side == 2u) s.inward = s.inward - (1 / length) * n;
+        if (side == 1u) s.inward = s.inward + (1 / size) * n;
+        if (side == 2u) s.inward = s.inward - (1 / size) * n;
       }
       out.push_back(std::move(s));
     }
@@ -237,15 +237,13 @@ class PointRemoval {
     s.filling = std::move(filling);
     s.cells = cells;
     grown_.insert(grown_.end(), s.cells.begin(), s.cells.end());
-    std::sort(grown_.begin(), grown_.end());
-    grown_.erase(std::unique(grown_.begin(), grown_.end()), grown_.end());
+    sort_unique(grown_);
     return true;
   }
   static std::vector<VertexIndex> vertices_of(const std::vector<Triangle>& boundary) {
     std::vector<VertexIndex> out;
     for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
+    sort_unique(out);
     return out;
   }
   /// A well has no facet that would bring its segment along.
@@ -257,7 +255,7 @@ class PointRemoval {
   }
   bool fill_about_moved_point(Sector& s) {
     if (s.inward == Vec3{} || around_.fans.empty()) return false;
-    const Vec3 direction = (1 / std::sqrt(dot(s.inward, s.inward))) * s.inward;
+    const Vec3 direction = (1 / length(s.inward)) * s.inward;
     const Vec3 origin = mesh_.point(x_);
     const Cavity cavity = cavity_of(s);
     double reach = 0;

@@ -3,8 +3,9 @@
 /// no point moved off the segment sees both ends. Points beside it become the apexes of sheets that part the region.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
@@ -22,8 +23,7 @@ Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexI
     for (VertexIndex v : recovery.constraints.subfacets[f].vertices) towards.insert(towards.begin(), v);
   for (VertexIndex v : towards) {
     const Vec3 d = mesh.point(v) - o, across = d - dot(d, along) / dot(along, along) * along;
-    if (v != x && v != ends[0] && v != ends[1] && dot(across, across) > 0)
-      return (1 / std::sqrt(dot(across, across))) * across;
+    if (v != x && v != ends[0] && v != ends[1] && dot(across, across) > 0) return (1 / length(across)) * across;
   }
   return {};
 }
@@ -40,7 +40,7 @@ VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::arra
   const VertexIndex y = mesh.add_point(origin);
   recovery.constraints.vertices.resize(mesh.points().size(), {VertexOrigin::inside, no_index});
   for (double step = 0.25 * reach; step > 1e-12 * reach; step /= 4) {
-    mesh.move_point(y, origin + step / std::sqrt(dot(d, d)) * d);
+    mesh.move_point(y, origin + step / length(d) * d);
     std::vector<CellIndex> seeds;
     for (VertexIndex e : ends) {
       if (!mesh.ring(mesh.find_edge(x, e), x, e, ring)) continue;
@@ -49,8 +49,7 @@ VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::arra
             mesh.orient(x, e, ring.ring[(i + 1) % ring.ring.size()], y) == Sign::negative)
           seeds.push_back(ring.cells[i]);
     }
-    std::sort(seeds.begin(), seeds.end());
-    seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+    sort_unique(seeds);
     Cavity cavity(recovery, seeds);
     const auto star = seeds.empty() ? std::nullopt : cavity.star_from(y, 60);
     if (!star || !cavity.is_valid()) continue;
@@ -69,11 +68,11 @@ bool take_off_with_sheets(Recovery& recovery, VertexIndex x) {
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() != 2) return false;
   const Vec3 along = mesh.point(ends[1]) - mesh.point(ends[0]), first = across_segment(recovery, x, ends, along);
-  const Vec3 second = (1 / std::sqrt(dot(along, along))) * cross(along, first);
+  const Vec3 second = (1 / length(along)) * cross(along, first);
   const std::size_t mark = mesh.mark(), n_points = mesh.points().size();
   bool taken = false;
   for (const double turn : {2.0, 4.0, 3.0, 1.0, 5.0}) {
-    const double angle = turn * std::numbers::pi / 3;
+    const double angle = turn * pi / 3;
     insert_sheet_apex(recovery, x, {ends[0], ends[1]}, std::cos(angle) * first + std::sin(angle) * second);
     if ((taken = turn != 2.0 && take_point_off_boundary(recovery, x))) break;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "common/sort_unique.hpp"
 #include "geomesh/core/refine_conforming.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/conforming/conforming_refiner.hpp"
@@ -58,7 +59,7 @@ double share_within_size(const ConstrainedTetrahedralization& mesh, const SizeFi
               edges.end());
   const auto n = std::count_if(edges.begin(), edges.end(), [&](const auto& e) {
     const Vec3 &a = mesh.points[e.first[0]], &b = mesh.points[e.first[1]];
-    const double ratio = remesh::distance(a, b) / size.at(0.5 * (a + b), e.second);
+    const double ratio = distance(a, b) / size.at(0.5 * (a + b), e.second);
     return ratio >= 0.5 && ratio <= 2;
   });
   return edges.empty() ? 1 : static_cast<double>(n) / static_cast<double>(edges.size());
@@ -127,8 +128,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
     is_too_large = within_budget && !refiner.refine();
     counts = refiner.counts();
     given_up = refiner.facets_given_up();
-    std::sort(given_up.begin(), given_up.end());
-    given_up.erase(std::unique(given_up.begin(), given_up.end()), given_up.end());
+    sort_unique(given_up);
     return within_budget;
   };
   TetrahedralizeOptions conforming = meshing;

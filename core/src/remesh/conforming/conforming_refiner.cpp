@@ -64,8 +64,8 @@ Index ConformingRefiner::facet_of(CellIndex c, unsigned face) const {
 
 void ConformingRefiner::flood(CellIndex start, Index label) {
   if (label_[start] != unlabelled) return;
-  recover::flood_cells(mesh_.cells(), start, label_, unlabelled, label,
-                       [&](FaceRef f) { return facet_of(f.cell(), f.face()) == no_index; });
+  flood_cells(mesh_.cells(), start, label_, unlabelled, label,
+              [&](FaceRef f) { return facet_of(f.cell(), f.face()) == no_index; });
 }
 
 /// Each cell's component, from the sides of the facets whose components are known; cells outside and in holes have

@@ -4,6 +4,9 @@
 #include <map>
 #include <numeric>
 
+#include "common/epoch_marks.hpp"
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/domain/face_directions.hpp"
@@ -24,7 +27,7 @@ class Importer {
         input_(input),
         exact_(options.honour == Honour::exact),
         narrow_(narrow_share * options.tolerance),
-        cos_sharp_(std::cos(options.sharp_angle * std::acos(-1.0) / 180)) {
+        cos_sharp_(std::cos(options.sharp_angle * pi / 180)) {
     domain_.set_facet_patches(std::move(patches));
     std::map<Index, Index> first;
     for (Index s = 0; s < plc.segments.size(); ++s) {
@@ -111,8 +114,7 @@ class Importer {
 
   std::vector<Index> first_of_their_curves(std::vector<Index> rows) const {
     for (Index& s : rows) s = first_of_curve_[s];
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    sort_unique(rows);
     return rows;
   }
 
@@ -168,7 +170,7 @@ class Importer {
       }
     }
     std::sort(outer_edges.begin(), outer_edges.end());
-    CellMarks marks;
+    EpochMarks marks;
     std::vector<CellIndex> star;
     std::vector<bool> is_counted(domain_.n_vertices(), false);
     for (std::size_t i = 0, j; i < outer_edges.size(); i = j) {

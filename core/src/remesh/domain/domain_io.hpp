@@ -3,6 +3,7 @@
 /// From a ConstrainedTetrahedralization to the mesh that operations work on, and back.
 #pragma once
 
+#include "common/epoch_marks.hpp"
 #include "geomesh/core/refine.hpp"
 #include "remesh/domain/domain_mesh.hpp"
 #include "remesh/domain/merge_pieces.hpp"
@@ -38,6 +39,6 @@ VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedrali
 /// with points, faces and edges of them alone, and faces without the cells beside them. O(k log k) in what it has;
 /// `marks` are scratch, kept from call to call.
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
-                                           const ConstrainedTetrahedralization& before, CellMarks& marks);
+                                           const ConstrainedTetrahedralization& before, EpochMarks& marks);
 
 }  // namespace geomesh::remesh

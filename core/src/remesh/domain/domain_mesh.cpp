@@ -5,6 +5,8 @@
 #include <atomic>
 #include <string>
 
+#include "common/epoch_marks.hpp"
+#include "common/hash.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "quality/measure/shape.hpp"
 
@@ -140,7 +142,7 @@ void DomainMesh::pair_few_faces(std::span<const FaceRecord> records) {
   if (slots_.size() < size) slots_.resize(size);
   used_slots_.clear();
   for (const FaceRecord& record : records) {
-    std::size_t at = (record.key.low_and_middle * 0x9E3779B97F4A7C15u + record.key.high * 0xC2B2AE3D27D4EB4Fu) >> 32;
+    std::size_t at = hash_of(std::array{record.key.low_and_middle, std::uint64_t{record.key.high}}) >> 32;
     for (at &= size - 1; !slots_[at].is_empty() && !(slots_[at].key() == record.key);) at = (at + 1) & (size - 1);
     if (slots_[at].is_empty()) used_slots_.push_back(at);
     slots_[at].take(record);
@@ -174,7 +176,7 @@ void DomainMesh::remove_vertex(VertexIndex v) {
   incident_[v] = no_cell;
 }
 
-void DomainMesh::star(VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells) const {
+void DomainMesh::star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells) const {
   cells.clear();
   marks.begin(mesh_.n_slots());
   cells.push_back(incident_[v]);

@@ -18,7 +18,8 @@
 
 #include <span>
 
-#include "remesh/domain/curve_edges.hpp"
+#include "common/epoch_marks.hpp"
+#include "common/flat_map.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
 
@@ -77,7 +78,7 @@ class DomainMesh {
   std::vector<VertexIndex> vertices_by_cells() const;
 
   /// Cells about v, in an order that depends on the mesh alone.
-  void star(VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells) const;
+  void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells) const;
 
   // Patches and curves.
   Index patch_of_facet(Index facet) const { return facet == hull_facet ? hull_patch : facet_patch_[facet]; }
@@ -90,7 +91,7 @@ class DomainMesh {
   /// Class of the curve edge a-b, or no_index.
   Index curve_of(VertexIndex a, VertexIndex b) const {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
-    return possible ? curves_.find(a, b) : no_index;
+    return possible ? curves_.find({a, b}) : no_index;
   }
   /// @name Where the outside passes through
   /// Cells may meet at a vertex, or at an edge, that no way through faces about it joins, since the outside is between
@@ -105,14 +106,14 @@ class DomainMesh {
   /// @}
   void set_curve(VertexIndex a, VertexIndex b, Index curve_class) {
     note_curve(a, b);
-    curves_.set(a, b, curve_class);
+    curves_.insert({a, b}, curve_class);
   }
   void erase_curve(VertexIndex a, VertexIndex b) {
     note_curve(a, b);
-    curves_.erase(a, b);
+    curves_.erase({a, b});
   }
   /// Curve edges in ascending order of their vertices.
-  std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted(); }
+  std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted_keys(); }
 
   /// @name A trial: changes that can be undone
   /// One at a time, by one thread; link_cells, reserve and new patches or curve classes are no part of it.
@@ -198,7 +199,7 @@ class DomainMesh {
   }
   void note_replacement(std::span<const CellIndex> removed);
   void note_curve(VertexIndex a, VertexIndex b) {
-    if (journal_.is_open()) journal_.save(SavedCurve{a, b, curves_.find(a, b)});
+    if (journal_.is_open()) journal_.save(SavedCurve{a, b, curves_.find({a, b})});
   }
   void collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const;
   void settle(const FaceGroup& group);
@@ -222,7 +223,7 @@ class DomainMesh {
 
   std::vector<Index> facet_patch_;
   std::vector<CurveClass> curve_classes_;
-  CurveEdges curves_;
+  EdgeMap curves_;
 
   MeshJournal journal_;
 

@@ -46,9 +46,9 @@ void DomainMesh::undo_trial() {
   }
   for (auto curve = journal_.curves().rbegin(); curve != journal_.curves().rend(); ++curve)
     if (curve->curve == no_index)
-      curves_.erase(curve->a, curve->b);
+      curves_.erase({curve->a, curve->b});
     else
-      curves_.set(curve->a, curve->b, curve->curve);
+      curves_.insert({curve->a, curve->b}, curve->curve);
   clock_ = journal_.start().clock;
   journal_.close();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "common/epoch_marks.hpp"
+#include "common/sort_unique.hpp"
 #include "remesh/domain/domain_io.hpp"
 
 namespace geomesh::remesh {
@@ -9,7 +11,7 @@ namespace {
 
 class LocalExporter {
  public:
-  LocalExporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before, CellMarks& marks)
+  LocalExporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before, EpochMarks& marks)
       : domain_(domain), before_(before), marks_(marks) {}
 
   ConstrainedTetrahedralization run(std::span<const CellIndex> seeds, unsigned rings) {
@@ -43,8 +45,7 @@ class LocalExporter {
         domain_.star(v, marks_, star);
         found.insert(found.end(), star.begin(), star.end());
       }
-      std::sort(found.begin(), found.end());
-      found.erase(std::unique(found.begin(), found.end()), found.end());
+      sort_unique(found);
       for (const CellIndex c : found)
         if (!std::binary_search(sorted_.begin(), sorted_.end(), c)) cells_.push_back(c);
       sorted_ = cells_;
@@ -55,8 +56,7 @@ class LocalExporter {
   std::vector<VertexIndex> vertices_of_cells() const {
     std::vector<VertexIndex> all;
     for (const CellIndex c : cells_) all.insert(all.end(), domain_.vertices(c).begin(), domain_.vertices(c).end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_unique(all);
     return all;
   }
 
@@ -107,7 +107,7 @@ class LocalExporter {
 
   const DomainMesh& domain_;
   const ConstrainedTetrahedralization& before_;
-  CellMarks& marks_;
+  EpochMarks& marks_;
   ConstrainedTetrahedralization out_;
   std::vector<CellIndex> cells_, sorted_;
   std::vector<VertexIndex> vertices_;  // by row
@@ -116,7 +116,7 @@ class LocalExporter {
 }  // namespace
 
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
-                                           const ConstrainedTetrahedralization& before, CellMarks& marks) {
+                                           const ConstrainedTetrahedralization& before, EpochMarks& marks) {
   return LocalExporter(domain, before, marks).run(cells, rings);
 }
 

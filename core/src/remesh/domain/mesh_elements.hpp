@@ -59,20 +59,4 @@ struct NewCell {
   static constexpr double unknown_shape = -1;
 };
 
-/// Marks on cells (or vertices) by epoch, so that clearing costs nothing. One a thread.
-class CellMarks {
- public:
-  void begin(std::size_t n_slots) {
-    if (stamp_.size() < n_slots) stamp_.resize(n_slots + n_slots / 4, 0);
-    ++epoch_;
-  }
-  bool marked(CellIndex c) const { return c < stamp_.size() && stamp_[c] == epoch_; }
-  void mark(CellIndex c) { stamp_[c] = epoch_; }
-  void unmark(CellIndex c) { stamp_[c] = 0; }
-
- private:
-  std::vector<std::uint32_t> stamp_;
-  std::uint32_t epoch_ = 0;
-};
-
 }  // namespace geomesh::remesh

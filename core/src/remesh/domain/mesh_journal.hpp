@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/epoch_marks.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 
 namespace geomesh::remesh {
@@ -67,8 +68,8 @@ class MeshJournal {
   void close() { open_ = false; }
 
   /// Whether it was there at the start and is not saved yet; it counts as saved from now on.
-  bool is_new_vertex(VertexIndex v) { return v < start_.n_vertices && mark(vertex_marks_, v); }
-  bool is_new_cell(CellIndex c) { return c < start_.n_slots && mark(cell_marks_, c); }
+  bool is_new_vertex(VertexIndex v) { return v < start_.n_vertices && vertex_marks_.mark_first(v); }
+  bool is_new_cell(CellIndex c) { return c < start_.n_slots && cell_marks_.mark_first(c); }
 
   void save(const SavedVertex& v) { vertices_.push_back(v); }
   void save(const SavedCell& c) { cells_.push_back(c); }
@@ -87,12 +88,6 @@ class MeshJournal {
   const std::vector<SlotEvent>& slots() const { return slots_; }
 
  private:
-  static bool mark(CellMarks& marks, std::uint32_t i) {
-    if (marks.marked(i)) return false;
-    marks.mark(i);
-    return true;
-  }
-
   bool open_ = false;
   Start start_{};
   CellIndex n_slots_ = 0;
@@ -100,7 +95,7 @@ class MeshJournal {
   std::vector<SavedCell> cells_;
   std::vector<SavedCurve> curves_;
   std::vector<SlotEvent> slots_;
-  CellMarks vertex_marks_, cell_marks_;
+  EpochMarks vertex_marks_, cell_marks_;
 };
 
 }  // namespace geomesh::remesh

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "common/epoch_marks.hpp"
 #include "quality/causes.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/sizes/sizes.hpp"
@@ -46,7 +47,7 @@ class Judge {
   const ConstrainedTetrahedralization& input_;
   QualityOptions judging_;
   InputCreases creases_;
-  CellMarks marks_;  // scratch: of the size of the mesh
+  EpochMarks marks_;  // scratch: of the size of the mesh
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "common/epoch_marks.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -13,7 +14,7 @@ bool contains(const std::vector<VertexIndex>& list, VertexIndex v) {
 }
 
 /// Of the constrained faces at v the sides opposite to it, ends in ascending order.
-void surface_link(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, std::vector<CellIndex>& cells,
+void surface_link(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells,
                   std::vector<std::array<VertexIndex, 2>>& sides) {
   sides.clear();
   mesh.star(v, marks, cells);

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/epoch_marks.hpp"
+#include "common/sort_unique.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
@@ -153,15 +155,14 @@ class Insertion {
         faces.push_back(n);
       }
     }
-    std::sort(bases_.begin(), bases_.end());
-    bases_.erase(std::unique(bases_.begin(), bases_.end()), bases_.end());
+    sort_unique(bases_);
     return true;
   }
 
   /// A shape criterion in doubles decides which cells to take; validity is decided later and exactly.
   void grow(const std::vector<Sphere>* spheres) {
     auto& cells = tools_.work.cells;
-    CellMarks& marks = tools_.work.marks;
+    EpochMarks& marks = tools_.work.marks;
     cells = bases_;
     marks.begin(mesh_.n_slots());
     for (const CellIndex c : bases_) marks.mark(c);
@@ -203,7 +204,7 @@ class Insertion {
   /// Gives up cells whose border face p does not see, those whose faces are at the border by that, and in the end those
   /// cut off. False where a base does not see.
   bool shrink_until_visible() {
-    CellMarks& marks = tools_.work.marks;
+    EpochMarks& marks = tools_.work.marks;
     std::vector<CellIndex> given_up;
     const auto give_up = [&](CellIndex c) {
       marks.unmark(c);
@@ -233,7 +234,7 @@ class Insertion {
 
   void keep_connected() {
     auto& cells = tools_.work.cells;
-    CellMarks& marks = tools_.work.marks;
+    EpochMarks& marks = tools_.work.marks;
     std::vector<CellIndex> kept = bases_;
     for (const CellIndex c : bases_) marks.unmark(c);
     for (std::size_t k = 0; k < kept.size(); ++k)
@@ -306,7 +307,7 @@ class Insertion {
 
   /// No vertex, no constrained face and no curve edge may be swallowed. The marks are those of the cavity's cells.
   bool keeps_constraints() const {
-    CellMarks& on_border = tools_.work.vertex_marks;
+    EpochMarks& on_border = tools_.work.vertex_marks;
     on_border.begin(mesh_.n_vertices());
     for (const LinkFace& f : tools_.work.cavity.link)
       for (const VertexIndex v : f.vertices) on_border.mark(v);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sort_unique.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/change_stamps.hpp"
 #include "remesh/operations/surface_repair.hpp"
@@ -120,8 +121,7 @@ class InsideRefiner {
       next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
     }
     std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
+    sort_unique(next);
     large = std::move(next);
     return n;
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "common/epoch_marks.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
 #include "remesh/passes/passes.hpp"
@@ -27,7 +28,7 @@ bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsign
 }
 
 /// A cell with the edge, or no_cell.
-CellIndex cell_with_edge(const DomainMesh& mesh, CellMarks& marks, std::vector<CellIndex>& cells, VertexIndex a,
+CellIndex cell_with_edge(const DomainMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, VertexIndex a,
                          VertexIndex b) {
   mesh.star(a, marks, cells);
   for (const CellIndex c : cells)

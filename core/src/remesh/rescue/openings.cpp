@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/sort_unique.hpp"
 #include "remesh/operations/improve.hpp"
 
 namespace geomesh::remesh {
@@ -59,8 +60,7 @@ class Opening {
     for (const CellIndex c : star)
       for (const VertexIndex v : mesh_.vertices(c))
         if (v != u && (mesh_.kind(u) != VertexKind::curve || mesh_.curve_of(u, v) != no_index)) neighbours.push_back(v);
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    sort_unique(neighbours);
     if (neighbours.empty()) return false;
     std::rotate(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(choose_.below(neighbours.size())),
                 neighbours.end());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/sort_unique.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
 #include "remesh/rescue/bad_cells.hpp"
@@ -175,8 +176,7 @@ class Rescue {
         if (std::count_if(t.begin(), t.end(), [&](VertexIndex w) { return mesh_.topology().has_vertex(c, w); }) > 1)
           cells.push_back(c);
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    sort_unique(cells);
     return cells;
   }
 
@@ -190,8 +190,7 @@ class Rescue {
         for (const VertexIndex w : mesh_.vertices(c))
           if (mesh_.kind(w) != VertexKind::corner) about.push_back(w);
     }
-    std::sort(about.begin(), about.end());
-    about.erase(std::unique(about.begin(), about.end()), about.end());
+    sort_unique(about);
     return about;
   }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/geometry.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/domain/merge_pieces.hpp"
@@ -204,7 +205,7 @@ class SizeFieldBuilder {
       if (turn < 1e-3 || turn > 0.8) continue;  // flat, or a crease
       const double radius = distance(x.centroid, y.centroid) / turn;
       double size = infinity;
-      if (options_.curvature_angle > 0) size = options_.curvature_angle * std::acos(-1.0) / 180 * radius;
+      if (options_.curvature_angle > 0) size = options_.curvature_angle * pi / 180 * radius;
       if (tolerance_ > 0) size = std::min(size, std::max(std::sqrt(8 * radius * tolerance_), shortest_at(x.edge)));
       for (const VertexIndex v : x.edge) ask(v, size);
     }

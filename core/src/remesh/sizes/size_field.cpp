@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
 #include "geomesh/core/error.hpp"
 #include "search/closest_point.hpp"
 
@@ -119,7 +120,7 @@ double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, doubl
   constexpr double rounding = 1 + 1e-9;
   if (may_jump()) return at(p, component, at_most);
   const Vec3 d = p - q;
-  return at(p, component, std::min(at_most, rounding * (size_at_q + steepest_ * std::sqrt(dot(d, d)))));
+  return at(p, component, std::min(at_most, rounding * (size_at_q + steepest_ * length(d))));
 }
 
 double SizeField::at(const Vec3& p, Index component, double at_most) const {

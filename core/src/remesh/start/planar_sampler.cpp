@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "common/geometry.hpp"
+#include "common/hash.hpp"
+
 namespace geomesh::remesh {
 
 namespace {
@@ -28,7 +31,7 @@ int level_of(double size) { return static_cast<int>(std::floor(std::log2(size)))
 /// Of a cell by its column and row, whole numbers. Collisions cost time only: points are compared by distance.
 std::uint64_t key(double column, double row) {
   const auto whole = [](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(c)); };
-  return (whole(column) * 0x9E3779B97F4A7C15u) ^ (whole(row) * 0xC2B2AE3D27D4EB4Fu);
+  return hash_of(std::array{whole(column), whole(row)});
 }
 
 }  // namespace
@@ -133,7 +136,7 @@ bool PlanarSampler::take(const Vec2& p, const Place& from) {
 void PlanarSampler::advance(unsigned n_directions, double distance) {
   std::vector<Vec2> turns;
   for (unsigned i = 0; i < n_directions; ++i) {
-    const double angle = i * 2 * std::acos(-1.0) / n_directions;
+    const double angle = i * 2 * pi / n_directions;
     turns.push_back({std::cos(angle), std::sin(angle)});
   }
   for (std::size_t k = 0; k < seeds_.size(); ++k) {

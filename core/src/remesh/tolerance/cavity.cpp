@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/epoch_marks.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "quality/measure/shape.hpp"
 
@@ -64,7 +65,7 @@ Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return orient3d(a, b, c, d);
 }
 
-void gather_star(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, StarCavity& cavity) {
+void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity) {
   cavity.clear();
   mesh.star(v, marks, cavity.cells);
   for (const CellIndex c : cavity.cells) {
@@ -160,7 +161,7 @@ void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex
   if (curve != no_index) cavity.curves = {{a, curve}, {b, curve}};
 }
 
-void gather_cells(const DomainMesh& mesh, CellMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity) {
+void gather_cells(const DomainMesh& mesh, EpochMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity) {
   cavity.clear();
   cavity.cells.assign(cells.begin(), cells.end());
   marks.begin(mesh.n_slots());

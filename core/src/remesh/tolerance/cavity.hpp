@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "common/epoch_marks.hpp"
 #include "quality/measure/link_shapes.hpp"
 #include "remesh/domain/domain_mesh.hpp"
 
@@ -53,23 +54,23 @@ struct StarCavity {
 
 /// Scratch of one thread.
 struct Workspace {
-  CellMarks marks;
+  EpochMarks marks;
   std::vector<CellIndex> cells, created;
   std::vector<VertexIndex> ring;
   std::vector<NewCell> added;
   StarCavity cavity;
   LinkShapes link;  ///< of what is being optimised
-  CellMarks vertex_marks;
+  EpochMarks vertex_marks;
 };
 
 /// Star of v as a cavity, its surfaces and curves as spokes.
-void gather_star(const DomainMesh& mesh, VertexIndex v, CellMarks& marks, StarCavity& cavity);
+void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity);
 
 /// Cells about the edge (a, b) of cell c, to be refilled from a point of the edge.
 void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, StarCavity& cavity);
 
 /// The cells given (of one component, no constrained face between them), to be refilled from a new point inside.
-void gather_cells(const DomainMesh& mesh, CellMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity);
+void gather_cells(const DomainMesh& mesh, EpochMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity);
 
 /// Whether each new cell is exactly positive with the apex at p.
 bool star_is_positive(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);

@@ -6,6 +6,7 @@
 #include <compare>
 #include <utility>
 
+#include "common/geometry.hpp"
 #include "quality/measure/shape.hpp"
 
 namespace geomesh::remesh {
@@ -26,18 +27,6 @@ constexpr double proven_share = 1 - 1e-6;
 constexpr double faces_over_samples = 1.15;
 /// Of the angle between a reference's normals and their mean up to which no samples are needed.
 constexpr double even_cosine = 0.9;
-/// Newell's normal of a loop, of twice its area.
-Vec3 loop_area(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
-  Vec3 n;
-  const Vec3& o = plc.points[loop[0]];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
-  return n;
-}
-/// Of length one, or zero.
-Vec3 unit(const Vec3& n) {
-  const double l = length(n);
-  return l > 0 ? (1 / l) * n : n;
-}
 
 /// The coordinate in which all points of the loop are equal, or 3.
 std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
@@ -135,7 +124,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     return;
   }
   for (Index f = 0; f < plc.n_facets(); ++f)
-    planes_.push_back({unit(loop_area(plc, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
+    planes_.push_back({unit(loop_normal(plc.points, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
   given_ = surface_items(given, mesh);
   oriented_ = patches_oriented_alike(given);
   std::vector<search::ClosestPointTrees::Item> boxes;
@@ -167,7 +156,7 @@ void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComp
   for (Index f = 0; f < plc.n_facets(); ++f) {
     const Index patch = mesh.patch_of_facet(f);
     const auto loop = plc.outer_loop(f);
-    const Vec3 n = loop_area(plc, loop);
+    const Vec3 n = loop_normal(plc.points, loop);
     const double w = length(n);
     Plane& plane = planes_[patch];
     const std::uint8_t axis = common_axis(plc, loop);
