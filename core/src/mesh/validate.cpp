@@ -43,10 +43,11 @@ bool seen_from_both_sides(const TetMesh& mesh, FaceRef f, FaceRef g) {
   return false;
 }
 
-void check_neighbors(const TetMesh& mesh, CellIndex c, FaultList& faults) {
+void check_neighbors(const TetMesh& mesh, CellIndex c, Outside outside, FaultList& faults) {
   for (unsigned i = 0; i < 4; ++i) {
     const FaceRef f(c, i);
     const FaceRef g = mesh.mirror(f);
+    if (!g.valid() && outside == Outside::open) continue;
     if (!g.valid() || g.cell() >= mesh.n_slots() || !mesh.is_live(g.cell())) {
       faults.add("a face has no live neighbour", c);
     } else if (mesh.mirror(g) != f) {
@@ -59,14 +60,14 @@ void check_neighbors(const TetMesh& mesh, CellIndex c, FaultList& faults) {
 
 }  // namespace
 
-std::vector<MeshFault> validate_topology(const TetMesh& mesh, std::size_t limit) {
+std::vector<MeshFault> validate_topology(const TetMesh& mesh, std::size_t limit, Outside outside) {
   FaultList faults(limit);
   CellIndex n_live = 0;
   for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
     if (!mesh.is_live(c)) continue;
     ++n_live;
     check_vertices(mesh, c, faults);
-    check_neighbors(mesh, c, faults);
+    check_neighbors(mesh, c, outside, faults);
   }
   if (n_live != mesh.n_live()) faults.add("the free list does not hold just the free slots", no_cell);
   return faults.take();

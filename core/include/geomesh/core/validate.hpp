@@ -18,8 +18,12 @@ struct MeshFault {
   CellIndex cell = no_cell;
 };
 
+/// What is beyond the hull's faces: ghost cells, or nothing.
+enum class Outside { ghosts, open };
+
 /// Invariants 1 to 4 of simplex_mesh.hpp. Linear.
-std::vector<MeshFault> validate_topology(const TetMesh& mesh, std::size_t limit = 100);
+std::vector<MeshFault> validate_topology(const TetMesh& mesh, std::size_t limit = 100,
+                                         Outside outside = Outside::ghosts);
 /// Every finite cell is exactly positive. Linear.
 std::vector<MeshFault> validate_geometry(const TetMesh& mesh, std::span<const Vec3> points, std::size_t limit = 100);
 /// Every face is locally Delaunay under the perturbation, hull faces and convexity included; with validate_topology and

@@ -8,7 +8,7 @@
 namespace geomesh::recover {
 
 ConstrainedMesh::ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input)
-    : mesh_(std::move(mesh)), points_(std::move(points)), cell_of_(points_.size(), no_cell), n_input_(n_input) {
+    : EditableMesh(std::move(mesh), std::move(points)), n_input_(n_input) {
   for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
     if (!mesh_.is_live(c)) continue;
     mesh_.flags(c) = 0;
@@ -27,26 +27,6 @@ void ConstrainedMesh::drop_last_point() {
   GEOMESH_CHECK(cell_of_.back() == no_cell);
   points_.pop_back();
   cell_of_.pop_back();
-}
-
-void ConstrainedMesh::lock(FaceRef f) {
-  mesh_.flags(f.cell()) |= static_cast<std::uint8_t>(1u << f.face());
-  const FaceRef g = mesh_.mirror(f);
-  mesh_.flags(g.cell()) |= static_cast<std::uint8_t>(1u << g.face());
-}
-
-void ConstrainedMesh::star(VertexIndex v, std::vector<CellIndex>& out) {
-  visited_.begin(mesh_.n_slots());
-  out.assign(1, cell_of_[v]);
-  visited_.mark(cell_of_[v]);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const CellIndex c = out[i];
-    for (unsigned f = 0; f < 4; ++f) {
-      if (mesh_.vertex(c, f) == v) continue;
-      const CellIndex n = mesh_.neighbor_cell(c, f);
-      if (visited_.mark_first(n)) out.push_back(n);
-    }
-  }
 }
 
 std::vector<VertexIndex> ConstrainedMesh::neighbors(VertexIndex v) {
@@ -94,22 +74,8 @@ CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
 bool ConstrainedMesh::ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const {
   out.p = a;
   out.q = b;
-  out.cells.clear();
-  out.ring.clear();
-  CellIndex c = cell;
-  unsigned i = mesh_.index_of(c, a), j = mesh_.index_of(c, b);
-  VertexIndex first = mesh_.vertex(c, even_completion[i][j][0]);
-  do {
-    if (mesh_.is_ghost(c)) return false;
-    i = mesh_.index_of(c, a);
-    j = mesh_.index_of(c, b);
-    const unsigned k = 6 - i - j - mesh_.index_of(c, first);
-    out.cells.push_back(c);
-    out.ring.push_back(first);
-    const FaceRef next = mesh_.mirror(FaceRef(c, mesh_.index_of(c, first)));
-    first = mesh_.vertex(c, k);
-    c = next.cell();
-  } while (c != cell);
+  turn_about_edge(mesh_, cell, a, b, out.cells, out.ring);
+  if (std::find(out.ring.begin(), out.ring.end(), infinite_vertex) != out.ring.end()) return false;
   // From a start that does not depend on the course of recovery.
   const auto start = std::min_element(out.ring.begin(), out.ring.end()) - out.ring.begin();
   std::rotate(out.ring.begin(), out.ring.begin() + start, out.ring.end());
@@ -145,23 +111,12 @@ FaceRef ConstrainedMesh::find_face_about(CellIndex start, VertexIndex a, VertexI
 
 CellIndex ConstrainedMesh::locate(const Vec3& p, CellIndex start) {
   const int infinite = mesh_.ghost_index(start);
-  CellIndex c = infinite >= 0 ? mesh_.neighbor_cell(start, static_cast<unsigned>(infinite)) : start;
-  const std::size_t limit = 1000 + mesh_.n_slots();
-  for (std::size_t step = 0; step < limit; ++step) {
-    const int ghost = mesh_.ghost_index(c);
-    if (ghost >= 0) return no_cell;
-    const auto& v = mesh_.vertices(c);
-    const unsigned first = random(4);
-    unsigned exit = 4;
-    for (unsigned k = 0; k < 4 && exit == 4; ++k) {
-      const unsigned f = (first + k) & 3u;
-      const auto& l = face_vertices[f];
-      if (orient3d(points_[v[l[0]]], points_[v[l[1]]], points_[v[l[2]]], p) == Sign::negative) exit = f;
-    }
-    if (exit == 4) return c;
-    c = mesh_.neighbor_cell(c, exit);
-  }
-  for (c = 0; c < mesh_.n_slots(); ++c) {
+  const CellIndex first = infinite >= 0 ? mesh_.neighbor_cell(start, static_cast<unsigned>(infinite)) : start;
+  const Walk end = walk(
+      p, first, 1000 + mesh_.n_slots(), [this] { return random(4); }, [](FaceRef) { return false; });
+  if (end.end == Walk::End::found) return end.cell;
+  if (end.end == Walk::End::outside) return no_cell;
+  for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
     if (!mesh_.is_live(c) || mesh_.is_ghost(c)) continue;
     const auto& v = mesh_.vertices(c);
     bool inside = true;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The mesh under recovery: cells, vertices, and the one operation by which recovery changes it.
+/// The mesh under recovery: the editable mesh with locked faces.
 ///
-/// Invariants:
+/// Invariants, beside those of EditableMesh:
 ///   1. every finite cell is exactly positive in the doubles of `points` (nothing is rounded later);
 ///   2. bit i of flags(c) is set where face i of c is a recovered subfacet ("locked"), on both of its cells;
-///   3. cell_of(v) is a live cell with v, for every vertex in the mesh;
-///   4. the model lies strictly inside a box of eight auxiliary vertices (`is_box_vertex`), so that every constraint is
+///   3. the model lies strictly inside a box of eight auxiliary vertices (`is_box_vertex`), so that every constraint is
 ///   interior and
 ///      ghost cells are never touched.
 #pragma once
@@ -14,17 +13,11 @@
 #include <span>
 #include <vector>
 
-#include "common/epoch_marks.hpp"
 #include "common/flat_map.hpp"
 #include "common/random.hpp"
-#include "geomesh/core/geometry.hpp"
-#include "geomesh/core/predicates.hpp"
-#include "geomesh/core/simplex_mesh.hpp"
+#include "mesh/editable_mesh.hpp"
 
 namespace geomesh::recover {
-
-inline constexpr std::uint8_t cavity_flag = 0x80;  ///< set while a replacement runs
-inline constexpr std::uint8_t tested_flag = 0x40;  ///< set while a cavity is searched: found to lie outside it
 
 /// The cells about an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
 struct EdgeRing {
@@ -33,17 +26,28 @@ struct EdgeRing {
   std::vector<VertexIndex> ring;
 };
 
-/// local_edge[i][j]: the other two local vertices k, l such that (i, j, k, l) is an even permutation.
-inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
-                                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
-                                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
-                                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
-
 /// Choices of a walk's direction. They depend on where it starts and ends alone, not on walks before it, so that
 /// looking something up changes nothing.
 inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
-class ConstrainedMesh {
+/// Locks of faces, in the cells' flags.
+struct FaceLocks {
+  using FaceMark = bool;
+  static constexpr bool is_closed = true;
+  static constexpr bool keeps_inner_marks = true;
+
+  static bool mark(const TetMesh& cells, FaceRef f) { return (cells.flags(f.cell()) >> f.face()) & 1u; }
+  static void lock(TetMesh& cells, FaceRef f, FaceRef g) {
+    cells.flags(f.cell()) |= static_cast<std::uint8_t>(1u << f.face());
+    cells.flags(g.cell()) |= static_cast<std::uint8_t>(1u << g.face());
+  }
+  static void join(TetMesh& cells, FaceRef added, const FacePairing<bool>::Entry& other) {
+    cells.link(added, other.face);
+    if (other.mark) lock(cells, added, other.face);
+  }
+};
+
+class ConstrainedMesh : public EditableMesh<FaceLocks> {
  public:
   /// `n_input` vertices of the model come first, then the eight of the box.
   ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input);
@@ -54,9 +58,6 @@ class ConstrainedMesh {
     points = std::move(points_);
   }
 
-  const TetMesh& cells() const { return mesh_; }
-  const std::vector<Vec3>& points() const { return points_; }
-  const Vec3& point(VertexIndex v) const { return points_[v]; }
   std::size_t n_input() const { return n_input_; }
   bool is_box_vertex(VertexIndex v) const { return v >= n_input_ && v < n_input_ + 8; }
   /// A vertex not yet in any cell.
@@ -70,15 +71,14 @@ class ConstrainedMesh {
   }
   bool positive(const Tetrahedron& t) const { return orient(t[0], t[1], t[2], t[3]) == Sign::positive; }
 
-  CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
   bool in_mesh(VertexIndex v) const { return cell_of_[v] != no_cell; }
   void forget(VertexIndex v) { cell_of_[v] = no_cell; }
 
-  bool is_locked(FaceRef f) const { return (mesh_.flags(f.cell()) >> f.face()) & 1u; }
-  void lock(FaceRef f);
+  bool is_locked(FaceRef f) const { return FaceLocks::mark(mesh_, f); }
+  void lock(FaceRef f) { FaceLocks::lock(mesh_, f, mesh_.mirror(f)); }
 
   /// All cells with v (ghosts too). The order depends on the mesh alone.
-  void star(VertexIndex v, std::vector<CellIndex>& out);
+  void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, visited_, out); }
   /// Vertices joined with v by an edge, the infinite one left out, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
   /// A cell with both vertices, or no_cell. Walks about a towards b, so a must be in the mesh; exact.
@@ -120,9 +120,9 @@ class ConstrainedMesh {
   /// Takes these marks off, or puts them on the same cells again.
   void mark_cavity(std::span<const CellIndex> cavity, bool marked) {
     for (const CellIndex c : cavity)
-      mesh_.flags(c) = static_cast<std::uint8_t>(marked ? mesh_.flags(c) | cavity_flag : mesh_.flags(c) & ~cavity_flag);
+      mesh_.flags(c) = static_cast<std::uint8_t>(marked ? mesh_.flags(c) | region_flag : mesh_.flags(c) & ~region_flag);
   }
-  bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & cavity_flag; }
+  bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & region_flag; }
   /// Replaces a cavity from find_cavity by the cells that join its boundary with x. Cells are linked by turning about
   /// the edges of the boundary inside the cavity, so that no table of faces is needed. The caller answers for
   /// positivity; new cells: last_created(). O(k).
@@ -138,6 +138,8 @@ class ConstrainedMesh {
   unsigned random(unsigned n) { return random_.below(n); }
 
  private:
+  static constexpr std::uint8_t tested_flag = 0x40;  ///< set while a cavity is searched: found to lie outside it
+
   struct CreatedCell {
     Tetrahedron vertices;
     CellIndex slot;  ///< that it had then
@@ -146,31 +148,16 @@ class ConstrainedMesh {
   struct JournalEntry {
     std::size_t removed, created;
   };
-  /// A face that waits for its other cell, or has found it; free where `face` is invalid.
-  struct WaitingFace {
-    Triangle key;
-    FaceRef face;
-    bool is_linked;
-  };
-
-  void await_faces(std::size_t n_faces);
-  void link_or_wait(FaceRef f);
   FaceRef boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const;
 
-  TetMesh mesh_;
-  std::vector<Vec3> points_;
-  std::vector<CellIndex> cell_of_;
   std::size_t n_input_;
   std::vector<JournalEntry> journal_;
   std::vector<Tetrahedron> journal_removed_;
   std::vector<CreatedCell> journal_created_;
   std::size_t journal_depth_ = 0;
   std::vector<CellIndex> created_;
-  std::vector<FaceRef> star_faces_;   ///< per created cell of a star: the old cell's face under it
-  std::vector<CellIndex> tested_;     ///< of a search for a cavity: cells outside it
-  std::vector<WaitingFace> waiting_;  ///< open addressing, a power of two
-  std::size_t waiting_mask_ = 0, n_waiting_ = 0;
-  std::vector<Triangle> inner_locks_;  ///< locked faces between two of the old cells
+  std::vector<FaceRef> star_faces_;  ///< per created cell of a star: the old cell's face under it
+  std::vector<CellIndex> tested_;    ///< of a search for a cavity: cells outside it
   EpochMarks visited_;
   Random random_;
 };
@@ -179,14 +166,14 @@ template <class Test>
 void ConstrainedMesh::find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity) {
   cavity.assign(1, first);
   tested_.clear();
-  mesh_.flags(first) |= cavity_flag;
+  mesh_.flags(first) |= region_flag;
   for (std::size_t i = 0; i < cavity.size(); ++i)
     for (unsigned f = 0; f < 4; ++f) {
       const CellIndex n = mesh_.neighbor_cell(cavity[i], f);
-      if (mesh_.flags(n) & (cavity_flag | tested_flag)) continue;
+      if (mesh_.flags(n) & (region_flag | tested_flag)) continue;
       const bool inside = in_cavity(n);
       (inside ? cavity : tested_).push_back(n);
-      mesh_.flags(n) |= inside ? cavity_flag : tested_flag;
+      mesh_.flags(n) |= inside ? region_flag : tested_flag;
     }
   for (const CellIndex c : tested_) mesh_.flags(c) &= static_cast<std::uint8_t>(~tested_flag);
 }

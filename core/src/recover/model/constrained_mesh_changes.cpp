@@ -1,84 +1,25 @@
 // SPDX-License-Identifier: MIT
 // ConstrainedMesh's changes: cells exchanged for others of the same region, and the journal that takes them back.
-#include <algorithm>
-#include <bit>
-
-#include "common/geometry.hpp"
-#include "common/hash.hpp"
 #include "recover/model/constrained_mesh.hpp"
 
 namespace geomesh::recover {
 
-namespace {
-
-Triangle sorted_face(const TetMesh& mesh, FaceRef f) {
-  const auto& local = face_vertices[f.face()];
-  const auto& v = mesh.vertices(f.cell());
-  return sorted({v[local[0]], v[local[1]], v[local[2]]});
-}
-
-}  // namespace
-
 void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra) {
-  if (journal_depth_ > 0) {
+  const bool is_noted = journal_depth_ > 0;
+  if (is_noted) {
     journal_.push_back({journal_removed_.size(), journal_created_.size()});
     for (CellIndex c : old_cells) journal_removed_.push_back(mesh_.vertices(c));
   }
-  for (CellIndex c : old_cells) mesh_.flags(c) |= cavity_flag;
-  await_faces(4 * (old_cells.size() + tetrahedra.size()));
-  inner_locks_.clear();
-  for (CellIndex c : old_cells)
-    for (unsigned i = 0; i < 4; ++i) {
-      const FaceRef outer = mesh_.neighbor(c, i);
-      if (!(mesh_.flags(outer.cell()) & cavity_flag)) {
-        link_or_wait(outer);
-      } else if (is_locked(outer)) {
-        inner_locks_.push_back(sorted_face(mesh_, outer));
-      }
-    }
-  for (CellIndex c : old_cells) mesh_.free_cell(c);
-  created_.clear();
-  for (const Tetrahedron& t : tetrahedra) {
-    const CellIndex c = mesh_.add_cell(t);
+  const auto make = [&](std::size_t k) {
+    if (k == 0) created_.clear();  // old_cells may be these
+    const CellIndex c = mesh_.add_cell(tetrahedra[k]);
     created_.push_back(c);
-    if (journal_depth_ > 0) journal_created_.push_back({t, c});
-    for (unsigned i = 0; i < 4; ++i) link_or_wait(FaceRef(c, i));
-    for (VertexIndex v : t) cell_of_[v] = c;
-  }
-  GEOMESH_CHECK(n_waiting_ == 0);
-}
-
-/// Before the first of at most `n_faces` calls of link_or_wait.
-void ConstrainedMesh::await_faces(std::size_t n_faces) {
-  const std::size_t size = std::bit_ceil(n_faces + 1);
-  if (waiting_.size() < size) waiting_.resize(size);
-  std::fill(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size), WaitingFace{});
-  waiting_mask_ = size - 1;
-  n_waiting_ = 0;
-}
-
-/// Links the face with the one of the same vertices that waits, or lets it wait for that one. Which waits where changes
-/// nothing.
-void ConstrainedMesh::link_or_wait(FaceRef f) {
-  const Triangle key = sorted_face(mesh_, f);
-  for (std::size_t i = hash_of(key) & waiting_mask_;; i = (i + 1) & waiting_mask_) {
-    WaitingFace& slot = waiting_[i];
-    if (!slot.face.valid()) {
-      slot = {key, f, false};
-      ++n_waiting_;
-      return;
-    }
-    if (slot.key[0] != key[0] || slot.key[1] != key[1] || slot.key[2] != key[2]) continue;
-    const FaceRef g = slot.face;
-    GEOMESH_CHECK(!slot.is_linked);
-    mesh_.link(f, g);
-    slot.is_linked = true;
-    --n_waiting_;
-    const bool was_inside =
-        !inner_locks_.empty() && std::find(inner_locks_.begin(), inner_locks_.end(), key) != inner_locks_.end();
-    if (is_locked(f) || is_locked(g) || was_inside) lock(f);
-    return;
-  }
+    if (is_noted) journal_created_.push_back({tetrahedra[k], c});
+    for (VertexIndex v : tetrahedra[k]) cell_of_[v] = c;
+    return c;
+  };
+  const auto nothing = [](CellIndex) {};
+  exchange(old_cells, tetrahedra.size(), make, nothing, nothing);
 }
 
 /// From a cell of the cavity about edge p-q, through its face `exit` and on: the face of the cavity's boundary that

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geomesh/core/validate.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
 
@@ -7,15 +8,11 @@ namespace geomesh::recover {
 void validate_recovered(Recovery& recovery) {
   ConstrainedMesh& mesh = recovery.mesh;
   const TetMesh& cells = mesh.cells();
-  for (CellIndex c = 0; c < cells.n_slots(); ++c) {
-    if (!cells.is_live(c)) continue;
-    for (unsigned i = 0; i < 4; ++i) {
-      const FaceRef f(c, i);
-      GEOMESH_CHECK(cells.mirror(cells.mirror(f)) == f);
-      GEOMESH_CHECK(mesh.is_locked(f) == mesh.is_locked(cells.mirror(f)));
-    }
-    if (!cells.is_ghost(c)) GEOMESH_CHECK(mesh.positive(cells.vertices(c)));
-  }
+  GEOMESH_CHECK(validate_topology(cells, 1).empty());
+  GEOMESH_CHECK(validate_geometry(cells, mesh.points(), 1).empty());
+  for (CellIndex c = 0; c < cells.n_slots(); ++c)
+    for (unsigned i = 0; i < 4 && cells.is_live(c); ++i)
+      GEOMESH_CHECK(mesh.is_locked({c, i}) == mesh.is_locked(cells.mirror({c, i})));
   Constraints& constraints = recovery.constraints;
   for (Index s = 0; s < constraints.subsegments.size(); ++s)
     if (constraints.subsegments[s].live) GEOMESH_CHECK(cell_of_subsegment(mesh, constraints, s) != no_cell);

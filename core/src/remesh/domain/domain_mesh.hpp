@@ -1,39 +1,57 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The mesh that refinement and improvement work on: several domains, the surfaces between them, and curves, valid
-/// after every operation.
+/// The mesh that refinement and improvement work on: the editable mesh with several domains, the surfaces between them,
+/// and curves, valid after every operation.
 ///
-/// Invariants (validate() checks each):
-///   1. every live cell is exactly positive; neighbour links are mutual and see their face with opposite orientations;
-///   2. a face that is part of a facet carries that facet on both sides, `above` on one side and not on the other;
-///   3. two cells of different components never share an untagged face, and a face without neighbour is tagged;
-///   4. every registered curve edge is an edge of the mesh;
-///   5. incident_cell(v) of a live vertex is a live cell that has v.
+/// Invariants, beside those of EditableMesh (validate() checks each):
+///   1. a face that is part of a facet carries that facet on both sides, `above` on one side and not on the other;
+///   2. two cells of different components never share an untagged face, and a face without neighbour is tagged;
+///   3. every registered curve edge is an edge of the mesh.
 ///
-/// There is one operation that changes connectivity: `replace`, which exchanges a set of cells for another that fills
-/// the same region. Every local operation (split, collapse, flip, insertion) computes the two sets, checks each new
-/// cell with the exact predicate, and calls it: so no operation can make crossings, and what is not admissible is
-/// refused before anything is changed.
+/// There is one operation that changes connectivity: `replace`. Every local operation (split, collapse, flip,
+/// insertion) computes the two sets, checks each new cell with the exact predicate, and calls it: so no operation can
+/// make crossings, and what is not admissible is refused before anything is changed.
 #pragma once
 
 #include <span>
 
-#include "common/epoch_marks.hpp"
 #include "common/flat_map.hpp"
+#include "mesh/editable_mesh.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
 
 namespace geomesh::remesh {
 
-class DomainMesh {
+/// Of cells: component, tags of the faces, cached shape.
+struct DomainAttributes {
+  using FaceMark = FaceTag;
+  static constexpr bool is_closed = false;
+  static constexpr bool keeps_inner_marks = false;
+
+  FaceTag mark(const TetMesh&, FaceRef f) const { return tags[f.cell()][f.face()]; }
+  void join(TetMesh& cells, FaceRef added, const FacePairing<FaceTag>::Entry& other) {
+    if (other.face.valid()) cells.link(added, other.face);
+    if (other.role == FacePairing<FaceTag>::Role::added) return;
+    FaceTag& own = tags[added.cell()][added.face()];
+    if (other.mark.constrained())
+      own = other.mark;
+    else if (own.constrained())  // a surface that the operation has moved to the border
+      tags[other.face.cell()][other.face.face()] = own.opposite();
+  }
+
+  std::vector<Index> component;
+  std::vector<std::array<FaceTag, 4>> tags;
+  std::vector<double> shape;
+};
+
+class DomainMesh : public EditableMesh<DomainAttributes> {
  public:
   // Vertices.
   std::size_t n_vertices() const { return points_.size(); }
-  const Vec3& point(VertexIndex v) const { return points_[v]; }
   VertexKind kind(VertexIndex v) const { return kinds_[v]; }
   /// Patch of a surface vertex, curve class of a curve vertex, else no_index.
   Index support(VertexIndex v) const { return supports_[v]; }
-  CellIndex incident_cell(VertexIndex v) const { return incident_[v]; }
+  CellIndex incident_cell(VertexIndex v) const { return cell_of(v); }
   VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
   /// The caller has checked that the cells about v stay positive. Their cached shapes are forgotten by refresh_shape.
   void move_vertex(VertexIndex v, const Vec3& p) {
@@ -46,15 +64,15 @@ class DomainMesh {
   }
 
   // Cells.
-  const TetMesh& topology() const { return mesh_; }
+  const TetMesh& topology() const { return cells(); }
   CellIndex n_slots() const { return mesh_.n_slots(); }
   std::size_t n_cells() const { return mesh_.n_live(); }
   bool is_live(CellIndex c) const { return mesh_.is_live(c); }
   const Tetrahedron& vertices(CellIndex c) const { return mesh_.vertices(c); }
-  Index component(CellIndex c) const { return component_[c]; }
-  FaceTag tag(CellIndex c, unsigned face) const { return tags_[c][face]; }
+  Index component(CellIndex c) const { return attributes_.component[c]; }
+  FaceTag tag(CellIndex c, unsigned face) const { return attributes_.tags[c][face]; }
   /// Cached shape of a live cell.
-  double shape_of(CellIndex c) const { return shape_[c]; }
+  double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
   /// The same where the shape is known.
   void set_shape(CellIndex c, double shape);
@@ -76,9 +94,6 @@ class DomainMesh {
   void sort_cells();
   /// Vertices in the order of the first cell that has them: near ones one after the other where cells are sorted.
   std::vector<VertexIndex> vertices_by_cells() const;
-
-  /// Cells about v, in an order that depends on the mesh alone.
-  void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells) const;
 
   // Patches and curves.
   Index patch_of_facet(Index facet) const { return facet == hull_facet ? hull_patch : facet_patch_[facet]; }
@@ -156,7 +171,7 @@ class DomainMesh {
   void link_cells();
   void set_tag(CellIndex c, unsigned face, FaceTag t) {
     note_cell(c);
-    tags_[c][face] = t;
+    attributes_.tags[c][face] = t;
   }
   void reserve(std::size_t n_vertices, std::size_t n_cells);
 
@@ -164,61 +179,24 @@ class DomainMesh {
   std::string validate() const;
 
  private:
-  /// Vertices of a face in ascending order, packed so that comparing is cheap.
-  struct FaceKey {
-    std::uint64_t low_and_middle;
-    VertexIndex high;
-    friend bool operator==(const FaceKey&, const FaceKey&) = default;
-    bool operator<(const FaceKey& o) const {
-      return low_and_middle != o.low_and_middle ? low_and_middle < o.low_and_middle : high < o.high;
-    }
-  };
-  struct FaceRecord {
-    FaceKey key;
-    FaceRef face;  // outer neighbour, or the new face
-    FaceTag tag;   // seen from the new side
-    bool outer;
-  };
-  /// The records of one face.
-  struct FaceGroup {
-    const FaceRecord* outer = nullptr;  // the last of them
-    std::array<const FaceRecord*, 2> added{};
-    unsigned n_outer = 0, n_added = 0;
-    bool is_empty() const { return n_outer + n_added == 0; }
-    const FaceKey& key() const { return n_outer > 0 ? outer->key : added[0]->key; }
-    void take(const FaceRecord& record);
-  };
-  static FaceKey face_key(const Tetrahedron& t, unsigned i);
   void note_vertex(VertexIndex v) {
     if (journal_.is_open() && journal_.is_new_vertex(v))
-      journal_.save(SavedVertex{v, points_[v], kinds_[v], supports_[v], incident_[v], changed_[v]});
+      journal_.save(SavedVertex{v, points_[v], kinds_[v], supports_[v], cell_of_[v], changed_[v]});
   }
   void note_cell(CellIndex c) {
     if (journal_.is_open() && journal_.is_new_cell(c))
-      journal_.save(SavedCell{c, mesh_.cells()[c], component_[c], tags_[c], shape_[c]});
+      journal_.save(
+          SavedCell{c, mesh_.cells()[c], attributes_.component[c], attributes_.tags[c], attributes_.shape[c]});
   }
-  void note_replacement(std::span<const CellIndex> removed);
   void note_curve(VertexIndex a, VertexIndex b) {
     if (journal_.is_open()) journal_.save(SavedCurve{a, b, curves_.find({a, b})});
   }
-  void collect_border(std::span<const CellIndex> removed, std::vector<FaceRecord>& records) const;
-  void settle(const FaceGroup& group);
-  /// Links and tags the faces of the new cells. By sorting: O(n log n).
-  void pair_faces(std::vector<FaceRecord>& records);
-  /// The same in a table that is kept from call to call. O(n).
-  void pair_few_faces(std::span<const FaceRecord> records);
 
-  std::vector<Vec3> points_;
   std::vector<VertexKind> kinds_;
   std::vector<Index> supports_;
-  std::vector<CellIndex> incident_;
   std::vector<std::uint64_t> changed_;
   std::vector<bool> pinched_;  // by vertex, of those there were at first
 
-  TetMesh mesh_;
-  std::vector<Index> component_;
-  std::vector<std::array<FaceTag, 4>> tags_;
-  std::vector<double> shape_;
   std::uint64_t clock_ = 1;
 
   std::vector<Index> facet_patch_;
@@ -226,10 +204,6 @@ class DomainMesh {
   EdgeMap curves_;
 
   MeshJournal journal_;
-
-  std::vector<FaceRecord> records_;  // scratch of replace, as are the next two
-  std::vector<FaceGroup> slots_;     // all empty between calls
-  std::vector<std::size_t> used_slots_;
 };
 
 }  // namespace geomesh::remesh

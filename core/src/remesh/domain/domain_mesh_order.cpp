@@ -49,10 +49,10 @@ void DomainMesh::sort_cells() {
     sorted.flags(c) = mesh_.flags(old_index[c]);
   }
   mesh_ = std::move(sorted);
-  permute(component_, old_index);
-  permute(tags_, old_index);
-  permute(shape_, old_index);
-  for (CellIndex& c : incident_)
+  permute(attributes_.component, old_index);
+  permute(attributes_.tags, old_index);
+  permute(attributes_.shape, old_index);
+  for (CellIndex& c : cell_of_)
     if (c != no_cell) c = new_index[c];
 }
 

@@ -4,28 +4,19 @@
 
 namespace geomesh::remesh {
 
-void DomainMesh::note_replacement(std::span<const CellIndex> removed) {
-  for (const FaceRecord& record : records_)
-    if (record.face.valid()) note_cell(record.face.cell());
-  for (const CellIndex c : removed) {
-    note_cell(c);
-    journal_.note_freed(c);
-  }
-}
-
 void DomainMesh::begin_trial() { journal_.open({n_vertices(), n_slots(), clock_}); }
 
 void DomainMesh::undo_trial() {
   points_.resize(journal_.start().n_vertices);
   kinds_.resize(points_.size());
   supports_.resize(points_.size());
-  incident_.resize(points_.size());
+  cell_of_.resize(points_.size());
   changed_.resize(points_.size());
   for (const SavedVertex& s : journal_.vertices()) {
     points_[s.vertex] = s.point;
     kinds_[s.vertex] = s.kind;
     supports_[s.vertex] = s.support;
-    incident_[s.vertex] = s.incident;
+    cell_of_[s.vertex] = s.incident;
     changed_[s.vertex] = s.changed;
   }
   for (auto event = journal_.slots().rbegin(); event != journal_.slots().rend(); ++event)
@@ -35,14 +26,14 @@ void DomainMesh::undo_trial() {
       mesh_.free_cell(event->cell);
     else
       mesh_.drop_slots_from(event->cell);
-  component_.resize(mesh_.n_slots());
-  tags_.resize(mesh_.n_slots());
-  shape_.resize(mesh_.n_slots());
+  attributes_.component.resize(mesh_.n_slots());
+  attributes_.tags.resize(mesh_.n_slots());
+  attributes_.shape.resize(mesh_.n_slots());
   for (const SavedCell& s : journal_.cells()) {
     mesh_.cells()[s.cell] = s.links;
-    component_[s.cell] = s.component;
-    tags_[s.cell] = s.tags;
-    shape_[s.cell] = s.shape;
+    attributes_.component[s.cell] = s.component;
+    attributes_.tags[s.cell] = s.tags;
+    attributes_.shape[s.cell] = s.shape;
   }
   for (auto curve = journal_.curves().rbegin(); curve != journal_.curves().rend(); ++curve)
     if (curve->curve == no_index)

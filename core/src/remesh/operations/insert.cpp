@@ -23,20 +23,11 @@ Sphere circumsphere(const DomainMesh& mesh, CellIndex c) {
 }
 
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
-  CellIndex c = start;
-  for (unsigned step = 0; step < 1000; ++step) {
-    const Tetrahedron& t = mesh.vertices(c);
-    unsigned leave = 4;
-    for (unsigned k = 0; k < 4 && leave == 4; ++k) {
-      const unsigned i = (k + step) & 3u;  // turns the order, so that the walk cannot cycle for long
-      const auto& f = face_vertices[i];
-      if (orientation(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]), p) == Sign::negative) leave = i;
-    }
-    if (leave == 4) return c;
-    if (mesh.tag(c, leave).constrained()) return std::nullopt;
-    c = mesh.topology().neighbor_cell(c, leave);
-  }
-  return std::nullopt;
+  unsigned turn = 0;  // of the order of faces, so that the walk cannot cycle for long
+  const auto end = mesh.walk(
+      p, start, 1000, [&] { return turn++ & 3u; },
+      [&](FaceRef f) { return mesh.tag(f.cell(), f.face()).constrained(); });
+  return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
 }
 
 namespace {

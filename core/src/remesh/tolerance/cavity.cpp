@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "common/epoch_marks.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "quality/measure/shape.hpp"
 
@@ -50,21 +49,6 @@ void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
 
 }  // namespace
 
-Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = b - a, v = c - a, w = d - a;
-  const double vw0 = v.y * w.z, vw1 = v.z * w.y, vw2 = v.z * w.x, vw3 = v.x * w.z, vw4 = v.x * w.y, vw5 = v.y * w.x;
-  const double det = u.x * (vw0 - vw1) + u.y * (vw2 - vw3) + u.z * (vw4 - vw5);
-  const double permanent = std::abs(u.x) * (std::abs(vw0) + std::abs(vw1)) +
-                           std::abs(u.y) * (std::abs(vw2) + std::abs(vw3)) +
-                           std::abs(u.z) * (std::abs(vw4) + std::abs(vw5));
-  // Shewchuk 1997: the error is below (7 + 56 eps) eps times the permanent; ten times that leaves room for underflow
-  // too.
-  const double bound = 8e-15 * permanent;
-  if (bound > 1e-280 && det > bound) return Sign::positive;
-  if (bound > 1e-280 && det < -bound) return Sign::negative;
-  return orient3d(a, b, c, d);
-}
-
 void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity) {
   cavity.clear();
   mesh.star(v, marks, cavity.cells);
@@ -78,47 +62,9 @@ void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarC
   add_curves(mesh, v, cavity);
 }
 
-namespace {
-
-/// others[ia][ib]: the two local indices that make (ia, ib, ix, iy) an even permutation.
-constexpr std::uint8_t others[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
-                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
-                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
-                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
-
-/// From `start` forward until the ring closes or ends outside: in cell k, positive in the order (a, b, x, y), across
-/// the face opposite x.
-bool turn_forward(const TetMesh& m, CellIndex start, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
-                  std::vector<VertexIndex>& ring) {
-  cells.clear();
-  ring.clear();
-  for (CellIndex k = start;;) {
-    const auto& [ix, iy] = others[m.index_of(k, a)][m.index_of(k, b)];
-    cells.push_back(k);
-    ring.push_back(m.vertex(k, ix));
-    const FaceRef next = m.neighbor(k, ix);
-    if (!next.valid()) {
-      ring.push_back(m.vertex(k, iy));
-      return false;
-    }
-    k = next.cell();
-    if (k == start) return true;
-  }
-}
-
-}  // namespace
-
 bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
                std::vector<VertexIndex>& ring) {
-  const TetMesh& m = mesh.topology();
-  if (turn_forward(m, c, a, b, cells, ring)) return true;
-  CellIndex start = c;
-  for (;;) {
-    const FaceRef back = m.neighbor(start, others[m.index_of(start, a)][m.index_of(start, b)][1]);
-    if (!back.valid()) break;
-    start = back.cell();
-  }
-  return start == c ? false : turn_forward(m, start, a, b, cells, ring);
+  return turn_about_edge(mesh.topology(), c, a, b, cells, ring);
 }
 
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,

@@ -92,9 +92,7 @@ bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 
-/// Orders cells and ring vertices about the edge (a, b) of cell c, turning the same way. Where the edge is on the
-/// outside of the model the ring is open and starts and ends there. Cell k lies between ring vertices k and k + 1 (mod
-/// n where closed), and is positive in the order (a, b, ring[k], ring[k + 1]). Returns whether the ring is closed.
+/// See turn_about_edge. Returns whether the ring is closed.
 bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
                std::vector<VertexIndex>& ring);
 
@@ -108,10 +106,8 @@ struct EdgeFaces {
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,
                                     const std::vector<VertexIndex>& ring, bool closed);
 
-/// orient3d with a filter that spares the call where the determinant is far from zero.
-Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 inline bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return orientation(a, b, c, d) == Sign::positive;
+  return orient3d(a, b, c, d) == Sign::positive;
 }
 
 }  // namespace geomesh::remesh

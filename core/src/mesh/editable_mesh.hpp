@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The one tetrahedral mesh that is edited in place: under recovery with locked faces, under remeshing with surfaces,
+/// curves and components. Cells, points, and for each vertex a cell that has it.
+///
+/// There is one change of connectivity, `exchange`: a set of cells for another that fills the same region. The caller
+/// answers for the region and for positive cells, both decided by exact predicates.
+///
+/// Invariants:
+///   1. cell_of(v) of a vertex in the mesh is a live cell that has v;
+///   2. neighbour links are mutual and see their face from both sides (validate_topology);
+///   3. every finite cell is exactly positive (validate_geometry).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/epoch_marks.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+#include "mesh/face_pairing.hpp"
+
+namespace geomesh {
+
+/// even_completion[i][j]: the other two local vertices k, l such that (i, j, k, l) is an even permutation.
+inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+
+/// Cells and vertices about the edge (a, b) of cell `start`, turning the same way: cell k lies between ring vertices k
+/// and k + 1 (modulo the size where closed) and is positive as (a, b, ring[k], ring[k + 1]). Where the edge is on the
+/// outside of a mesh without ghosts the ring is open, and starts and ends there. Returns whether it is closed.
+bool turn_about_edge(const TetMesh& mesh, CellIndex start, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
+                     std::vector<VertexIndex>& ring);
+
+/// `Attributes` keeps what cells and faces carry:
+///   FaceMark                        what a face of the region's border hands on to the new face there;
+///   FaceMark mark(cells, face)      of a face of a cell that goes;
+///   join(cells, added, other)       a new face, and what it has met: they are linked (`other.face` may be invalid);
+///   is_closed                       whether each face has two cells (ghosts outside), as against an open outside;
+///   keeps_inner_marks               whether a face inside the region that is made again keeps its mark.
+template <class Attributes>
+class EditableMesh {
+ public:
+  using FaceMark = typename Attributes::FaceMark;
+
+  const TetMesh& cells() const { return mesh_; }
+  const std::vector<Vec3>& points() const { return points_; }
+  const Vec3& point(VertexIndex v) const { return points_[v]; }
+  CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
+
+  /// All cells that are reached from cell_of(v) through faces with v, in an order that depends on the mesh alone.
+  void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
+
+  /// The end of a walk from cell to cell towards a point.
+  struct Walk {
+    enum class End { found, outside, at_barrier, too_long };
+    End end;
+    CellIndex cell;  ///< the last
+  };
+  /// Walks towards p, exactly, from a finite cell: through a face that has p beyond it, of several the first one from
+  /// face first_face() on. Stops before a face that is_barrier(face) holds for. Ends at most after `most_steps`.
+  template <class FirstFace, class IsBarrier>
+  Walk walk(const Vec3& p, CellIndex start, std::size_t most_steps, const FirstFace& first_face,
+            const IsBarrier& is_barrier) const;
+
+ protected:
+  static constexpr std::uint8_t region_flag = 0x80;  ///< in flags(cell): about to go
+
+  EditableMesh() = default;
+  EditableMesh(TetMesh mesh, std::vector<Vec3> points)
+      : mesh_(std::move(mesh)), points_(std::move(points)), cell_of_(points_.size(), no_cell) {}
+
+  /// Exchanges the cells `removed` for the cells make(0), make(1) ... below `n_added`, which it makes with their
+  /// attributes. note_neighbor(cell) is called before a cell beside the region is linked anew, note_removal(cell)
+  /// before one is freed. Throws InternalError where the two regions have not the same border. O(cells).
+  template <class Make, class NoteNeighbor, class NoteRemoval>
+  void exchange(std::span<const CellIndex> removed, std::size_t n_added, const Make& make,
+                const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal);
+
+  TetMesh mesh_;
+  std::vector<Vec3> points_;
+  std::vector<CellIndex> cell_of_;
+  Attributes attributes_;
+
+ private:
+  FacePairing<FaceMark> pairing_;
+};
+
+template <class Attributes>
+void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const {
+  marks.begin(mesh_.n_slots());
+  out.assign(1, cell_of_[v]);
+  marks.mark(cell_of_[v]);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const TetMesh::Cell& cell = mesh_.cells()[out[k]];
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef n = cell.neighbors[i];
+      if (cell.vertices[i] == v || (!Attributes::is_closed && !n.valid())) continue;
+      if (marks.mark_first(n.cell())) out.push_back(n.cell());
+    }
+  }
+}
+
+template <class Attributes>
+template <class FirstFace, class IsBarrier>
+typename EditableMesh<Attributes>::Walk EditableMesh<Attributes>::walk(const Vec3& p, CellIndex start,
+                                                                       std::size_t most_steps,
+                                                                       const FirstFace& first_face,
+                                                                       const IsBarrier& is_barrier) const {
+  CellIndex c = start;
+  for (std::size_t step = 0; step < most_steps; ++step) {
+    if (Attributes::is_closed && mesh_.is_ghost(c)) return {Walk::End::outside, c};
+    const Tetrahedron& v = mesh_.vertices(c);
+    const unsigned first = first_face();
+    unsigned exit = 4;
+    for (unsigned k = 0; k < 4 && exit == 4; ++k) {
+      const unsigned i = (first + k) & 3u;
+      const auto& l = face_vertices[i];
+      if (orient3d(points_[v[l[0]]], points_[v[l[1]]], points_[v[l[2]]], p) == Sign::negative) exit = i;
+    }
+    if (exit == 4) return {Walk::End::found, c};
+    if (is_barrier(FaceRef(c, exit))) return {Walk::End::at_barrier, c};
+    c = mesh_.neighbor_cell(c, exit);
+  }
+  return {Walk::End::too_long, c};
+}
+
+template <class Attributes>
+template <class Make, class NoteNeighbor, class NoteRemoval>
+void EditableMesh<Attributes>::exchange(std::span<const CellIndex> removed, std::size_t n_added, const Make& make,
+                                        const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal) {
+  for (const CellIndex c : removed) mesh_.flags(c) |= region_flag;
+  pairing_.begin(4 * (removed.size() + n_added));
+  for (const CellIndex c : removed)
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef outer = mesh_.neighbor(c, i);
+      if (outer.valid() && mesh_.flags(outer.cell()) & region_flag) {
+        if constexpr (Attributes::keeps_inner_marks)
+          if (const FaceMark mark = attributes_.mark(mesh_, FaceRef(c, i)); mark != FaceMark{})
+            pairing_.await_inner(face_key(mesh_.vertices(c), i), mark);
+        continue;
+      }
+      if (outer.valid()) note_neighbor(outer.cell());
+      pairing_.await_outer(face_key(mesh_.vertices(c), i), outer, attributes_.mark(mesh_, FaceRef(c, i)));
+    }
+  for (const CellIndex c : removed) note_removal(c);
+  for (const CellIndex c : removed) {
+    mesh_.flags(c) = 0;
+    mesh_.free_cell(c);
+  }
+  for (std::size_t k = 0; k < n_added; ++k) {
+    const CellIndex c = make(k);
+    for (unsigned i = 0; i < 4; ++i)
+      if (const auto* other = pairing_.meet(face_key(mesh_.vertices(c), i), FaceRef(c, i)))
+        attributes_.join(mesh_, FaceRef(c, i), *other);
+  }
+  GEOMESH_CHECK(pairing_.n_outer_waiting() == 0 && (!Attributes::is_closed || pairing_.n_added_waiting() == 0));
+}
+
+}  // namespace geomesh
