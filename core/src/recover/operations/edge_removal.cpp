@@ -3,61 +3,34 @@
 
 #include <array>
 
+#include "mesh/edge_shell.hpp"
+
 namespace geomesh::recover {
 
 namespace {
 
-/// Triangulation of the ring polygon i..j by its last triangle (i, split, j); none where no positive one exists.
-class RingTriangulation {
- public:
-  RingTriangulation(const ConstrainedMesh& mesh, const Constraints& constraints, const EdgeRing& ring,
-                    const EdgeRule* rule, VertexIndex ear)
-      : mesh_(mesh), constraints_(constraints), ring_(ring), rule_(rule), ear_(ear) {}
+using RingShell = EdgeShell<bool, EdgeRemover::max_ring>;
 
-  bool solve() {
-    const unsigned n = static_cast<unsigned>(ring_.ring.size());
-    for (unsigned span = 2; span < n; ++span)
-      for (unsigned i = 0; i + span < n; ++i) {
-        const unsigned j = i + span;
-        split_[i][j] = none;
-        const bool is_diagonal = span + 1 < n;
-        if (is_diagonal && forbidden(ring_.ring[i], ring_.ring[j])) continue;
-        for (unsigned k = i + 1; k < j && split_[i][j] == none; ++k)
-          if (solved(i, k) && solved(k, j) && positive(i, k, j)) split_[i][j] = static_cast<std::uint8_t>(k);
-      }
-    return split_[0][n - 1] != none;
-  }
-  void tetrahedra(std::vector<Tetrahedron>& out) const {
-    collect(0, static_cast<unsigned>(ring_.ring.size()) - 1, out);
-  }
+/// Cells that are positive, without forbidden edges between ring vertices: the first triangulation will do.
+struct PositiveGoal {
+  const ConstrainedMesh& mesh;
+  const Constraints& constraints;
+  const EdgeRing& ring;
+  const EdgeRule* rule;
+  VertexIndex ear;
 
- private:
-  static constexpr std::uint8_t none = 255;
-
-  bool solved(unsigned i, unsigned j) const { return j == i + 1 || split_[i][j] != none; }
-  bool forbidden(VertexIndex a, VertexIndex b) const {
-    return a == ear_ || b == ear_ || (rule_ && rule_->forbids(a, b)) || constraints_.skips_added_points(a, b);
+  static constexpr bool edge() { return true; }
+  static constexpr bool none() { return false; }
+  static constexpr bool is_enough(bool found) { return found; }
+  bool allows(std::size_t i, std::size_t j) const {
+    const VertexIndex a = ring.ring[i], b = ring.ring[j];
+    return a != ear && b != ear && !(rule && rule->forbids(a, b)) && !constraints.skips_added_points(a, b);
   }
-  bool positive(unsigned i, unsigned k, unsigned j) const {
-    const VertexIndex a = ring_.ring[i], b = ring_.ring[k], c = ring_.ring[j];
-    return mesh_.orient(a, b, c, ring_.q) == Sign::positive && mesh_.orient(a, b, c, ring_.p) == Sign::negative;
+  bool value(const RingShell::Span& s, bool left, bool right) const {
+    if (!left || !right) return false;
+    const VertexIndex a = ring.ring[s.i], b = ring.ring[s.k], c = ring.ring[s.j];
+    return mesh.orient(a, b, c, ring.q) == Sign::positive && mesh.orient(a, b, c, ring.p) == Sign::negative;
   }
-  void collect(unsigned i, unsigned j, std::vector<Tetrahedron>& out) const {
-    if (j == i + 1) return;
-    const unsigned k = split_[i][j];
-    const VertexIndex a = ring_.ring[i], b = ring_.ring[k], c = ring_.ring[j];
-    out.push_back({a, b, c, ring_.q});
-    out.push_back({a, c, b, ring_.p});
-    collect(i, k, out);
-    collect(k, j, out);
-  }
-
-  const ConstrainedMesh& mesh_;
-  const Constraints& constraints_;
-  const EdgeRing& ring_;
-  const EdgeRule* rule_;
-  VertexIndex ear_;
-  std::array<std::array<std::uint8_t, EdgeRemover::max_ring>, EdgeRemover::max_ring> split_;
 };
 
 }  // namespace
@@ -80,10 +53,14 @@ bool EdgeRemover::is_fixed(const EdgeRing& ring) const {
 
 bool EdgeRemover::replace_ring(const EdgeRing& ring, VertexIndex ear) {
   if (ring.ring.size() > max_ring) return false;
-  RingTriangulation triangulation(mesh_, constraints_, ring, rule_, ear);
-  if (!triangulation.solve()) return false;
+  RingShell shell;
+  if (!shell.triangulate(ring.ring.size(), PositiveGoal{mesh_, constraints_, ring, rule_, ear})) return false;
   filling_.clear();
-  triangulation.tetrahedra(filling_);
+  shell.for_each_triangle([&](std::size_t i, std::size_t k, std::size_t j) {
+    const VertexIndex a = ring.ring[i], b = ring.ring[k], c = ring.ring[j];
+    filling_.push_back({a, b, c, ring.q});
+    filling_.push_back({a, c, b, ring.p});
+  });
   mesh_.replace(ring.cells, filling_);
   return true;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Removal of a mesh edge by flips, without a point: the n cells about it are replaced by 2(n-2) (3-2 and 4-4 flips are
-/// n = 3 and 4). Which triangulation of the ring gives positive cells is found by dynamic programming (Klincsek 1980;
-/// Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"); where
-/// there is none, edges of the ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips
-/// of Si 2015, "TetGen", section 4.2; own design).
+/// n = 3 and 4). Which triangulation of the ring gives positive cells, EdgeShell finds; where there is none, edges of
+/// the ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips of Si 2015, "TetGen",
+/// section 4.2; own design).
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/edge_shell.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/half_angle.hpp"
 #include "remesh/operations/improve.hpp"
@@ -34,9 +35,9 @@ class PolygonTriangulation {
   double solve(double enough) {
     for (std::size_t i = 0; i < n_sides_; ++i)
       if (bound_at_side(i) <= enough) return enough;
-    return fill_table(1, enough, [&](std::size_t i, std::size_t k, std::size_t j) {
-      const double rest = std::min(best_[i][k], best_[k][j]);
-      return rest <= best_[i][j] ? rest : std::min(rest, triangle_shape(i, k, j, best_[i][j]));
+    return triangulate(1, enough, [&](const Shell::Span& s, double left, double right) {
+      const double rest = std::min(left, right);
+      return rest <= s.best ? rest : std::min(rest, triangle_shape(s.i, s.k, s.j, s.best));
     });
   }
 
@@ -46,38 +47,42 @@ class PolygonTriangulation {
     const double floor = goal.least_after(before), mean = goal.mean;
     constexpr double none = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n_sides_; ++i) bound_[i] = bound_at_side(i);
-    const double most = fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
-      return best_[i][k] + best_[k][j] + 2 * bound_of_triangle(i, k, j) - 2 * mean;
+    const double most = triangulate(0, none, [&](const Shell::Span& s, double left, double right) {
+      return left + right + 2 * bound_of_triangle(s.i, s.k, s.j) - 2 * mean;
     });
     if (most <= needed) return none;
-    return fill_table(0, none, [&](std::size_t i, std::size_t k, std::size_t j) {
-      const double rest = best_[i][k] + best_[k][j] - 2 * mean;
-      if (!(rest + 2 * bound_of_triangle(i, k, j) > best_[i][j])) return none;
-      const auto [upper, lower] = shapes_on(i, k, j);
+    return triangulate(0, none, [&](const Shell::Span& s, double left, double right) {
+      const double rest = left + right - 2 * mean;
+      if (!(rest + 2 * bound_of_triangle(s.i, s.k, s.j) > s.best)) return none;
+      const auto [upper, lower] = shapes_on(s.i, s.k, s.j);
       return upper > floor && lower > floor ? rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) : none;
     });
   }
 
   void append_cells(Index component, std::vector<NewCell>& cells) const {
-    if (n_ >= 3) append(0, n_ - 1, component, cells);
+    shell_.for_each_triangle([&](std::size_t i, std::size_t k, std::size_t j) {
+      cells.push_back({{p_[i], p_[k], p_[j], b_}, component, {}});
+      cells.push_back({{p_[j], p_[k], p_[i], a_}, component, {}});
+    });
   }
 
  private:
-  /// By dynamic programming over spans of the polygon: an edge of it counts `edge`, a triangle (i, k, j) with what is
-  /// best on both its sides value(i, k, j), which is taken where it is above `none` and what was found before. Returns
-  /// the best of the whole. Cubic.
-  template <class Value>
-  double fill_table(double edge, double none, const Value& value) {
-    for (std::size_t i = 0; i + 1 < n_; ++i) best_[i][i + 1] = edge;
-    for (std::size_t span = 2; span < n_; ++span)
-      for (std::size_t i = 0; i + span < n_; ++i) {
-        const std::size_t j = i + span;
-        best_[i][j] = none;
-        apex_[i][j] = 0;
-        for (std::size_t k = i + 1; k < j; ++k)
-          if (const double q = value(i, k, j); q > best_[i][j]) best_[i][j] = q, apex_[i][j] = k;
-      }
-    return n_ < 3 ? edge : best_[0][n_ - 1];
+  using Shell = EdgeShell<double, max_ring + 1>;
+
+  /// A side of the polygon counts `of_edge`; what is not above `least` does not count. value(span, left, right): as
+  /// EdgeShell says.
+  template <class SpanValue>
+  double triangulate(double of_edge, double least, const SpanValue& span_value) {
+    struct Goal {
+      double of_edge, least;
+      const SpanValue& span_value;
+      double edge() const { return of_edge; }
+      double none() const { return least; }
+      static constexpr bool allows(std::size_t, std::size_t) { return true; }
+      static constexpr bool is_enough(double) { return false; }
+      double value(const Shell::Span& s, double left, double right) const { return span_value(s, left, right); }
+    };
+    return shell_.triangulate(n_, Goal{of_edge, least, span_value});
   }
 
   /// The worse of the two cells over a side of the ring is no better, nor is half of what both sum to.
@@ -104,22 +109,12 @@ class PolygonTriangulation {
     return upper <= enough ? upper : std::min(upper, shape(z, y, x, mesh_.point(a_)));
   }
 
-  void append(std::size_t i, std::size_t j, Index component, std::vector<NewCell>& cells) const {
-    if (j < i + 2) return;
-    const std::size_t k = apex_[i][j];
-    cells.push_back({{p_[i], p_[k], p_[j], b_}, component, {}});
-    cells.push_back({{p_[j], p_[k], p_[i], a_}, component, {}});
-    append(i, k, component, cells);
-    append(k, j, component, cells);
-  }
-
   const DomainMesh& mesh_;
   VertexIndex a_, b_;
   const std::vector<VertexIndex>& p_;
   std::size_t n_, n_sides_;
   double bound_[max_ring + 1];
-  double best_[max_ring + 1][max_ring + 1];
-  std::size_t apex_[max_ring + 1][max_ring + 1];
+  Shell shell_;
 };
 
 class EdgeRemoval {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The shell of an edge, refilled without the edge: each triangle of a triangulated polygon of ring vertices stands for
+/// two cells, one with either end of the edge. The best triangulation is found by dynamic programming over spans of the
+/// polygon (Klincsek 1980; Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of
+/// tetrahedral meshes"). What is best, the goal says:
+///
+///   recovery   positive   any triangulation of positive cells without forbidden diagonals
+///   remeshing  worst      the largest worst shape
+///              mean       the largest sum of worths, no cell below a floor
+///              surface    either, on each side of a surface through the edge
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace geomesh {
+
+/// Of polygons of at most `max_vertices`. The goal gives
+///   edge()                    the value of a side of the polygon
+///   none()                    that of a span that has no triangulation
+///   allows(i, j)              whether a triangulation may have the diagonal i-j
+///   is_enough(value)          whether no better is looked for in this span
+///   value(span, left, right)  of triangle (i, k, j) with what is best on its sides (i, k) and (k, j), to be above
+///                             span.best, else it does not count
+template <class Value, std::size_t max_vertices>
+class EdgeShell {
+ public:
+  struct Span {
+    std::size_t i, k, j;
+    Value best;
+  };
+
+  /// The best value of the whole polygon of n vertices. O(n^3).
+  template <class Goal>
+  Value triangulate(std::size_t n, const Goal& goal) {
+    n_ = n;
+    for (std::size_t i = 0; i + 1 < n; ++i) best_[i][i + 1] = goal.edge();
+    for (std::size_t span = 2; span < n; ++span)
+      for (std::size_t i = 0; i + span < n; ++i) {
+        const std::size_t j = i + span;
+        best_[i][j] = goal.none();
+        apex_[i][j] = 0;
+        if (span + 1 < n && !goal.allows(i, j)) continue;
+        for (std::size_t k = i + 1; k < j && !goal.is_enough(best_[i][j]); ++k)
+          if (const Value v = goal.value(Span{i, k, j, best_[i][j]}, best_[i][k], best_[k][j]); v > best_[i][j])
+            best_[i][j] = v, apex_[i][j] = static_cast<std::uint8_t>(k);
+      }
+    return n < 3 ? goal.edge() : best_[0][n - 1];
+  }
+
+  /// visit(i, k, j) for each triangle of the triangulation, i < k < j.
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const {
+    if (n_ >= 3) descend(0, n_ - 1, visit);
+  }
+
+ private:
+  static_assert(max_vertices <= 256);
+
+  template <class Visit>
+  void descend(std::size_t i, std::size_t j, const Visit& visit) const {
+    if (j < i + 2) return;
+    const std::size_t k = apex_[i][j];
+    visit(i, k, j);
+    descend(i, k, visit);
+    descend(k, j, visit);
+  }
+
+  std::size_t n_ = 0;
+  Value best_[max_vertices][max_vertices];
+  std::uint8_t apex_[max_vertices][max_vertices];
+};
+
+}  // namespace geomesh
