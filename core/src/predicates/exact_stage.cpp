@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "predicates/expansion.hpp"
+#include "predicates/filters.hpp"
+#include "predicates/two_double.hpp"
 
 namespace geomesh::exact {
 namespace {
@@ -106,34 +108,6 @@ Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const
 namespace geomesh::detail {
 namespace {
 
-constexpr double unit = 1.1102230246251565e-16;
-
-/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the
-/// magnitudes (of the product); differences of doubles are exact.
-struct TwoDouble {
-  double hi = 0, lo = 0;
-  static TwoDouble difference(double a, double b) {
-    TwoDouble r;
-    exact::two_difference(a, b, r.hi, r.lo);
-    return r;
-  }
-  friend TwoDouble operator+(const TwoDouble& a, const TwoDouble& b) {
-    double s, e;
-    exact::two_sum(a.hi, b.hi, s, e);
-    TwoDouble r;
-    exact::fast_two_sum(s, e + (a.lo + b.lo), r.hi, r.lo);
-    return r;
-  }
-  friend TwoDouble operator-(const TwoDouble& a, const TwoDouble& b) { return a + TwoDouble{-b.hi, -b.lo}; }
-  friend TwoDouble operator*(const TwoDouble& a, const TwoDouble& b) {
-    double p, e;
-    exact::two_product(a.hi, b.hi, p, e);
-    TwoDouble r;
-    exact::fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
-    return r;
-  }
-};
-
 template <class Number>
 struct Vector {
   Number x, y, z;
@@ -142,9 +116,9 @@ struct Vector {
 Vector<double> vector_from(const Vec3& a, const Vec3& origin, double) {
   return {a.x - origin.x, a.y - origin.y, a.z - origin.z};
 }
-Vector<TwoDouble> vector_from(const Vec3& a, const Vec3& origin, TwoDouble) {
-  return {TwoDouble::difference(a.x, origin.x), TwoDouble::difference(a.y, origin.y),
-          TwoDouble::difference(a.z, origin.z)};
+Vector<exact::TwoDouble> vector_from(const Vec3& a, const Vec3& origin, exact::TwoDouble) {
+  return {exact::TwoDouble::difference(a.x, origin.x), exact::TwoDouble::difference(a.y, origin.y),
+          exact::TwoDouble::difference(a.z, origin.z)};
 }
 
 template <class Number>
@@ -175,17 +149,16 @@ Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
 
 }  // namespace
 
-// The bounds count roundings as filters.hpp does, against the sum of the magnitudes of the products instead of its
-// upper limit: 8 u and 17 u in doubles (10 and 22 here for terms of second order). In TwoDouble a product passes
-// through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 here.
+// The bounds in doubles are those of filters.hpp against the sum of the magnitudes of the products. In TwoDouble a
+// product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 here.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
   const double det = det3(u, v, w), permanent = permanent3(u, v, w);
-  if (std::fabs(det) > 10 * unit * permanent) return -sign_of(det);
+  if (std::fabs(det) > filter::orient3d_permanent_factor * permanent) return -sign_of(det);
   if (permanent == 0) return Sign::zero;  // a zero factor in each product: exact (a plane across an axis)
-  const TwoDouble fine =
-      det3(vector_from(a, d, TwoDouble{}), vector_from(b, d, TwoDouble{}), vector_from(c, d, TwoDouble{}));
+  const exact::TwoDouble fine = det3(vector_from(a, d, exact::TwoDouble{}), vector_from(b, d, exact::TwoDouble{}),
+                                     vector_from(c, d, exact::TwoDouble{}));
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return -sign_of(fine.hi);
   ++exact_calls;
   return exact::orient3d(a, b, c, d);
@@ -196,10 +169,10 @@ Sign in_sphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const V
   const Vector<double> p[4] = {vector_from(a, e, 0.0), vector_from(b, e, 0.0), vector_from(c, e, 0.0),
                                vector_from(d, e, 0.0)};
   const double det = in_sphere_det(p), permanent = in_sphere_permanent(p);
-  if (std::fabs(det) > 22 * unit * permanent) return sign_of(det);
-  const Vector<TwoDouble> q[4] = {vector_from(a, e, TwoDouble{}), vector_from(b, e, TwoDouble{}),
-                                  vector_from(c, e, TwoDouble{}), vector_from(d, e, TwoDouble{})};
-  const TwoDouble fine = in_sphere_det(q);
+  if (std::fabs(det) > filter::in_sphere_permanent_factor * permanent) return sign_of(det);
+  const Vector<exact::TwoDouble> q[4] = {vector_from(a, e, exact::TwoDouble{}), vector_from(b, e, exact::TwoDouble{}),
+                                         vector_from(c, e, exact::TwoDouble{}), vector_from(d, e, exact::TwoDouble{})};
+  const exact::TwoDouble fine = in_sphere_det(q);
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return sign_of(fine.hi);
   ++exact_calls;
   return exact::in_sphere(a, b, c, d, e);

@@ -28,6 +28,10 @@ inline constexpr double orient2d_factor = 10 * unit;
 inline constexpr double orient3d_factor = 54 * unit;
 inline constexpr double in_circle_factor = 74 * unit;
 inline constexpr double in_sphere_factor = 450 * unit;
+/// Of the sum of the magnitudes of the very products, which is at most their number times X Y Z (L): 8 u and 17 u, and
+/// a little more.
+inline constexpr double orient3d_permanent_factor = 10 * unit;
+inline constexpr double in_sphere_permanent_factor = 22 * unit;
 
 /// A determinant in doubles and a bound of its error; certain where |value| > error.
 struct Estimate {
@@ -58,6 +62,23 @@ inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   const double det = az * (bx * cy - by * cx) + bz * (cx * ay - cy * ax) + cz * (ax * by - ay * bx);
   return {-det, orient3d_factor * x * y * z};
 }
+
+/// What orient3d(a, b, c, d) of many points a has in common: given b - d and c - d, asked for a - d.
+class Orient3dOfMany {
+ public:
+  Orient3dOfMany(const Vec3& v, const Vec3& w)
+      : minor_{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x},
+        permanent_{std::fabs(v.y * w.z) + std::fabs(v.z * w.y), std::fabs(v.z * w.x) + std::fabs(v.x * w.z),
+                   std::fabs(v.x * w.y) + std::fabs(v.y * w.x)} {}
+  Estimate operator()(const Vec3& u) const {
+    return {-(u.x * minor_.x + u.y * minor_.y + u.z * minor_.z),
+            orient3d_permanent_factor *
+                (std::fabs(u.x) * permanent_.x + std::fabs(u.y) * permanent_.y + std::fabs(u.z) * permanent_.z)};
+  }
+
+ private:
+  Vec3 minor_, permanent_;
+};
 
 inline Estimate in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;

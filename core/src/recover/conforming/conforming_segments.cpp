@@ -6,6 +6,7 @@
 
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
+#include "predicates/two_double.hpp"
 #include "recover/conforming/conforming.hpp"
 #include "recover/model/crossing.hpp"
 #include "recover/model/presence.hpp"
@@ -228,15 +229,17 @@ Vec3 ConformingRecovery::split_place(const Subsegment& s) {
 /// The point of the model's segment nearest to p, so that rounding errors do not add up from split to split.
 Vec3 ConformingRecovery::point_on_segment(const Subsegment& s, const Vec3& p) const {
   if (s.segment == no_index) return p;
-  using Real = long double;
+  using exact::TwoDouble;
   const Vec3 &a = mesh_.point(constraints_.segments[s.segment].a), &b = mesh_.point(constraints_.segments[s.segment].b);
-  Real along = 0, squared_length = 0;
+  TwoDouble along, squared_length;
   for (std::size_t i = 0; i < 3; ++i) {
-    along += (Real(p[i]) - a[i]) * (Real(b[i]) - a[i]);
-    squared_length += (Real(b[i]) - a[i]) * (Real(b[i]) - a[i]);
+    const TwoDouble d = TwoDouble::difference(b[i], a[i]);
+    along = along + TwoDouble::difference(p[i], a[i]) * d;
+    squared_length = squared_length + d * d;
   }
+  const TwoDouble part = along / squared_length;
   Vec3 out;
-  for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<double>(a[i] + along / squared_length * (Real(b[i]) - a[i]));
+  for (std::size_t i = 0; i < 3; ++i) out[i] = (TwoDouble{a[i]} + part * TwoDouble::difference(b[i], a[i])).hi;
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/sort_unique.hpp"
+#include "predicates/two_double.hpp"
 #include "recover/model/facet_trace.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
@@ -145,22 +146,28 @@ class FacetRecovery {
     return true;
   }
 
-  /// In the plane of the input's corners. Extended precision: the plane of a thin triangle is known to fewer digits
-  /// than its corners.
+  /// In the plane of the input's corners. In twice a double's precision: the plane of a thin triangle is known to fewer
+  /// digits than its corners.
   Vec3 piercing_point(const PiercingEdge& e) const {
-    using Real = long double;
-    const Vec3 &p = mesh_.point(plane_[0]), &q = mesh_.point(plane_[1]), &r = mesh_.point(plane_[2]);
-    const Vec3 &a = mesh_.point(e.below), &b = mesh_.point(e.above);
-    const std::array<Real, 3> u{Real(q.x) - p.x, Real(q.y) - p.y, Real(q.z) - p.z},
-        v{Real(r.x) - p.x, Real(r.y) - p.y, Real(r.z) - p.z};
-    const std::array<Real, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    using exact::TwoDouble;
+    const Vec3 &p = mesh_.point(plane_[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);
+    std::array<TwoDouble, 3> u, v;
+    for (std::size_t i = 0; i < 3; ++i) {
+      u[i] = TwoDouble::difference(mesh_.point(plane_[1])[i], p[i]);
+      v[i] = TwoDouble::difference(mesh_.point(plane_[2])[i], p[i]);
+    }
+    const std::array<TwoDouble, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const auto height = [&](const Vec3& x) {
-      return n[0] * (Real(x.x) - p.x) + n[1] * (Real(x.y) - p.y) + n[2] * (Real(x.z) - p.z);
+      return n[0] * TwoDouble::difference(x.x, p.x) + n[1] * TwoDouble::difference(x.y, p.y) +
+             n[2] * TwoDouble::difference(x.z, p.z);
     };
-    const Real da = height(a), db = height(b);
-    const Real s = da == db ? Real(0.5) : std::clamp(da / (da - db), Real(0), Real(1));
+    const TwoDouble da = height(a), whole = da - height(b);
+    TwoDouble s{0.5};
+    if (whole.hi != 0) s = da / whole;
+    if (!(s.hi > 0)) return a;
+    if (!(s.hi < 1)) return b;
     Vec3 out;
-    for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<double>(a[i] + s * (Real(b[i]) - a[i]));
+    for (std::size_t i = 0; i < 3; ++i) out[i] = (TwoDouble{a[i]} + s * TwoDouble::difference(b[i], a[i])).hi;
     return out;
   }
 

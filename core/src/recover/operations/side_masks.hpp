@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "predicates/filters.hpp"
 #include "recover/model/constrained_mesh.hpp"
 
 namespace geomesh::recover {
@@ -98,25 +99,15 @@ class SideMasks {
     return out;
   }
 
-  /// All (i, j, k, l) with i < j. The bound is that of the predicates' second stage (exact_stage.cpp).
+  /// All (i, j, k, l) with i < j.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
-    constexpr double bound = 10 * 0x1p-53;
-    const Vec3 &o = mesh_.point(vertices_[l]), v = mesh_.point(vertices_[j]) - o, w = mesh_.point(vertices_[k]) - o;
-    const Vec3 minor{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-    const Vec3 permanent{std::fabs(v.y * w.z) + std::fabs(v.z * w.y), std::fabs(v.z * w.x) + std::fabs(v.x * w.z),
-                         std::fabs(v.x * w.y) + std::fabs(v.y * w.x)};
+    const Vec3& o = mesh_.point(vertices_[l]);
+    const filter::Orient3dOfMany estimate_of(mesh_.point(vertices_[j]) - o, mesh_.point(vertices_[k]) - o);
     for (std::size_t i = 0; i < j; ++i) {
-      const Vec3 u = mesh_.point(vertices_[i]) - o;
-      const double det = u.x * minor.x + u.y * minor.y + u.z * minor.z;
-      const double error =
-          bound * (std::fabs(u.x) * permanent.x + std::fabs(u.y) * permanent.y + std::fabs(u.z) * permanent.z);
-      if (det < -error) {
-        put(i, j, k, l, true);
-      } else if (det > error) {
-        put(i, j, k, l, false);
-      } else if (const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]); s != Sign::zero) {
-        put(i, j, k, l, s == Sign::positive);
-      }
+      const filter::Estimate estimate = estimate_of(mesh_.point(vertices_[i]) - o);
+      const Sign s =
+          estimate.certain() ? estimate.sign() : mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]);
+      if (s != Sign::zero) put(i, j, k, l, s == Sign::positive);
     }
   }
   /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
