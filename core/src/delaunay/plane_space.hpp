@@ -9,22 +9,34 @@
 
 namespace geomesh {
 
-/// As Space3, of exactly coplanar points. Orientations are those of the projection along `axis`, which is not parallel
-/// to the plane.
+/// Drops an axis: what is left is (y, z), (z, x) or (x, y), or that with its coordinates exchanged.
+struct PlaneProjection {
+  enum class Handedness { right, left };
+  int axis = 2;
+  Handedness handedness = Handedness::right;
+
+  Vec2 operator()(const Vec3& p) const {
+    const Vec2 q = axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
+    return handedness == Handedness::right ? q : Vec2{q.y, q.x};
+  }
+};
+
+/// As Space3, of exactly coplanar points. Orientations are those of a projection along an axis that is not parallel to
+/// the plane.
 class PlaneSpace {
  public:
   static constexpr int dimension = 2;
   using CellVertices = TriMesh::CellVertices;
 
-  PlaneSpace(PointRecord* points, VertexIndex infinite, int axis) : points_(points), infinite_(infinite), axis_(axis) {}
-
-  static Vec2 project(const Vec3& p, int axis) {
-    return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
-  }
+  PlaneSpace(PointRecord* points, VertexIndex infinite, PlaneProjection projection)
+      : points_(points), infinite_(infinite), project_(projection) {}
 
   PointRecord& record(VertexIndex v) const { return points_[v]; }
   VertexIndex infinite() const { return infinite_; }
 
+  Sign orient(VertexIndex a, VertexIndex b, VertexIndex c) const {
+    return orientation(points_[a], points_[b], points_[c]);
+  }
   /// Sign of the orientation of edge `face` of a finite cell with p: negative where p is beyond it.
   Sign side(const CellVertices& v, unsigned face, const Vec3& p) const {
     return orientation(points_[v[(face + 1) % 3]], points_[v[(face + 2) % 3]], p);
@@ -48,12 +60,12 @@ class PlaneSpace {
 
  private:
   Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    return orient2d(project(a, axis_), project(b, axis_), project(c, axis_));
+    return orient2d(project_(a), project_(b), project_(c));
   }
 
   PointRecord* points_;
   VertexIndex infinite_;
-  int axis_;
+  PlaneProjection project_;
 };
 
 }  // namespace geomesh

@@ -6,19 +6,19 @@
 
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
+#include "delaunay/constrained_triangulation.hpp"
 #include "geomesh/core/predicates.hpp"
-#include "plc/planar_triangulation.hpp"
 
 namespace geomesh {
 
 namespace {
 
 /// Drops the coordinate in which the normal is largest; the outer loop turns left in what remains.
-Vec2 project(const Vec3& p, const Vec3& normal) {
+PlaneProjection projection_along(const Vec3& normal) {
+  using Handedness = PlaneProjection::Handedness;
   const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
-  const unsigned axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const double u = p[(axis + 1) % 3], v = p[(axis + 2) % 3];
-  return normal[axis] > 0 ? Vec2{u, v} : Vec2{v, u};
+  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  return {axis, normal[static_cast<std::size_t>(axis)] > 0 ? Handedness::right : Handedness::left};
 }
 
 class FacetTriangulator {
@@ -31,32 +31,29 @@ class FacetTriangulator {
     const Vec3 normal = loop_normal(points_, polygon_.loops[0]);
     if (normal == Vec3{}) return fail("the facet has no area", polygon_.loops[0]);
     measure_planarity(normal);
-    std::vector<Vec2> projected;
-    for (VertexIndex v : vertices_) projected.push_back(project(points_[v], normal));
-    PlanarTriangulation plane(projected, circle_test(projected));
+    ConstrainedTriangulation plane = plane_of(normal);
     if (!plane.triangulate())
       return fail("the facet's vertices lie on one line or coincide in its plane", polygon_.loops[0]);
     for (const auto& loop : polygon_.loops)
       for (std::size_t i = 0; i < loop.size(); ++i)
         if (!constrain(plane, loop[i], loop[(i + 1) % loop.size()])) return std::nullopt;
-    mark_barriers();
     for (const auto& s : polygon_.segments)
       if (!constrain(plane, s[0], s[1])) return std::nullopt;
     plane.restore_delaunay();
-    flood(plane);
+    take_inside(plane);
     if (out_.triangles.empty()) return fail("the facet's outer loop does not turn around an area", polygon_.loops[0]);
     return out_;
   }
 
  private:
-  using Edge = std::array<unsigned, 2>;
+  using Edge = ConstrainedTriangulation::Edge;
 
   std::nullopt_t fail(const char* message, std::vector<VertexIndex> vertices) {
     fault_ = {message, std::move(vertices)};
     return std::nullopt;
   }
-  unsigned local(VertexIndex v) const {
-    return static_cast<unsigned>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
+  VertexIndex local(VertexIndex v) const {
+    return static_cast<VertexIndex>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
   }
   void collect_vertices() {
     for (const auto& loop : polygon_.loops) vertices_.insert(vertices_.end(), loop.begin(), loop.end());
@@ -86,58 +83,46 @@ class FacetTriangulator {
     }
     out_.deviation = 0.5 * (high - low);
   }
-  /// In an exactly planar facet the test of the space triangulation, so that a facet that is present equals its draft.
-  PlanarTriangulation::CircleTest circle_test(const std::vector<Vec2>& projected) const {
-    if (out_.exactly_planar)
-      return [this](unsigned a, unsigned b, unsigned c, unsigned d) {
-        return in_circle_coplanar_perturbed(points_[vertices_[a]], points_[vertices_[b]], points_[vertices_[c]],
-                                            points_[vertices_[d]]) == Sign::positive;
-      };
-    return [&projected](unsigned a, unsigned b, unsigned c, unsigned d) {
-      return in_circle_perturbed(projected[a], projected[b], projected[c], projected[d]) == Sign::positive;
-    };
+  /// Of the points in space where they are exactly planar, so that a facet that is present equals its draft; else of
+  /// their projections.
+  ConstrainedTriangulation plane_of(const Vec3& normal) const {
+    const PlaneProjection projection = projection_along(normal);
+    std::vector<Vec3> points;
+    for (const VertexIndex v : vertices_) {
+      points.push_back(points_[v]);
+      if (out_.exactly_planar) continue;
+      const Vec2 flat = projection(points_[v]);
+      points.back() = {flat.x, flat.y, 0};
+    }
+    return ConstrainedTriangulation(points, out_.exactly_planar ? projection : PlaneProjection{});
   }
-  bool constrain(PlanarTriangulation& plane, VertexIndex a, VertexIndex b) {
+  bool constrain(ConstrainedTriangulation& plane, VertexIndex a, VertexIndex b) {
     const auto obstacle = plane.insert_constraint(local(a), local(b));
     if (!obstacle) return true;
     std::vector<VertexIndex> culprits{a, b};
-    for (unsigned v : *obstacle) culprits.push_back(vertices_[v]);
+    for (const VertexIndex v : *obstacle) culprits.push_back(vertices_[v]);
     fail(obstacle->size() == 1 ? "a vertex of the facet lies on one of its edges" : "two edges of the facet cross",
          culprits);
     return false;
   }
-  void mark_barriers() {
-    for (const auto& loop : polygon_.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const unsigned a = local(loop[i]), b = local(loop[(i + 1) % loop.size()]);
-        barriers_.insert(a < b ? Edge{a, b} : Edge{b, a});
-      }
-  }
   /// From the left of the outer loop, not over any loop.
-  void flood(const PlanarTriangulation& plane) {
-    std::set<Edge> seen;
-    std::vector<Edge> queue;
-    const auto& outer = polygon_.loops[0];
-    for (std::size_t i = 0; i < outer.size(); ++i)
-      queue.push_back({local(outer[i]), local(outer[(i + 1) % outer.size()])});
-    while (!queue.empty()) {
-      const auto [a, b] = queue.back();
-      queue.pop_back();
-      const auto c = plane.apex(a, b);
-      if (!c || seen.count({a, b})) continue;
-      out_.triangles.push_back({vertices_[a], vertices_[b], vertices_[*c]});
-      for (const Edge e : {Edge{a, b}, Edge{b, *c}, Edge{*c, a}}) {
-        seen.insert(e);
-        if (!barriers_.count(e[0] < e[1] ? e : Edge{e[1], e[0]})) queue.push_back({e[1], e[0]});
-      }
-    }
+  void take_inside(const ConstrainedTriangulation& plane) {
+    std::vector<Edge> sides;
+    const auto add_sides = [&](const std::vector<VertexIndex>& loop) {
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        sides.push_back({local(loop[i]), local(loop[(i + 1) % loop.size()])});
+    };
+    add_sides(polygon_.loops[0]);
+    const std::vector<Edge> outer = sides;
+    for (std::size_t l = 1; l < polygon_.loops.size(); ++l) add_sides(polygon_.loops[l]);
+    for (const Triangle& t : plane.triangles_left_of(outer, sides))
+      out_.triangles.push_back({vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]});
   }
 
   std::span<const Vec3> points_;
   const FacetPolygon& polygon_;
   FacetFault& fault_;
   std::vector<VertexIndex> vertices_;
-  std::set<Edge> barriers_;
   FacetTriangulation out_;
 };
 

@@ -6,24 +6,15 @@
 #include <set>
 #include <vector>
 
+#include "delaunay/constrained_triangulation.hpp"
 #include "geomesh/core/delaunay.hpp"
 #include "geomesh/core/planar_delaunay.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "plc/facet_triangulation.hpp"
 
 using namespace geomesh;
 
 namespace {
-
-std::set<Triangle> triangles(const TriMesh& mesh) {
-  std::set<Triangle> r;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c) || mesh.is_ghost(c)) continue;
-    Triangle t = mesh.vertices(c);
-    std::sort(t.begin(), t.end());
-    r.insert(t);
-  }
-  return r;
-}
 
 void check_links(const TriMesh& mesh) {
   for (CellIndex c = 0; c < mesh.n_slots(); ++c)
@@ -57,13 +48,37 @@ TEST_CASE("planar Delaunay: every perturbed circle is empty and the hull is fill
   }
 }
 
-TEST_CASE("planar Delaunay: a facet's draft equals the faces of the tetrahedra on its plane, ties included",
-          "[delaunay]") {
+namespace {
+
+constexpr int n_across = 9, n_along = 7;
+
+/// The points of a lattice within its border, which is the facet's loop.
+FacetPolygon lattice_polygon(const std::vector<Vec3>& points) {
+  const auto at = [&](int x, int y) {
+    return static_cast<VertexIndex>(
+        std::find_if(points.begin(), points.end(), [&](const Vec3& p) { return p.x == x && p.y == y; }) -
+        points.begin());
+  };
+  FacetPolygon polygon;
+  polygon.loops.resize(1);
+  std::vector<VertexIndex>& loop = polygon.loops[0];
+  for (int x = 0; x < n_across; ++x) loop.push_back(at(x, 0));
+  for (int y = 1; y < n_along; ++y) loop.push_back(at(n_across - 1, y));
+  for (int x = n_across - 2; x >= 0; --x) loop.push_back(at(x, n_along - 1));
+  for (int y = n_along - 2; y > 0; --y) loop.push_back(at(0, y));
+  for (int x = 1; x + 1 < n_across; ++x)
+    for (int y = 1; y + 1 < n_along; ++y) polygon.inner_points.push_back(at(x, y));
+  return polygon;
+}
+
+}  // namespace
+
+TEST_CASE("A facet's draft equals the faces of the tetrahedra on its plane, ties included", "[delaunay]") {
   std::mt19937_64 random(9);
-  for (const int slope : {0, 1, 2}) {
+  for (const int slope : {0, 1, 2, -1}) {
     std::vector<Vec3> plane;
-    for (int i = 0; i < 9; ++i)
-      for (int j = 0; j < 7; ++j) plane.push_back({double(i), double(j), double(slope * (i - 2 * j))});
+    for (int i = 0; i < n_across; ++i)
+      for (int j = 0; j < n_along; ++j) plane.push_back({double(i), double(j), double(slope * (i - 2 * j))});
     std::shuffle(plane.begin(), plane.end(), random);
     std::vector<Vec3> all = plane;
     for (int k = 0; k < 40; ++k) {
@@ -80,12 +95,64 @@ TEST_CASE("planar Delaunay: a facet's draft equals the faces of the tetrahedra o
         if (t[2] < plane.size()) on_plane.insert(t);
       }
     }
-    CHECK(triangles(delaunay_triangulation_in_plane(plane).mesh) == on_plane);
+    FacetFault fault;
+    const auto draft = triangulate_facet(plane, lattice_polygon(plane), fault);
+    REQUIRE(draft);
+    CHECK(draft->exactly_planar);
+    std::set<Triangle> of_draft;
+    for (Triangle t : draft->triangles) {
+      std::sort(t.begin(), t.end());
+      of_draft.insert(t);
+    }
+    CHECK(of_draft == on_plane);
   }
 }
 
-TEST_CASE("planar Delaunay: refusals", "[delaunay]") {
+TEST_CASE("Segments are recovered in a plane by flips, and all other edges are Delaunay", "[delaunay]") {
+  std::mt19937_64 random(5);
+  for (unsigned round = 0; round < 40; ++round) {
+    const unsigned side = round % 2 == 0 ? 12 : 1000;
+    std::set<std::pair<unsigned, unsigned>> places;
+    while (places.size() < 90) places.insert({random() % side, random() % side});
+    std::vector<Vec3> points;
+    for (const auto& [x, y] : places) points.push_back({double(x), double(y), 0});
+    std::shuffle(points.begin(), points.end(), random);
+    ConstrainedTriangulation plane(points, {});
+    REQUIRE(plane.triangulate());
+    std::vector<std::array<VertexIndex, 2>> inserted;
+    std::size_t n_refused = 0;
+    for (unsigned k = 0; k < 30; ++k) {
+      const auto a = static_cast<VertexIndex>(random() % points.size()),
+                 b = static_cast<VertexIndex>(random() % points.size());
+      if (a == b) continue;
+      if (plane.insert_constraint(a, b))
+        ++n_refused;
+      else
+        inserted.push_back({a, b});
+    }
+    CHECK(inserted.size() > 3);
+    CHECK(n_refused > 0);
+    plane.restore_delaunay();
+    const auto flat = [&](VertexIndex v) { return Vec2{points[v].x, points[v].y}; };
+    for (const auto& e : inserted) CHECK((plane.apex(e[0], e[1]) || plane.apex(e[1], e[0])));
+    const auto is_inserted = [&](VertexIndex a, VertexIndex b) {
+      return std::any_of(inserted.begin(), inserted.end(),
+                         [&](const auto& e) { return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a); });
+    };
+    for (VertexIndex a = 0; a < points.size(); ++a)
+      for (VertexIndex b = 0; b < points.size(); ++b) {
+        if (a == b) continue;
+        const auto c = plane.apex(a, b), d = plane.apex(b, a);
+        if (c) CHECK(orient2d(flat(a), flat(b), flat(*c)) == Sign::positive);
+        if (!c || !d || is_inserted(a, b)) continue;
+        CHECK(in_circle_perturbed(flat(a), flat(b), flat(*c), flat(*d)) == Sign::negative);
+      }
+  }
+}
+
+TEST_CASE("Points on one line have no triangulation in a plane", "[delaunay]") {
   CHECK_THROWS_AS(delaunay_triangulation(std::vector<Vec2>{{0, 0}, {1, 1}, {2, 2}}), Error);
-  CHECK_THROWS_AS(delaunay_triangulation_in_plane(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-30}}),
-                  Error);
+  CHECK_FALSE(ConstrainedTriangulation(std::vector<Vec3>{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}, {}).triangulate());
+  CHECK_FALSE(
+      ConstrainedTriangulation(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {}).triangulate());
 }

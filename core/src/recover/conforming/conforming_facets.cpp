@@ -7,7 +7,7 @@
 #include <set>
 
 #include "common/geometry.hpp"
-#include "plc/planar_triangulation.hpp"
+#include "delaunay/constrained_triangulation.hpp"
 #include "recover/conforming/conforming.hpp"
 #include "recover/model/facet_trace.hpp"
 #include "recover/model/presence.hpp"
@@ -25,44 +25,32 @@ class Draft {
     const double lu = length(u), lw = length(w);
     members_ = piece.members;
     std::sort(members_.begin(), members_.end());
-    for (VertexIndex v : members_) points_.push_back({dot(mesh.point(v) - o, u) / lu, dot(mesh.point(v) - o, w) / lw});
+    for (VertexIndex v : members_)
+      points_.push_back({dot(mesh.point(v) - o, u) / lu, dot(mesh.point(v) - o, w) / lw, 0});
   }
   /// False where rounding in the frame has made the facet's border cross itself.
   bool build() {
-    PlanarTriangulation plane(points_, [this](unsigned a, unsigned b, unsigned c, unsigned d) {
-      return in_circle_perturbed(points_[a], points_[b], points_[c], points_[d]) == Sign::positive;
-    });
+    ConstrainedTriangulation plane(points_, {});
     if (!plane.triangulate()) return false;
-    std::set<std::array<unsigned, 2>> border, seen;
-    std::vector<std::array<unsigned, 2>> queue;
+    std::vector<ConstrainedTriangulation::Edge> border;
     for (const DirectedEdge& e : piece_.border) {
-      queue.push_back({local(e[0]), local(e[1])});
-      border.insert(queue.back());
-      if (plane.insert_constraint(queue.back()[0], queue.back()[1])) return false;
+      border.push_back({local(e[0]), local(e[1])});
+      if (plane.insert_constraint(border.back()[0], border.back()[1])) return false;
     }
     plane.restore_delaunay();
-    while (!queue.empty()) {
-      const auto [a, b] = queue.back();
-      queue.pop_back();
-      const auto c = plane.apex(a, b);
-      if (!c || seen.count({a, b})) continue;
-      triangles_.push_back({members_[a], members_[b], members_[*c]});
-      for (const auto& e : {std::array{a, b}, std::array{b, *c}, std::array{*c, a}}) {
-        seen.insert(e);
-        if (!border.count(e) && !border.count({e[1], e[0]})) queue.push_back({e[1], e[0]});
-      }
-    }
+    for (const Triangle& t : plane.triangles_left_of(border, border))
+      triangles_.push_back({members_[t[0]], members_[t[1]], members_[t[2]]});
     return !triangles_.empty();
   }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
  private:
-  unsigned local(VertexIndex v) const {
-    return static_cast<unsigned>(std::lower_bound(members_.begin(), members_.end(), v) - members_.begin());
+  VertexIndex local(VertexIndex v) const {
+    return static_cast<VertexIndex>(std::lower_bound(members_.begin(), members_.end(), v) - members_.begin());
   }
   const FacetPiece& piece_;
   std::vector<VertexIndex> members_;
-  std::vector<Vec2> points_;
+  std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
 };
 

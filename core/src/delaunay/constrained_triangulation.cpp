@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "delaunay/constrained_triangulation.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+
+#include "mesh/spatial_order.hpp"
+
+namespace geomesh {
+
+namespace {
+
+PlaneStore store_of(std::span<const Vec3> points) {
+  PlaneStore store;
+  store.records.resize(points.size() + 1);
+  for (VertexIndex v = 0; v < points.size(); ++v) store.records[v] = PointRecord{points[v], v};
+  store.records.back() = PointRecord{points[0], infinite_vertex};
+  store.mesh.grow_to(SlotSource::block);
+  return store;
+}
+
+}  // namespace
+
+ConstrainedTriangulation::ConstrainedTriangulation(std::span<const Vec3> points, PlaneProjection projection)
+    : PlaneStore(store_of(points)),
+      Insertion(PlaneStore::mesh, PlaneSpace(records.data(), static_cast<VertexIndex>(points.size()), projection),
+                SlotSource(0, SlotSource::block, 0, 1)) {}
+
+bool ConstrainedTriangulation::start_with_a_triangle(std::vector<VertexIndex>& order) {
+  if (order.size() < 3 || static_cast<const Vec3&>(records[order[0]]) == records[order[1]]) return false;
+  const auto third = std::find_if(order.begin() + 2, order.end(),
+                                  [&](VertexIndex v) { return orient(order[0], order[1], v) != Sign::zero; });
+  if (third == order.end()) return false;
+  std::rotate(order.begin() + 2, third, third + 1);
+  if (orient(order[0], order[1], order[2]) == Sign::negative) std::swap(order[0], order[1]);
+  start({order[0], order[1], order[2]});
+  return true;
+}
+
+bool ConstrainedTriangulation::triangulate() {
+  constexpr std::size_t few = 64;  // whose order does not matter
+  std::vector<VertexIndex> order(records.size() - 1);
+  std::iota(order.begin(), order.end(), VertexIndex{0});
+  if (order.size() > few) order = hilbert_order(std::vector<Vec3>(records.begin(), records.end() - 1));
+  if (!start_with_a_triangle(order)) return false;
+  for (std::size_t i = 3; i < order.size(); ++i)
+    if (insert(order[i]) != InsertionOutcome::inserted) return false;
+  slots().finish(mesh);
+  refresh();
+  cell_of_.assign(records.size(), no_cell);
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (const VertexIndex v : mesh.vertices(c)) cell_of_[v] = c;
+  return true;
+}
+
+/// The cell on the left of a-b, by its face opposite the apex; invalid where there is no such edge.
+FaceRef ConstrainedTriangulation::edge(VertexIndex a, VertexIndex b) const {
+  CellIndex c = cell_of_[a];
+  do {
+    const unsigned i = mesh.index_of(c, a);
+    if (mesh.vertex(c, (i + 1) % 3) == b) return FaceRef(c, (i + 2) % 3);
+    c = mesh.neighbor_cell(c, (i + 1) % 3);
+  } while (c != cell_of_[a]);
+  return {};
+}
+
+std::optional<VertexIndex> ConstrainedTriangulation::apex(VertexIndex a, VertexIndex b) const {
+  const FaceRef f = edge(a, b);
+  if (!f.valid()) return std::nullopt;
+  const VertexIndex v = mesh.vertex(f.cell(), f.face());
+  return v == space().infinite() ? std::nullopt : std::optional(v);
+}
+
+bool ConstrainedTriangulation::is_flippable(VertexIndex a, VertexIndex b) const {
+  const auto c = apex(a, b), d = apex(b, a);
+  return c && d && orient(*d, b, *c) == Sign::positive && orient(*c, a, *d) == Sign::positive;
+}
+
+/// a-b for the edge of the two apexes p, on its left, and q.
+void ConstrainedTriangulation::flip(VertexIndex a, VertexIndex b) {
+  const FaceRef f = edge(a, b), g = mesh.mirror(f);
+  const CellIndex c = f.cell(), d = g.cell();
+  const VertexIndex p = mesh.vertex(c, f.face()), q = mesh.vertex(d, g.face());
+  const FaceRef bp = mesh.neighbor(c, mesh.index_of(c, a)), pa = mesh.neighbor(c, mesh.index_of(c, b));
+  const FaceRef aq = mesh.neighbor(d, mesh.index_of(d, b)), qb = mesh.neighbor(d, mesh.index_of(d, a));
+  mesh.set_vertices(c, {p, a, q});
+  mesh.set_vertices(d, {q, b, p});
+  mesh.link({c, 0}, aq);
+  mesh.link({c, 1}, {d, 1});
+  mesh.link({c, 2}, pa);
+  mesh.link({d, 0}, bp);
+  mesh.link({d, 2}, qb);
+  cell_of_[a] = cell_of_[p] = c;
+  cell_of_[b] = cell_of_[q] = d;
+}
+
+void ConstrainedTriangulation::restore_delaunay() {
+  std::vector<Edge> queue;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+    for (unsigned i = 0; i < 3; ++i) {
+      const Edge e{mesh.vertex(c, (i + 1) % 3), mesh.vertex(c, (i + 2) % 3)};
+      if (e[0] < e[1] && e[1] != space().infinite()) queue.push_back(e);
+    }
+  while (!queue.empty()) {
+    const auto [a, b] = queue.back();
+    queue.pop_back();
+    const auto c = apex(a, b), d = apex(b, a);
+    if (!c || !d || is_constraint(a, b) || !is_flippable(a, b) || !space().finite_conflict({a, b, *c}, records[*d]))
+      continue;
+    flip(a, b);
+    for (const Edge e : {Edge{a, *c}, Edge{*c, b}, Edge{b, *d}, Edge{*d, a}}) queue.push_back(e);
+  }
+}
+
+std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::crossed_edges(
+    VertexIndex a, VertexIndex b, std::vector<Edge>& out) const {
+  // The triangle at a whose far edge r-l (r right of a-b, l left of it) the segment crosses.
+  std::optional<Edge> entry;
+  const auto is_ahead = [&](VertexIndex v) { return dot(records[v] - records[a], records[b] - records[a]) > 0; };
+  CellIndex c = cell_of_[a];
+  do {
+    const unsigned i = mesh.index_of(c, a);
+    const VertexIndex r = mesh.vertex(c, (i + 1) % 3), l = mesh.vertex(c, (i + 2) % 3);
+    for (const VertexIndex v : {r, l})
+      if (v != space().infinite() && orient(a, b, v) == Sign::zero && is_ahead(v)) return Obstacle{v};
+    if (r != space().infinite() && l != space().infinite() && orient(a, b, r) == Sign::negative &&
+        orient(a, b, l) == Sign::positive && orient(a, r, b) == Sign::positive && orient(l, a, b) == Sign::positive)
+      entry = Edge{r, l};
+    c = mesh.neighbor_cell(c, (i + 1) % 3);
+  } while (c != cell_of_[a]);
+  if (!entry) return Obstacle{a, b};
+  Edge e = *entry;
+  while (true) {
+    if (is_constraint(e[0], e[1])) return Obstacle{e[0], e[1]};
+    out.push_back(e);
+    const auto v = apex(e[1], e[0]);
+    if (!v) return Obstacle{a, b};
+    if (*v == b) return std::nullopt;
+    const Sign side = orient(a, b, *v);
+    if (side == Sign::zero) return Obstacle{*v};
+    e = side == Sign::positive ? Edge{e[0], *v} : Edge{*v, e[1]};
+  }
+}
+
+std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::insert_constraint(VertexIndex a,
+                                                                                              VertexIndex b) {
+  if (!edge(a, b).valid()) {
+    std::vector<Edge> crossed;
+    if (auto obstacle = crossed_edges(a, b, crossed)) return obstacle;
+    // Crossed edges of convex quadrilaterals are flipped until none is crossed.
+    std::deque<Edge> queue(crossed.begin(), crossed.end());
+    while (!queue.empty()) {
+      const auto [p, q] = queue.front();
+      queue.pop_front();
+      if (!is_flippable(p, q)) {
+        queue.push_back({p, q});
+        continue;
+      }
+      const VertexIndex c = *apex(p, q), d = *apex(q, p);
+      flip(p, q);
+      const bool touches = c == a || c == b || d == a || d == b;
+      if (!touches && orient(a, b, c) * orient(a, b, d) == Sign::negative) queue.push_back({c, d});
+    }
+  }
+  constraints_.insert({a, b}, 0);
+  return std::nullopt;
+}
+
+std::vector<Triangle> ConstrainedTriangulation::triangles_left_of(std::vector<Edge> from,
+                                                                  std::span<const Edge> barriers) const {
+  EdgeMap closed;
+  for (const Edge& e : barriers) closed.insert(e, 0);
+  DirectedEdgeSet seen;
+  std::vector<Triangle> out;
+  while (!from.empty()) {
+    const auto [a, b] = from.back();
+    from.pop_back();
+    const auto c = apex(a, b);
+    if (!c || seen.contains({a, b})) continue;
+    out.push_back({a, b, *c});
+    for (const Edge e : {Edge{a, b}, Edge{b, *c}, Edge{*c, a}}) {
+      seen.insert(e);
+      if (closed.find(e) == no_index) from.push_back({e[1], e[0]});
+    }
+  }
+  return out;
+}
+
+}  // namespace geomesh
