@@ -78,7 +78,9 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   void lock(FaceRef f) { FaceLocks::lock(mesh_, f, mesh_.mirror(f)); }
 
   /// All cells with v (ghosts too). The order depends on the mesh alone.
-  void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, visited_, out); }
+  void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, marks_, out); }
+  /// Scratch for marks on cells. A star uses it too.
+  EpochMarks& marks() { return marks_; }
   /// Vertices joined with v by an edge, the infinite one left out, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
   /// A cell with both vertices, or no_cell. Walks about a towards b, so a must be in the mesh; exact.
@@ -158,7 +160,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::vector<CellIndex> created_;
   std::vector<FaceRef> star_faces_;  ///< per created cell of a star: the old cell's face under it
   std::vector<CellIndex> tested_;    ///< of a search for a cavity: cells outside it
-  EpochMarks visited_;
+  EpochMarks marks_;
   Random random_;
 };
 

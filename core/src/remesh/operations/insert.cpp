@@ -5,6 +5,7 @@
 #include "common/epoch_marks.hpp"
 #include "common/sort_unique.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "mesh/cavity.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -84,8 +85,7 @@ class Insertion {
     for (const VertexIndex v : mesh_.vertices(*home))
       if (squared_distance(mesh_.point(v), p_) < rule.spacing * rule.spacing) return std::nullopt;
     bases_.assign(1, *home);
-    grow(rule.spheres);
-    if (!find_cavity(rule.spacing)) return std::nullopt;
+    if (!find_cavity(rule.spheres, rule.spacing)) return std::nullopt;
     const std::vector<double>& shapes = new_shapes();
     if (rule.min_shape > 0 && !(*std::min_element(shapes.begin(), shapes.end()) > rule.min_shape)) return std::nullopt;
     if (!keeps_constraints()) return std::nullopt;
@@ -98,8 +98,7 @@ class Insertion {
   std::optional<VertexIndex> attempt_on_surface(FaceRef start, const InsertionRule& rule) {
     const FaceRef home = locate_on_surface(mesh_, p_, start);
     if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
-    grow(rule.spheres);
-    if (!find_cavity(0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
+    if (!find_cavity(rule.spheres, 0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
     add_spokes(cavity);
     if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;
@@ -150,67 +149,24 @@ class Insertion {
     return true;
   }
 
-  /// A shape criterion in doubles decides which cells to take; validity is decided later and exactly.
-  void grow(const std::vector<Sphere>* spheres) {
-    auto& cells = tools_.work.cells;
-    EpochMarks& marks = tools_.work.marks;
-    cells = bases_;
-    marks.begin(mesh_.n_slots());
-    for (const CellIndex c : bases_) marks.mark(c);
-    for (std::size_t k = 0; k < cells.size() && cells.size() < 400; ++k)
-      for (unsigned i = 0; i < 4; ++i) {
-        if (mesh_.tag(cells[k], i).constrained()) continue;
-        const CellIndex n = mesh_.topology().neighbor_cell(cells[k], i);
-        if (marks.marked(n) || !in_circumsphere(n, spheres)) continue;
-        marks.mark(n);
-        cells.push_back(n);
-      }
+  bool sees(FaceRef f) const {
+    const Triangle t = corners_of(mesh_, f);
+    return is_positive(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), p_);
   }
 
-  bool sees_face(CellIndex c, unsigned i) const {
-    const Tetrahedron& t = mesh_.vertices(c);
-    const auto& f = face_vertices[i];
-    return is_positive(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p_);
-  }
-  bool sees_border(CellIndex c) const {
-    for (unsigned i = 0; i < 4; ++i) {
-      const FaceRef n = mesh_.topology().neighbor(c, i);
-      if (mesh_.tag(c, i).constrained() ? is_opened(c, i) : tools_.work.marks.marked(n.cell())) continue;
-      if (!sees_face(c, i)) return false;
-    }
-    return true;
-  }
-
-  bool is_base(CellIndex c) const { return std::find(bases_.begin(), bases_.end(), c) != bases_.end(); }
-
-  /// Of what was grown, the part that p sees, with no vertex nearer than `spacing`. False where there is none.
-  bool find_cavity(double spacing) {
-    if (!shrink_until_visible() || !keeps_spacing(spacing)) return false;
+  /// The cells whose circumsphere has p, less what p does not see, with no vertex nearer than `spacing`. A shape
+  /// criterion in doubles decides which cells to take; what p sees is decided exactly. False where there is none.
+  bool find_cavity(const std::vector<Sphere>* spheres, double spacing) {
+    constexpr std::size_t most_cells = 400;
+    const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f.cell(), f.face()).constrained(); };
+    Cavity cavity(mesh_.topology(), tools_.work.marks, tools_.work.cells, bases_);
+    cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c, spheres); });
+    const auto is_opened_face = [&](FaceRef f) { return is_opened(f.cell(), f.face()); };
+    if (!cavity.shrink(may_cross, is_opened_face, [&](FaceRef f) { return sees(f); }) || !keeps_spacing(spacing))
+      return false;
     tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());  // gather_cells uses the marks anew
     gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
     if (!opened_.empty()) drop_opened_hull_faces();
-    return true;
-  }
-
-  /// Gives up cells whose border face p does not see, those whose faces are at the border by that, and in the end those
-  /// cut off. False where a base does not see.
-  bool shrink_until_visible() {
-    EpochMarks& marks = tools_.work.marks;
-    std::vector<CellIndex> given_up;
-    const auto give_up = [&](CellIndex c) {
-      marks.unmark(c);
-      given_up.push_back(c);
-      return !is_base(c);
-    };
-    for (const CellIndex c : tools_.work.cells)
-      if (!sees_border(c) && !give_up(c)) return false;
-    for (std::size_t k = 0; k < given_up.size(); ++k)
-      for (unsigned i = 0; i < 4; ++i) {
-        if (mesh_.tag(given_up[k], i).constrained()) continue;
-        const FaceRef n = mesh_.topology().neighbor(given_up[k], i);
-        if (marks.marked(n.cell()) && !sees_face(n.cell(), n.face()) && !give_up(n.cell())) return false;
-      }
-    if (!given_up.empty()) keep_connected();
     return true;
   }
 
@@ -221,24 +177,6 @@ class Insertion {
       if (!mesh_.has_neighbor(f.cell(), f.face())) gone.push_back(corners_of(mesh_, f));
     std::erase_if(tools_.work.cavity.link,
                   [&](const LinkFace& l) { return std::find(gone.begin(), gone.end(), l.vertices) != gone.end(); });
-  }
-
-  void keep_connected() {
-    auto& cells = tools_.work.cells;
-    EpochMarks& marks = tools_.work.marks;
-    std::vector<CellIndex> kept = bases_;
-    for (const CellIndex c : bases_) marks.unmark(c);
-    for (std::size_t k = 0; k < kept.size(); ++k)
-      for (unsigned i = 0; i < 4; ++i) {
-        if (mesh_.tag(kept[k], i).constrained()) continue;
-        const CellIndex n = mesh_.topology().neighbor_cell(kept[k], i);
-        if (!marks.marked(n)) continue;
-        marks.unmark(n);
-        kept.push_back(n);
-      }
-    for (const CellIndex c : cells) marks.unmark(c);
-    for (const CellIndex c : kept) marks.mark(c);
-    cells = std::move(kept);
   }
 
   /// Border edges of the opened faces, in the orientation of their facets.

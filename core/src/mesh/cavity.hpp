@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A set of cells that is to be refilled: it grows over faces by a predicate (in-sphere, visibility), and gives cells
+/// up until a point sees its whole border, so that the star of that point fills it.
+///
+/// The Delaunay base has its own (delaunay/cavity_insertion.hpp): four faces at a time in lanes, vertices in insertion
+/// order. ConstrainedMesh::find_cavity marks cells in their flags, which replace_by_star turns by.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "common/epoch_marks.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
+
+namespace geomesh {
+
+/// Works on marks and a list of the caller, which is the result: the same marks hold for the cells that are in it.
+class Cavity {
+ public:
+  /// Begins with `bases`, which stay. The mesh must not change meanwhile.
+  Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
+      : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
+    cells_.assign(bases.begin(), bases.end());
+    marks_.begin(mesh.n_slots());
+    for (const CellIndex c : bases) marks_.mark(c);
+  }
+
+  bool has(CellIndex c) const { return marks_.marked(c); }
+  const std::vector<CellIndex>& cells() const { return cells_; }
+  void add(CellIndex c) {
+    marks_.mark(c);
+    cells_.push_back(c);
+  }
+
+  /// Gives up the cell in row i of the list.
+  void erase(std::size_t i) {
+    marks_.unmark(cells_[i]);
+    cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+
+  /// Takes in each cell that takes(cell) holds for and that is reached through faces that may_cross(face) holds for,
+  /// both sides of which have cells. Ends where there are `most` cells, and a few more.
+  template <class MayCross, class Takes>
+  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes) {
+    for (std::size_t k = 0; k < cells_.size() && cells_.size() < most; ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        const FaceRef f(cells_[k], i);
+        if (!may_cross(f)) continue;
+        const CellIndex n = mesh_.mirror(f).cell();
+        if (!has(n) && takes(n)) add(n);
+      }
+  }
+
+  /// Gives up cells with a face at the border that sees(face) does not hold for, those whose faces are at the border by
+  /// that, and in the end those cut off from the bases. Faces that may_cross does not hold for are at the border but
+  /// for those that is_inner(face) holds for. False where a base would have to go.
+  template <class MayCross, class IsInner, class Sees>
+  bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
+    std::vector<CellIndex> given_up;
+    const auto give_up = [&](CellIndex c) {
+      marks_.unmark(c);
+      given_up.push_back(c);
+      return std::find(bases_.begin(), bases_.end(), c) == bases_.end();
+    };
+    const auto sees_border = [&](CellIndex c) {
+      for (unsigned i = 0; i < 4; ++i) {
+        const FaceRef f(c, i);
+        if (may_cross(f) ? has(mesh_.mirror(f).cell()) : is_inner(f)) continue;
+        if (!sees(f)) return false;
+      }
+      return true;
+    };
+    for (const CellIndex c : cells_)
+      if (!sees_border(c) && !give_up(c)) return false;
+    for (std::size_t k = 0; k < given_up.size(); ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        const FaceRef f(given_up[k], i);
+        if (!may_cross(f)) continue;
+        const FaceRef n = mesh_.mirror(f);
+        if (has(n.cell()) && !sees(n) && !give_up(n.cell())) return false;
+      }
+    if (!given_up.empty()) keep_connected(may_cross);
+    return true;
+  }
+
+ private:
+  template <class MayCross>
+  void keep_connected(const MayCross& may_cross) {
+    std::vector<CellIndex> kept(bases_.begin(), bases_.end());
+    for (const CellIndex c : bases_) marks_.unmark(c);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      for (unsigned i = 0; i < 4; ++i) {
+        const FaceRef f(kept[k], i);
+        if (!may_cross(f)) continue;
+        const CellIndex n = mesh_.mirror(f).cell();
+        if (!has(n)) continue;
+        marks_.unmark(n);
+        kept.push_back(n);
+      }
+    for (const CellIndex c : cells_) marks_.unmark(c);
+    for (const CellIndex c : kept) marks_.mark(c);
+    cells_ = std::move(kept);
+  }
+
+  const TetMesh& mesh_;
+  EpochMarks& marks_;
+  std::vector<CellIndex>& cells_;
+  std::span<const CellIndex> bases_;
+};
+
+}  // namespace geomesh
