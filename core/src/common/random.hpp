@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The one generator of choices: the same from the same seed on every machine. Good enough to walk and to shuffle by,
-/// and cheap enough for each step of a walk.
+/// and cheap enough for each step of a walk. The search for the last bad cells alone has another, since it draws real
+/// numbers too (remesh/rescue/openings.hpp).
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "refine_bench.hpp"
+#include "remesh/operations/improve.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;

@@ -6,6 +6,7 @@
 
 #include "quality/measure/shape.hpp"
 #include "refine_bench.hpp"
+#include "remesh/operations/improve.hpp"
 #include "remesh/rescue/bad_cells.hpp"
 #include "remesh/rescue/rescue.hpp"
 #include "remesh/rescue/trial.hpp"
