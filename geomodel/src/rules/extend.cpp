@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/planar/borders.hpp"
+#include "rules/planar/nearest_place.hpp"
 #include "rules/planar/planar_fill.hpp"
 
 namespace geomesh::geomodel {
@@ -126,16 +128,9 @@ class Continuation {
   }
 
  private:
-  double nearest_vertex_height(double x, double y) const {
-    double best = std::numeric_limits<double>::infinity(), height = 0;
-    for (const Vec3& p : vertices_) {
-      const double d2 = (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
-      if (d2 < best) {
-        best = d2;
-        height = p.z;
-      }
-    }
-    return height;
+  double nearest_vertex_height(double x, double y) {
+    if (!nearest_) nearest_.emplace(vertices_);
+    return vertices_[nearest_->find(x, y)].z;
   }
   /// Slope of the mean normal of the triangles near the middle of a border edge; flat where it is steeper than can be
   /// continued.
@@ -156,6 +151,7 @@ class Continuation {
   Extend how_;
   std::vector<std::optional<Vec2>> slopes_;
   std::vector<Vec3> vertices_, centres_, normals_;
+  std::optional<NearestPlace> nearest_;  ///< of the vertices
   double radius_;
 };
 

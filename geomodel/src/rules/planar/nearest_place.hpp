@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The nearest of many places of a plane.
+#pragma once
+
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel {
+
+/// A grid of cells, searched in rings about the place asked for: constant time for evenly spaced places.
+class NearestPlace {
+ public:
+  explicit NearestPlace(const std::vector<Vec3>& places);
+  /// Row of the place nearest to (x, y), the first of equally near ones. There must be one.
+  Index find(double x, double y) const;
+
+ private:
+  std::size_t column(double x) const;
+  std::size_t row(double y) const;
+  void look_into(std::size_t i, std::size_t j, double x, double y, double& best, Index& found) const;
+  double distance2_of_cell(std::size_t i, std::size_t j, double x, double y) const;
+
+  const std::vector<Vec3>& places_;
+  Box3 bounds_;
+  std::size_t n_ = 1;  ///< cells each way
+  double width_ = 0, height_ = 0;
+  std::vector<std::vector<Index>> cells_;
+};
+
+}  // namespace geomesh::geomodel
