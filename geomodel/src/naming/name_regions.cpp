@@ -15,6 +15,12 @@ namespace geomesh::geomodel {
 
 namespace {
 
+constexpr std::size_t most_of_one_name = 10;  // regions, before a warning says what would help
+constexpr const char* what_would_help =
+    "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "
+    "with thin_layers: collapse), of small_regions: merge with a min_volume, and of names by fault block "
+    "(fault_blocks)";
+
 enum Class : Index { column_class, body_class, hint_class, seed_class, unnamed_class, hull_class };
 
 /// What a component is called before suffixes, and where it stands in the order of ids.
@@ -194,7 +200,8 @@ void add_suffixes(const std::vector<std::size_t>& order, const std::vector<Label
     }
     if (members.size() > 1)
       warnings.push_back(name + " falls into " + std::to_string(members.size()) + " regions: " + list +
-                         (members.size() > 8 ? ", ..." : ""));
+                         (members.size() > 8 ? ", ..." : "") +
+                         (members.size() > most_of_one_name ? what_would_help : ""));
   }
 }
 
@@ -260,6 +267,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
+  if (rules.join_pieces) return target;  // what is small then is what settling the stack left over
   for (std::size_t c = 0; c < facts.size(); ++c) {
     if (facts[c].volume >= rules.min_volume) continue;
     const std::string what = "region of " + labels[c].name + " near " + to_text(facts[c].inside_point) +
@@ -267,6 +275,13 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
     warnings.push_back(target[c] == c ? what : what + ": it joins " + labels[target[c]].name);
   }
   return target;
+}
+
+/// Names of units of the column, with their fault block; empty for all else.
+std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
+  std::vector<std::string> names;
+  for (const Label& label : labels) names.push_back(label.order == column_class ? label.name : "");
+  return names;
 }
 
 }  // namespace
@@ -285,7 +300,11 @@ NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const Polyg
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);
   if (rules.fault_blocks) add_blocks(mesh, soup, plc, column, facts, labels);
-  const std::vector<Index> target = small_regions(mesh, facts, rules, labels, warnings);
+  std::vector<Index> joined(facts.size());
+  std::iota(joined.begin(), joined.end(), Index{0});
+  if (rules.join_pieces) joined = join_targets(facts, unit_labels(labels));
+  std::vector<Index> target = small_regions(mesh, joined_facts(facts, joined), rules, labels, warnings);
+  for (Index& t : target) t = joined[t];
 
   std::vector<std::size_t> order = id_order(labels, facts);
   std::erase_if(order, [&](std::size_t c) { return target[c] != c; });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,13 @@ std::vector<Index> fault_blocks(const ConstrainedTetrahedralization& mesh, const
 /// itself otherwise.
 std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts,
                                  double min_volume);
+
+/// Components of one name (empty names are never joined): each joins the one of most volume, the first of equal ones.
+/// One target a component; itself where nothing else has its name.
+std::vector<Index> join_targets(const std::vector<ComponentFacts>& facts, const std::vector<std::string>& names);
+
+/// The facts with the volume of everything that joins the same target: what `min_volume` is held against.
+std::vector<ComponentFacts> joined_facts(std::vector<ComponentFacts> facts, std::span<const Index> target);
 
 /// Appends warnings on horizons that have holes, stop short or are absent, with the units that join there.
 void warn_of_gaps(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,

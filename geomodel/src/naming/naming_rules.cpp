@@ -203,4 +203,22 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
   return target;
 }
 
+std::vector<Index> join_targets(const std::vector<ComponentFacts>& facts, const std::vector<std::string>& names) {
+  std::map<std::string, Index> largest;
+  for (Index c = 0; c < facts.size(); ++c) {
+    const auto [at, is_new] = largest.emplace(names[c], c);
+    if (!is_new && facts[c].volume > facts[at->second].volume) at->second = c;
+  }
+  std::vector<Index> target(facts.size());
+  for (Index c = 0; c < facts.size(); ++c) target[c] = names[c].empty() ? c : largest.at(names[c]);
+  return target;
+}
+
+std::vector<ComponentFacts> joined_facts(std::vector<ComponentFacts> facts, std::span<const Index> target) {
+  std::vector<CompensatedSum> sums(facts.size());
+  for (std::size_t c = 0; c < facts.size(); ++c) sums[target[c]].add(facts[c].volume);
+  for (std::size_t c = 0; c < facts.size(); ++c) facts[c].volume = sums[target[c]].value();
+  return facts;
+}
+
 }  // namespace geomesh::geomodel

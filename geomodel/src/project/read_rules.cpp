@@ -90,7 +90,7 @@ void read_cuts(const YamlValue& value, SurfaceSpec& spec) {
 
 void read_model_rules(const YamlValue& value, Project& project) {
   const YamlMap map(value, {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume",
-                            "small_regions", "min_thickness", "thin_layers"});
+                            "small_regions", "min_thickness", "thin_layers", "stack"});
   if (const auto v = map.find("on_crossing")) {
     const auto word = v->choice({"leave", "clip_younger", "clip_older", "error"});
     project.rules.on_crossing = word == "clip_younger" ? OnCrossing::clip_younger
@@ -109,6 +109,8 @@ void read_model_rules(const YamlValue& value, Project& project) {
   if (const auto v = map.find("fault_blocks")) project.naming.fault_blocks = v->boolean().value_or(false);
   if (const auto v = map.find("min_volume")) read_measure(*v, project.naming.min_volume);
   if (const auto v = map.find("min_thickness")) read_measure(*v, project.rules.min_thickness);
+  if (const auto v = map.find("stack"))
+    project.rules.stack.rule = v->choice({"auto", "keep"}) == "keep" ? StackRule::keep : StackRule::automatic;
   if (const auto v = map.find("thin_layers")) {
     const auto word = v->choice({"keep", "collapse", "error"});
     project.rules.thin_layers = word == "collapse" ? ThinLayers::collapse

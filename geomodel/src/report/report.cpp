@@ -116,6 +116,38 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
                           {"spots", spots_json(a.spots, names)}};
 }
 
+json stack_json(const SettledStack& stack) {
+  json horizons = json::array(), units = json::array();
+  for (const SettledHorizon& h : stack.horizons)
+    horizons.push_back({{"name", h.name},
+                        {"triangles_given", h.n_triangles_given},
+                        {"triangles", h.n_triangles},
+                        {"area", h.area},
+                        {"area_merged", h.area_merged},
+                        {"area_moved", h.area_moved},
+                        {"mean_move", h.mean_move},
+                        {"largest_move", h.largest_move},
+                        {"where", to_json(h.place)},
+                        {"largest_off_elsewhere", h.largest_off}});
+  for (const SettledUnit& u : stack.units)
+    units.push_back({{"name", u.name},
+                     {"top", u.top},
+                     {"base", u.base},
+                     {"area", u.area},
+                     {"area_merged", u.area_merged},
+                     {"volume", u.volume},
+                     {"mean_thickness", u.mean_thickness},
+                     {"largest_thickness", u.largest_thickness},
+                     {"islands_left_out", u.n_islands},
+                     {"pinch_out_lines", u.pinch_outs.size()}});
+  return {{"size", stack.size},
+          {"tolerance", stack.tolerance},
+          {"share_of_tolerance", stack_share},
+          {"min_thickness", stack.min_thickness},
+          {"horizons", std::move(horizons)},
+          {"units", std::move(units)}};
+}
+
 void add_mesh(const ModelMesh& mesh, json& root) {
   json regions = json::array(), surfaces = json::array(), curves = json::array();
   for (const Region& r : mesh.regions) {
@@ -153,6 +185,7 @@ std::string to_json(const Report& report) {
   }
   if (report.mesh) add_mesh(*report.mesh, root);
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
+  if (report.stack) root["stack"] = stack_json(*report.stack);
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
   if (report.voronoi_dual) root["voronoi_dual"] = voronoi_json(*report.voronoi_dual);

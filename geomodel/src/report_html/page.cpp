@@ -8,6 +8,7 @@
 #include "report_html/drawing.hpp"
 #include "report_html/section.hpp"
 #include "report_html/shape_section.hpp"
+#include "report_html/stack_section.hpp"
 #include "report_html/viewer.hpp"
 
 namespace geomesh::geomodel {
@@ -140,7 +141,9 @@ std::string to_html(const Report& report) {
     const Box3 bounds = bounds_of(mesh);
     out += "<p class=\"lead\">" + std::to_string(mesh.tetrahedra.size()) + " tetrahedra, " +
            std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.regions.size()) + " units</p>\n" +
-           warnings(report) + viewer(mesh, bounds) + regions_table(mesh) + notes(report) + sections(mesh, bounds);
+           warnings(report) + viewer(mesh, bounds) + regions_table(mesh) + notes(report);
+    if (report.stack) out += page::stack_section(*report.stack, mesh.unit);
+    out += sections(mesh, bounds);
     if (report.quality) out += page::shape_section(*report.quality, mesh);
     out += surfaces_table(mesh);
   } else {

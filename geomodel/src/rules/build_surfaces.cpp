@@ -8,6 +8,7 @@
 #include "rules/fault_ends.hpp"
 #include "rules/thin_layers.hpp"
 #include "rules/throw_blocks.hpp"
+#include "stack/settle_stack.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -97,7 +98,9 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
       extend_to_box(surface, rule.extend, *rules.box, log);
     }
   }
-  if (rules.min_thickness > 0) apply_min_thickness(built, rules);
+  if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
+  if (!settle_stack(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
+    apply_min_thickness(built, rules);
   return built;
 }
 

@@ -65,6 +65,8 @@ struct NamingRules {
   /// Units of the column are named by fault block, `Unit__B2`: blocks are what faults divide (regions joined across
   /// horizons), ordered by place as regions of one name are. Nothing is added where there is one block.
   bool fault_blocks = false;
+  /// Pieces of one unit of the column in one fault block are one region, whether they touch or not.
+  bool join_pieces = false;
   std::string topography{};  ///< a horizon: what lies above it is left out of the mesh
   std::string floor{};       ///< a horizon: what lies below it is left out of the mesh
   double min_volume = 0;     ///< smaller regions are reported; merged with the neighbour across most area where asked

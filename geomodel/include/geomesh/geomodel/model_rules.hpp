@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/arrangement.hpp"
+#include "geomesh/geomodel/stack.hpp"
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {
@@ -73,6 +74,7 @@ struct ModelRules {
   double trim_overshoot = 0;
   double min_thickness = 0;  ///< m, along the vertical; 0: no rule
   ThinLayers thin_layers = ThinLayers::keep;
+  StackRules stack;
 
   SurfaceRules of(std::size_t row) const { return row < surfaces.size() ? surfaces[row] : SurfaceRules{}; }
   /// Whether any rule acts on the soup.
@@ -109,6 +111,7 @@ struct BuiltSurfaces {
   /// horizons new triangles.
   std::vector<TriangulatedSurface> surfaces;
   BuiltRows rows;
+  SettledStack stack;
   /// The surfaces without what only served to part blocks: what the model is to hold before anything is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
   std::vector<std::string> notes;     ///< what each rule did, with areas

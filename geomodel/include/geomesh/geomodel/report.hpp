@@ -15,6 +15,7 @@
 #include "geomesh/geomodel/arrangement.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/stack.hpp"
 
 namespace geomesh::geomodel {
 
@@ -45,6 +46,7 @@ struct Report {
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
   const ModelMesh* mesh = nullptr;
+  const SettledStack* stack = nullptr;  ///< where the stack was settled
   std::vector<std::string>
       surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<RefineStatistics> refinement;

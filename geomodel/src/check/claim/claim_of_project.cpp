@@ -4,6 +4,7 @@
 #include "check/claim/claim.hpp"
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/ask_stack.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"
@@ -106,14 +107,22 @@ Claim claim_of_project(const std::filesystem::path& file) {
   claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
   ModelRules rules = project.rules;
   if (claim.volume) rules.box = claim.volume->bounds;
+  if (claim.volume) ask_stack(rules, project.mesh.refinement, *claim.volume);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
+  if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others
+    claim.names.fault_blocks = true;
+    claim.names.merges_small = true;
+  }
   for (const TriangulatedSurface& s : built.surfaces)
     claim.input_points.insert(claim.input_points.end(), s.points.begin(), s.points.end());
   claim.surfaces = built.model_surfaces();
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
-    claim.trims.back().n_given_triangles = inputs.surfaces[row].triangles.size();
+    const auto& settled = built.stack.horizons;
+    const bool is_new = std::any_of(settled.begin(), settled.end(),
+                                    [&](const SettledHorizon& h) { return h.name == claim.surfaces[row].name; });
+    claim.trims.back().n_given_triangles = (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
   claim.merging = project.tolerance;
   const RefinementSettings& refinement = project.mesh.refinement;

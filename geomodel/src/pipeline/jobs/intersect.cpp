@@ -5,6 +5,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "pipeline/jobs/prepare.hpp"
+#include "stack/settled_report.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -98,6 +99,31 @@ void drop_spots_of_blocks(PreparedModel& model) {
   });
 }
 
+/// Settled horizons share surfaces where that is wanted: nothing to warn of.
+void drop_spots_of_stack(PreparedModel& model) {
+  const auto is_settled = [&](Index s) {
+    return s < model.surfaces.size() &&
+           std::any_of(model.stack.horizons.begin(), model.stack.horizons.end(),
+                       [&](const SettledHorizon& h) { return h.name == model.surfaces[s].name; });
+  };
+  ArrangementResult& found = model.arrangement;
+  std::erase_if(found.spots, [&](const Spot& spot) {
+    const bool of_stack = spot.what == "overlap" && is_settled(spot.surface_a) && is_settled(spot.surface_b);
+    if (of_stack) std::erase(found.warnings, describe(spot, model.surfaces));
+    return of_stack;
+  });
+}
+
+/// Regions of a settled stack are units, or units in fault blocks; what is smaller than one element joins a neighbour.
+void name_by_unit_and_block(PreparedModel& model) {
+  constexpr double element = 0.118;  // volume of a regular tetrahedron over the cube of its side
+  model.naming.join_pieces = true;
+  model.naming.fault_blocks = true;
+  if (model.naming.min_volume > 0) return;
+  model.naming.min_volume = element * model.stack.size * model.stack.size * model.stack.size;
+  model.naming.merge_small = true;
+}
+
 }  // namespace
 
 void build(PreparedModel& model, const RunContext& context) {
@@ -105,6 +131,12 @@ void build(PreparedModel& model, const RunContext& context) {
   BuiltSurfaces built = build_surfaces(model.surfaces, model.rules);
   model.surfaces = std::move(built.surfaces);
   model.built_rows = std::move(built.rows);
+  model.stack = std::move(built.stack);
+  if (model.stack.settled) {
+    for (std::string& text : notes_of(model.stack)) note(model.notes, context, std::move(text));
+    model.refinement.tolerance *= 1 - stack_share;  // settling may have used the rest
+    name_by_unit_and_block(model);
+  }
   for (std::string& text : built.notes) note(model.notes, context, std::move(text));
   for (std::string& text : built.warnings) warn(model.warnings, context, std::move(text));
 }
@@ -114,6 +146,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   StageScope stage(context, "intersect");
   model.arrangement = arrange(model.surfaces, wells, model.points, options, context);
   drop_spots_of_blocks(model);
+  drop_spots_of_stack(model);
   for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coordinates/project_inputs.hpp"
+#include "geomesh/geomodel/ask_stack.hpp"
 #include "grid_sizes/size_grid.hpp"
 #include "pipeline/jobs/prepare.hpp"
 
@@ -106,6 +107,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
     if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
     model.rules.box = model.volume.bounds;
   }
+  ask_stack(model.rules, model.refinement, model.volume);
   model.input_json = describe_input(project, model);
   build(model, context);
   model.z_scale = ZScale(project.crs.z_scale);

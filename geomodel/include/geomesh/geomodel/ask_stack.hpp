@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// From the project's sizes and volume to what settling the stack needs to know.
+#pragma once
+
+#include "geomesh/geomodel/model_rules.hpp"
+#include "geomesh/geomodel/model_volume.hpp"
+#include "geomesh/geomodel/refinement.hpp"
+
+namespace geomesh::geomodel {
+
+/// Fills rules.stack: tolerance and outline, and the least size asked of the model, of horizons of the column and
+/// inside its units. Leaves it without a tolerance where surfaces are kept exactly, and without an outline where there
+/// is no volume: nothing is settled then.
+void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The stack is settled in the map before anything is intersected (docs/model-building.md, "The stack").
+#pragma once
+
+#include "geomesh/geomodel/model_rules.hpp"
+
+namespace geomesh::geomodel {
+
+/// Puts the horizons of the column (with the topography above and the bottom of the model below) into order, has
+/// neighbours share one surface where the unit between is thinner than the least thickness, and gives all of them one
+/// triangulation of the map with as few triangles as half of the tolerance needs.
+///
+/// Nothing is done, and false given, where rules.stack says so or has no tolerance or no size, where a horizon has
+/// several heights somewhere or is given block by block (a note tells), and where nothing asks for it: horizons in the
+/// wrong order without a rule, units thinner than a least thickness that was given, or more than four times the
+/// triangles that the size asks for.
+bool settle_stack(BuiltSurfaces& built, const ModelRules& rules);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stack/settled_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
+#include "rules/planar/map_locator.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr double most_pixels = 160;  // of a thickness map, along its longer side
+
+double area_of(const MapSheets& sheets, const Triangle& t) {
+  const Vec2 &a = sheets.points[t[0]], &b = sheets.points[t[1]], &c = sheets.points[t[2]];
+  return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+bool is_there(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
+  return std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return std::isnan(sheets.height(v, horizon)); });
+}
+
+/// Finds the sheets' triangle over a place.
+class SheetLocator {
+ public:
+  explicit SheetLocator(const MapSheets& sheets) : surface_(flat(sheets)), locator_(surface_) {}
+  Index find(const Vec2& p) const { return locator_.find(p).triangle; }
+
+ private:
+  static TriangulatedSurface flat(const MapSheets& sheets) {
+    TriangulatedSurface s;
+    for (const Vec2& p : sheets.points) s.points.push_back({p.x, p.y, 0});
+    s.triangles = sheets.triangles;
+    return s;
+  }
+  TriangulatedSurface surface_;
+  MapLocator locator_;
+};
+
+std::array<double, 3> weights(const MapSheets& sheets, Index triangle, const Vec2& p) {
+  const Triangle& t = sheets.triangles[triangle];
+  const Vec2 &a = sheets.points[t[0]], &b = sheets.points[t[1]], &c = sheets.points[t[2]];
+  const double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - a.x, wy = c.y - a.y, px = p.x - a.x, py = p.y - a.y;
+  const double det = ux * wy - uy * wx, wb = (px * wy - py * wx) / det, wc = (ux * py - uy * px) / det;
+  return {1 - wb - wc, wb, wc};
+}
+
+double height_at(const MapSheets& sheets, Index triangle, const std::array<double, 3>& w, std::size_t horizon) {
+  const Triangle& t = sheets.triangles[triangle];
+  return w[0] * sheets.height(t[0], horizon) + w[1] * sheets.height(t[1], horizon) +
+         w[2] * sheets.height(t[2], horizon);
+}
+
+/// Areas and volumes from the triangles alone.
+void sum_triangles(const MapSheets& sheets, SettledStack& stack) {
+  for (std::size_t f = 0; f < sheets.triangles.size(); ++f) {
+    const Triangle& t = sheets.triangles[f];
+    const double area = area_of(sheets, t);
+    for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
+      if (!is_there(sheets, t, k)) continue;
+      stack.horizons[k].area += area;
+      const bool above = k > 0 && (sheets.merged[f] >> (k - 1) & 1), below = sheets.merged[f] >> k & 1;
+      if (above || below) stack.horizons[k].area_merged += area;
+      if (k + 1 == sheets.n_horizons || !is_there(sheets, t, k + 1)) continue;
+      SettledUnit& unit = stack.units[k];
+      double thickness = 0;
+      for (const VertexIndex v : t) {
+        const double at = sheets.height(v, k) - sheets.height(v, k + 1);
+        thickness += at / 3;
+        unit.largest_thickness = std::max(unit.largest_thickness, at);
+      }
+      unit.volume += area * thickness;
+      (thickness > 0 ? unit.area : unit.area_merged) += area;
+    }
+  }
+  for (SettledUnit& unit : stack.units) unit.mean_thickness = unit.area > 0 ? unit.volume / unit.area : 0;
+}
+
+/// Moves of the input's points. Each stands for an equal share of the horizon's area.
+void measure_moves(const MapSheets& sheets, const MapSamples& samples, const SheetLocator& locator,
+                   const SheetOptions& options, SettledStack& stack) {
+  std::vector<std::size_t> n(sheets.n_horizons, 0), n_moved(sheets.n_horizons, 0);
+  std::vector<double> sum(sheets.n_horizons, 0);
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const Vec2 p = samples.place(s);
+    const Index t = locator.find(p);
+    if (t == no_index) continue;
+    const std::array<double, 3> w = weights(sheets, t, p);
+    for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
+      const double given = samples.heights(s)[k], move = std::abs(height_at(sheets, t, w, k) - given);
+      if (std::isnan(move)) continue;
+      SettledHorizon& told = stack.horizons[k];
+      ++n[k];
+      if (move <= options.allowed * (1 + 1e-9)) {
+        told.largest_off = std::max(told.largest_off, move);
+        continue;
+      }
+      ++n_moved[k];
+      sum[k] += move;
+      if (move > told.largest_move) {
+        told.largest_move = move;
+        told.place = {p.x, p.y, given};
+      }
+    }
+  }
+  for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
+    if (n_moved[k] == 0) continue;
+    stack.horizons[k].mean_move = sum[k] / static_cast<double>(n_moved[k]);
+    stack.horizons[k].area_moved = stack.horizons[k].area * static_cast<double>(n_moved[k]) / static_cast<double>(n[k]);
+  }
+}
+
+void draw_maps(const MapSheets& sheets, const SheetLocator& locator, const MapBounds& bounds, SettledStack& stack) {
+  ThicknessMaps& maps = stack.maps;
+  const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
+  maps.step = std::max(width, height) / most_pixels;
+  maps.n_columns = static_cast<std::size_t>(std::max(1.0, std::floor(width / maps.step)));
+  maps.n_rows = static_cast<std::size_t>(std::max(1.0, std::floor(height / maps.step)));
+  maps.origin = {bounds.min.x + 0.5 * maps.step, bounds.min.y + 0.5 * maps.step};
+  maps.values.resize(stack.units.size());
+  for (std::size_t j = 0; j < maps.n_rows; ++j)
+    for (std::size_t i = 0; i < maps.n_columns; ++i) {
+      const Vec2 p{maps.origin.x + maps.step * static_cast<double>(i),
+                   maps.origin.y + maps.step * static_cast<double>(j)};
+      const Index t = locator.find(p);
+      for (std::size_t k = 0; k < maps.values.size(); ++k) {
+        double thickness = std::nan("");
+        if (t != no_index) {
+          const std::array<double, 3> w = weights(sheets, t, p);
+          thickness = height_at(sheets, t, w, k) - height_at(sheets, t, w, k + 1);
+        }
+        maps.values[k].push_back(thickness);
+      }
+    }
+}
+
+}  // namespace
+
+SettledStack describe_settled(const MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
+                              const MapBounds& bounds, const SheetOptions& options) {
+  SettledStack stack;
+  stack.settled = true;
+  stack.horizons.resize(sheets.n_horizons);
+  stack.units.resize(sheets.n_horizons - 1);
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    stack.units[k].n_islands = areas[k].n_islands;
+    stack.units[k].pinch_outs = areas[k].curves;
+  }
+  sum_triangles(sheets, stack);
+  const SheetLocator locator(sheets);
+  measure_moves(sheets, samples, locator, options, stack);
+  draw_maps(sheets, locator, bounds, stack);
+  return stack;
+}
+
+std::vector<std::string> notes_of(const SettledStack& stack) {
+  std::vector<std::string> notes;
+  for (const SettledHorizon& h : stack.horizons) {
+    std::string text = "horizon " + h.name + ": settled in the stack, " + std::to_string(h.n_triangles_given) +
+                       " triangles became " + std::to_string(h.n_triangles) + ", within " + to_text(h.largest_off) +
+                       " m";
+    if (h.area_merged > 0) text += "; shares one surface with a neighbour over an area of " + to_text(h.area_merged);
+    if (h.area_moved > 0)
+      text += "; moved over an area of " + to_text(h.area_moved) + " by " + to_text(h.mean_move) +
+              " m in the mean, at most " + to_text(h.largest_move) + " m near " + to_text(h.place);
+    notes.push_back(text);
+  }
+  for (const SettledUnit& u : stack.units)
+    if (u.area_merged > 0)
+      notes.push_back("unit " + u.name + " is thinner than " + to_text(stack.min_thickness) +
+                      " m, and left out, over an area of " + to_text(u.area_merged) + "; it is there over an area of " +
+                      to_text(u.area) + ", " + to_text(u.mean_thickness) + " m thick in the mean");
+  return notes;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stack/sheet_approximation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "stack/map/growing_triangulation.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr double fit_of_lattice = 0.35;      // radius of the first fits, of the lattice's distance
+constexpr double fit_of_triangle = 0.35;     // of the side of a triangle with the area of the one that is divided
+constexpr double vertex_is_off = 0.5;        // share of a sample's distance that is its triangle's vertices' own
+constexpr double near_vertex = 0.25;         // of the samples' distance: what is off there is the vertex
+constexpr int most_rounds = 4;               // of points added where edges are off
+constexpr double shortest_of_spacing = 0.7;  // piece of a line that is halved, of the samples' distance
+
+double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Which pairs share one surface, by zone: as most of the zone's area is by the thickness averaged there.
+std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std::vector<ThinArea>& areas) {
+  std::vector<MergedPairs> merged(map.n_zones(), 0);
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    if (!areas[k].any()) continue;
+    std::vector<double> balance(map.n_zones(), 0.0);
+    for (const GrowingTriangulation::Cell& cell : map.cells()) {
+      const Vec2 &a = map.points()[cell.vertices[0]], &b = map.points()[cell.vertices[1]],
+                 &c = map.points()[cell.vertices[2]];
+      const Vec2 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+      const bool thin = areas[k].excess.values[areas[k].excess.cell_of(centre)] < 0;
+      balance[cell.zone] += (thin ? 1 : -1) * twice_area(a, b, c);
+    }
+    for (std::size_t zone = 0; zone < merged.size(); ++zone)
+      if (balance[zone] > 0) merged[zone] |= MergedPairs{1} << k;
+  }
+  return merged;
+}
+
+class Approximation {
+ public:
+  Approximation(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
+                const SheetOptions& options)
+      : samples_(samples),
+        options_(options),
+        n_(samples.n_surfaces()),
+        lattice_(layout.lattice),
+        map_(triangulate_layout(layout)),
+        zone_merged_(merged_zones(map_, areas)),
+        exact_(n_) {}
+
+  MapSheets run() {
+    for (VertexIndex v = 0; v < map_.points().size(); ++v) add_vertex(v, fit_of_lattice * lattice_);
+    assign_samples();
+    for (Index cell = 0; cell < map_.cells().size(); ++cell) measure(cell);
+    serve_queue();
+    for (int round = 0; round < most_rounds && add_where_edges_are_off(); ++round) serve_queue();
+    return sheets();
+  }
+
+ private:
+  void serve_queue() {
+    while (!queue_.empty()) {
+      const Worst worst = queue_.top();
+      queue_.pop();
+      if (worst.version == version_[worst.cell]) improve(worst);
+    }
+  }
+
+  struct Worst {
+    double excess;  ///< distance over what is allowed
+    Index cell, version, sample;
+    bool operator<(const Worst& other) const {
+      return excess != other.excess ? excess < other.excess : cell > other.cell;
+    }
+  };
+
+  MergedPairs merged(Index cell) const { return zone_merged_[map_.cells()[cell].zone]; }
+  MergedPairs merged_about(VertexIndex v) {
+    map_.star(v, star_);
+    MergedPairs result = 0;
+    for (const Index cell : star_) result |= merged(cell);
+    return result;
+  }
+
+  void add_vertex(VertexIndex v, double radius) {
+    if (vertex_merged_.size() <= v) {
+      vertex_merged_.resize(v + 1);
+      radius_.resize(v + 1);
+      heights_.resize((v + 1) * n_);
+    }
+    vertex_merged_[v] = merged_about(v);
+    radius_[v] = radius;
+    set_heights(v);
+  }
+
+  void set_heights(VertexIndex v) {
+    const std::span<double> heights(heights_.data() + v * n_, n_);
+    if (radius_[v] < samples_.spacing()) radius_[v] = 0;
+    if (radius_[v] > 0) {
+      samples_.fitted_heights(map_.points()[v], radius_[v], heights);
+    } else {
+      samples_.heights_at(map_.points()[v], heights);
+    }
+    settle_column(heights, vertex_merged_[v], options_.keepers, options_.gap);
+  }
+
+  void assign_samples() {
+    held_.resize(map_.cells().size());
+    version_.assign(map_.cells().size(), 0);
+    targets_.resize(samples_.size() * n_);
+    Index near = 0;
+    for (Index s = 0; s < samples_.size(); ++s) {
+      const Index cell = map_.locate(samples_.place(s), near);
+      if (cell == no_index) continue;
+      near = cell;
+      held_[cell].push_back(s);
+      const std::span<const double> given = samples_.heights(s);
+      const std::span<double> target(targets_.data() + s * n_, n_);
+      std::copy(given.begin(), given.end(), target.begin());
+      settle_column(target, merged(cell), options_.keepers, 0);
+    }
+  }
+
+  /// Barycentric coordinates of p in a cell.
+  std::array<double, 3> weights(Index cell, const Vec2& p) const {
+    const Triangle& v = map_.cells()[cell].vertices;
+    const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
+    const double whole = twice_area(a, b, c), wb = twice_area(a, p, c) / whole, wc = twice_area(a, b, p) / whole;
+    return {1 - wb - wc, wb, wc};
+  }
+
+  double distance(Index cell, const std::array<double, 3>& w, Index sample, std::size_t k) const {
+    const Triangle& v = map_.cells()[cell].vertices;
+    const double z = w[0] * heights_[v[0] * n_ + k] + w[1] * heights_[v[1] * n_ + k] + w[2] * heights_[v[2] * n_ + k];
+    return std::abs(z - targets_[sample * n_ + k]);
+  }
+
+  /// Horizons that give way at a pinch-out line which the cell touches from outside. Bit k: horizon k.
+  std::uint64_t giving_way(Index cell) const {
+    const Triangle& v = map_.cells()[cell].vertices;
+    const MergedPairs about = vertex_merged_[v[0]] | vertex_merged_[v[1]] | vertex_merged_[v[2]];
+    std::uint64_t givers = 0;
+    for (std::size_t k = 0; k + 1 < n_; ++k)
+      if ((about & ~merged(cell)) >> k & 1)
+        givers |= std::uint64_t{1} << (options_.keepers[k] == Keeper::younger ? k + 1 : k);
+    return givers;
+  }
+
+  double allowed(std::uint64_t givers, std::size_t k) const {
+    return options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
+  }
+
+  /// Queues the cell where one of its samples is further off than allowed.
+  void measure(Index cell) {
+    Worst worst{1, cell, ++version_[cell], no_index};
+    const std::uint64_t givers = giving_way(cell);
+    for (const Index s : held_[cell]) {
+      const std::array<double, 3> w = weights(cell, samples_.place(s));
+      for (std::size_t k = 0; k < n_; ++k)
+        if (const double excess = distance(cell, w, s, k) / allowed(givers, k); excess > worst.excess) {
+          worst.excess = excess;
+          worst.sample = s;
+        }
+    }
+    if (worst.sample != no_index) queue_.push(worst);
+  }
+
+  void improve(const Worst& worst) {
+    if (sharpen(worst)) return;
+    const Vec2 p = samples_.place(worst.sample);
+    const Triangle& v = map_.cells()[worst.cell].vertices;
+    const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
+    map_.add(p, worst.cell, shortest_of_spacing * samples_.spacing(), change_);
+    if (change_.vertex == no_vertex) return;  // at a vertex, or too narrow for doubles
+    redistribute();
+    add_vertex(change_.vertex, std::min(fit_of_lattice * lattice_, fit_of_triangle * side));
+    for (const Index cell : change_.made) measure(cell);
+    // A line's piece elsewhere may have been halved instead: the sample is still to be dealt with.
+    if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
+  }
+
+  /// Fits the vertex anew that has the greatest part in the sample's distance, over half of its radius. False where
+  /// the vertices have little part in it.
+  bool sharpen(const Worst& worst) {
+    const Triangle v = map_.cells()[worst.cell].vertices;
+    const std::array<double, 3> w = weights(worst.cell, samples_.place(worst.sample));
+    std::size_t horizon = 0;
+    double off = 0;
+    for (std::size_t k = 0; k < n_; ++k)
+      if (const double d = distance(worst.cell, w, worst.sample, k); d > off) off = d, horizon = k;
+    double sum = 0, greatest = 0;
+    VertexIndex blunt = no_vertex;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (radius_[v[i]] == 0) continue;
+      samples_.heights_at(map_.points()[v[i]], exact_);
+      settle_column(exact_, vertex_merged_[v[i]], options_.keepers, options_.gap);
+      const double part = w[i] * std::abs(exact_[horizon] - heights_[v[i] * n_ + horizon]);
+      if (std::isnan(part)) continue;
+      sum += part;
+      if (part > greatest) greatest = part, blunt = v[i];
+    }
+    if (blunt == no_vertex || sum < vertex_is_off * off) return false;
+    radius_[blunt] *= 0.5;
+    set_heights(blunt);
+    map_.star(blunt, star_);
+    const std::vector<Index> about = star_;
+    for (const Index cell : about) measure(cell);
+    return true;
+  }
+
+  void redistribute() {
+    std::vector<Index> moving;
+    for (const Index cell : change_.emptied) {
+      moving.insert(moving.end(), held_[cell].begin(), held_[cell].end());
+      held_[cell].clear();
+    }
+    held_.resize(map_.cells().size());
+    version_.resize(map_.cells().size(), 0);
+    for (const Index s : moving) {
+      const Vec2 p = samples_.place(s);
+      Index best = no_index;
+      double inside = -1e300;
+      for (const Index cell : change_.made) {
+        const std::array<double, 3> w = weights(cell, p);
+        const double least = std::min({w[0], w[1], w[2]});
+        if (least > inside) inside = least, best = cell;
+        if (least >= 0) break;
+      }
+      held_[best].push_back(s);
+    }
+  }
+
+  /// The difference of two surfaces of triangles is greatest at a vertex of one of them or where their edges cross in
+  /// the map. Samples are the given vertices, and the sheets' own lie on the data or near a sample; this looks at the
+  /// crossings, and adds those that are off as vertices. False where there are none.
+  bool add_where_edges_are_off() {
+    std::vector<Vec2> off;
+    for (std::size_t k = 0; k < n_; ++k) {
+      const TriangulatedSurface& s = samples_.surface(k);
+      Index near = 0;
+      for (const Triangle& t : s.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+          if (t[i] < t[(i + 1) % 3]) look_along(s.points[t[i]], s.points[t[(i + 1) % 3]], k, near, off);
+    }
+    for (const Vec2& p : off) {
+      const Index at = map_.locate(p, 0);
+      if (at == no_index) continue;
+      map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
+      if (change_.vertex == no_vertex) continue;
+      redistribute();
+      add_vertex(change_.vertex, 0);
+      for (const Index cell : change_.made) measure(cell);
+    }
+    return !off.empty();
+  }
+
+  void look_along(const Vec3& p, const Vec3& q, std::size_t k, Index& near, std::vector<Vec2>& off) {
+    const Vec2 from{p.x, p.y}, to{q.x, q.y};
+    const Index start = map_.locate(from, near);
+    if (start == no_index) return;
+    near = start;
+    map_.walk(from, start, to, [&](Index cell, VertexIndex a, VertexIndex b, double t) {
+      const Vec2 x{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+      const Vec2 &pa = map_.points()[a], &pb = map_.points()[b];
+      const double dx = pb.x - pa.x, dy = pb.y - pa.y;
+      const double along = ((x.x - pa.x) * dx + (x.y - pa.y) * dy) / (dx * dx + dy * dy);
+      if (std::min(along, 1 - along) * std::hypot(dx, dy) < near_vertex * samples_.spacing()) return;
+      const double z = (1 - along) * heights_[a * n_ + k] + along * heights_[b * n_ + k];
+      const double most = allowed(giving_way(cell), k) * (1 + 1e-9);
+      if (!(std::abs(z - (p.z + t * (q.z - p.z))) > most)) return;
+      samples_.heights_at(x, exact_);
+      settle_column(exact_, merged(cell), options_.keepers, 0);
+      if (std::abs(z - exact_[k]) > most) off.push_back(x);
+    });
+  }
+
+  MapSheets sheets() {
+    MapSheets result;
+    result.n_horizons = n_;
+    result.points = map_.points();
+    result.heights = heights_;
+    for (Index cell = 0; cell < map_.cells().size(); ++cell) {
+      result.triangles.push_back(map_.cells()[cell].vertices);
+      result.merged.push_back(merged(cell));
+    }
+    return result;
+  }
+
+  const MapSamples& samples_;
+  const SheetOptions& options_;
+  std::size_t n_;
+  double lattice_;
+  GrowingTriangulation map_;
+  std::vector<MergedPairs> zone_merged_;
+  std::vector<MergedPairs> vertex_merged_;  ///< any cell about the vertex
+  std::vector<double> radius_;              ///< of the fit, per vertex; 0: on the given triangles
+  std::vector<double> heights_, targets_;   ///< settled; per vertex and per sample
+  std::vector<std::vector<Index>> held_;    ///< samples by cell
+  std::vector<Index> version_;              ///< per cell; older entries of the queue do not count
+  std::priority_queue<Worst> queue_;
+  GrowingTriangulation::Change change_;
+  std::vector<Index> star_;
+  std::vector<double> exact_;
+};
+
+}  // namespace
+
+MapSheets approximate_sheets(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
+                             const SheetOptions& options) {
+  return Approximation(samples, layout, areas, options).run();
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// All horizons of a stack over one triangulation of the map, with as few triangles as their tolerance allows.
+#pragma once
+
+#include <vector>
+
+#include "stack/column_heights.hpp"
+#include "stack/map/map_layout.hpp"
+#include "stack/map/map_samples.hpp"
+#include "stack/thin_areas.hpp"
+
+namespace geomesh::geomodel {
+
+struct SheetOptions {
+  std::vector<Keeper> keepers;    ///< one a pair
+  double allowed = 0;             ///< largest distance along the vertical from the settled heights of samples, m
+  double gap = 0;                 ///< least thickness at vertices where a pair shares no surface, m
+  double room_at_pinch_outs = 0;  ///< further distance allowed in triangles that touch a pinch-out line, m
+};
+
+/// Sheets over one triangulation: horizons have the same vertices in the map, so that none crosses another.
+struct MapSheets {
+  std::vector<Vec2> points;
+  std::vector<double> heights;  ///< per point one a horizon; NaN where it is not there
+  std::vector<Triangle> triangles;
+  std::vector<MergedPairs> merged;  ///< per triangle
+  std::size_t n_horizons = 0;
+  double height(VertexIndex v, std::size_t horizon) const { return heights[v * n_horizons + horizon]; }
+};
+
+/// Greedy insertion (after Garland and Heckbert 1995) of the place where any horizon is furthest off, relative to what
+/// is allowed there. A vertex has the height of a plane fitted to the samples about it, over a radius that shrinks
+/// where the fit is what is off; at radius zero it lies on the given triangles.
+/// At last the crossings of edges in the map are looked at, between which and the vertices the difference is linear.
+/// Cost: near-linear in the samples.
+MapSheets approximate_sheets(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
+                             const SheetOptions& options);
+
+}  // namespace geomesh::geomodel
