@@ -106,13 +106,11 @@ class Model:
 
     def write(self, folder):
         os.makedirs(folder)
-        for file in (self.vtu, self.faces, self.curves):
+        for file, ending in ((self.vtu, ".vtu"), (self.faces, ".faces.vtp"), (self.curves, ".curves.vtp")):
             if file:
-                spread_names(file)
-        self.vtu.write(os.path.join(folder, "m.vtu"))
-        self.faces.write(os.path.join(folder, "m.faces.vtp"))
-        if self.curves:
-            self.curves.write(os.path.join(folder, "m.curves.vtp"))
+                written = copy.deepcopy(file)
+                spread_names(written)
+                written.write(os.path.join(folder, "m" + ending))
         with open(os.path.join(folder, "m.report.json"), "w") as file:
             json.dump(self.report, file)
 

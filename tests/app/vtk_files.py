@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads and writes the VTK XML files of geomesh (appended raw data, zlib, 64-bit headers). Standard library only.
+"""Reads and writes the VTK XML files of geomesh (appended raw data, zlib, 64-bit headers, short arrays as text). Standard library only.
 
     file = VtkFile.read("model.faces.vtp")
     file["CellData", "patch"].values[3] = 7
@@ -60,8 +60,15 @@ class VtkFile:
                 continue
             attributes = dict(re.findall(r'(\w+)="([^"]*)"', tag.group(3).decode()))
             array = VtkArray(section, attributes["Name"], attributes["type"], int(attributes.get("NumberOfComponents", 1)), [])
-            array.decode(uncompressed(content, start + int(attributes["offset"])))
+            if attributes.get("format") == "ascii":
+                number = float if array.kind.startswith("Float") else int
+                array.values = [number(word) for word in content[tag.end():content.index(b"<", tag.end())].split()]
+            else:
+                array.decode(uncompressed(content, start + int(attributes["offset"])))
             file.arrays.append(array)
+        if file.kind == "PolyData":
+            file.arrays += [VtkArray(cells, name, "Int64", 1, []) for cells in ("Verts", "Lines", "Strips", "Polys")
+                            for name in ("connectivity", "offsets") if not file.has(cells, name)]
         return file
 
     def n_points(self):
