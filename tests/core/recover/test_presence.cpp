@@ -28,7 +28,8 @@ struct Start {
         mesh(triangulated(form, model)) {}
 
   static ConstrainedMesh triangulated(const CanonicalForm& form, recover::DeclaredModel& model) {
-    recover::StartTriangulation start = recover::triangulate_start(form.plc, form.names, model, {}, {}, true);
+    recover::StartTriangulation start =
+        recover::triangulate_start(form.plc, form.names, model, {}, {}, recover::StartFrame::may_be_stretched);
     return ConstrainedMesh(std::move(start.mesh), std::move(start.points), model.input_vertex.size());
   }
 

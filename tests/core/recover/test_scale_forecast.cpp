@@ -30,7 +30,8 @@ struct Model {
                                      return Vec3{p.x, p.y, std::ldexp(p.z, z_exponent)};
                                    }))),
         declared(recover::declare_constraints(form.plc, form.names, {})),
-        points(recover::triangulate_start(form.plc, form.names, declared, {}, {}, false).points) {}
+        points(
+            recover::triangulate_start(form.plc, form.names, declared, {}, {}, recover::StartFrame::as_given).points) {}
 
   TetMesh triangulated(const std::array<int, 3>& exponents) const {
     std::vector<Vec3> scaled = points;

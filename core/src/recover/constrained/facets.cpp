@@ -8,6 +8,7 @@
 
 #include "common/sort_unique.hpp"
 #include "predicates/two_double.hpp"
+#include "recover/constrained/exact_steps.hpp"
 #include "recover/model/facet_trace.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
@@ -171,26 +172,29 @@ class FacetRecovery {
     return out;
   }
 
-  /// Splits the piercing edge nearest to its middle, so that the new cells are as thick as can be; else any.
   bool split_one(const FacetTrace& trace) {
-    Constraints& constraints = recovery_.constraints;
-    EdgeRing ring;
     for (const PiercingEdge& e : trace.piercing) {
-      const CellIndex cell = mesh_.find_edge(e.below, e.above);
-      if (!mesh_.ring(cell, e.below, e.above, ring)) continue;
-      const VertexIndex x = mesh_.add_point(piercing_point(e));
-      if (insert_in_star(mesh_, constraints, x, ring.cells)) {
-        constraints.vertices.resize(mesh_.points().size());
-        constraints.vertices[x] = {VertexOrigin::on_facet, constraints.subfacets[subfacet_].facet};
-        recovery_.count_added_point();
-        sides_.add_member(x);
-        is_plain_ = false;
-        has_been_split_ = true;
-        return true;
-      }
-      mesh_.drop_last_point();
+      const VertexIndex x =
+          recovery_.has_exact_points ? step_onto_plane(recovery_, plane_, e.below, e.above) : split_rounded(e);
+      if (x == no_vertex) continue;
+      Constraints& constraints = recovery_.constraints;
+      constraints.vertices.resize(mesh_.points().size());
+      constraints.vertices[x] = {VertexOrigin::on_facet, constraints.subfacets[subfacet_].facet};
+      recovery_.count_added_point();
+      sides_.add_member(x);
+      is_plain_ = false;
+      has_been_split_ = true;
+      return true;
     }
     return false;
+  }
+  VertexIndex split_rounded(const PiercingEdge& e) {
+    EdgeRing ring;
+    if (!mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring)) return no_vertex;
+    const VertexIndex x = mesh_.add_point(piercing_point(e));
+    if (insert_in_star(mesh_, recovery_.constraints, x, ring.cells)) return x;
+    mesh_.drop_last_point();
+    return no_vertex;
   }
 
   void commit(const FacetTrace& trace) {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/geometry.hpp"
-#include "common/sort_unique.hpp"
-#include "recover/model/crossing.hpp"
+#include "recover/constrained/crossed_cells.hpp"
+#include "recover/constrained/exact_steps.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
@@ -38,22 +38,6 @@ double crossing_parameter(const ConstrainedMesh& mesh, const Crossing& c, const 
 
 Vec3 on_segment(const Vec3& a, const Vec3& b, double t) { return t <= 0.5 ? a + t * (b - a) : b + (1 - t) * (a - b); }
 
-/// The cells of the simplex crossed: two of a face, all of an edge.
-std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing& c) {
-  if (c.kind == CrossingKind::face) return {c.cell, mesh.cells().mirror(c.face).cell()};
-  EdgeRing ring;
-  if (!mesh.ring(c.cell, c.v[0], c.v[1], ring)) return {};
-  return ring.cells;
-}
-
-void refuse_contradictions(const Recovery& recovery, Index s, const LineCrossings& line) {
-  for (const Crossing& c : line.crossings) {
-    if (c.kind != CrossingKind::edge) continue;
-    const Index other = recovery.constraints.subsegment_of(c.v[0], c.v[1]);
-    if (other != no_index) fail_segments_cross(recovery, s, other);
-  }
-}
-
 bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& seeds, VertexIndex& x) {
   ConstrainedMesh& mesh = recovery.mesh;
   x = mesh.add_point(p);
@@ -65,84 +49,37 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   return false;
 }
 
-/// Square of the distance to the nearest of the segment's ends and of the vertices of the simplex crossed.
-double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, const Vec3& a, const Vec3& b) {
-  double out = std::min(dot(x - a, x - a), dot(x - b, x - b));
-  for (VertexIndex v : c.v)
-    if (v != no_vertex) out = std::min(out, dot(x - mesh.point(v), x - mesh.point(v)));
-  return out;
-}
-
 /// Parts of a subsegment next to its ends are left alone, so that points do not crowd.
 constexpr double least_part = 1e-6;
-
-/// Later attempts leave the crossing by a small part of the way to the nearer end: there is no other vertex in its
-/// plane.
-double placed_parameter(double t, unsigned attempt) {
-  if (attempt == 0) return t;
-  const double part = (attempt % 2 == 0 ? 0.25 : -0.25) / (1 + attempt);
-  return t + part * std::min(t, 1 - t);
-}
-
-/// Square of the distance of p from the line through a and b.
-double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 u = b - a, n = cross(u, p - a);
-  return dot(n, n) / dot(u, u);
-}
-
-/// The cells of crossing i and of what the point x there would have beside it at the distance of a rounding error:
-/// other crossings, and edges of the face crossed. Were they left, the next crossing would be an ulp from x.
-std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const LineCrossings& line,
-                                           const std::vector<double>& parameters, std::size_t i, const Vec3& x,
-                                           double length) {
-  constexpr double near = 1e-7;  // of the subsegment
-  std::vector<CellIndex> out;
-  EdgeRing ring;
-  for (std::size_t k = 0; k < line.crossings.size(); ++k) {
-    if (std::fabs(parameters[k] - parameters[i]) > near) continue;
-    const Crossing& c = line.crossings[k];
-    const std::vector<CellIndex> cells = crossed_cells(mesh, c);
-    out.insert(out.end(), cells.begin(), cells.end());
-    if (c.kind != CrossingKind::face) continue;
-    for (unsigned e = 0; e < 3; ++e) {
-      const VertexIndex v = c.v[e], w = c.v[(e + 1) % 3];
-      if (distance_to_line(x, mesh.point(v), mesh.point(w)) < near * near * length * length &&
-          mesh.ring(c.cell, v, w, ring))
-        out.insert(out.end(), ring.cells.begin(), ring.cells.end());
-    }
-  }
-  sort_unique(out);
-  return out;
-}
 
 /// A point on the missing subsegment where the line crosses the mesh, as far from other vertices as can be.
 VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
   const VertexIndex a = recovery.constraints.subsegments[s].a, b = recovery.constraints.subsegments[s].b;
   const Vec3 pa = mesh.point(a), pb = mesh.point(b);
-  LineCrossings line;
-  walk_line(mesh, a, b, line);
-  refuse_contradictions(recovery, s, line);
+  CrossingsOnLine on;
+  const std::vector<Crossing>& crossings = on.line.crossings;
+  walk_line(mesh, a, b, on.line);
+  on.length = std::sqrt(dot(pb - pa, pb - pa));
+  refuse_crossed_segments(recovery, s, on.line);
   const auto is_crowded = [&](const Vec3& p) {
     const double least = recovery.least_spacing * recovery.least_spacing;
     return dot(p - pa, p - pa) < least || dot(p - pb, p - pb) < least;
   };
   std::vector<std::pair<double, std::size_t>> order;
   std::vector<Vec3> places;
-  std::vector<double> parameters;
-  for (const Crossing& c : line.crossings) parameters.push_back(crossing_parameter(mesh, c, pa, pb));
-  for (std::size_t i = 0; i < line.crossings.size(); ++i) {
-    const double t = placed_parameter(parameters[i], recovery.attempt);
+  for (const Crossing& c : crossings) on.parameters.push_back(crossing_parameter(mesh, c, pa, pb));
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const double t = on.parameters[i];
     places.push_back(on_segment(pa, pb, t));
     if (t > least_part && t < 1 - least_part && !is_crowded(places[i]))
-      order.emplace_back(-clearance(mesh, line.crossings[i], places[i], pa, pb), i);
+      order.emplace_back(-clearance(mesh, crossings[i], places[i], pa, pb), i);
   }
   std::sort(order.begin(), order.end());
   VertexIndex x = no_vertex;
   for (const auto& [negative_clearance, i] : order)
-    if (try_point(recovery, places[i], cells_near_crossing(mesh, line, parameters, i, places[i], distance(pb, pa)),
-                  x) ||
-        try_point(recovery, places[i], crossed_cells(mesh, line.crossings[i]), x))
+    if (try_point(recovery, places[i], cells_near_crossing(mesh, on, i, places[i]), x) ||
+        try_point(recovery, places[i], crossed_cells(mesh, crossings[i]), x))
       return x;
   for (double t : {0.5, 0.25, 0.75, 0.125, 0.875, 0.375, 0.625})
     if (!is_crowded(on_segment(pa, pb, t)) && try_point(recovery, on_segment(pa, pb, t), {mesh.cell_of(a)}, x))
@@ -188,7 +125,8 @@ void recover_by_points(Recovery& recovery, Missing first) {
     if (!constraints.subsegments[item.subsegment].live) continue;
     const Subsegment s = constraints.subsegments[item.subsegment];
     if (mesh.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery, s, item.halvings)) continue;
-    const VertexIndex x = insert_on_segment(recovery, item.subsegment);
+    const VertexIndex x = recovery.has_exact_points ? step_along_segment(recovery, item.subsegment)
+                                                    : insert_on_segment(recovery, item.subsegment);
     if (x == no_vertex || points_left-- == 0) fail_segment_not_recovered(recovery, item.subsegment);
     recovery.count_added_point();
     const bool inside_facet = s.segment == no_index;

@@ -23,8 +23,15 @@ VertexIndex ConstrainedMesh::add_point(const Vec3& p) {
   return static_cast<VertexIndex>(points_.size() - 1);
 }
 
+VertexIndex ConstrainedMesh::add_point(ExactPlace place) {
+  const VertexIndex v = add_point(place.nearest());
+  exact_.set(v, std::move(place));
+  return v;
+}
+
 void ConstrainedMesh::drop_last_point() {
   GEOMESH_CHECK(cell_of_.back() == no_cell);
+  exact_.erase(static_cast<VertexIndex>(points_.size() - 1));
   points_.pop_back();
   cell_of_.pop_back();
 }

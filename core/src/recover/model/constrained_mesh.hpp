@@ -3,7 +3,7 @@
 /// The mesh under recovery: the editable mesh with locked faces.
 ///
 /// Invariants, beside those of EditableMesh:
-///   1. every finite cell is exactly positive in the doubles of `points` (nothing is rounded later);
+///   1. every finite cell is exactly positive, in the doubles of `points` and the exact places of `exact_places`;
 ///   2. bit i of flags(c) is set where face i of c is a recovered subfacet ("locked"), on both of its cells;
 ///   3. the model lies strictly inside a box of eight auxiliary vertices (`is_box_vertex`), so that every constraint is
 ///   interior and
@@ -16,6 +16,7 @@
 #include "common/flat_map.hpp"
 #include "common/random.hpp"
 #include "mesh/editable_mesh.hpp"
+#include "recover/exact/exact_places.hpp"
 
 namespace geomesh::recover {
 
@@ -62,12 +63,37 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool is_box_vertex(VertexIndex v) const { return v >= n_input_ && v < n_input_ + 8; }
   /// A vertex not yet in any cell.
   VertexIndex add_point(const Vec3& p);
+  VertexIndex add_point(ExactPlace place);
   /// Only for vertices whose star the caller has checked (or that is in no cell).
-  void move_point(VertexIndex v, const Vec3& p) { points_[v] = p; }
+  void move_point(VertexIndex v, const Vec3& p) {
+    exact_.erase(v);
+    points_[v] = p;
+  }
+  void move_point(VertexIndex v, ExactPlace place) {
+    points_[v] = place.nearest();
+    exact_.set(v, std::move(place));
+  }
   void drop_last_point();
 
+  /// Whether the place of v is no double but an exact sum of doubles (exact_places.hpp).
+  bool is_exact(VertexIndex v) const { return exact_.contains(v); }
+  bool has_exact_places() const { return !exact_.empty(); }
+  const ExactPlaces& exact_places() const { return exact_; }
+  /// Of any vertex.
+  exact::LongExpansion coordinate(VertexIndex v, std::size_t i) const { return exact_.coordinate(points_, v, i); }
+  /// From one vertex to another: accurate where their nearest doubles are equal.
+  Vec3 offset(VertexIndex from, VertexIndex to) const {
+    return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
+  }
+
   Sign orient(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
+    if (!exact_.empty() && (is_exact(a) || is_exact(b) || is_exact(c) || is_exact(d)))
+      return exact_.orient(points_, {a, b, c, d});
     return orient3d(points_[a], points_[b], points_[c], points_[d]);
+  }
+  /// Of the coordinates i and j.
+  Sign orient_flat(VertexIndex a, VertexIndex b, VertexIndex c, std::size_t i, std::size_t j) const {
+    return exact_.orient_flat(points_, {a, b, c}, i, j);
   }
   bool positive(const Tetrahedron& t) const { return orient(t[0], t[1], t[2], t[3]) == Sign::positive; }
 
@@ -136,6 +162,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Ends what mark() began, keeping the changes.
   void keep();
 
+  /// Another seed, other choices.
+  void reseed(std::uint32_t seed) { random_ = Random(seed); }
   /// Deterministic source of choices.
   unsigned random(unsigned n) { return random_.below(n); }
 
@@ -152,6 +180,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   };
   FaceRef boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const;
 
+  ExactPlaces exact_;
   std::size_t n_input_;
   std::vector<JournalEntry> journal_;
   std::vector<Tetrahedron> journal_removed_;

@@ -68,6 +68,7 @@ class Tracer {
     if (cell == no_cell || !mesh_.ring(cell, p, q, ring_)) return fail(FacetTrace::Status::unclear);
     const std::size_t n = ring_.ring.size();
     const auto may_follow = [&](VertexIndex u) { return u != right && sides_.is_member(u); };
+    if (sides_.is_exact()) return advance_exactly(p, q, right);
     // A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them)
     // the first one is taken: such cells count as above. Signs do not help here, as rounding bends the faces about an
     // added point.
@@ -104,6 +105,19 @@ class Tracer {
       const VertexIndex u = ring_.ring[i];
       if (!sides_.is_member(u) && sides_(u) == 0 && sides_(ring_.ring[(i + n - 1) % n]) < 0 &&
           sides_(ring_.ring[(i + 1) % n]) > 0)
+        return fail(FacetTrace::Status::touched, u);
+    }
+    fail(FacetTrace::Status::unclear);
+  }
+
+  /// Of the ring about p-q exactly one face, edge or vertex lies on the left in the plane.
+  void advance_exactly(VertexIndex p, VertexIndex q, VertexIndex right) {
+    const std::size_t n = ring_.ring.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n];
+      if (sides_.is_member(u) && u != right && sides_.is_left(p, q, u)) return accept(p, q, i);
+      if (sides_(u) < 0 && sides_(w) > 0) return pierce(u, w);
+      if (!sides_.is_member(u) && sides_(u) == 0 && sides_.is_left(p, q, u))
         return fail(FacetTrace::Status::touched, u);
     }
     fail(FacetTrace::Status::unclear);

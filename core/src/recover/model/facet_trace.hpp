@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "recover/model/constrained_mesh.hpp"
@@ -41,8 +42,25 @@ class FacetSides {
   FacetSides(const ConstrainedMesh& mesh, const Triangle& plane, std::vector<VertexIndex> members)
       : mesh_(mesh), plane_(plane), members_(std::move(members)) {
     std::sort(members_.begin(), members_.end());
+    find_whether_exact();
   }
-  void add_member(VertexIndex v) { members_.insert(std::lower_bound(members_.begin(), members_.end(), v), v); }
+  void add_member(VertexIndex v) {
+    members_.insert(std::lower_bound(members_.begin(), members_.end(), v), v);
+    find_whether_exact();
+  }
+  /// Whether all members lie in the plane exactly, so that signs alone tell the left side of an edge.
+  bool is_exact() const { return is_exact_; }
+  /// Whether v lies to the left of p->q, seen from above; all three are members, and is_exact().
+  bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
+    const Vec3 n = normal();
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::fabs(n[i]) > std::fabs(n[axis])) axis = i;
+    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+    return static_cast<int>(mesh_.orient_flat(p, q, v, i, j)) *
+               static_cast<int>(mesh_.orient_flat(plane_[0], plane_[1], plane_[2], i, j)) >
+           0;
+  }
   int operator()(VertexIndex v) const {
     return is_member(v) ? 0 : static_cast<int>(mesh_.orient(plane_[0], plane_[1], plane_[2], v));
   }
@@ -55,9 +73,19 @@ class FacetSides {
   }
 
  private:
+  void find_whether_exact() {
+    is_exact_ = mesh_.has_exact_places() &&
+                std::all_of(members_.begin(), members_.end(), [&](VertexIndex v) { return is_in_plane(v); });
+  }
+  bool is_in_plane(VertexIndex v) const {
+    return v == plane_[0] || v == plane_[1] || v == plane_[2] ||
+           mesh_.orient(plane_[0], plane_[1], plane_[2], v) == Sign::zero;
+  }
+
   const ConstrainedMesh& mesh_;
   Triangle plane_;
   std::vector<VertexIndex> members_;
+  bool is_exact_ = false;
 };
 
 /// `border`: directed edges of the mesh with the subfacet on their left.

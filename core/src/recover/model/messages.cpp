@@ -146,6 +146,17 @@ void fail_facet_not_recovered(const Recovery& recovery, Index subfacet) {
               context_of(recovery, {f.facet}, {f.vertices[0], f.vertices[1], f.vertices[2]}));
 }
 
+void fail_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points) {
+  const VertexIndex x = points.front();
+  const VertexRecord& record = recovery.constraints.vertices[x];
+  std::vector<Index> facets;
+  if (record.origin == VertexOrigin::on_facet) facets.push_back(record.owner);
+  throw Error(ErrorKind::cannot_mesh,
+              std::to_string(points.size()) + " Steiner points, the first " + describe_vertex(recovery, x) +
+                  ", have no double near them that leaves all cells positive" + advice(ErrorKind::cannot_mesh),
+              context_of(recovery, std::move(facets), {x}));
+}
+
 void Recovery::count_added_point() {
   const double expected = 300 + expected_points_per_vertex * static_cast<double>(input_vertex.size());
   if (++n_points_added == static_cast<std::size_t>(expected)) refuse_crossings();
@@ -154,8 +165,12 @@ void Recovery::count_added_point() {
 bool Recovery::has_crossings() const { return crossings.first().has_value(); }
 
 void Recovery::refuse_crossings() const {
+  if (const std::optional<Error> error = describe_crossing()) throw *error;
+}
+
+std::optional<Error> Recovery::describe_crossing() const {
   const auto& crossing = crossings.first();
-  if (!crossing) return;
+  if (!crossing) return std::nullopt;
   ErrorContext where;
   where.facets.push_back(crossing->facet);
   if (crossing->edge_facet != no_index) where.facets.push_back(crossing->edge_facet);
@@ -168,13 +183,13 @@ void Recovery::refuse_crossings() const {
   where.excerpt = excerpt_about(*this, std::vector{local(crossing->a), local(crossing->b)});
   const std::string owner =
       crossing->edge_facet == no_index ? "" : " of facet " + std::to_string(names.facet[crossing->edge_facet]);
-  throw Error(ErrorKind::invalid_input,
-              "the edge from vertex " + std::to_string(names.vertex[crossing->a]) + " to vertex " +
-                  std::to_string(names.vertex[crossing->b]) + owner + " at " +
-                  coordinates(*this, plc.points[crossing->a]) + " meets facet " +
-                  std::to_string(names.facet[crossing->facet]) + " outside shared vertices and edges" +
-                  advice(ErrorKind::invalid_input),
-              std::move(where));
+  return Error(ErrorKind::invalid_input,
+               "the edge from vertex " + std::to_string(names.vertex[crossing->a]) + " to vertex " +
+                   std::to_string(names.vertex[crossing->b]) + owner + " at " +
+                   coordinates(*this, plc.points[crossing->a]) + " meets facet " +
+                   std::to_string(names.facet[crossing->facet]) + " outside shared vertices and edges" +
+                   advice(ErrorKind::invalid_input),
+               std::move(where));
 }
 
 }  // namespace geomesh::recover

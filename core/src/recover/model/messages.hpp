@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "recover/model/recover.hpp"
 
@@ -25,5 +26,8 @@ bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vert
 [[noreturn]] void fail_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet);
 [[noreturn]] void fail_segment_not_recovered(const Recovery& recovery, Index subsegment);
 [[noreturn]] void fail_facet_not_recovered(const Recovery& recovery, Index subfacet);
+
+/// Steiner points that no double near them does for.
+[[noreturn]] void fail_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points);
 
 }  // namespace geomesh::recover

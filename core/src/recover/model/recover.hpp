@@ -4,6 +4,8 @@
 /// missing. All work is local to what is missing.
 #pragma once
 
+#include <optional>
+
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
@@ -32,13 +34,16 @@ struct Recovery {
   /// No point is added on a segment nearer to another of its points: 64 ulps of the largest coordinate. What would need
   /// it is begun again.
   double least_spacing = 0;
-  unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
+  bool has_exact_points = false;  ///< Steiner points are held exactly (exact_places.hpp) and rounded at the end
+  unsigned attempt = 0;           ///< another attempt works in another order and puts points elsewhere
 
   /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a
   /// valid model hardly ever takes the model is searched for crossings. Throws Error{invalid_input} with both items.
   void count_added_point();
   /// Searches the model for crossings; throws as above where there is one.
   void refuse_crossings() const;
+  /// That error, where there is a crossing.
+  std::optional<Error> describe_crossing() const;
   bool has_crossings() const;
 };
 
@@ -55,9 +60,14 @@ bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, 
 /// pierces a facet.
 void recover_facets(Recovery& recovery);
 
-/// Takes added points away again, or off segments and facets into the regions, where the mesh allows it. With
-/// `must_clear`, segments and facets are cleared at the price of more points inside.
-void remove_added_points(Recovery& recovery, bool must_clear);
+/// Steiner points on segments and facets.
+enum class BoundaryPoints {
+  may_stay,  ///< where the mesh cannot do without
+  must_go,   ///< at the price of more points inside
+};
+
+/// Takes Steiner points away again, or off segments and facets into the regions, where the mesh allows it.
+void remove_added_points(Recovery& recovery, BoundaryPoints boundary);
 
 /// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(const Recovery& recovery);
@@ -68,6 +78,11 @@ bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions 
 
 /// Counts declared subfacets that are not in the mesh.
 std::size_t count_missing_subfacets(Recovery& recovery);
+
+/// Links, locks and signs of the cells, after any stage; throws InternalError where one is wrong. O(cells).
+void validate_cells(const ConstrainedMesh& mesh);
+/// Whether each live subsegment is an edge; throws as above.
+void validate_segments(Recovery& recovery);
 
 /// The cells as they are at the end satisfy every invariant of ConstrainedMesh and hold every constraint; throws
 /// InternalError else.

@@ -101,6 +101,7 @@ class SideMasks {
 
   /// All (i, j, k, l) with i < j.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
+    if (mesh_.has_exact_places()) return decide_below_exactly(j, k, l);
     const Vec3& o = mesh_.point(vertices_[l]);
     const filter::Orient3dOfMany estimate_of(mesh_.point(vertices_[j]) - o, mesh_.point(vertices_[k]) - o);
     for (std::size_t i = 0; i < j; ++i) {
@@ -109,6 +110,11 @@ class SideMasks {
           estimate.certain() ? estimate.sign() : mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]);
       if (s != Sign::zero) put(i, j, k, l, s == Sign::positive);
     }
+  }
+  void decide_below_exactly(std::size_t j, std::size_t k, std::size_t l) {
+    for (std::size_t i = 0; i < j; ++i)
+      if (const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]); s != Sign::zero)
+        put(i, j, k, l, s == Sign::positive);
   }
   /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, bool positive) {

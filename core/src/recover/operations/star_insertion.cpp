@@ -125,19 +125,58 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
   return true;
 }
 
-std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell) {
+namespace {
+
+/// `side(face)`: of the place, from the face of a cell whose vertices it is given.
+template <class Side>
+std::vector<CellIndex> cells_touching(const ConstrainedMesh& mesh, CellIndex cell, const Side& side) {
   const TetMesh& cells = mesh.cells();
   std::vector<CellIndex> out{cell};
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto v = cells.vertices(out[i]);
     for (unsigned f = 0; f < 4; ++f) {
       const auto& l = face_vertices[f];
-      if (orient3d(mesh.point(v[l[0]]), mesh.point(v[l[1]]), mesh.point(v[l[2]]), p) != Sign::zero) continue;
+      if (side(Triangle{v[l[0]], v[l[1]], v[l[2]]}) != Sign::zero) continue;
       const CellIndex n = cells.neighbor_cell(out[i], f);
       if (!cells.is_ghost(n) && !contains(out, n)) out.push_back(n);
     }
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell) {
+  return cells_touching(
+      mesh, cell, [&](const Triangle& t) { return orient3d(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), p); });
+}
+
+std::vector<CellIndex> cells_about_vertex(ConstrainedMesh& mesh, VertexIndex v, CellIndex cell) {
+  return cells_touching(mesh, cell, [&](const Triangle& t) { return mesh.orient(t[0], t[1], t[2], v); });
+}
+
+CellIndex locate_vertex(ConstrainedMesh& mesh, VertexIndex v, CellIndex start) {
+  if (!mesh.has_exact_places()) return mesh.locate(mesh.point(v), start);
+  const TetMesh& cells = mesh.cells();
+  const auto exit_of = [&](CellIndex c, unsigned first) {
+    const Tetrahedron& t = cells.vertices(c);
+    for (unsigned k = 0; k < 4; ++k) {
+      const unsigned f = (first + k) & 3u;
+      const auto& l = face_vertices[f];
+      if (mesh.orient(t[l[0]], t[l[1]], t[l[2]], v) == Sign::negative) return f;
+    }
+    return 4u;
+  };
+  CellIndex c = start;
+  for (std::size_t step = 0; step < 1000 + cells.n_slots(); ++step) {
+    if (cells.is_ghost(c)) return no_cell;
+    const unsigned exit = exit_of(c, mesh.random(4));
+    if (exit == 4) return c;
+    c = cells.neighbor_cell(c, exit);
+  }
+  for (c = 0; c < cells.n_slots(); ++c)
+    if (cells.is_live(c) && !cells.is_ghost(c) && exit_of(c, 0) == 4) return c;
+  return no_cell;
 }
 
 }  // namespace geomesh::recover

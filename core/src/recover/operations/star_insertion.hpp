@@ -24,6 +24,12 @@ bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, Verte
 bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x,
                                std::span<const CellIndex> about);
 
+/// A finite cell that has vertex v, which need not be in the mesh yet, inside or on its boundary; walks from `start`.
+/// no_cell: v is outside the box.
+CellIndex locate_vertex(ConstrainedMesh& mesh, VertexIndex v, CellIndex start);
+/// The finite cells that have v inside or on their boundary, from one of them.
+std::vector<CellIndex> cells_about_vertex(ConstrainedMesh& mesh, VertexIndex v, CellIndex cell);
+
 /// The finite cells that have p inside or on their boundary, from one of them.
 std::vector<CellIndex> cells_about(ConstrainedMesh& mesh, const Vec3& p, CellIndex cell);
 

@@ -65,8 +65,8 @@ void insert_vertices(Recovery& recovery, const std::vector<VertexIndex>& vertice
   for (const VertexIndex i : spatial_order(places).order) {
     recovery.context.check_cancelled();
     const VertexIndex v = vertices[i];
-    const CellIndex at = mesh.locate(places[i], near);
-    if (at == no_cell || !insert_beside_constraints(mesh, recovery.constraints, v, cells_about(mesh, places[i], at)))
+    const CellIndex at = locate_vertex(mesh, v, near);
+    if (at == no_cell || !insert_beside_constraints(mesh, recovery.constraints, v, cells_about_vertex(mesh, v, at)))
       throw Error(ErrorKind::cannot_mesh,
                   describe_vertex(recovery, v) + " lies where rounding has put an added point or a face with one");
     near = mesh.cell_of(v);

@@ -134,8 +134,7 @@ std::size_t count_missing_facets(Candidate& candidate, std::vector<Vec3>& points
 }  // namespace
 
 StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
-                                     const DelaunayOptions& options, const RunContext& context, bool may_scale,
-                                     unsigned attempt) {
+                                     const DelaunayOptions& options, const RunContext& context, StartFrame frame) {
   StartTriangulation out;
   out.points = vertices_with_box(plc, model);
   model.constraints.vertices.resize(out.points.size());
@@ -145,13 +144,9 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const Mo
   out.tetrahedra = count_model_cells(best.cells, model.input_vertex.size());
   out.missing_edges = best.n_missing();
   out.missing_facets = count_missing_facets(best, out.points, plc, names, model, context);
-  std::array<int, 3> exponents{0, 0, 0};
-  if (may_scale && attempt > 0) {
-    exponents[attempt % 3] = static_cast<int>(1 + attempt / 3);
-    best = search.triangulate(exponents);
-  }
-  if (may_scale && best.n_missing() > 20 && 10 * best.n_missing() > model.constraints.subsegments.size())
-    search.climb(best, exponents);
+  if (frame == StartFrame::may_be_stretched && best.n_missing() > 20 &&
+      10 * best.n_missing() > model.constraints.subsegments.size())
+    search.climb(best, {0, 0, 0});
   remember(best, model.constraints);
   out.mesh = std::move(best.cells);
   return out;

@@ -21,10 +21,13 @@ struct StartTriangulation {
   std::size_t tetrahedra = 0;  ///< its finite cells without the box's
 };
 
-/// Searches the scales by hill climbing, one axis after the other, where `may_scale` and more than one segment in ten
-/// is missing. Later attempts start from another scale, so that cells as flat as rounding allows are others.
+enum class StartFrame {
+  as_given,
+  may_be_stretched,  ///< axes scaled by powers of two, where more than one segment in ten is missing
+};
+
+/// Searches the scales by hill climbing, one axis after the other.
 StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
-                                     const DelaunayOptions& options, const RunContext& context, bool may_scale,
-                                     unsigned attempt = 0);
+                                     const DelaunayOptions& options, const RunContext& context, StartFrame frame);
 
 }  // namespace geomesh::recover

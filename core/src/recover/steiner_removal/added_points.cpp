@@ -115,7 +115,7 @@ void require_untouched_boundary(const Recovery& recovery) {
   }
 }
 
-void remove_added_points(Recovery& recovery, bool must_clear) {
+void remove_added_points(Recovery& recovery, BoundaryPoints boundary) {
   if (recovery.mesh.points().size() == first_added(recovery)) return;
   constexpr unsigned max_passes = 8, hardest = 2;
   for (unsigned pass = 0; pass < max_passes; ++pass) {
@@ -126,7 +126,7 @@ void remove_added_points(Recovery& recovery, bool must_clear) {
     remove_inner_points(recovery, InnerEffort::star);
     if (left == 0 || (pass >= hardest && !changed)) break;
   }
-  for (bool changed = must_clear; changed;) {
+  for (bool changed = boundary == BoundaryPoints::must_go; changed;) {
     changed = false;
     const std::size_t left = take_points_off_boundary(recovery, changed, [&](VertexIndex x) {
       return take_off_boundary(recovery, x, hardest) || take_off_with_sheets(recovery, x);

@@ -16,6 +16,7 @@
 #include "common/sort_unique.hpp"
 #include "recover/model/recover.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/region_filling.hpp"
 #include "recover/steiner_removal/star_fans.hpp"
 
@@ -260,13 +261,14 @@ class PointRemoval {
     const Cavity cavity = cavity_of(s);
     double reach = 0;
     for (const Triangle& t : cavity.boundary())
-      for (VertexIndex v : t) reach = std::max(reach, std::fabs(dot(mesh_.point(v) - origin, direction)));
+      for (VertexIndex v : t) reach = std::max(reach, std::fabs(dot(mesh_.offset(x_, v), direction)));
     const VertexIndex moved = mesh_.add_point(origin);
     constraints_.vertices.resize(mesh_.points().size(), {VertexOrigin::inside, no_index});
     for (const unsigned max_growths : {0u, 12u}) {
       if (max_growths > 0 && !cavity.is_valid()) break;
-      for (double step = reach / 2; step > reach * 1e-15; step /= max_growths == 0 ? 2 : 8) {
-        mesh_.move_point(moved, origin + step * direction);
+      const double least_part = mesh_.is_exact(x_) ? 1e-30 : 1e-15;
+      for (double step = reach / 2; step > reach * least_part; step /= max_growths == 0 ? 2 : 8) {
+        move_beside(moved, step * direction);
         Cavity trial = cavity;
         auto fan = trial.star_from(moved, max_growths);
         if (fan && take(s, std::move(*fan), trial.cells())) return true;
@@ -275,6 +277,15 @@ class PointRemoval {
     mesh_.drop_last_point();
     constraints_.vertices.pop_back();
     return false;
+  }
+
+  /// Beside the point that goes.
+  void move_beside(VertexIndex moved, const Vec3& step) {
+    if (mesh_.is_exact(x_)) {
+      mesh_.move_point(moved, place_beside(mesh_, x_, step));
+    } else {
+      mesh_.move_point(moved, mesh_.point(x_) + step);
+    }
   }
 
   void commit() {

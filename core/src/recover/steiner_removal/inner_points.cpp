@@ -52,15 +52,6 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
   return true;
 }
 
-/// Cells that no locked face parts from the box: what is there is left out in the end.
-std::vector<std::uint8_t> cells_outside(const ConstrainedMesh& mesh) {
-  constexpr std::uint8_t inside = 0, outside = 1;
-  std::vector<std::uint8_t> out(mesh.cells().n_slots(), inside);
-  const CellIndex at_box = mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()));
-  flood_cells(mesh.cells(), at_box, out, inside, outside, [&](FaceRef f) { return !mesh.is_locked(f); });
-  return out;
-}
-
 /// Added points inside regions; what is outside of all is not written, so nothing is done about it.
 std::vector<VertexIndex> inner_points(const Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
@@ -82,6 +73,14 @@ void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Rem
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> cells_outside(const ConstrainedMesh& mesh) {
+  constexpr std::uint8_t inside = 0, outside = 1;
+  std::vector<std::uint8_t> out(mesh.cells().n_slots(), inside);
+  const CellIndex at_box = mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()));
+  flood_cells(mesh.cells(), at_box, out, inside, outside, [&](FaceRef f) { return !mesh.is_locked(f); });
+  return out;
+}
 
 bool lower_degree(Recovery& recovery, VertexIndex x) {
   EdgeRemover remover(recovery.mesh, recovery.constraints);

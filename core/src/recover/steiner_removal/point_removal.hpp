@@ -33,4 +33,7 @@ enum class InnerEffort { star, region };
 /// Removes added points that no constraint holds where their star, or a region about it, can be filled without them.
 void remove_inner_points(Recovery& recovery, InnerEffort effort);
 
+/// Per cell, 1 where no locked face parts it from the box: what is there is left out in the end.
+std::vector<std::uint8_t> cells_outside(const ConstrainedMesh& mesh);
+
 }  // namespace geomesh::recover

@@ -7,6 +7,7 @@
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
+#include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
 namespace geomesh::recover {
@@ -16,13 +17,12 @@ namespace {
 /// A vector across the segment of x: towards a facet that hangs on it where there is one.
 Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexIndex>& ends, const Vec3& along) {
   ConstrainedMesh& mesh = recovery.mesh;
-  const Vec3& o = mesh.point(x);
   std::vector<VertexIndex> towards = mesh.neighbors(x);
   const Index s = recovery.constraints.subsegment_of(x, ends[0]);
   for (Index f : recovery.constraints.subsegments[s].subfacets)
     for (VertexIndex v : recovery.constraints.subfacets[f].vertices) towards.insert(towards.begin(), v);
   for (VertexIndex v : towards) {
-    const Vec3 d = mesh.point(v) - o, across = d - dot(d, along) / dot(along, along) * along;
+    const Vec3 d = mesh.offset(x, v), across = d - dot(d, along) / dot(along, along) * along;
     if (v != x && v != ends[0] && v != ends[1] && dot(across, across) > 0) return (1 / length(across)) * across;
   }
   return {};
@@ -35,12 +35,17 @@ VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::arra
   ConstrainedMesh& mesh = recovery.mesh;
   const Vec3 origin = mesh.point(x);
   EdgeRing ring;
-  double reach = std::sqrt(std::min(dot(mesh.point(ends[0]) - origin, mesh.point(ends[0]) - origin),
-                                    dot(mesh.point(ends[1]) - origin, mesh.point(ends[1]) - origin)));
+  const Vec3 to_first = mesh.offset(x, ends[0]), to_last = mesh.offset(x, ends[1]);
+  const double reach = std::sqrt(std::min(dot(to_first, to_first), dot(to_last, to_last)));
   const VertexIndex y = mesh.add_point(origin);
   recovery.constraints.vertices.resize(mesh.points().size(), {VertexOrigin::inside, no_index});
   for (double step = 0.25 * reach; step > 1e-12 * reach; step /= 4) {
-    mesh.move_point(y, origin + step / length(d) * d);
+    const Vec3 off = step / length(d) * d;
+    if (mesh.is_exact(x)) {
+      mesh.move_point(y, place_beside(mesh, x, off));
+    } else {
+      mesh.move_point(y, origin + off);
+    }
     std::vector<CellIndex> seeds;
     for (VertexIndex e : ends) {
       if (!mesh.ring(mesh.find_edge(x, e), x, e, ring)) continue;
@@ -67,7 +72,7 @@ bool take_off_with_sheets(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() != 2) return false;
-  const Vec3 along = mesh.point(ends[1]) - mesh.point(ends[0]), first = across_segment(recovery, x, ends, along);
+  const Vec3 along = mesh.offset(ends[0], ends[1]), first = across_segment(recovery, x, ends, along);
   const Vec3 second = (1 / length(along)) * cross(along, first);
   const std::size_t mark = mesh.mark(), n_points = mesh.points().size();
   bool taken = false;

@@ -87,45 +87,39 @@ class FanSearch {
       const unsigned axis = std::fabs(n.x) >= std::fabs(n.y) && std::fabs(n.x) >= std::fabs(n.z) ? 0
                             : std::fabs(n.y) >= std::fabs(n.z)                                   ? 1
                                                                                                  : 2;
-      const auto flat = [&](VertexIndex v) {
-        const Vec3& p = mesh_.point(v);
-        const Vec2 q{p[(axis + 1) % 3], p[(axis + 2) % 3]};
-        return n[axis] > 0 ? q : Vec2{q.y, q.x};
-      };
+      const std::size_t i = (axis + (n[axis] > 0 ? 1u : 2u)) % 3, j = (axis + (n[axis] > 0 ? 2u : 1u)) % 3;
+      const auto turn = [&](VertexIndex a, VertexIndex b, VertexIndex c) { return mesh_.orient_flat(a, b, c, i, j); };
       std::vector<VertexIndex> rim = fan.rim;
       while (rim.size() > 3) {
         std::size_t best = rim.size();
         double best_shape = -1;
-        for (std::size_t i = 0; i < rim.size(); ++i) {
-          const VertexIndex a = rim[(i + rim.size() - 1) % rim.size()], b = rim[i], c = rim[(i + 1) % rim.size()];
-          if (orient2d(flat(a), flat(b), flat(c)) != Sign::positive || holds_other(rim, a, b, c, flat)) continue;
+        for (std::size_t k = 0; k < rim.size(); ++k) {
+          const VertexIndex a = rim[(k + rim.size() - 1) % rim.size()], b = rim[k], c = rim[(k + 1) % rim.size()];
+          if (turn(a, b, c) != Sign::positive || holds_other(rim, {a, b, c}, turn)) continue;
           const double shape = ear_shape(a, b, c);
           if (shape > best_shape) {
             best_shape = shape;
-            best = i;
+            best = k;
           }
         }
         if (best == rim.size()) return false;
         fan.triangles.push_back({rim[(best + rim.size() - 1) % rim.size()], rim[best], rim[(best + 1) % rim.size()]});
         rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(best));
       }
-      if (orient2d(flat(rim[0]), flat(rim[1]), flat(rim[2])) != Sign::positive) return false;
+      if (turn(rim[0], rim[1], rim[2]) != Sign::positive) return false;
       fan.triangles.push_back({rim[0], rim[1], rim[2]});
     }
     return true;
   }
-  template <class Flat>
-  static bool holds_other(const std::vector<VertexIndex>& rim, VertexIndex a, VertexIndex b, VertexIndex c,
-                          const Flat& flat) {
+  template <class Turn>
+  static bool holds_other(const std::vector<VertexIndex>& rim, const Triangle& ear, const Turn& turn) {
     return std::any_of(rim.begin(), rim.end(), [&](VertexIndex v) {
-      return v != a && v != b && v != c && orient2d(flat(a), flat(b), flat(v)) != Sign::negative &&
-             orient2d(flat(b), flat(c), flat(v)) != Sign::negative &&
-             orient2d(flat(c), flat(a), flat(v)) != Sign::negative;
+      return v != ear[0] && v != ear[1] && v != ear[2] && turn(ear[0], ear[1], v) != Sign::negative &&
+             turn(ear[1], ear[2], v) != Sign::negative && turn(ear[2], ear[0], v) != Sign::negative;
     });
   }
   double ear_shape(VertexIndex a, VertexIndex b, VertexIndex c) const {
-    const Vec3 u = mesh_.point(b) - mesh_.point(a), v = mesh_.point(c) - mesh_.point(b),
-               w = mesh_.point(a) - mesh_.point(c);
+    const Vec3 u = mesh_.offset(a, b), v = mesh_.offset(b, c), w = mesh_.offset(c, a);
     const Vec3 n = cross(u, v);
     return dot(n, n) / ((dot(u, u) + dot(v, v) + dot(w, w)) * (dot(u, u) + dot(v, v) + dot(w, w)));
   }
@@ -145,10 +139,9 @@ std::optional<StarFans> find_star_fans(Recovery& recovery, VertexIndex x, const 
 
 Vec3 fan_normal(const ConstrainedMesh& mesh, VertexIndex x, const Fan& fan) {
   Vec3 n;
-  const Vec3& o = mesh.point(x);
   const std::size_t size = fan.rim.size();
   for (std::size_t i = 0; i < size; ++i)
-    n = n + cross(mesh.point(fan.rim[i]) - o, mesh.point(fan.rim[(i + 1) % size]) - o);
+    n = n + cross(mesh.offset(x, fan.rim[i]), mesh.offset(x, fan.rim[(i + 1) % size]));
   return n;
 }
 

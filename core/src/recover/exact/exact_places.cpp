@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "recover/exact/exact_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geomesh/core/predicates.hpp"
+#include "predicates/filters.hpp"
+
+namespace geomesh::recover {
+
+using exact::LongExpansion;
+
+bool ExactPlace::is_safe() const {
+  return std::all_of(coordinates.begin(), coordinates.end(), [](const LongExpansion& x) {
+    return x.is_zero() || (x.least_term() > 0x1p-240 && std::fabs(x.terms().back()) < 0x1p240);
+  });
+}
+
+void ExactPlaces::set(VertexIndex v, ExactPlace place) {
+  if (first_ == no_vertex) first_ = v;
+  if (v < first_) {
+    row_of_.insert(row_of_.begin(), first_ - v, no_index);
+    first_ = v;
+  }
+  if (v - first_ >= row_of_.size()) row_of_.resize(v - first_ + 1, no_index);
+  Index& row = row_of_[v - first_];
+  if (row == no_index) {
+    row = static_cast<Index>(rows_.size());
+    rows_.emplace_back();
+  }
+  const Vec3 near = place.nearest();
+  for (std::size_t i = 0; i < 3; ++i) rows_[row].rest[i] = (place.coordinates[i] - LongExpansion(near[i])).estimate();
+  rows_[row].place = std::move(place);
+}
+
+void ExactPlaces::erase(VertexIndex v) {
+  if (!contains(v)) return;
+  const Index row = row_of_[v - first_];
+  row_of_[v - first_] = no_index;
+  if (row + 1u < rows_.size()) {
+    rows_[row] = std::move(rows_.back());
+    *std::find(row_of_.begin(), row_of_.end(), static_cast<Index>(rows_.size() - 1)) = row;
+  }
+  rows_.pop_back();
+}
+
+LongExpansion ExactPlaces::coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const {
+  return contains(v) ? of(v).coordinates[i] : LongExpansion(points[v][i]);
+}
+
+Vec3 ExactPlaces::offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const {
+  const Vec3 near = points[to] - points[from];
+  if (!contains(from) && !contains(to)) return near;
+  return near + (rest_of(to) - rest_of(from));
+}
+
+LongExpansion ExactPlaces::volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  std::array<std::array<LongExpansion, 3>, 3> d;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) d[k][i] = coordinate(points, v[k + 1], i) - coordinate(points, v[0], i);
+  const auto minor = [&](std::size_t i, std::size_t j) { return d[1][i] * d[2][j] - d[1][j] * d[2][i]; };
+  return d[0][0] * minor(1, 2) + d[0][1] * minor(2, 0) + d[0][2] * minor(0, 1);
+}
+
+namespace {
+
+/// A sum of two doubles, off by some units of 2^-104 of itself after each operation.
+struct DoubleDouble {
+  double high = 0, low = 0;
+};
+
+DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  double head, tail, low_head, low_tail;
+  exact::two_sum(a.high, b.high, head, tail);
+  exact::two_sum(a.low, b.low, low_head, low_tail);
+  DoubleDouble out;
+  exact::fast_two_sum(head, tail + low_head, head, tail);
+  exact::fast_two_sum(head, tail + low_tail, out.high, out.low);
+  return out;
+}
+DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  double head, tail;
+  exact::two_product(a.high, b.high, head, tail);
+  DoubleDouble out;
+  exact::fast_two_sum(head, tail + (a.high * b.low + a.low * b.high), out.high, out.low);
+  return out;
+}
+
+template <class Number>
+Number determinant(const std::array<std::array<Number, 3>, 3>& u) {
+  const auto minor = [&](std::size_t i, std::size_t j) { return u[0][i] * u[1][j] + -(u[0][j] * u[1][i]); };
+  return u[2][2] * minor(0, 1) + u[2][0] * minor(1, 2) + u[2][1] * minor(2, 0);
+}
+
+}  // namespace
+
+/// Whether the frame of a place and what is declared of the others tell that all lie in one plane.
+bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
+  for (const VertexIndex x : v) {
+    if (!contains(x)) continue;
+    const ExactPlace& place = of(x);
+    if (place.frame[1] == no_vertex) continue;
+    const auto is_in_frame = [&](VertexIndex w) {
+      const auto in = [&](VertexIndex u) {
+        return u != no_vertex && std::find(place.frame.begin(), place.frame.end(), u) != place.frame.end();
+      };
+      if (in(w)) return true;
+      if (!contains(w) || of(w).frame[1] == no_vertex) return false;
+      const ExactPlace& other = of(w);
+      return in(other.frame[0]) && in(other.frame[1]) && (other.frame[2] == no_vertex || in(other.frame[2]));
+    };
+    const auto n = std::count_if(v.begin(), v.end(), is_in_frame);
+    if (n == 4 || (place.is_on_line() && n >= 3)) return true;
+  }
+  return false;
+}
+
+// The nearest double and the rounded rest give a coordinate within 2^-105 of itself, so a difference of two of them is
+// off by 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that of filters.hpp, trebled
+// for the first, and six products with one factor that wrong for the second. The second filter works with about 2^-104;
+// its bound, 2^-96 of the greatest product, leaves room for 256 roundings.
+Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  if (are_declared_flat(v)) return Sign::zero;
+  Vec3 largest, reach;
+  std::array<std::array<double, 3>, 3> u;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 d = offset(points, v[3], v[k]);
+    u[k] = {d.x, d.y, d.z};
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) largest[i] = std::max(largest[i], std::fabs(points[v[k]][i]));
+    for (std::size_t k = 0; k < 3; ++k) reach[i] = std::max(reach[i], std::fabs(u[k][i]));
+  }
+  const Vec3 wrong = 0x1p-102 * largest;
+  const double product = reach.x * reach.y * reach.z;
+  const double by_rests =
+      8 * (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
+           (reach.x + wrong.x) * (reach.y + wrong.y) * wrong.z);
+  const double det = determinant(u), error = 3 * filter::orient3d_factor * product + by_rests;
+  if (det < -error) return Sign::positive;
+  if (det > error) return Sign::negative;
+  std::array<std::array<DoubleDouble, 3>, 3> w;
+  const Vec3 rest = rest_of(v[3]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 own = rest_of(v[k]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      DoubleDouble near, far;
+      exact::two_difference(points[v[k]][i], points[v[3]][i], near.high, near.low);
+      exact::two_difference(own[i], rest[i], far.high, far.low);
+      w[k][i] = near + far;
+    }
+  }
+  const double sharp = determinant(w).high, sharp_error = 0x1p-96 * product + by_rests;
+  if (sharp < -sharp_error) return Sign::positive;
+  if (sharp > sharp_error) return Sign::negative;
+  return volume(points, v).sign();
+}
+
+Sign ExactPlaces::orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
+                              std::size_t j) const {
+  if (!contains(v[0]) && !contains(v[1]) && !contains(v[2]))
+    return orient2d({points[v[0]][i], points[v[0]][j]}, {points[v[1]][i], points[v[1]][j]},
+                    {points[v[2]][i], points[v[2]][j]});
+  const auto difference = [&](VertexIndex w, std::size_t k) {
+    return coordinate(points, w, k) - coordinate(points, v[0], k);
+  };
+  return (difference(v[1], i) * difference(v[2], j) - difference(v[1], j) * difference(v[2], i)).sign();
+}
+
+}  // namespace geomesh::recover

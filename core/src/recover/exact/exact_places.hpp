@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Vertices of the mesh under recovery whose places are not doubles but exact sums of doubles. A Steiner point at a
+/// dyadic parameter of its segment, or of its facet's plane, lies on it exactly in this form; rounded it would not.
+///
+/// Each such vertex has a double beside it too, the nearest one (ConstrainedMesh::point): for what needs no exactness.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "predicates/long_expansion.hpp"
+
+namespace geomesh::recover {
+
+struct ExactPlace {
+  std::array<exact::LongExpansion, 3> coordinates;
+  /// Vertices on whose line (two of them) or in whose plane (three) the place lies exactly; no_vertex beyond these.
+  std::array<VertexIndex, 3> frame{no_vertex, no_vertex, no_vertex};
+  /// On a line: coordinates = (1 - parameter) * frame[0] + parameter * frame[1].
+  exact::LongExpansion parameter{};
+
+  bool is_on_line() const { return frame[1] != no_vertex && frame[2] == no_vertex; }
+  bool is_in_plane() const { return frame[2] != no_vertex; }
+  Vec3 nearest() const { return {coordinates[0].estimate(), coordinates[1].estimate(), coordinates[2].estimate()}; }
+  /// Whether products of three differences of such coordinates stay exact (long_expansion.hpp).
+  bool is_safe() const;
+};
+
+class ExactPlaces {
+ public:
+  bool empty() const { return rows_.empty(); }
+  bool contains(VertexIndex v) const {
+    return v >= first_ && v - first_ < row_of_.size() && row_of_[v - first_] != no_index;
+  }
+  const ExactPlace& of(VertexIndex v) const { return rows_[row_of_[v - first_]].place; }
+
+  void set(VertexIndex v, ExactPlace place);
+  void erase(VertexIndex v);
+
+  /// As orient3d on exact places; at least one of the vertices is in here. `points`: of all vertices.
+  Sign orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  /// As orient2d of the coordinates (i, j) of three vertices.
+  Sign orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
+                   std::size_t j) const;
+  /// Six times the signed volume, exactly.
+  exact::LongExpansion volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  /// to - from, each coordinate with hardly any error.
+  Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
+  exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
+
+ private:
+  struct Row {
+    ExactPlace place;
+    Vec3 rest;  ///< place - nearest double, rounded
+  };
+  bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
+  Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
+
+  VertexIndex first_ = no_vertex;  ///< the least vertex that was ever in here
+  std::vector<Index> row_of_;      ///< per vertex from the first one
+  std::vector<Row> rows_;
+};
+
+}  // namespace geomesh::recover

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "recover/steiner_removal/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "recover/operations/exact_points.hpp"
+#include "recover/steiner_removal/point_removal.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+/// The star of one exact vertex, as heights of its faces over the vertex.
+class Star {
+ public:
+  Star(ConstrainedMesh& mesh, VertexIndex x) : mesh_(mesh), x_(x) { mesh.star(x, cells_); }
+
+  bool is_positive() const {
+    return std::all_of(cells_.begin(), cells_.end(), [&](CellIndex c) {
+      return !mesh_.cells().is_ghost(c) && mesh_.positive(mesh_.cells().vertices(c));
+    });
+  }
+
+  /// How far to go in a direction so that the least height over the star's faces is greatest. 0 where there is no
+  /// gain.
+  double best_step(const Vec3& direction) const {
+    std::vector<Height> heights;
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for (const CellIndex c : cells_) {
+      const Height h = height_in(c, direction);
+      if (!(h.at > 0) || !std::isfinite(h.slope)) return 0;
+      if (h.slope > 0) low = std::max(low, -h.at / h.slope);
+      if (h.slope < 0) high = std::min(high, -h.at / h.slope);
+      heights.push_back(h);
+    }
+    if (!std::isfinite(low) || !std::isfinite(high)) return 0;
+    const auto least = [&](double s) {
+      double out = std::numeric_limits<double>::infinity();
+      for (const Height& h : heights) out = std::min(out, h.at + s * h.slope);
+      return out;
+    };
+    const double start = least(0);
+    for (int i = 0; i < 60; ++i) {  // the least of linear functions is concave
+      const double p = low + (high - low) / 3, q = high - (high - low) / 3;
+      (least(p) < least(q) ? low : high) = least(p) < least(q) ? p : q;
+    }
+    const double best = 0.5 * (low + high);
+    return least(best) > 1.01 * start ? best : 0;
+  }
+
+ private:
+  struct Height {
+    double at, slope;
+  };
+  Height height_in(CellIndex c, const Vec3& direction) const {
+    const unsigned i = mesh_.cells().index_of(c, x_);
+    const Tetrahedron& v = mesh_.cells().vertices(c);
+    const auto& f = face_vertices[i];
+    const Vec3 n = cross(mesh_.offset(v[f[0]], v[f[1]]), mesh_.offset(v[f[0]], v[f[2]]));
+    const double area = std::sqrt(dot(n, n));
+    const double volume = mesh_.exact_places().volume(mesh_.points(), {v[f[0]], v[f[1]], v[f[2]], x_}).estimate();
+    return {volume / area, dot(n, direction) / area};
+  }
+
+  ConstrainedMesh& mesh_;
+  VertexIndex x_;
+  std::vector<CellIndex> cells_;
+};
+
+/// A direction in which an exact point may move, and the step of place_moved that goes its length.
+struct Freedom {
+  Vec3 direction, step;
+};
+
+std::vector<Freedom> freedoms(const ConstrainedMesh& mesh, VertexIndex x) {
+  const ExactPlace& place = mesh.exact_places().of(x);
+  if (!place.is_on_line() && !place.is_in_plane())
+    return {{{1, 0, 0}, {1, 0, 0}}, {{0, 1, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}}};
+  const Vec3 u = mesh.offset(place.frame[0], place.frame[1]);
+  const double length = std::sqrt(dot(u, u));
+  std::vector<Freedom> out{{(1 / length) * u, {1 / length, 0, 0}}};
+  if (place.is_on_line()) return out;
+  const Vec3 v = mesh.offset(place.frame[0], place.frame[2]);
+  const double along = dot(u, v) / dot(u, u);
+  const Vec3 w = v - along * u;
+  const double height = std::sqrt(dot(w, w));
+  out.push_back({(1 / height) * w, {-along / height, 1 / height, 0}});
+  return out;
+}
+
+void centre(ConstrainedMesh& mesh, VertexIndex x) {
+  for (const Freedom& f : freedoms(mesh, x)) {
+    const Star star(mesh, x);
+    const ExactPlace before = mesh.exact_places().of(x);
+    for (double step = star.best_step(f.direction), part = 1; step != 0 && part > 0.1; part /= 2) {
+      ExactPlace place = place_moved(mesh, x, part * step * f.step);
+      if (!place.is_safe()) continue;
+      mesh.move_point(x, std::move(place));
+      if (star.is_positive()) break;
+      mesh.move_point(x, before);
+    }
+  }
+}
+
+/// The nearest double, else one an ulp or two beside it.
+bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
+  const Star star(mesh, x);
+  const ExactPlace exact = mesh.exact_places().of(x);
+  const Vec3 near = exact.nearest();
+  for (const int ulps : {0, 1, 2})
+    for (int code = 0; code < (ulps == 0 ? 1 : 27); ++code) {
+      Vec3 p = near;
+      for (std::size_t i = 0, rest = static_cast<std::size_t>(code); i < 3; ++i, rest /= 3)
+        for (int k = 0; k < ulps && rest % 3 != 0; ++k)
+          p[i] = std::nextafter(
+              p[i], rest % 3 == 1 ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity());
+      mesh.move_point(x, p);
+      if (star.is_positive()) return true;
+    }
+  mesh.move_point(x, exact);
+  return false;
+}
+
+}  // namespace
+
+namespace {
+
+/// Exact vertices that the result will have. What is in no cell, or inside the part that is left out, stays as it is.
+std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
+  const ConstrainedMesh& mesh = recovery.mesh;
+  std::vector<VertexIndex> out;
+  for (VertexIndex v = first_added(recovery); v < mesh.points().size(); ++v)
+    if (mesh.is_exact(v) && mesh.in_mesh(v)) out.push_back(v);
+  if (out.empty()) return out;
+  const std::vector<std::uint8_t> outside = cells_outside(mesh);
+  std::erase_if(out, [&](VertexIndex v) { return !is_on_boundary(recovery, v) && outside[mesh.cell_of(v)] != 0; });
+  return out;
+}
+
+}  // namespace
+
+std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  std::vector<VertexIndex> left = vertices_to_round(recovery);
+  constexpr unsigned max_rounds = 4, sweeps = 3;
+  for (unsigned round = 0; round < max_rounds && !left.empty(); ++round) {
+    recovery.context.check_cancelled();
+    for (unsigned sweep = 0; sweep < sweeps; ++sweep)
+      for (const VertexIndex v : left) centre(mesh, v);
+    std::erase_if(left, [&](VertexIndex v) { return round_point(mesh, v); });
+  }
+  return left;
+}
+
+}  // namespace geomesh::recover

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "tetrahedralize/recovery_attempts.hpp"
+
+#include <algorithm>
+
+namespace geomesh {
+
+const char* Attempt::difference() const {
+  if (order == InsertionOrder::hard_parts_first) return "Steiner points held exactly, hard parts recovered first";
+  if (places == SteinerPlaces::exact) return "Steiner points held exactly";
+  return "Steiner points rounded as they are made";
+}
+
+Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
+  Attempt out;
+  out.number = number;
+  if (number > 0) out.places = SteinerPlaces::exact;
+  if (number > 1 && hard_parts.has_learned()) out.order = InsertionOrder::hard_parts_first;
+  return out;
+}
+
+namespace {
+
+/// Models an ulp thick took up to 5 on what was tried; more would only put off a refusal.
+constexpr unsigned attempts_at_most = 12;
+
+}  // namespace
+
+unsigned most_attempts(const RecoverOptions& options) {
+  if (options.mode == MeshMode::conforming) return 1;  // constrained mode follows
+  return std::min(options.max_attempts, attempts_at_most);
+}
+
+}  // namespace geomesh

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "tetrahedralize/recovery_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "recover/model/messages.hpp"
+#include "recover/steiner_removal/rounding.hpp"
+
+namespace geomesh {
+
+using recover::BoundaryPoints;
+using recover::ConstrainedMesh;
+using recover::Recovery;
+using recover::StartFrame;
+using recover::StartTriangulation;
+
+namespace {
+
+/// No Steiner point that is rounded comes nearer to another of its segment.
+constexpr double least_spacing_ulps = 64;
+
+double ulp_of_largest(const std::vector<Vec3>& points) {
+  double largest = 0;
+  for (const Vec3& p : points)
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(p[i]));
+  return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+}
+
+/// Steiner points that are left become doubles. What no double does for goes off segments and facets first, where
+/// stars are larger. Throws Error{cannot_mesh} where that does not help.
+void round_steiner_points(Recovery& recovery) {
+  constexpr unsigned max_rounds = 3;
+  for (unsigned round = 0; round < max_rounds; ++round) {
+    const std::vector<VertexIndex> left = recover::round_exact_points(recovery);
+    if (left.empty()) return;
+    if (round + 1 == max_rounds) recover::fail_rounding(recovery, left);
+    recover::remove_added_points(recovery, BoundaryPoints::must_go);
+  }
+}
+
+void validate_stage([[maybe_unused]] Recovery& recovery) {
+#ifdef GEOMESH_EXPENSIVE_CHECKS
+  recover::validate_cells(recovery.mesh);
+#endif
+}
+
+}  // namespace
+
+RecoveryRun::RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& names,
+                         const TetrahedralizeOptions& options, const RunContext& context, const ConformingStep& conform)
+    : plc_(plc),
+      names_(names),
+      options_(options),
+      context_(context),
+      conform_(conform),
+      least_spacing_(least_spacing_ulps * ulp_of_largest(plc.points)) {}
+
+void RecoveryRun::triangulate() { first_start_ = start(attempt_of(0, hard_parts_)); }
+
+StartTriangulation RecoveryRun::start(const Attempt& attempt) {
+  model_ = recover::declare_constraints(plc_, names_, context_);
+  if (model_.input_vertex.size() < 4)
+    throw Error(ErrorKind::cannot_mesh, "fewer than four points cannot enclose anything");
+  const bool has_all = attempt.order == InsertionOrder::all_at_once;
+  const bool may_stretch = options_.recover.mode == MeshMode::constrained && has_all;
+  StartTriangulation out =
+      recover::triangulate_start(plc_, names_, model_, options_.delaunay, context_,
+                                 may_stretch ? StartFrame::may_be_stretched : StartFrame::as_given);
+  if (!has_all) out.mesh = hard_parts_.triangulate(out.points, options_.delaunay, context_);
+  statistics_ = {};
+  statistics_.facets_total = plc_.n_facets();
+  statistics_.segments_total = model_.constraints.segments.size();
+  statistics_.tetrahedra_unconstrained = out.tetrahedra;
+  statistics_.missing_edges_initial = out.missing_edges;
+  statistics_.missing_facets_before_segments = out.missing_facets;
+  delaunay_ = out.statistics;
+  return out;
+}
+
+RecoveryOutcome RecoveryRun::recover() {
+  CrossingsOf crossings(plc_);
+  for (unsigned number = 0;; ++number) {
+    const Attempt attempt = attempt_of(number, hard_parts_);
+    StartTriangulation from = number == 0 ? std::move(*first_start_) : start(attempt);
+    ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model_.input_vertex.size());
+    mesh.reseed(1 + number);
+    Recovery recovery{mesh, model_.constraints, statistics_, context_, model_.input_vertex, plc_, names_, crossings};
+    recovery.attempt = number;
+    recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
+    recovery.least_spacing = least_spacing_;
+    std::optional<Error> dead_end = recover_in(attempt, recovery);
+    if (!dead_end) return {std::move(mesh), std::nullopt};
+    context_.note(LogLevel::debug, "attempt " + std::to_string(number + 1) + " (" + attempt.difference() +
+                                       ") ends: " + dead_end->what());
+    if (dead_end->kind() == ErrorKind::cannot_mesh)
+      if (std::optional<Error> crossing = recovery.describe_crossing()) return {std::nullopt, std::move(crossing)};
+    if (is_final(*dead_end, attempt, recovery)) return {std::nullopt, std::move(dead_end)};
+    hard_parts_.learn(recovery, model_);
+  }
+}
+
+/// The stages tell a dead end, and a model that is not valid, from deep inside; here these become results. All else
+/// (a cancelled run, a bug) goes on to the caller.
+std::optional<Error> RecoveryRun::recover_in(const Attempt& attempt, Recovery& recovery) {
+  try {
+    recover_stages(attempt, recovery);
+    return std::nullopt;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
+    return e;
+  }
+}
+
+/// Segments (3.1), facets (3.2), what is still missing (3.3), Steiner points taken out again.
+void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
+  const RecoverOptions& options = options_.recover;
+  if (attempt.order == InsertionOrder::hard_parts_first) hard_parts_.run(recovery);
+  if (options.mode == MeshMode::conforming && !conform_(recovery, options, statistics_.facets_not_recovered))
+    throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
+  validate_stage(recovery);
+  recover::recover_segments(recovery);
+  validate_stage(recovery);
+  recover::recover_facets(recovery);
+  validate_stage(recovery);
+  const BoundaryPoints boundary = options.preserve_boundary ? BoundaryPoints::must_go : BoundaryPoints::may_stay;
+  if (options.mode == MeshMode::constrained) recover::remove_added_points(recovery, boundary);
+  validate_stage(recovery);
+  if (recovery.has_exact_points) {
+    round_steiner_points(recovery);
+    recover::remove_added_points(recovery, boundary);  // in places that rounding has moved
+    GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
+  }
+  if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
+  recover::validate_recovered(recovery);
+}
+
+/// What recovery finds wrong with the model is believed where the exact search for crossings agrees, and after the last
+/// attempt.
+bool RecoveryRun::is_final(const Error& dead_end, const Attempt& attempt, const Recovery& recovery) const {
+  return attempt.number + 1 >= most_attempts(options_.recover) ||
+         (dead_end.kind() == ErrorKind::invalid_input && recovery.has_crossings());
+}
+
+}  // namespace geomesh

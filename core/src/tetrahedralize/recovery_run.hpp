@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// One model, in canonical form, on its way to a mesh: the stages of recovery, in one attempt or several.
+#pragma once
+
+#include <optional>
+
+#include "recover/model/declare.hpp"
+#include "recover/model/recover.hpp"
+#include "recover/start/start_triangulation.hpp"
+#include "tetrahedralize/conforming_step.hpp"
+#include "tetrahedralize/recovery_attempts.hpp"
+
+namespace geomesh {
+
+/// The mesh with all constraints in it, or why there is none.
+struct RecoveryOutcome {
+  std::optional<recover::ConstrainedMesh> mesh;
+  std::optional<Error> refusal;
+};
+
+class RecoveryRun {
+ public:
+  RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& names, const TetrahedralizeOptions& options,
+              const RunContext& context, const ConformingStep& conform);
+
+  /// Section 2 of the paper: the first triangulation. Throws Error{invalid_input} where the model is not valid.
+  void triangulate();
+  /// Section 3: attempts until one succeeds.
+  RecoveryOutcome recover();
+
+  recover::DeclaredModel& model() { return model_; }
+  const RecoveryStatistics& statistics() const { return statistics_; }
+  const DelaunayStatistics& delaunay() const { return delaunay_; }
+
+ private:
+  recover::StartTriangulation start(const Attempt& attempt);
+  std::optional<Error> recover_in(const Attempt& attempt, recover::Recovery& recovery);
+  void recover_stages(const Attempt& attempt, recover::Recovery& recovery);
+  bool is_final(const Error& dead_end, const Attempt& attempt, const recover::Recovery& recovery) const;
+
+  const PiecewiseLinearComplex& plc_;
+  const ModelNames& names_;
+  const TetrahedralizeOptions& options_;
+  const RunContext& context_;
+  const ConformingStep& conform_;
+  double least_spacing_;
+  recover::DeclaredModel model_{};
+  std::optional<recover::StartTriangulation> first_start_;
+  RecoveryStatistics statistics_{};
+  DelaunayStatistics delaunay_{};
+  recover::HardPartsFirst hard_parts_{};
+};
+
+}  // namespace geomesh
