@@ -12,8 +12,8 @@
 
 namespace geomesh {
 
-/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1);
-/// builds with expensive checks assert it by P2 for every face.
+/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1).
+/// Builds with expensive checks assert it by P2 for every face.
 template <class Space, bool Shared = false>
 class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   using Base = IncrementalTriangulation<Space, Shared>;
@@ -255,7 +255,7 @@ unsigned CavityInsertion<Space, Shared>::number_boundary() {
   return count;
 }
 
-/// The common path: new faces in a square table by directed edge; each entry is written before it is read, so the table
+/// The common path: new faces in a square table by directed edge. Each entry is written before it is read, so the table
 /// is never cleared.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {

@@ -16,15 +16,14 @@
 namespace geomesh {
 
 /// Parallel insertion after the idea of HXT (Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion
-/// tetrahedra"): a part is a stretch of the Hilbert curve, it may only change cells all of whose vertices lie on its
-/// stretch, and a point that needs more waits. Other than there, the parts depend on the number of points alone and
-/// take their slots from stripes of their own, so that every part does the same work whatever the threads, and the
-/// result is the same in every byte; no locks are needed.
+/// tetrahedra"). A part is a stretch of the Hilbert curve. It may only change cells all of whose vertices lie on its
+/// stretch. A point that needs more waits. Other than there, the parts depend on the number of points alone and take
+/// their slots from stripes of their own. So every part does the same work whatever the threads, and the result is the
+/// same in every byte. No locks are needed.
 ///
 /// Why no two parts meet: a cell that a part removes has all its vertices in it. Such a cell shares three vertices with
-/// each neighbour, so a neighbour that is not the part's own has at least two finite vertices in this part and is no
-/// other part's own either: its vertices stay as they are, and of its neighbour links each is written by one part at
-/// most.
+/// each neighbour. So a neighbour that is not the part's own has at least two finite vertices in this part. It is no
+/// other part's own either: its vertices stay as they are. Each of its neighbour links is written by one part at most.
 class CavityStage {
  public:
   CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit, double cluster_distance,

@@ -60,8 +60,8 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
   return {0, 1, 2, 3};
 }
 
-/// The cluster distance `auto`: 2^-44 of the model's extent, where differences of coordinates keep no more than nine
-/// bits, if any two points that follow each other on the curve are that near; else none. Waiting costs more than it
+/// The cluster distance `auto`: 2^-44 of the model's extent, where any two points that follow each other on the curve
+/// are that near; else none. Differences of coordinates keep no more than nine bits there. Waiting costs more than it
 /// saves at larger distances (docs/performance.md).
 double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   Box3 box;

@@ -14,8 +14,8 @@
 
 namespace geomesh {
 
-/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own: a 4-4 flip
-/// with an infinite vertex is the 2-2 flip of two coplanar hull faces; a 3-2 flip about an edge to infinity takes a
+/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own. A 4-4 flip
+/// with an infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip about an edge to infinity takes a
 /// vertex off the hull.
 class FlipInsertion : public IncrementalTriangulation<Space3, false> {
  public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1):
-/// the first simplex with its ghosts, point location, ownership of cells in parallel runs. The algorithms derive from
-/// it: cavity_insertion.hpp and flip_insertion.hpp.
+/// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1).
+/// It holds the first simplex with its ghosts, point location, and ownership of cells in parallel runs. The algorithms
+/// derive from it: cavity_insertion.hpp and flip_insertion.hpp.
 #pragma once
 
 #include <array>

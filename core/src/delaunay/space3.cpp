@@ -26,8 +26,8 @@ bool Space3::finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Ve
   return s != Sign::zero ? s == Sign::positive : tie_conflict(a, b, c, d, p);
 }
 
-/// The tie of points whose differences r from p are at most 512 units: the lexicographic order is that of one exact
-/// number, p's being 0, and orientations are plain determinants.
+/// The tie of points whose differences r from p are at most 512 units. The lexicographic order is that of one exact
+/// number, p's being 0. Orientations are plain determinants.
 bool Space3::near_tie_conflict(const std::array<Vec3, 4>& r) {
   std::array<double, 4> place;
   for (unsigned i = 0; i < 4; ++i) place[i] = 0x1p22 * r[i].x + 0x1p11 * r[i].y + r[i].z;

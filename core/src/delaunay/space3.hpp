@@ -21,8 +21,8 @@ namespace geomesh {
 /// conflicts with. It is the one part of the incremental algorithms that differs between the plane, a facet's plane and
 /// space, apart from the dimension.
 ///
-/// Where all coordinates are multiples of one power of two (lattices, rounded data), differences of up to 512 units
-/// make the plain determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
+/// Lattices and rounded data have coordinates that are multiples of one power of two. Differences of up to 512 units
+/// then make the plain determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
 class Space3 {
  public:
   static constexpr int dimension = 3;

@@ -15,8 +15,8 @@
 namespace geomesh {
 namespace {
 
-/// The Hilbert curve in 3D as a finite automaton (Hamilton 2006, "Compact Hilbert indices", algorithm 2): a state is
-/// the entry corner and the axis of the curve in the current octant; a step maps an octant's bits to its rank on the
+/// The Hilbert curve in 3D as a finite automaton (Hamilton 2006, "Compact Hilbert indices", algorithm 2). A state is
+/// the entry corner and the axis of the curve in the current octant. A step maps an octant's bits to its rank on the
 /// curve and to the next state.
 struct HilbertAutomaton {
   std::array<std::array<std::uint8_t, 8>, 24> rank{};
@@ -82,8 +82,8 @@ class HilbertPlaces {
 /// About 2^6 cells of the curve a point.
 int levels_for(std::size_t n) { return std::clamp((static_cast<int>(std::bit_width(n)) + 2) / 3 + 2, 3, 11); }
 
-/// A well mixed hash of the coordinates from the low corner of the points' box, in a power of two near its extent (-0
-/// as 0).
+/// A well mixed hash of the coordinates, measured from the low corner of the points' box. The unit is a power of two
+/// near its extent; -0 counts as 0.
 class CoordinateHash {
  public:
   CoordinateHash(const Vec3& low, double extent)

@@ -20,11 +20,11 @@ struct SpatialOrder {
   static constexpr unsigned n_places = 4096;
 };
 
-/// Depends on the coordinates alone, but for equal points, which stand by index; not on the place of the points where
-/// they are moved without rounding, nor on powers of two that scale them. A round holds 7/8 of the points that the
-/// later rounds leave. The curve is refined where points crowd, so that clusters of any density are ordered within.
-/// O(n) on points that are spread evenly, O(n log n) else. At most 2^28 points. `scratch`: 2 n items of memory to work
-/// in; less is not used. `threads`: how many to use, without influence on the result.
+/// Depends on the coordinates alone, but for equal points, which stand by index. Moving the points without rounding, or
+/// scaling them by a power of two, changes nothing. A round holds 7/8 of the points that the later rounds leave. The
+/// curve is refined where points crowd, so that clusters of any density are ordered within. O(n) on points that are
+/// spread evenly, O(n log n) else. At most 2^28 points. `scratch`: 2 n items of memory to work in; less is not used.
+/// `threads`: how many to use, without influence on the result.
 SpatialOrder spatial_order(std::span<const Vec3> points, std::span<std::uint64_t> scratch = {}, unsigned threads = 1);
 
 /// All points along one such curve.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How the items of the model that is being meshed are called by the caller, who gave it in another frame and order
+/// What the caller calls the items of the model that is being meshed. The caller gave it in another frame and order
 /// (tetrahedralize/canonical_form.hpp).
 #pragma once
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What follows where a semi-static filter is not certain: a dynamic filter (bound from the terms' own magnitudes),
-/// then the exact sign by expansions. Inside the core only; callers elsewhere use geomesh/core/predicates.hpp.
+/// What follows where a semi-static filter is not certain. First a dynamic filter, bound from the terms' own
+/// magnitudes, then the exact sign by expansions. Inside the core only; callers elsewhere use
+/// geomesh/core/predicates.hpp.
 #pragma once
 
 #include <cstddef>

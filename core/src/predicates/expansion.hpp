@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Floating-point expansions: exact sums and products of doubles as unevaluated sums of non-overlapping doubles,
-/// smallest first (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
-/// section 2).
+/// smallest first. Source: Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
+/// predicates", section 2.
 ///
 /// Precondition throughout: round-to-even doubles, no contraction into fused operations, no over- or underflow
 /// (exponents_are_safe). All results are non-adjacent, which is what fast_expansion_sum asks of its arguments (theorem

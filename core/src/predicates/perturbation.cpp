@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i grows by e_i,
 // with e_i much larger than e_j where i is lexicographically greater than j. The perturbed determinant is then led by
-// the cofactor of the greatest point whose cofactor does not vanish; that cofactor is the orientation of the others.
+// the greatest point whose cofactor does not vanish. That cofactor is the orientation of the others.
 #include <algorithm>
 #include <array>
 #include <cmath>

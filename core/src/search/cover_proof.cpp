@@ -61,8 +61,8 @@ struct Cut {
   Polygon over, beyond;
 };
 
-/// The parts of a convex polygon (of two points: of a line) on both sides of the plane; points within `tiny` of it are
-/// of both, and a part of such points alone is none.
+/// The parts of a convex polygon (of two points: of a line) on both sides of the plane. Points within `tiny` of it are
+/// of both. A part of such points alone is none.
 Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   Cut parts;
   bool is_over = false, is_beyond = false;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proof that triangles, or line pieces, lie within a distance of many others: of whole surfaces, however large the one
-/// and small the others.
+/// Proof that triangles, or line pieces, lie within a distance of many others. It takes whole surfaces, however large
+/// the one and small the others.
 ///
-/// The distance to one triangle is a convex function, so a convex piece whose corners are within the limit of one and
-/// the same triangle is within it. Where there is no such triangle, the piece is cut by the planes that stand on the
-/// sides of the triangle nearest to its middle: what is between them lies over that triangle, what is not lies over
-/// others. So along the sides where two triangles take turns the cut is made there, and not by pieces that are small
-/// against the limit. Where no plane cuts, the piece is halved.
+/// The distance to one triangle is a convex function. So a convex piece whose corners are within the limit of one and
+/// the same triangle is within it. Where there is no such triangle, the piece is cut by planes that stand on the sides
+/// of the triangle nearest to its middle. What is between them lies over that triangle, what is not lies over others.
+/// So along the sides where two triangles take turns the cut is made there, and not by pieces that are small against
+/// the limit. Where no plane cuts, the piece is halved.
 #pragma once
 
 #include <vector>

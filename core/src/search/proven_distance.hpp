@@ -3,11 +3,11 @@
 /// Proof that a triangle lies within a distance of a set of triangles, all of it and not at samples only.
 ///
 /// The distance to one triangle is a convex function, and that to any set changes by no more than the way one goes. So
-/// a triangle is within the limit where (a) its corners are within the limit of one and the same triangle of the set,
-/// or (b) one of its points, the centre of a ball about it, is nearer than the limit by the ball's radius. (c) It is
-/// too where two corners lie by X and the third by Y, X and Y have an edge in common, and the chords between their
-/// nearest points pass near that edge: the triangle of the three nearest points is cut by the edge but for that
-/// distance, and its parts lie on X and Y. (d) And where the set is a smooth surface without a border over all of it
+/// a triangle is within the limit where (a) its corners are within the limit of one and the same triangle of the set.
+/// It is too where (b) a ball about one of its points holds it, and that point is nearer than the limit by the ball's
+/// radius. (c) It is too where two corners lie by X and the third by Y, X and Y share an edge, and the chords between
+/// their nearest points pass near it. The triangle of the three nearest points is cut by that edge but for that
+/// distance. Its parts lie on X and Y. (d) And where the set is a smooth surface without a border over all of it
 /// (sheet_proof.hpp). Where none of these tells, the triangle is halved across its longest edge.
 #pragma once
 
@@ -30,12 +30,12 @@ class DistanceProver {
 
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Whether all of `triangle` is proven to be within the limit of the set. False where a point of it is not, and where
-  /// that is not decided by halves down to a 16th of the limit or by a hundred of them. O(pieces * set).
+  /// Whether all of `triangle` is proven to be within the limit of the set. False where a point of it is not. False
+  /// also where that is not decided by halves down to a 16th of the limit, or by a hundred of them. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
-  /// Where that was told in one look, as the set is a sheet over all of the triangle (test d): a triangle of that
-  /// sheet; else no_index. The triangles over it are all turned from it by less than 53 degrees, or all from its other
+  /// Where that was told in one look, as the set is a sheet over all of the triangle (test d), a triangle of that
+  /// sheet. Else no_index. The triangles over it are all turned from it by less than 53 degrees, or all from its other
   /// side.
   Index sheet_row() const { return sheet_row_; }
 

@@ -13,8 +13,8 @@ namespace geomesh::search {
 namespace {
 
 constexpr double smooth_cosine = 0.82;  ///< of the angle between two triangles at an edge
-/// Of the angle between the surface and F. Two triangles that turn to opposite sides of F's plane would be inclined to
-/// each other by more than the edges that are not open allow.
+/// Of the angle between the surface and F. Let two triangles turn to opposite sides of F's plane. They would be
+/// inclined to each other by more than the edges that are not open allow.
 constexpr double steep_cosine = 0.6;
 constexpr double on_side = 1e-9;  ///< of F's longest edge
 

@@ -2,10 +2,10 @@
 /// @file
 /// Proof that a triangle lies within a distance of a surface that goes on under all of it, without cutting it up.
 ///
-/// Seen along the normal of triangle F, take what of the surface is over F. Where it is nowhere farther from F's plane
-/// than the limit, is nowhere steep, has no border and no crease there, the set of F's points that have the surface
-/// over them is closed, and open in F: about a point of the surface it goes on to all sides, to places within the limit
-/// too. So where it is not empty it is all of F, which is connected.
+/// Seen along the normal of triangle F, take what of the surface is over F. Let the surface be nowhere farther from F's
+/// plane than the limit, nowhere steep, and without border or crease there. Then the set of F's points that have the
+/// surface over them is closed. It is open in F too: about a point of the surface it goes on to all sides, to places
+/// within the limit. So where it is not empty it is all of F, which is connected.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@
 
 namespace geomesh::search {
 
-/// A triangle of a surface, and which of its edges (bit k: from corner k to the next) the surface does not go on over
-/// smoothly.
+/// A triangle of a surface, and the edges over which the surface does not go on smoothly. Bit k is the edge from corner
+/// k to the next.
 struct SheetTriangle {
   const PreparedTriangle* triangle;
   std::uint8_t open_edges;
 };
 
-/// By item: bit k where its edge from corner k to the next is not shared by exactly two of its group that are inclined
-/// to each other by less than 35 degrees. O(n log n).
+/// By item: bit k where its edge from corner k to the next is open. An edge is not open where exactly two of its group
+/// share it and are inclined to each other by less than 35 degrees. O(n log n).
 std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Item> items);
 
 /// What the proof asks of one triangle of the surface.

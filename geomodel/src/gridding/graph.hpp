@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// The frame in which points are a graph: the map, or the plane of least squares through them (w the direction of least
-/// extent, upward where it is not horizontal).
+/// The frame in which points are a graph: the map, or the plane of least squares through them. w is the direction of
+/// least extent, upward where it is not horizontal.
 Frame graph_frame(const std::vector<Vec3>& points, GraphOver over);
 
 /// Finds the triangle over which a place of the (u, v) plane lies. Built in near-linear time; a query costs what lies

@@ -101,8 +101,8 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
   return result;
 }
 
-/// As exported from GOCAD or SKUA: several objects in one file, horizons that stop short of the box, one with a hole,
-/// one block by block.
+/// As exported from GOCAD or SKUA: several objects in one file. Horizons stop short of the box, one has a hole, one
+/// comes block by block.
 ProjectTemplate from_gocad() {
   ProjectTemplate result;
   const double throw_of_fault = 180;

@@ -17,8 +17,8 @@ TriangulatedSurface height_surface(const std::string& name, double x0, double x1
 /// A plane sheet origin + s*u + t*v, s and t in [0, 1], of n x n cells.
 TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, const Vec3& u, const Vec3& v, int n);
 
-/// A closed body of revolution about the vertical through (x, y): radius(t) at z = bottom + t (top - bottom), zero at t
-/// = 0 and 1.
+/// A closed body of revolution about the vertical through (x, y). Its radius is radius(t) at z = bottom + t (top -
+/// bottom), zero at t = 0 and 1.
 TriangulatedSurface revolved_surface(const std::string& name, double x, double y, double bottom, double top, int rings,
                                      int sectors, const std::function<double(double)>& radius);
 

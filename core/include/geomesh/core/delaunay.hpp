@@ -19,7 +19,8 @@ struct DelaunayOptions {
   DelaunayAlgorithm algorithm = DelaunayAlgorithm::cavity;
   /// Points nearer than this to an inserted vertex wait until the end (section 2.2). 0: none wait; negative: chosen
   /// from the data (2^-44 of the extent where points are that near). The cavity algorithm looks at all vertices that
-  /// the new point would be joined to, the nearest among them; the flip algorithm at those of the cell that holds it.
+  /// the new point would be joined to, the nearest among them. The flip algorithm looks at those of the cell that holds
+  /// it.
   double cluster_distance = -1;
 };
 
@@ -38,8 +39,8 @@ struct DelaunayTetrahedralization {
   DelaunayStatistics statistics;
 };
 
-/// Throws Error{invalid_input} on coordinates that are not finite or out of the exact range, Error{cannot_mesh} where
-/// all points lie in one plane or on one line (the message says which). The result is unique (perturbation by
+/// Throws Error{invalid_input} on coordinates that are not finite or out of the exact range. Throws Error{cannot_mesh}
+/// where all points lie in one plane or on one line; the message says which. The result is unique (perturbation by
 /// coordinates), whatever the order of the points, the algorithm, the cluster distance and the threads. Near-linear on
 /// inputs whose triangulation is.
 DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> points,

@@ -17,8 +17,8 @@ namespace geomesh {
 /// Points, polygonal facets with holes, inner segments and inner points of facets, isolated segments and points, region
 /// seeds and hole seeds.
 ///
-/// Invariants (validate_plc lists every fault): indices in range; coordinates finite and distinct; each loop has at
-/// least three different vertices and no repeated neighbour; facets and segments meet only in shared vertices and
+/// Invariants (validate_plc lists every fault): indices in range; coordinates finite and distinct. Each loop has at
+/// least three different vertices and no repeated neighbour. Facets and segments meet only in shared vertices and
 /// edges.
 struct PiecewiseLinearComplex {
   std::vector<Vec3> points;

@@ -17,8 +17,8 @@ namespace detail {
 void* resize_block(void*& raw, void* data, std::size_t used, std::size_t bytes);
 }  // namespace detail
 
-/// Differs from std::vector in three ways that the memory bound of the Delaunay stage needs: items are not initialised,
-/// so that capacity never touched costs no memory; growing a large array does not hold two copies; items start at a
+/// Differs from std::vector in three ways that the memory bound of the Delaunay stage needs. Items are not initialised,
+/// so that capacity never touched costs no memory. Growing a large array does not hold two copies. Items start at a
 /// cache line.
 template <class T>
 class PodArray {

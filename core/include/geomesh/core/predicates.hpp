@@ -3,15 +3,16 @@
 /// The two predicates that everything topological reduces to (Cavalcanti and Mello 1999, section 2: P1 in-sphere, P2
 /// orientation), in 2D and 3D, exact for all finite doubles whose exponents `exponents_are_safe` accepts.
 ///
-/// Convention (one for the whole project): `orient3d(a,b,c,d)` is the sign of det[b-a, c-a, d-a]; it is positive for a
-/// tetrahedron in VTK order, d on the side of (a,b,c) from which they appear counter-clockwise. `orient2d(a,b,c)` is
-/// positive where they turn left. `in_sphere(a,b,c,d,e)` is positive where e is strictly inside the sphere through the
-/// positively oriented a,b,c,d.
+/// Convention (one for the whole project): `orient3d(a,b,c,d)` is the sign of det[b-a, c-a, d-a]. It is positive for a
+/// tetrahedron in VTK order: (a,b,c) appear counter-clockwise from d. `orient2d(a,b,c)` is positive where they turn
+/// left. `in_sphere(a,b,c,d,e)` is positive where e is strictly inside the sphere through the positively oriented
+/// a,b,c,d.
 ///
-/// Ties are broken by a symbolic perturbation of the lifted height |p|^2 (not of the coordinates, so that no flat
-/// simplex is ever made), ordered by the vertices' coordinates (lexicographic x, y, z; the greater the point, the
-/// greater its perturbation): independent of numbering, the same in 2D, in a facet's plane and in 3D (Devillers and
-/// Teillaud 2011, "Perturbations for Delaunay and weighted Delaunay 3D triangulations", section 4).
+/// Ties are broken by a symbolic perturbation of the lifted height |p|^2, not of the coordinates, so that no flat
+/// simplex is ever made. It is ordered by the vertices' coordinates (lexicographic x, y, z): the greater the point, the
+/// greater its perturbation. So it does not depend on numbering and is the same in 2D, in a facet's plane and in 3D.
+/// Source: Devillers and Teillaud 2011, "Perturbations for Delaunay and weighted Delaunay 3D triangulations",
+/// section 4.
 #pragma once
 
 #include <span>
@@ -34,10 +35,10 @@ Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const
 Sign in_circle_perturbed(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 Sign in_sphere_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// Coplanar in-circle of points in space, perturbed as in 3D: whether d is inside the circle of a,b,c where all four
-/// are exactly coplanar and a,b,c are not collinear. Independent of the orientation of a,b,c. Agrees with
-/// in_sphere_perturbed: a facet whose points are exactly coplanar and that is present in the Delaunay
-/// tetrahedralization equals the 2D Delaunay triangulation under this test.
+/// Coplanar in-circle of points in space, perturbed as in 3D: whether d is inside the circle of a,b,c. All four are
+/// exactly coplanar and a,b,c are not collinear. Independent of the orientation of a,b,c. Agrees with
+/// in_sphere_perturbed: let a facet's points be exactly coplanar and the facet be present in the Delaunay
+/// tetrahedralization. Then it equals the 2D Delaunay triangulation under this test.
 Sign in_circle_coplanar_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// True where a, b, c are exactly collinear.
@@ -46,7 +47,7 @@ bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 /// The total order behind the perturbation: -1, 0, 1 as a is less than, equal to, greater than b in x, then y, then z.
 int compare_lexicographic(const Vec3& a, const Vec3& b);
 
-/// True where every nonzero coordinate is finite and no product of the exact path can over- or underflow: the limits on
+/// True where every nonzero coordinate is finite and no product of the exact path can over- or underflow. The limits on
 /// the magnitudes are stated in the implementation and in docs. Callers refuse other input.
 bool exponents_are_safe(std::span<const Vec3> points);
 

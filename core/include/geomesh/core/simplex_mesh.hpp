@@ -66,7 +66,7 @@ inline constexpr std::array<std::array<std::uint8_t, 2>, 6> edge_vertices{
 /// caller.
 ///
 /// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity
-/// read both; flags are an array of their own.
+/// read both. Flags are an array of their own.
 template <int Dim>
 class SimplexMesh {
   static_assert(Dim == 2 || Dim == 3);
@@ -156,8 +156,8 @@ class SimplexMesh {
   const Cell* cells() const { return cells_.data(); }
   std::uint8_t* cell_flags() { return flags_.data(); }
   std::size_t capacity() const { return cells_.capacity(); }
-  /// Makes slots up to n; the new ones are neither initialised nor on the free list, so fill them or let `compact` drop
-  /// them after marking them with `vertices[0] = no_vertex`.
+  /// Makes slots up to n. The new ones are neither initialised nor on the free list. Fill them, or mark them with
+  /// `vertices[0] = no_vertex` and let `compact` drop them.
   void grow_to(std::size_t n) {
     GEOMESH_CHECK(n <= no_cell);
     cells_.grow_to(n);

@@ -42,7 +42,7 @@ class SizeField {
 
   /// Size asked at a place of a component (no_index: of none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// The same, sooner, where the size at a place q nearby is known, and sooner again where no size beyond `at_most`
+  /// The same, sooner, where the size at a place q nearby is known. It is sooner again where no size beyond `at_most`
   /// matters: those come out as at least that.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
                    double at_most = std::numeric_limits<double>::infinity()) const;

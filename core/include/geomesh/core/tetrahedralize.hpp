@@ -82,9 +82,9 @@ struct ConstrainedTetrahedralization {
   DelaunayStatistics delaunay_statistics;
 };
 
-/// Throws Error{invalid_input} where the PLC is not valid (crossing facets, vertex on a facet's inside: names both),
-/// Error{cannot_mesh} where a facet or segment cannot be recovered or nothing is enclosed. Never returns a wrong mesh:
-/// the result has been validated.
+/// Throws Error{invalid_input} where the PLC is not valid (crossing facets, a vertex inside a facet) and names both.
+/// Throws Error{cannot_mesh} where a facet or segment cannot be recovered or nothing is enclosed. Never returns a wrong
+/// mesh: the result has been validated.
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc,
                                              const TetrahedralizeOptions& options = {}, const RunContext& context = {});
 

@@ -26,7 +26,7 @@ std::vector<MeshFault> validate_topology(const TetMesh& mesh, std::size_t limit 
                                          Outside outside = Outside::ghosts);
 /// Every finite cell is exactly positive. Linear.
 std::vector<MeshFault> validate_geometry(const TetMesh& mesh, std::span<const Vec3> points, std::size_t limit = 100);
-/// Every face is locally Delaunay under the perturbation, hull faces and convexity included; with validate_topology and
+/// Every face is locally Delaunay under the perturbation, hull faces and convexity included. With validate_topology and
 /// validate_geometry this makes the mesh the Delaunay tetrahedralization (Delaunay 1934). Linear.
 std::vector<MeshFault> validate_delaunay(const TetMesh& mesh, std::span<const Vec3> points, std::size_t limit = 100);
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The two inner loops of insertion in space, the walk and the growth of a cavity, with the four faces of a cell in
+/// The two inner loops of insertion in space: the walk and the growth of a cavity. The four faces of a cell stand in
 /// four lanes. Semi-static filters decide; what they leave open goes back to the caller.
 ///
-/// Where the time of a plain loop goes is branches: whether a neighbour is in conflict is as good as random, and each
-/// wrong guess costs the depth of a determinant. So these loops compute masks and append to lists without branching on
-/// them.
+/// A plain loop spends its time on branches. Whether a neighbour is in conflict is as good as random, and each wrong
+/// guess costs the depth of a determinant. So these loops compute masks and append to lists without branching on them.
 #pragma once
 
 #include <array>

@@ -97,8 +97,8 @@ GEOMESH_INLINE Lanes bound(Lanes w, Lanes degree, double exact_reach) {
   return w > exact_reach * exact_reach ? degree : Lanes{};
 }
 
-// Not checked by the thread sanitizer: whole records are loaded, and the number that another part may be writing to one
-// of its points is in them, though not looked at.
+// Not checked by the thread sanitizer. Whole records are loaded, and with them a number that another part may be
+// writing to one of its points. That number is not looked at.
 #if defined(__SANITIZE_THREAD__)
 #define GEOMESH_WHOLE_RECORDS __attribute__((no_sanitize("thread")))
 #else
@@ -144,8 +144,8 @@ struct FilteredLanes {
   Lanes det, error;
 };
 
-/// Lane i: the in-sphere determinant of p and the neighbour over face i of the cell q, whose vertex off that face is
-/// lane i of e. Positive: p is inside.
+/// Lane i: the in-sphere determinant of p and the neighbour over face i of the cell q. That neighbour's vertex off the
+/// face is lane i of e. Positive: p is inside.
 GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e, double reach) {
   const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y),
               sz = face_s(q.z);

@@ -21,7 +21,7 @@ struct BodyShape {
   double border_length = 0;
   Vec3 border_place;
   /// Closed bodies: any axis will do. Open ones: a direction that leads away from all of the border, which lies beyond
-  /// one side of the box ("rooted" bodies: any cap beyond that side closes them); none: inside is not defined.
+  /// one side of the box. Any cap beyond that side closes such a "rooted" body. None: inside is not defined.
   std::optional<RayDirection> open_direction;
   bool has_inside() const { return closed || open_direction.has_value(); }
 };

@@ -29,8 +29,8 @@ void clip_to_box(ClipContext context, const Box3& box, const std::vector<Polylin
 void clip_to_volume(ClipContext context, const Complex& complex, const Ingested& ingested,
                     const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points);
 
-/// For bodies: inner parts of those that cross themselves are removed (winding number not zero on both sides), then the
-/// parts of horizons and faults strictly inside bodies with cuts_all. `crosses_itself` is per given surface.
+/// First, inner parts of bodies that cross themselves are removed (winding number not zero on both sides). Then the
+/// parts of horizons and faults strictly inside bodies with cuts_all go. `crosses_itself` is per given surface.
 void cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                    const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 

@@ -17,7 +17,7 @@ struct FacetEdge {
   bool operator<(const FacetEdge& o) const { return std::tie(a, b, facet) < std::tie(o.a, o.b, o.facet); }
 };
 
-/// Components of `chosen` facets joined across the edges that `passes(begin, end)` lets through; edges are given by all
+/// Components of `chosen` facets joined across the edges that `passes(begin, end)` lets through. Edges are given by all
 /// chosen facets and all `barrier` facets at them. Returns per facet the component, from 0 in the order of the least
 /// facet, or no_index.
 template <typename Passes>

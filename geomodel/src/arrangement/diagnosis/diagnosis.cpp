@@ -32,8 +32,8 @@ bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
 }
 
 /// Free borders by surface and connected piece, longest first; at most `limit` of a kind a surface, the rest in one
-/// spot. A closed piece is a gap, unless it may be the surface's outer border: its longest piece, but for horizons in a
-/// box, which are to reach its sides.
+/// spot. A closed piece is a gap, unless it may be the surface's outer border. That is its longest piece, but for
+/// horizons in a box, which are to reach its sides.
 void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std::vector<Spot>& spots) {
   struct FreeEdge {
     Index surface;

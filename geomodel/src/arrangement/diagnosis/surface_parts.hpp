@@ -16,8 +16,8 @@ class SurfaceParts {
   /// Near-linear.
   SurfaceParts(const PolygonSoup& soup, std::size_t n_surfaces);
 
-  /// Area of surface `a` that its curves with surface `b` part from the largest piece: what lies beyond `b` where the
-  /// two cross over a patch. 0 where `b` parts nothing. Linear in the edges at which `a` meets other surfaces.
+  /// Area of surface `a` that its curves with surface `b` part from the largest piece. It is what lies beyond `b` where
+  /// the two cross over a patch. 0 where `b` parts nothing. Linear in the edges at which `a` meets other surfaces.
   double area_parted(Index a, Index b) const;
 
  private:

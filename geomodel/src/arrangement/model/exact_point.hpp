@@ -31,8 +31,8 @@ class ExactFrame {
   ExactPoint to_exact_beyond(const Vec3& p) const;
   /// numerator / denominator in the coordinates' unit, to the nearest double; denominator > 0.
   double ratio(const mpz_class& numerator, const mpz_class& denominator) const;
-  /// The nearest doubles (ties to even): monotone, so a coordinate that lies on an axis-aligned plane in doubles stays
-  /// on it, and equal points have equal doubles.
+  /// The nearest doubles (ties to even). Rounding is monotone, so a coordinate that lies on an axis-aligned plane in
+  /// doubles stays on it. Equal points have equal doubles.
   Vec3 to_nearest(const ExactPoint& p) const;
 
  private:

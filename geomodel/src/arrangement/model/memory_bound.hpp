@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Memory of the arrangement. What it holds grows with the places in which triangles meet, which no size of the input
-/// bounds (surfaces that lie on each other, triangles far larger than the model), so each big step counts what it makes
+/// Memory of the arrangement. What it holds grows with the places in which triangles meet. No size of the input bounds
+/// these: surfaces may lie on each other, triangles be far larger than the model. So each big step counts what it makes
 /// and ends with a message long before the machine swaps.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A cheap way out of the narrow phase: most triangles whose boxes meet are neighbours in one surface, nearly coplanar,
-/// so that planes tell them apart only in exact arithmetic, while seen along the normal they lie side by side.
+/// A cheap way out of the narrow phase. Most triangles whose boxes meet are neighbours in one surface and nearly
+/// coplanar. Planes tell them apart only in exact arithmetic, while seen along the normal they lie side by side.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ inline int proven_turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return det > bound ? 1 : det < -bound ? -1 : 0;
 }
 
-/// True where, seen along the axis nearest to a's normal, the line of an edge of one triangle proves that the other
-/// meets it at most in shared vertices or a shared edge. False says nothing.
+/// True where the line of an edge of one triangle proves that the other meets it at most in shared vertices or a shared
+/// edge. Both are seen along the axis nearest to a's normal. False says nothing.
 inline bool proven_apart(const std::array<const Vec3*, 3>& pa, const Triangle& a, const std::array<const Vec3*, 3>& pb,
                          const Triangle& b) {
   const Vec3 n = cross(*pa[1] - *pa[0], *pa[2] - *pa[0]);

@@ -40,7 +40,7 @@ class BoxTree {
 
   std::size_t n_leaves() const { return n_leaves_; }
 
-  /// Calls visit(i, j) once for each unordered pair i != j of boxes that meet, one of which lies in the given leaf and
+  /// Calls visit(i, j) once for each unordered pair i != j of boxes that meet. One of them lies in the given leaf and
   /// the other in it or in a later one. Leaves can be visited in parallel.
   template <typename Visit>
   void pairs_of_leaf(std::size_t leaf, Visit&& visit) const {

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Per facet and edge k (from corner k to corner k+1) the facet and edge beyond it as 4 * facet + edge, or no_index
+/// Per facet and edge k (from corner k to corner k+1) the facet and edge beyond it as 4 * facet + edge. It is no_index
 /// where the edge has another number of facets than two.
 using Neighbours = std::vector<std::array<Index, 3>>;
 

@@ -4,11 +4,11 @@
 /// them.
 ///
 /// Most pairs of triangles whose boxes meet are neighbours in one surface. A chart is a set of facets joined across
-/// edges that all turn left when seen along one axis (each taken in the orientation in which it does). Over a point of
-/// the plane that lies on no edge the number of facets of a chart is the winding number of its border about the point.
-/// Where the border's edges meet in shared ends alone and the winding number never exceeds one, facets of the chart are
-/// disjoint as seen, but for shared corners and edges, and so they are in space. (The idea of culling self-collisions
-/// by normals and contours is Volino and Magnenat-Thalmann's, 1994; here every sign is exact.)
+/// edges that all turn left when seen along one axis. Each is taken in the orientation in which it does. Take a point
+/// of the plane that lies on no edge. The number of facets of a chart over it is the winding number of its border about
+/// the point. Let the border's edges meet in shared ends alone and the winding number never exceed one. Then facets of
+/// the chart are disjoint as seen, but for shared corners and edges, and so they are in space. (The idea of culling
+/// self-collisions by normals and contours is Volino and Magnenat-Thalmann's, 1994; here every sign is exact.)
 #pragma once
 
 #include <vector>

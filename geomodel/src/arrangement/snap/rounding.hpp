@@ -21,8 +21,8 @@ struct Rounded {
   std::vector<VanishedFacet> vanished;
 };
 
-/// Vertices that get equal doubles become one; facets that lose their area by that are dropped (their neighbours take
-/// their place, or the next round mends them). Only used vertices are kept, those of the complex first. Marks what may
+/// Vertices that get equal doubles become one. Facets that lose their area by that are dropped: their neighbours take
+/// their place, or the next round mends them. Only used vertices are kept, those of the complex first. Marks what may
 /// have become improper as dirty.
 Rounded round_to_doubles(const Arranged& arranged, const Complex& before, const RoundingOptions& options);
 

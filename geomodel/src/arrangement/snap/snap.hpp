@@ -26,9 +26,9 @@ struct SnapOutcome {
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
 };
 
-/// Among the facets with active[f] and all wells' segments: vertices nearer than the distance become one (the one on
-/// more box planes, then the one from the input, then the earlier stands); edges and facets nearer to a vertex are
-/// split at it; edges nearer to each other are split at a common new vertex. Facets without area go, equal ones merge.
+/// Works among the facets with active[f] and all wells' segments. Vertices nearer than the distance become one. The one
+/// on more box planes stands, then the one from the input, then the earlier. Edges and facets nearer to a vertex are
+/// split at it. Edges nearer to each other are split at a common new vertex. Facets without area go, equal ones merge.
 /// What changed is marked dirty. Rows of points stay; `vertex_now`, where given, has for each the vertex that stands
 /// for it.
 ///
@@ -47,7 +47,7 @@ struct Insertions {
   std::map<Index, std::vector<VertexIndex>> in_facet;
 };
 
-/// The facet with vertices on its edges and inside, as triangles that turn as the facet does; edges of `wanted` between
+/// The facet with vertices on its edges and inside, as triangles that turn as the facet does. Edges of `wanted` between
 /// its vertices are there where they cross nothing. nothing: its border crosses itself as seen along the normal, and
 /// the facet is best left alone. Empty: no area is left.
 std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet,

@@ -39,8 +39,8 @@ class VertexGrid {
   std::unordered_map<Vec3, std::vector<VertexIndex>, PointHash> cells_;
 };
 
-/// Finds vertices near edges, edges near each other (which adds vertices to the complex and to the grid) and vertices
-/// near facets, among the given facets, edges and vertices.
+/// Finds vertices near edges, edges near each other and vertices near facets, among the given facets, edges and
+/// vertices. Edges near each other add vertices to the complex and to the grid.
 Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
                            std::vector<VertexIndex> vertices, VertexGrid& grid, const SnapOptions& options);
 

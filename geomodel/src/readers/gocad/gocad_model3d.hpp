@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Adds the regions of `model` but Universe to `contents`, whose surfaces came from `objects`, and the kinds of the
+/// Adds the regions of `model` but Universe to `contents`, whose surfaces came from `objects`. Adds the kinds of the
 /// surfaces (fault, horizon) as the model names them. `+` means that the key triangle's normal points out of the
 /// region. Where a key triangle is not among its surface's triangles no region is added, and a warning says so.
 void add_model3d_regions(const GocadObject& model, const std::vector<GocadObject>& objects, FileContents& contents);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Irap classic grids (RMS), text and binary: values at nodes, x fastest from (x0, y0), rotated about it. 9999900 or
 // more is null. The header of the text form: -996 ny dx dy / xmin xmax ymin ymax / nx rotation x0 y0 / seven zeros. The
-// binary form consists of Fortran records (each between its length in bytes, big-endian): -996 ny xmin xmax ymin ymax
-// dx dy / nx rotation x0 y0 / seven zeros / values.
+// binary form consists of Fortran records, each between its length in bytes, big-endian. They hold: -996 ny xmin xmax
+// ymin ymax dx dy / nx rotation x0 y0 / seven zeros / values.
 #include <cmath>
 
 #include "readers/formats.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OMF v1 (Open Mining Format 0.9.0): 60 bytes of header (magic, version, project id, where the JSON begins), arrays
-// compressed with zlib, JSON: a map from ids to objects that refer to each other. A vertex stands at project origin +
-// geometry origin + array.
+// OMF v1 (Open Mining Format 0.9.0): 60 bytes of header: magic, version, project id, where the JSON begins. Then arrays
+// compressed with zlib. Then JSON: a map from ids to objects that refer to each other. A vertex stands at project
+// origin + geometry origin + array.
 #include <zlib.h>
 
 #include <cmath>

@@ -20,8 +20,8 @@ struct OmfGrid {
 };
 
 /// The nodes, columns along u. The format does not say whether the nodes of `offsets` run along u or along v first, and
-/// its writers do not agree: the order is taken in which the surface is clearly smoother (half of the squared
-/// differences between neighbours, or less). Nothing where neither is. Precondition: offsets are as many as nodes, or
+/// its writers do not agree. The order is taken in which the surface is clearly smoother: half of the squared
+/// differences between neighbours, or less. Nothing where neither is. Precondition: offsets are as many as nodes, or
 /// none.
 std::optional<NodeLattice> nodes_of(const OmfGrid& grid);
 

@@ -15,8 +15,8 @@ struct AxisScale {
   double xy = 1, z = 1;
 };
 
-/// Applies the factors to everything that has coordinates; where z changes its sign triangles are turned, so that
-/// normals stay on their side; those of grids are not, which were made with normals up.
+/// Applies the factors to everything that has coordinates. Where z changes its sign triangles are turned, so that
+/// normals stay on their side. Those of grids are not: they were made with normals up.
 void scale_contents(FileContents& contents, const AxisScale& scale);
 
 /// For formats that read coordinates as they are written: converts by contents.frame (unit, z_unit, depth), with notes.

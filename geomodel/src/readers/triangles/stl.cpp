@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STL, ASCII and binary. A binary file may begin with "solid": the size decides. Every triangle comes with three points
-// of its own; equal ones are merged here (exactly), because the format has no other way to say that triangles share a
-// vertex.
+// of its own. Equal ones are merged here, exactly: the format has no other way to say that triangles share a vertex.
 #include <cmath>
 
 #include "readers/formats.hpp"

@@ -24,9 +24,9 @@ struct FacetPiece {
   std::vector<VertexIndex> points;
 };
 
-/// A closed polygon with a hole point directly in it is a hole of the polygon around it (and what lies in that hole is
-/// a piece of its own); one without divides its surroundings by its segments. Containment is decided exactly in the
-/// plane of two axes.
+/// A closed polygon with a hole point directly in it is a hole of the polygon around it. What lies in that hole is a
+/// piece of its own. A closed polygon without one divides its surroundings by its segments. Containment is decided
+/// exactly in the plane of two axes.
 std::vector<FacetPiece> facet_pieces(const std::vector<Vec3>& points, const TetgenFacet& facet);
 
 }  // namespace geomesh::geomodel

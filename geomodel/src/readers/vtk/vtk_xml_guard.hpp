@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What VTK's XML readers do not survive (9.1 at least), looked for before they see a file: an array without a known
-/// type makes them follow a null pointer, and counts that lie make them ask for all memory.
+/// What VTK's XML readers do not survive (9.1 at least), looked for before they see a file. An array without a known
+/// type makes them follow a null pointer. Counts that lie make them ask for all memory.
 #pragma once
 
 #include <cstddef>
