@@ -119,7 +119,7 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   mesh.origin = model.origin;
   mesh.cell_arrays = std::move(arrays);
   mesh.unit = model.unit;
-  const std::vector<std::string> faults = validate_model_mesh(mesh);
+  const std::vector<std::string> faults = validate_model_mesh(mesh, recorder.context().threads);
   if (!faults.empty() && !model.z_scale.is_exact())
     throw Error(
         ErrorKind::cannot_mesh,

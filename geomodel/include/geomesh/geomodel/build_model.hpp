@@ -90,6 +90,6 @@ ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSou
                      const NamingRules& rules, std::vector<std::string>& warnings);
 
 /// Lists every fault against the invariants of ModelMesh (empty: none). Runs before anything is written.
-std::vector<std::string> validate_model_mesh(const ModelMesh& mesh);
+std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned threads = 0);
 
 }  // namespace geomesh::geomodel

@@ -1,54 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "geomesh/geomodel/build_model.hpp"
+#include "verify/chunks.hpp"
+#include "verify/face_uses.hpp"
+#include "verify/fault_list.hpp"
 
 namespace geomesh::geomodel {
 
 namespace {
-
-/// Counts faults of one kind and keeps the first few rows.
-class FaultList {
- public:
-  explicit FaultList(std::string what) : what_(std::move(what)) {}
-  void add(std::size_t row) {
-    if (++count_ <= 5) rows_ += (rows_.empty() ? "" : ", ") + std::to_string(row);
-  }
-  void flush(std::vector<std::string>& faults) const {
-    if (count_ > 0)
-      faults.push_back(std::to_string(count_) + " " + what_ + " (rows " + rows_ + (count_ > 5 ? ", ...)" : ")"));
-  }
-
- private:
-  std::string what_, rows_;
-  std::size_t count_ = 0;
-};
-
-/// A face of a tetrahedron or a listed face: sorted vertices, whether the cyclic order is that of the sorted ones, and
-/// whose it is.
-struct FaceUse {
-  Triangle vertices;
-  bool even;
-  Index tetrahedron;  ///< no_index: a listed face
-  Index face;
-};
-
-FaceUse make_use(Triangle t, Index tetrahedron, Index face) {
-  bool even = true;
-  for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
-    if (t[static_cast<std::size_t>(i)] > t[static_cast<std::size_t>(j)]) {
-      std::swap(t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]);
-      even = !even;
-    }
-  return {t, even, tetrahedron, face};
-}
 
 bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
   const std::size_t n = m.points.size(), before = faults.size();
@@ -73,7 +42,7 @@ bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
   return faults.size() == before;
 }
 
-void check_points(const ModelMesh& m, std::vector<std::string>& faults) {
+void check_points(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
   FaultList unused("points of no tetrahedron"), not_finite("points that are not finite"),
       equal("points equal to another"), order("input points after added ones");
   std::vector<bool> used(m.points.size(), false);
@@ -87,85 +56,98 @@ void check_points(const ModelMesh& m, std::vector<std::string>& faults) {
   }
   std::vector<VertexIndex> sorted(m.points.size());
   std::iota(sorted.begin(), sorted.end(), VertexIndex{0});
-  std::sort(sorted.begin(), sorted.end(),
-            [&](VertexIndex a, VertexIndex b) { return compare_lexicographic(m.points[a], m.points[b]) < 0; });
+  const auto less = [&](VertexIndex a, VertexIndex b) { return compare_lexicographic(m.points[a], m.points[b]) < 0; };
+  in_arena(threads, [&] { tbb::parallel_sort(sorted.begin(), sorted.end(), less); });
   for (std::size_t k = 1; k < sorted.size(); ++k)
     if (m.points[sorted[k]] == m.points[sorted[k - 1]]) equal.add(std::max(sorted[k], sorted[k - 1]));
   for (const FaultList& list : {unused, not_finite, equal, order}) list.flush(faults);
 }
 
-void check_tetrahedra(const ModelMesh& m, std::vector<std::string>& faults) {
-  FaultList flat("tetrahedra that are not positive"), nameless("tetrahedra of no named region");
-  std::map<std::int32_t, std::size_t> count;
-  for (std::size_t t = 0; t < m.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = m.tetrahedra[t];
-    if (orient3d(m.points[v[0]], m.points[v[1]], m.points[v[2]], m.points[v[3]]) != Sign::positive) flat.add(t);
-    if (m.tet_region[t] < 1 || static_cast<std::size_t>(m.tet_region[t]) > m.regions.size()) {
-      nameless.add(t);
-    } else {
-      ++count[m.tet_region[t]];
+/// Joins lists that were made chunk by chunk.
+void flush_joined(const std::vector<FaultList>& by_chunk, std::vector<std::string>& faults) {
+  if (by_chunk.empty()) return;
+  FaultList joined(by_chunk.front().what());
+  for (const FaultList& list : by_chunk) joined.append(list);
+  joined.flush(faults);
+}
+
+void check_tetrahedra(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
+  const Chunks chunks(m.tetrahedra.size());
+  std::vector<FaultList> flat(chunks.size(), FaultList("tetrahedra that are not positive")),
+      nameless(chunks.size(), FaultList("tetrahedra of no named region"));
+  std::vector<std::vector<std::size_t>> counts(chunks.size(), std::vector<std::size_t>(m.regions.size(), 0));
+  chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Tetrahedron& v = m.tetrahedra[t];
+      if (orient3d(m.points[v[0]], m.points[v[1]], m.points[v[2]], m.points[v[3]]) != Sign::positive) flat[k].add(t);
+      const std::int32_t region = m.tet_region[t];
+      if (region < 1 || static_cast<std::size_t>(region) > m.regions.size()) {
+        nameless[k].add(t);
+      } else {
+        ++counts[k][static_cast<std::size_t>(region - 1)];
+      }
     }
-  }
-  flat.flush(faults);
-  nameless.flush(faults);
+  });
+  flush_joined(flat, faults);
+  flush_joined(nameless, faults);
   for (std::size_t r = 0; r < m.regions.size(); ++r) {
     const Region& region = m.regions[r];
+    std::size_t count = 0;
+    for (const auto& of_chunk : counts) count += of_chunk[r];
     if (region.id != static_cast<std::int32_t>(r + 1)) faults.push_back("region ids do not count from 1");
-    if (region.n_tetrahedra != count[region.id])
+    if (region.n_tetrahedra != count)
       faults.push_back("region " + region.name + " states a wrong number of tetrahedra");
   }
 }
 
+using NamedFaults = std::map<std::string, FaultList>;
+
 /// The tetrahedra and listed faces on one triangle: `uses` share their vertices.
-void check_one_face(const ModelMesh& m, const FaceUse* begin, const FaceUse* end,
-                    std::map<std::string, FaultList>& lists) {
+void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
-  std::vector<const FaceUse*> tets, listed;
-  for (const FaceUse* use = begin; use != end; ++use) (use->tetrahedron == no_index ? listed : tets).push_back(use);
-  if (tets.size() > 2) report("tetrahedra that share a face with two others", tets[2]->tetrahedron);
-  if (tets.size() == 2 && tets[0]->even == tets[1]->even)
-    report("tetrahedra that overlap their neighbour", tets[0]->tetrahedron);
-  if (listed.size() > 1) report("faces listed twice", listed[1]->face);
-  if (tets.empty()) report("faces that are no face of a tetrahedron", listed[0]->face);
+  const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed; });
+  const std::span<const FaceUse> tets(uses.begin(), first_listed), listed(first_listed, uses.end());
+  if (tets.size() == 2 && listed.empty() && tets[0].even != tets[1].even &&
+      m.tet_region[tets[0].row] == m.tet_region[tets[1].row])
+    return;  // most faces
+  if (tets.size() > 2) report("tetrahedra that share a face with two others", tets[2].row);
+  if (tets.size() == 2 && tets[0].even == tets[1].even) report("tetrahedra that overlap their neighbour", tets[0].row);
+  if (listed.size() > 1) report("faces listed twice", listed[1].row);
+  if (tets.empty()) report("faces that are no face of a tetrahedron", listed[0].row);
   if (tets.empty() || tets.size() > 2) return;
   if (listed.empty()) {
-    const bool in_hull =
-        m.regions[static_cast<std::size_t>(m.tet_region[tets[0]->tetrahedron] - 1)].name.rfind("hull", 0) == 0;
-    if (tets.size() == 2 && m.tet_region[tets[0]->tetrahedron] != m.tet_region[tets[1]->tetrahedron])
-      report("tetrahedra next to another region without a face between", tets[0]->tetrahedron);
-    if (tets.size() == 1 && !in_hull)
-      report("tetrahedra on the outer boundary without a face there", tets[0]->tetrahedron);
+    const bool in_hull = m.regions[static_cast<std::size_t>(m.tet_region[tets[0].row] - 1)].name.rfind("hull", 0) == 0;
+    if (tets.size() == 2 && m.tet_region[tets[0].row] != m.tet_region[tets[1].row])
+      report("tetrahedra next to another region without a face between", tets[0].row);
+    if (tets.size() == 1 && !in_hull) report("tetrahedra on the outer boundary without a face there", tets[0].row);
     return;
   }
   // A tetrahedron's faces are counter-clockwise seen from inside: its own normal points inwards, so a face with the
   // same order has the tetrahedron on its plus side.
   std::int32_t minus = 0, plus = 0;
-  for (const FaceUse* t : tets) (t->even == listed[0]->even ? plus : minus) = m.tet_region[t->tetrahedron];
-  const ModelMesh::Face& face = m.faces[listed[0]->face];
+  for (const FaceUse& t : tets) (t.even == listed[0].even ? plus : minus) = m.tet_region[t.row];
+  const ModelMesh::Face& face = m.faces[listed[0].row];
   if (face.region_minus != minus || face.region_plus != plus)
-    report("faces whose regions differ from those of the tetrahedra there", listed[0]->face);
+    report("faces whose regions differ from those of the tetrahedra there", listed[0].row);
   if (minus == 0 || (plus != 0 && plus < minus))
-    report("faces whose normal does not point from the lower region id to the higher", listed[0]->face);
+    report("faces whose normal does not point from the lower region id to the higher", listed[0].row);
 }
 
-void check_faces(const ModelMesh& m, std::vector<std::string>& faults) {
-  std::vector<FaceUse> uses;
-  uses.reserve(4 * m.tetrahedra.size() + m.faces.size());
-  for (Index t = 0; t < m.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = m.tetrahedra[t];
-    for (const auto& f : face_vertices) uses.push_back(make_use({v[f[0]], v[f[1]], v[f[2]]}, t, no_index));
-  }
-  for (Index f = 0; f < m.faces.size(); ++f) uses.push_back(make_use(m.faces[f].vertices, no_index, f));
-  std::sort(uses.begin(), uses.end(), [](const FaceUse& p, const FaceUse& q) {
-    return std::tie(p.vertices, p.tetrahedron, p.face) < std::tie(q.vertices, q.tetrahedron, q.face);
+void check_faces(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
+  const FaceUses uses(m, threads);
+  std::vector<NamedFaults> by_block(uses.n_blocks());
+  for_each_task(uses.n_blocks(), threads, [&](std::size_t b) {
+    const std::span<const FaceUse> block = uses.block(b);
+    for (std::size_t begin = 0; begin < block.size();) {
+      std::size_t end = begin + 1;
+      while (end < block.size() && block[end].vertices == block[begin].vertices) ++end;
+      check_one_face(m, block.subspan(begin, end - begin), by_block[b]);
+      begin = end;
+    }
   });
-  std::map<std::string, FaultList> lists;
-  for (std::size_t begin = 0; begin < uses.size();) {
-    std::size_t end = begin + 1;
-    while (end < uses.size() && uses[end].vertices == uses[begin].vertices) ++end;
-    check_one_face(m, uses.data() + begin, uses.data() + end, lists);
-    begin = end;
-  }
+  NamedFaults lists;
+  for (const NamedFaults& of_block : by_block)
+    for (const auto& [what, list] : of_block) lists.try_emplace(what, what).first->second.append(list);
   FaultList sets("faces whose surface is not the first of its set");
   for (std::size_t f = 0; f < m.faces.size(); ++f) {
     const auto& set = m.surface_sets[static_cast<std::size_t>(m.faces[f].surface_set)];
@@ -181,9 +163,11 @@ void check_curves(const ModelMesh& m, std::vector<std::string>& faults) {
   for (const auto& e : m.curve_edges) wanted.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  std::vector<bool> found(wanted.size(), false);
+  std::vector<bool> found(wanted.size(), false), on_curve(m.points.size(), false);
+  for (const auto& [a, b] : wanted) on_curve[a] = on_curve[b] = true;
   for (const Tetrahedron& t : m.tetrahedra)
     for (const auto& [i, j] : edge_vertices) {
+      if (!on_curve[t[i]] || !on_curve[t[j]]) continue;
       const std::pair key(std::min(t[i], t[j]), std::max(t[i], t[j]));
       const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
       if (at != wanted.end() && *at == key) found[static_cast<std::size_t>(at - wanted.begin())] = true;
@@ -228,12 +212,12 @@ void check_ids(const ModelMesh& m, std::vector<std::string>& faults) {
 
 }  // namespace
 
-std::vector<std::string> validate_model_mesh(const ModelMesh& mesh) {
+std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned threads) {
   std::vector<std::string> faults;
   if (!check_indices(mesh, faults)) return faults;
-  check_points(mesh, faults);
-  check_tetrahedra(mesh, faults);
-  if (faults.empty()) check_faces(mesh, faults);
+  check_points(mesh, threads, faults);
+  check_tetrahedra(mesh, threads, faults);
+  if (faults.empty()) check_faces(mesh, threads, faults);
   check_curves(mesh, faults);
   check_ids(mesh, faults);
   return faults;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Rows in chunks of fixed length, for loops on several threads whose results are joined in the order of rows.
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace geomesh::geomodel {
+
+/// Runs `work` where loops of oneTBB use at most the given number of threads (0: all cores).
+template <class Work>
+void in_arena(unsigned threads, const Work& work) {
+  const int cores = tbb::this_task_arena::max_concurrency();
+  tbb::task_arena arena(threads == 0 ? cores : std::min(cores, static_cast<int>(threads)));
+  arena.execute(work);
+}
+
+/// Calls task(k) for k in [0, n). Tasks may not touch each other's data.
+template <class Task>
+void for_each_task(std::size_t n, unsigned threads, const Task& task) {
+  in_arena(threads, [&] { tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) { task(k); }); });
+}
+
+/// The rows [0, n) in chunks that do not depend on the threads.
+class Chunks {
+ public:
+  explicit Chunks(std::size_t n) : n_(n) {}
+  std::size_t size() const { return (n_ + rows - 1) / rows; }
+  /// Calls task(k, begin, end) for each chunk k.
+  template <class Task>
+  void for_each(unsigned threads, const Task& task) const {
+    for_each_task(size(), threads, [&](std::size_t k) { task(k, k * rows, std::min(n_, (k + 1) * rows)); });
+  }
+
+ private:
+  static constexpr std::size_t rows = 65536;
+  std::size_t n_;
+};
+
+}  // namespace geomesh::geomodel

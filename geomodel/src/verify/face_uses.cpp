@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/face_uses.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "geomesh/core/simplex_mesh.hpp"
+#include "verify/chunks.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+constexpr std::size_t uses_a_block = 100000;
+
+FaceUse make_use(Triangle t, Index row, bool is_listed) {
+  bool even = true;
+  for (const auto& [i, j] : {std::pair{0u, 1u}, std::pair{1u, 2u}, std::pair{0u, 1u}})
+    if (t[i] > t[j]) {
+      std::swap(t[i], t[j]);
+      even = !even;
+    }
+  return {t, row, is_listed, even};
+}
+
+/// Calls visit(use) for the faces of rows [begin, end): tetrahedra first, then listed faces.
+template <class Visit>
+void for_each_use(const ModelMesh& mesh, std::size_t begin, std::size_t end, const Visit& visit) {
+  const std::size_t n_tetrahedra = mesh.tetrahedra.size();
+  for (std::size_t row = begin; row < end; ++row) {
+    if (row >= n_tetrahedra) {
+      visit(make_use(mesh.faces[row - n_tetrahedra].vertices, static_cast<Index>(row - n_tetrahedra), true));
+      continue;
+    }
+    const Tetrahedron& v = mesh.tetrahedra[row];
+    for (const auto& f : face_vertices) visit(make_use({v[f[0]], v[f[1]], v[f[2]]}, static_cast<Index>(row), false));
+  }
+}
+
+}  // namespace
+
+FaceUses::FaceUses(const ModelMesh& mesh, unsigned threads) {
+  const std::size_t n_rows = mesh.tetrahedra.size() + mesh.faces.size();
+  const std::size_t n_uses = 4 * mesh.tetrahedra.size() + mesh.faces.size();
+  const std::size_t n_blocks = n_uses / uses_a_block + 1;
+  const std::size_t n_vertices = std::max<std::size_t>(mesh.points.size(), 1);
+  const auto block_of = [&](const FaceUse& use) { return use.vertices[0] * n_blocks / n_vertices; };
+
+  // Counted by chunk and block, then written to where the counts say.
+  const Chunks chunks(n_rows);
+  std::vector<std::vector<std::size_t>> place(chunks.size(), std::vector<std::size_t>(n_blocks, 0));
+  chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    for_each_use(mesh, begin, end, [&](const FaceUse& use) { ++place[k][block_of(use)]; });
+  });
+  begin_.resize(n_blocks + 1);
+  std::size_t total = 0;
+  for (std::size_t b = 0; b < n_blocks; ++b) {
+    begin_[b] = total;
+    for (auto& row : place) total += std::exchange(row[b], total);
+  }
+  begin_[n_blocks] = total;
+  uses_.resize(total);
+  chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    for_each_use(mesh, begin, end, [&](const FaceUse& use) { uses_[place[k][block_of(use)]++] = use; });
+  });
+  for_each_task(n_blocks, threads, [&](std::size_t b) {
+    std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(begin_[b]),
+              uses_.begin() + static_cast<std::ptrdiff_t>(begin_[b + 1]));
+  });
+}
+
+}  // namespace geomesh::geomodel
