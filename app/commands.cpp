@@ -36,6 +36,7 @@ int run_command(const Help& help, const RunContext&, Verbosity) {
 
 int run_command(const ProjectCommand& command, const RunContext& context, Verbosity verbosity) {
   geomodel::ProjectRequest request;
+  request.preview = command.preview;
   request.project = geomodel::read_project(command.project);
   request.directory = command.directory;
   request.report = command.report;
@@ -57,8 +58,9 @@ int run_command(const geomodel::DelaunayRequest& request, const RunContext& cont
 int run_command(const CheckCommand& command, const RunContext&, Verbosity verbosity) {
   leave_at_once_when_signalled();
   if (command.report) geomodel::require_writable(*command.report);
-  const geomodel::CheckResult result = geomodel::check_mesh(
-      {command.mesh, command.project, command.surfaces, command.delaunay, command.displacement, command.within});
+  const geomodel::CheckResult result =
+      geomodel::check_mesh({command.mesh, command.project, command.surfaces, command.delaunay, command.solver,
+                            command.displacement, command.within});
   write_report(command.report, geomodel::to_json(result));
   if (verbosity != Verbosity::quiet || !result.faults.empty()) std::cout << geomodel::to_text(result);
   return result.faults.empty() ? 0 : status_faults_found;

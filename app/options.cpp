@@ -146,11 +146,14 @@ CommandLine parse_project(int argc, const char* const* argv) {
   CLI::App app("Mesh a project: read its surfaces, intersect them, mesh, verify and write.", "geomesh PROJECT.yaml");
   Common common;
   std::string project, directory, stop_after, help;
+  bool preview = false;
   app.add_option("PROJECT", project, "The project file (docs/project-file.md)")->required();
   app.add_option("-o", directory, "Output folder (default: the project's output.directory)")->type_name("DIR");
   app.add_option("--stop-after", stop_after,
                  "Stop after this stage (intersect writes the soup and its offending spots for viewing)")
       ->type_name("STAGE");
+  app.add_flag("--preview", preview,
+               "A coarse mesh in seconds (about 10,000 elements, the same names), whatever the project asks");
   common.add_to(app);
   CommandLine line;
   if (parse(app, argc, argv, help)) {
@@ -160,7 +163,7 @@ CommandLine parse_project(int argc, const char* const* argv) {
   check_stage(stop_after);
   check_file_exists(project);
   common.apply(line);
-  ProjectCommand command{project, std::nullopt, common.report_file(), stop_after};
+  ProjectCommand command{project, std::nullopt, common.report_file(), stop_after, preview};
   if (!directory.empty()) command.directory = directory;
   line.command = command;
   return line;
@@ -275,6 +278,8 @@ CommandLine parse_check(int argc, const char* const* argv) {
       ->type_name("FILE...")
       ->excludes(p);
   app.add_flag("--delaunay", command.delaunay, "Check that the mesh is (constrained) Delaunay");
+  app.add_flag("--solver", command.solver,
+               "Judge what solvers will make of the mesh: volumes, edges, angles, time step");
   app.add_option("--within", command.within,
                  "Surfaces may lie this far off the input, both ways (default: the project's tolerance where it has "
                  "one, else 0)")

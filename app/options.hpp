@@ -22,11 +22,12 @@ struct ProjectCommand {
   std::filesystem::path project;
   std::optional<std::filesystem::path> directory, report;
   std::string stop_after;
+  bool preview = false;
 };
 struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
-  bool delaunay = false;
+  bool delaunay = false, solver = false;
   double within = -1;        ///< negative: what the project says
   double displacement = -1;  ///< by rounding; negative: what the checker computes
   std::optional<std::filesystem::path> report;

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "geomesh/geomodel/warnings.hpp"
+
 namespace geomesh::app {
 namespace {
 
@@ -157,9 +159,28 @@ void Progress::on_log(LogLevel level, std::string_view text) {
                  json_string(text).c_str());
     return;
   }
+  if (level == LogLevel::warning && verbosity_ != Verbosity::verbose && !is_shown(text)) return;
   clear_line();
   const char* label = level == LogLevel::warning ? "warning: " : "  ";
   std::fprintf(stderr, "%s%.*s\n", label, static_cast<int>(text.size()), text.data());
+}
+
+bool Progress::is_shown(std::string_view warning) {
+  constexpr std::size_t most_causes = 10;
+  if (++warnings_[geomodel::warning_cause(warning)] > 1 || shown_ == most_causes) return false;
+  ++shown_;
+  return true;
+}
+
+void Progress::tell_warnings_left() const {
+  if (verbosity_ == Verbosity::verbose || style_ == ProgressStyle::json) return;
+  std::size_t n = 0;
+  for (const auto& [cause, count] : warnings_) n += count;
+  if (n == shown_) return;
+  std::fprintf(stderr, "%zu further warnings, of %zu kinds in all; the report lists them by kind (warning_groups):\n",
+               n - shown_, warnings_.size());
+  for (const auto& [cause, count] : warnings_)
+    if (count > 1) std::fprintf(stderr, "  %zu times: %s\n", count, cause.c_str());
 }
 
 }  // namespace geomesh::app

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void attach(RunContext& context);
+  /// Warnings that were not shown, by their causes: all but the first of each, and all beyond the tenth cause.
+  void tell_warnings_left() const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -45,6 +48,7 @@ class Progress {
   void clear_line() const;
   double seconds_spent() const;
   double seconds_left() const;
+  bool is_shown(std::string_view warning);
 
   Verbosity verbosity_;
   ProgressStyle style_;
@@ -53,6 +57,8 @@ class Progress {
   bool ended_ = false;
   std::string stage_, note_;
   std::size_t done_ = 0, total_ = 0;
+  std::map<std::string, std::size_t> warnings_;  ///< by cause
+  std::size_t shown_ = 0;                        ///< warnings
   Clock::time_point start_, last_drawn_;
   std::thread ticker_;
 };

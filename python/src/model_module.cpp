@@ -85,6 +85,7 @@ JobResult run(Project&& project, const RunArguments& arguments) {
       return size(p + origin);
     };
     request.project.mesh.refinement.refine = true;
+    request.project.mesh.refinement.derive_size = false;
   }
   if (arguments.directory) request.directory = *arguments.directory;
   request.outputs = arguments.write ? ProjectRequest::Outputs::written : ProjectRequest::Outputs::kept;

@@ -78,7 +78,7 @@ def project_text(n, size, folder):
              "# only unit of the column. Lengths are in micrometres, called metres.", "",
              "name: sediment_grains", "box: {min: [0, 0, 0], max: [%g, %g, %g]}" % (size, size, size), "surfaces:"]
     lines += ["  - {name: grain_%d, kind: body, file: surfaces/grain_%d.ts}" % (i + 1, i + 1) for i in range(n)]
-    return "\n".join(lines + ["column: [pore]", "mesh: {mode: constrained, refine: default}", "output: {directory: out, formats: [vtu]}", ""])
+    return "\n".join(lines + ["column: [pore]", "output: {directory: out, formats: [vtu]}", ""])
 
 
 def main():

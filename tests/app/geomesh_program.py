@@ -6,6 +6,7 @@ GEOMESH_SHARED_DATA; run by hand, a script finds build/release beside the source
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 import unittest
@@ -23,6 +24,7 @@ class ProgramTest(unittest.TestCase):
     """Each test has a folder of its own, emptied first: self.folder."""
 
     timeout = 300
+    bare = True  # projects that say nothing of their mesh are written with `refine: none`: most tests judge kept surfaces
 
     def setUp(self):
         self.folder = os.path.join(WORK, self.id().replace("__main__.", ""))
@@ -33,6 +35,8 @@ class ProgramTest(unittest.TestCase):
         return os.path.join(self.folder, *parts)
 
     def write(self, name, text):
+        if self.bare and str(name).endswith(".yaml") and isinstance(text, str) and re.search(r"(?m)^surfaces:", text):
+            text = with_mesh(text, None)
         mode = "wb" if isinstance(text, bytes) else "w"
         with open(self.path(name), mode) as file:
             file.write(text)
@@ -76,13 +80,34 @@ class ProgramTest(unittest.TestCase):
     def sample(self, name):
         return os.path.join(SOURCE, "samples", name, "project.yaml")
 
-    def mesh_sample(self, name, *arguments):
-        """Meshes a sample into self.folder and has it checked; returns the run's report and the check's."""
-        self.run_program(self.sample(name), "-o", self.folder, *arguments)
+    def copy_of_sample(self, name, mesh):
+        """The project file of a copy of a sample with `mesh` (None: as shipped) in place of what it says of its mesh."""
+        folder = self.path("sample")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(os.path.join(SOURCE, "samples", name), folder, ignore=shutil.ignore_patterns("out"))
+        project = os.path.join(folder, "project.yaml")
+        if mesh is not None:
+            with open(project) as file:
+                text = file.read()
+            with open(project, "w") as file:
+                file.write(with_mesh(text, mesh))
+        return project
+
+    def mesh_sample(self, name, *arguments, mesh="{refine: none}"):
+        """Meshes a sample into self.folder, its surfaces kept, and has it checked; returns the run's report and the check's."""
+        project = self.copy_of_sample(name, mesh)
+        self.run_program(project, "-o", self.folder, *arguments)
         stem = self.path(name.replace("-", "_"))
         for ending in (".vtu", ".faces.vtp", ".curves.vtp", ".report.json"):
             self.assertTrue(os.path.exists(stem + ending), stem + ending)
-        return self.report(stem + ".report.json"), self.check(stem + ".vtu", "--project", self.sample(name))
+        return self.report(stem + ".report.json"), self.check(stem + ".vtu", "--project", project)
+
+
+def with_mesh(project, mesh):
+    """The text of a project with `mesh: MESH` in place of what it says. None: `refine: none`, where it says nothing."""
+    if re.search(r"(?m)^mesh:", project):
+        return project if mesh is None else re.sub(r"(?m)^mesh:.*$", lambda _: "mesh: " + mesh, project)
+    return project.rstrip("\n") + "\nmesh: " + (mesh or "{refine: none}") + "\n"
 
 
 def plane_ts(name, corners):

@@ -67,10 +67,10 @@ class Coordinates(ProgramTest):
         self.assertIn("look like longitude and latitude", printed)
         self.assertIn("add 'crs: geographic' to this entry", printed)
 
-    def test_a_system_that_is_not_served(self):
+    def test_a_system_that_no_register_knows(self):
         self.write("top.ts", level("top", -4))
-        printed = self.run_program(self.project("{horizontal: epsg:31467}", top=", crs: epsg:32632"), status=USAGE)
-        self.assertIn("epsg:31467 is not served", printed)
+        printed = self.run_program(self.project("{horizontal: epsg:99999}", top=", crs: epsg:32632"), status=USAGE)
+        self.assertIn("epsg:99999 is no system that PROJ knows", printed)
         self.run_program(self.project("{horizontal: mars}"), status=USAGE)
 
     def test_a_unit_that_was_forgotten(self):

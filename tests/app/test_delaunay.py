@@ -88,16 +88,10 @@ class Delaunay(ProgramTest):
 class ClusterDistanceOfAProject(ProgramTest):
     def test_points_wait_and_the_mesh_is_the_same(self):
         """In the main job too: a sample with and without a distance."""
-        sample = self.sample("faulted-layers")
-        with open(sample, encoding="utf-8") as file:
-            text = file.read()
-        self.assertRegex(text, r"(?m)^mesh: \{")
         reports = {}
         for name, mesh in (("none", "cluster_distance: 0"), ("auto", "cluster_distance: auto"), ("far", "cluster_distance: 300")):
-            shutil.copytree(os.path.dirname(sample), self.path(name))
-            with open(self.path(name, "project.yaml"), "w", encoding="utf-8") as file:
-                file.write(text.replace("mesh: {", "mesh: {" + mesh + ", ", 1))
-            self.run_program(self.path(name, "project.yaml"), "-o", self.path("out_" + name), "--quiet")
+            project = self.copy_of_sample("faulted-layers", "{refine: none, " + mesh + "}")
+            self.run_program(project, "-o", self.path("out_" + name), "--quiet")
             report = self.report(self.path("out_" + name, "faulted_layers.report.json"))
             reports[name] = report
             self.assertEqual(self.check(self.path("out_" + name, "faulted_layers.vtu"))["faults"], [])

@@ -50,8 +50,7 @@ colunm: [upper, top, lower]
                             ("{size: {global: 2, tolerance: 0.1}}", "it belongs to mesh"),
                             ("{size: {on_surfaces: top}}", "mesh.size.on_surfaces: true or false was expected, found 'top'"),
                             ("{size: {on_surfaces: false}, honour: tolerance, tolerance: 0.1}", "on_surfaces: false) contradicts it; leave out one of them"),
-                            ("{honour: tolerance}", "give 'tolerance', a length"),
-                            ("{size: 2, tolerance: 0.1}", "give 'honour: tolerance' with it"),
+                            ("{honour: exact, tolerance: 0.1}", "give 'honour: tolerance' with it"),
                             ("{honour: tolerance, tolerance: 0}", "a number above zero was expected"),
                             ("{honour: tolerance, tolerance: 0.1, mode: conforming}", "mode conforming keeps the input's facets")):
             self.assertIn(words, self.run_program(self.write("model.yaml", PROJECT + "mesh: %s\n" % mesh), status=USAGE), mesh)

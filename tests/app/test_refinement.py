@@ -18,6 +18,11 @@ points:
 """
 
 
+def kept_surfaces(mesh):
+    """The same with surfaces kept exactly, and sizes from their edges, where `mesh` does not speak of it."""
+    return mesh if "honour" in mesh or "conforming" in mesh else mesh[:-1] + ", honour: exact}"
+
+
 def plate_with_holes(half=10, height=3.175, radius=1.9, segments=32, rows=2):
     """OFF of a square plate of rows x rows cells with a round hole in the middle of each. The walls of the holes are needles, as CAD makes them.
     `half` of the side of a cell; `segments` a multiple of 4."""
@@ -62,7 +67,7 @@ def plate_with_holes(half=10, height=3.175, radius=1.9, segments=32, rows=2):
 class Refinement(ProgramTest):
     def layers(self, mesh):
         self.write("top.ts", level("top", 5))
-        return self.write("model.yaml", LAYERS + "mesh: " + mesh + "\n")
+        return self.write("model.yaml", LAYERS + "mesh: " + kept_surfaces(mesh) + "\n")
 
     def mesh_layers(self, mesh):
         project = self.layers(mesh)
@@ -73,15 +78,7 @@ class Refinement(ProgramTest):
     def refined_sample(self, name, mesh, kept=True):
         """A copy of a sample with other keys under `mesh`, meshed and checked, where surfaces are kept against the project; the report and the
         check's."""
-        folder = self.path("sample")
-        shutil.copytree(os.path.join(SOURCE, "samples", name), folder, ignore=shutil.ignore_patterns("out"))
-        project = os.path.join(folder, "project.yaml")
-        with open(project) as file:
-            text = file.read()
-        text, n = re.subn(r"(?m)^mesh:.*$", "mesh: " + mesh, text)
-        self.assertEqual(n, 1)
-        with open(project, "w") as file:
-            file.write(text)
+        project = self.copy_of_sample(name, kept_surfaces(mesh))
         self.run_program(project, "-o", self.folder)
         mesh = next(self.path(f) for f in os.listdir(self.folder) if f.endswith(".vtu"))
         return self.report(mesh[:-4] + ".report.json"), self.check(mesh, *(["--project", project] if kept else []))
@@ -182,7 +179,7 @@ class Refinement(ProgramTest):
     def test_best_on_irregular_grains(self):
         """Surfaces free within 0.2 % of a grain's 200 micrometres: no element below 24.85 degrees, none above 145."""
         tolerance = 0.4
-        report, check = self.refined_sample("sediment-grains", "{refine: default, quality: best, honour: tolerance, tolerance: %g}" % tolerance,
+        report, check = self.refined_sample("sediment-grains", "{size: {input_edges: true}, quality: best, honour: tolerance, tolerance: %g}" % tolerance,
                                             kept=False)
         self.assertEqual(len(check["regions"]), 9)
         quality = report["quality"]

@@ -125,12 +125,7 @@ class Samples(ProgramTest):
         self.assertEqual(inside["chalk"], [])
 
     def test_salt_dome_in_conforming_mode(self):
-        shutil.copytree(os.path.join(SOURCE, "samples", "salt-dome"), self.path("salt-dome"))
-        project = self.path("salt-dome", "project.yaml")
-        with open(project) as file:
-            text = file.read().replace("mode: constrained", "mode: conforming")
-        self.assertIn("mode: conforming", text)
-        self.write(project, text)
+        project = self.copy_of_sample("salt-dome", "{mode: conforming}")
         self.run_program(project, "-o", self.path("out"))
         report = self.report(self.path("out", "salt_dome.report.json"))
         self.assertEqual(report["recovery"]["facets_not_recovered"], [])

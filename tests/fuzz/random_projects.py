@@ -129,7 +129,7 @@ class RandomProject:
             for k, name in enumerate(horizons):
                 column += [name, "unit_%d" % (k + 2)]
             lines.append("column: [%s]" % ", ".join(column))
-        mesh = self.random.choice(["", "", "", "mesh: {preserve_boundary: true}", "mesh: {mode: conforming}"])
+        mesh = self.random.choice(["mesh: {refine: none}"] * 3 + ["mesh: {preserve_boundary: true}", "mesh: {mode: conforming}"])
         return "\n".join(lines + ([mesh] if mesh else []) + ["output: {directory: out, formats: [vtu]}", ""])
 
     def volume(self):

@@ -47,7 +47,7 @@ void CauseFinder::explain_by_gap(WorstElement& w) const {
   const SizeField* const asked = options_.asked ? options_.asked : options_.size;
   if (!asked) return;
   const double limit = share_of_size * asked->at(w.place, mesh_.component[w.tetrahedron]);
-  const Gap gap = gaps_.narrowest(w.tetrahedron, 2 * options_.tolerance);
+  const Gap gap = gaps_.narrowest(w.tetrahedron, options_.gaps_stay ? 0 : 2 * options_.tolerance);
   if (!(gap.width < limit)) return;
   w.cause = ShapeCause::thin_gap;
   w.gap = gap.width;

@@ -33,6 +33,9 @@ class CoverProver {
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
+  /// For what is judged from now on.
+  void set_limit(double limit) { limit_ = limit; }
+
   /// `item` (a line piece: its last two corners equal) against a group of the set. What is within the limit by next to
   /// nothing may be undecided, and is then not proven. O(log n + k log k) for k items of the group about the item, but
   /// for creases and folds within the limit.

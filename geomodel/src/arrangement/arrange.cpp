@@ -11,6 +11,7 @@
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
 #include "geomesh/geomodel/model_error.hpp"
+#include "geomesh/geomodel/words.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -125,7 +126,7 @@ class Arrangement {
     const double least = 1024 * unit_in_the_last_place(complex);
     if (options_.tolerance < least)
       throw Error(ErrorKind::usage,
-                  "the tolerance must be at least " + std::to_string(least) + " for coordinates of this size, or 0");
+                  "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
     std::vector<VertexIndex> now;
     take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
                    {options_.tolerance, bounds_, options_.box.has_value()}, &now));

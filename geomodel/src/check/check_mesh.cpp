@@ -13,6 +13,8 @@
 #include "check/names/judge_names.hpp"
 #include "check/within/within_tolerance.hpp"
 #include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/project.hpp"
+#include "solver_verdict/judge_file.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -122,6 +124,15 @@ void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const Face
     judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
 }
 
+/// As the project's attributes say.
+Velocities velocities_of(const CheckRequest& request) {
+  Velocities velocities;
+  if (request.project.empty()) return velocities;
+  for (const auto& [unit, attributes] : read_project(request.project).naming.attributes)
+    if (const auto v = attributes.find(velocity_attribute); v != attributes.end()) velocities[unit] = v->second;
+  return velocities;
+}
+
 }  // namespace
 
 CheckResult check_mesh(const CheckRequest& request) {
@@ -147,6 +158,7 @@ CheckResult check_mesh(const CheckRequest& request) {
     if (faces.missing_arrays.empty()) set = &faces;
   }
   judge_claim(request, mesh, set, set ? set_faces : std::vector<Triangle>{}, result);
+  if (request.solver) check_for_solvers(file, velocities_of(request), result);
   if (request.delaunay) check_delaunay(mesh, faces_path.empty() ? nullptr : &faces, result);
   return result;
 }

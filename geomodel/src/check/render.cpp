@@ -27,6 +27,8 @@ std::string to_text(const CheckResult& result) {
   }
   text += "checked:\n";
   for (const std::string& check : result.checks_done) text += "  - " + check + '\n';
+  if (result.solver)
+    for (const std::string& line : to_lines(*result.solver)) text += line + '\n';
   for (const CheckFault& fault : result.faults) {
     text += "FAULT " + fault.id + ": " + fault.what;
     if (!fault.examples.empty()) text += "; first at " + place_words(fault.place) + "; items";
@@ -49,6 +51,7 @@ std::string to_json(const CheckResult& result) {
   json["regions"] = nlohmann::json::array();
   for (const auto& r : result.regions)
     json["regions"].push_back({{"id", r.id}, {"name", r.name}, {"tetrahedra", r.n_tetrahedra}, {"volume", r.volume}});
+  if (result.solver) json["solver"] = nlohmann::ordered_json::parse(to_json(*result.solver));
   json["checks_done"] = result.checks_done;
   json["faults"] = nlohmann::json::array();
   for (const CheckFault& f : result.faults)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "coordinates/proj_conversion.hpp"
 #include "geomesh/core/error.hpp"
 #include "readers/text/frame.hpp"
 #include "readers/text/units.hpp"
@@ -93,7 +94,7 @@ HorizontalCrs ModelFrame::system_of(const SourceInput& input, std::vector<std::s
   const SourceFrame& frame = input.contents->frame;
   if (frame.geographic) return parse_crs("geographic");
   const HorizontalCrs own = parse_crs(frame.crs);
-  if (own.epsg > 0 && own.converts() && given_.kind != Kind::local) return own;
+  if (own.epsg > 0 && given_.kind != Kind::local) return own;
   if (!frame.crs.empty() && frame.crs != given_.text) {
     notes.push_back(input.name + ": the file names its system '" + frame.crs +
                     "'; its coordinates are taken for those of the project (" + given_.text + ") as they are");
@@ -108,6 +109,7 @@ Vec2 ModelFrame::to_system(const HorizontalCrs& from, const Vec2& p) const {
 void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty()) return;
+  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ says where a place is none
   const bool projected =
       from.kind == Kind::utm || from.kind == Kind::polar || (from.kind == Kind::other && from.epsg > 0);
   if (projected && looks_like_degrees(bounds)) {
@@ -123,22 +125,31 @@ void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from
   }
 }
 
+/// What GeographicLib does not serve; nothing where it does, or nothing is to be converted.
+std::optional<ProjConversion> ModelFrame::proj_between(const SourceInput& input, const HorizontalCrs& from) const {
+  if (same_system(from, system_) || (from.converts() && system_.converts())) return std::nullopt;
+  const HorizontalCrs& stranger = from.converts() ? system_ : from;
+  const std::string what =
+      input.name + ": its coordinates are " + from.name() + ", those of the project " + system_.name();
+  if (stranger.kind == Kind::local)
+    throw Error(ErrorKind::usage,
+                what +
+                    ", and a local system has no place on the globe; convert the file first (ogr2ogr, "
+                    "gdalwarp, cs2cs), or name another system for the project");
+  try {
+    return std::optional<ProjConversion>(std::in_place, from, system_);
+  } catch (const Error& error) {
+    throw Error(error.kind(), what + ", and " + error.what() + "; convert the file first (ogr2ogr, gdalwarp, cs2cs)");
+  }
+}
+
 void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes,
                        std::vector<std::string>& warnings) const {
   FileContents& contents = *input.contents;
   const SourceSpec& spec = *input.spec;
   const HorizontalCrs from = system_of(input, notes);
   const bool converts = !same_system(from, system_);
-  if (converts && (!from.converts() || !system_.converts())) {
-    const HorizontalCrs& stranger = from.converts() ? system_ : from;
-    throw Error(
-        ErrorKind::usage,
-        input.name + ": its coordinates are " + from.name() + ", those of the project " + system_.name() + ", and " +
-            (stranger.kind == Kind::local
-                 ? "a local system has no place on the globe"
-                 : stranger.text + " is not served (WGS84 and ETRS89: geographic, UTM and polar stereographic are)") +
-            "; convert the file first (ogr2ogr, gdalwarp, cs2cs), or name another system for the project");
-  }
+  const std::optional<ProjConversion> proj = proj_between(input, from);
   const std::string own_xy = own_unit(contents.frame, false), own_z = own_unit(contents.frame, true);
   const auto wanted = [&](const std::string& asked, const std::string& own) {
     return !asked.empty() ? asked : !own.empty() ? own : unit_;
@@ -155,19 +166,21 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
   }
   // The reader has converted by what the file says; here follows what is still missing to metres with elevation up.
   AxisScale scale{metres_of(xy_unit) / metres_of(own_xy), metres_of(z_unit) / metres_of(own_z)};
-  if (from.kind == Kind::geographic) scale.xy = 1;
+  if (is_geographic(from)) scale.xy = 1;
   if (depth != contents.frame.depth) scale.z = -scale.z;
   scale_contents(contents, scale);
   check_range(input, from);
   for_each_point(contents, [&](Vec3& p) {
-    const Vec2 q = converts ? to_system(from, {p.x, p.y}) : Vec2{p.x, p.y};
+    const Vec2 q = proj ? proj->convert({p.x, p.y}) : converts ? to_system(from, {p.x, p.y}) : Vec2{p.x, p.y};
     p = Vec3{q.x / metres_, q.y / metres_, p.z / metres_ + spec.z_datum} - origin_;
   });
   if (converts)
-    notes.push_back(
-        input.name + ": converted from " + from.name() + " to " + system_.name() +
-        (from.etrs89 != system_.etrs89 ? " (WGS84 and ETRS89 taken for one; they are less than a metre apart)" : ""));
-  if (xy_unit != unit_ && from.kind != Kind::geographic)
+    notes.push_back(input.name + ": converted from " + from.name() + " to " + system_.name() +
+                    (proj ? proj->datum_shift()
+                     : from.etrs89 != system_.etrs89
+                         ? " (WGS84 and ETRS89 taken for one; they are less than a metre apart)"
+                         : ""));
+  if (xy_unit != unit_ && !is_geographic(from))
     notes.push_back(input.name + ": x and y converted from " + xy_unit + " to " + unit_);
   if (z_unit != unit_) notes.push_back(input.name + ": z converted from " + z_unit + " to " + unit_);
   if (depth) notes.push_back(input.name + ": z is depth, negated");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coordinates/crs.hpp"
+#include "coordinates/proj_conversion.hpp"
 #include "geomesh/geomodel/project.hpp"
 
 namespace geomesh::geomodel {
@@ -50,6 +51,7 @@ class ModelFrame {
   Vec2 map_point(const Vec2& p) const;
   Vec2 to_system(const HorizontalCrs& from, const Vec2& p) const;
   HorizontalCrs system_of(const SourceInput& input, std::vector<std::string>& notes) const;
+  std::optional<ProjConversion> proj_between(const SourceInput& input, const HorizontalCrs& from) const;
   void check_range(const SourceInput& input, const HorizontalCrs& from) const;
 
   HorizontalCrs given_;   ///< as the project says

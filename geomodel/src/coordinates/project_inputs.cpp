@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "geomesh/geomodel/words.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -105,12 +107,38 @@ TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec
   return surface;
 }
 
-void warn_where_outside(const TriangulatedSurface& surface, const Box3& box, ProjectInputs& inputs) {
+/// Surfaces outside of the box for which one and the same guess is made.
+struct Outside {
+  std::vector<std::string> names;
+  Box3 bounds;
+};
+using OutsideByGuess = std::map<std::string, Outside>;
+
+void find_outside(const TriangulatedSurface& surface, const Box3& box, const ModelFrame& frame, OutsideByGuess& found) {
   Box3 bounds;
   for (const Vec3& p : surface.points) bounds.add(p);
   if (bounds.empty()) return;
-  const std::string guess = inputs.frame.guess_why_outside(bounds, box);
-  if (!guess.empty()) inputs.warnings.push_back(surface.name + " lies outside the box; " + guess);
+  const std::string guess = frame.guess_why_outside(bounds, box);
+  if (guess.empty()) return;
+  found[guess].names.push_back(surface.name);
+  found[guess].bounds.add(bounds.min);
+  found[guess].bounds.add(bounds.max);
+}
+
+std::string range_words(double from, double to) { return short_words(from) + " to " + short_words(to); }
+
+/// Once for all surfaces, with the heights that tell.
+void warn_of_outside(const OutsideByGuess& outside, const Box3& box, std::vector<std::string>& warnings) {
+  constexpr std::size_t most_named = 3;
+  for (const auto& [guess, what] : outside) {
+    const std::size_t n = what.names.size();
+    std::string names;
+    for (std::size_t i = 0; i < std::min(n, most_named); ++i) names += (i > 0 ? ", " : "") + what.names[i];
+    if (n > most_named) names += " and " + std::to_string(n - most_named) + " more";
+    warnings.push_back(names + (n > 1 ? " lie" : " lies") + " outside the box (z " +
+                       range_words(what.bounds.min.z, what.bounds.max.z) + ", that of the box " +
+                       range_words(box.min.z, box.max.z) + "); " + guess);
+  }
 }
 
 void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyline>& wells) {
@@ -155,14 +183,16 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
     if (!box_note.empty()) inputs.notes.push_back(box_note);
   }
   std::size_t n_triangles = 0;
+  OutsideByGuess outside;
   for (std::size_t i = 0; i < project.surfaces.size(); ++i) {
     inputs.surfaces.push_back(make_surface(contents[i], project.surfaces[i], box, inputs));
     inputs.surfaces.back().ends_model =
         project.surfaces[i].name == project.rules.topography || project.surfaces[i].name == project.rules.floor;
     n_triangles += inputs.surfaces.back().triangles.size();
-    if (box) warn_where_outside(inputs.surfaces.back(), *box, inputs);
+    if (box) find_outside(inputs.surfaces.back(), *box, inputs.frame, outside);
     context.check_cancelled();
   }
+  if (box) warn_of_outside(outside, *box, inputs.warnings);
   for (std::size_t i = 0; i < project.wells.size(); ++i)
     take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
   for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});

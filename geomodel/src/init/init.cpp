@@ -29,8 +29,11 @@ crs: {horizontal: local, z: elevation, unit: m}
 )";
 
 const char* const tail = R"(
-# constrained: fewest added points. conforming: Delaunay, for finite volumes.
-mesh: {mode: constrained, refine: none}
+# The mesh: for solvers, of a size derived from the model, with surfaces remeshed within a tolerance that follows the size. More:
+# mesh: {size: 400}                    edges of about 400 m
+# mesh: {size: 400, honour: exact}     every triangle of the surfaces is kept
+# mesh: {refine: none}                 the bare triangulation of the surfaces, no mesh for a solver
+# mesh: {mode: conforming, size: 400}  Delaunay, for finite volumes
 
 # Where the results go, relative to this file, and for which programs: vtu (ParaView), msh (Gmsh), inp (CalculiX, Abaqus),
 # html (a page with pictures, for a browser).

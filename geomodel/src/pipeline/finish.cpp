@@ -6,18 +6,23 @@
 
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/report.hpp"
+#include "geomesh/geomodel/words.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/name_regions.hpp"
 #include "pipeline/failed_place.hpp"
 #include "pipeline/refine_model.hpp"
 #include "pipeline/region_volumes.hpp"
 #include "pipeline/soup_vtp.hpp"
+#include "pipeline/target_elements.hpp"
 #include "report/words.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 std::string count_words(std::size_t n, const char* what) { return std::to_string(n) + " " + what; }
+
+constexpr const char* no_mesh_for_solvers =
+    "not refined: the bare triangulation of the surfaces, no mesh for a solver (mesh: {size: L} makes one)";
 
 constexpr std::size_t most_regions_listed = 30;
 
@@ -48,6 +53,20 @@ std::string summarise(const QualityReport& quality) {
                 "forced by the input)",
                 s.min_dihedral.min, s.max_dihedral.max, 100 * s.share_above_24_85, quality.measured.n_bad,
                 quality.measured.n_bad_forced);
+  if (quality.short_edges.n == 0) return text;
+  return text + ("; " + count_words(quality.short_edges.n, "edges below a third of the size asked there (")) +
+         count_words(quality.short_edges.n_forced, "forced by the input)");
+}
+
+/// What steers the mesh, where the user did not say it.
+std::string summarise(const RefinementSettings& r, const std::string& unit) {
+  std::string text;
+  if (r.derive_size)
+    text = "edges of about " + short_words(r.size.base.global) + " " + unit +
+           ", derived from the model's volume (mesh: {size: L} asks for others)";
+  if (r.tolerance_share > 0)
+    text += std::string(text.empty() ? "" : "; ") + "surfaces are within " + short_words(r.tolerance) + " " + unit +
+            " of the input (mesh: {honour: exact} keeps them)";
   return text;
 }
 
@@ -83,7 +102,9 @@ RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::ve
   const bool refine = model.refinement.refine, conforming = model.options.recover.mode == MeshMode::conforming;
   const auto refine_now = [&] {
     const RefineOptions options = refine_options(model, result.mesh);
-    result = refine_model(model, std::move(result.mesh), options, recorder.context());
+    result = model.refinement.target_elements > 0
+                 ? refine_to_count(model, result.mesh, options, recorder.context())
+                 : refine_model(model, std::move(result.mesh), options, recorder.context());
   };
   if (refine && conforming) refine_now();
   cut_at_ends(result.mesh, model, recorder);
@@ -149,14 +170,29 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
     options.asked = &refined.asked;
     options.facet_patch = refined.kept_patch;
     options.tolerance = model.refinement.honour == Honour::tolerance ? model.refinement.tolerance : 0;
+    options.gaps_stay = model.refinement.tolerance_share > 0;
   }
   for (const std::int32_t region : mesh.tet_region) options.group.push_back(static_cast<Index>(region - 1));
   options.n_groups = mesh.regions.size();
   QualityReport report{measure_quality(model.plc.plc, core, options), {}, size != nullptr};
+  if (size) report.short_edges = find_short_edges(model.plc.plc, core, options);
   for (const WorstElement& w : report.measured.worst)
     report.causes.push_back(
         cause_in_words(w, model.refinement.refine, model.arrangement.soup, model.plc, model.surfaces));
   return report;
+}
+
+/// `core` has the tetrahedra of `mesh`, in the same order.
+SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const SizeField* size) {
+  std::vector<double> velocity(mesh.regions.size(), 0);
+  for (const RegionAttribute& a : mesh.attributes)
+    if (a.name == velocity_attribute)
+      for (std::size_t r = 0; r < std::min(velocity.size(), a.by_region.size()); ++r)
+        if (a.by_region[r] > 0) velocity[r] = a.by_region[r];
+  MeshForSolver judged{mesh.points, mesh.tetrahedra, {}, {}};
+  judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
+  if (size) judged.size = [&](std::size_t t, const Vec3& p) { return size->at(p, core.component[t]); };
+  return judge_for_solvers(judged);
 }
 
 /// STEM.report.json and the further copy that was asked for.
@@ -231,12 +267,20 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     set_volumes_of_input(mesh, core, volumes_of_input);
     if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
+    report.solver = judge_solvers(core, mesh, size);
     if (model.options.recover.mode == MeshMode::conforming)
       report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   }
   report.mesh = &mesh;
   result.summary = summarise(mesh);
-  if (refine) result.summary.push_back(summarise(*report.quality));
+  if (refine) {
+    if (std::string text = summarise(model.refinement, model.unit); !text.empty())
+      result.summary.push_back(std::move(text));
+    result.summary.push_back(summarise(*report.quality));
+    for (std::string& line : to_lines(*report.solver)) result.summary.push_back(std::move(line));
+  } else {
+    result.summary.emplace_back(no_mesh_for_solvers);
+  }
   {
     StageScope stage(recorder.context(), "write");
     make_output_folder(plan);

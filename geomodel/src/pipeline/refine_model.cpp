@@ -31,26 +31,67 @@ void ask(AskedSize& at, const AskedSize& asked) {
                                     (meant.empty() ? ";" : meant) + " known are " + list + (n > most ? ", ..." : ""));
 }
 
-/// Per component the size asked inside of it: that of its region's own name, else of its unit.
-std::vector<double> component_sizes(const PreparedModel& model, const ConstrainedTetrahedralization& mesh) {
-  const auto& units = model.refinement.size.units;
-  std::vector<double> sizes;
-  if (units.empty()) return sizes;
+/// Per component its region. `words` of the settings must each name one of the regions or units.
+std::vector<const Region*> regions_of_components(const NamedRegions& named, const std::set<std::string>& words) {
+  std::set<std::string> known;
+  for (const Region& r : named.regions) known.insert({r.name, r.unit});
+  known.erase("");
+  for (const std::string& name : words)
+    if (!known.contains(name)) refuse_name("unit or region", name, known);
+  std::vector<const Region*> regions;
+  for (const std::int32_t id : named.id_of_component)
+    regions.push_back(&named.regions[static_cast<std::size_t>(id - 1)]);
+  return regions;
+}
+
+/// What the settings say of the region itself, else of its unit.
+template <class Value>
+Value value_of(const Region& r, const std::map<std::string, Value>& values) {
+  const auto own = values.find(r.name), unit = values.find(r.unit);
+  return own != values.end() ? own->second : unit != values.end() ? unit->second : Value{};
+}
+
+double wavelength_size_of(const Region& r, const PreparedModel& model) {
+  const double size = wavelength_size(model.refinement.size, value_of(r, model.naming.attributes));
+  if (size > 0) return size;
+  throw Error(ErrorKind::usage, "mesh.size.frequency: the region '" + r.name +
+                                    "' has no velocity; give its unit one in 'attributes', as " +
+                                    (r.unit.empty() ? r.name : r.unit) + ": {vp: 3000}");
+}
+
+/// Per component the size asked inside of it, and the elements asked across it.
+void ask_of_components(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, SizeOptions& size) {
+  const NamedSizes& asked = model.refinement.size;
+  if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
   std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
   const Column column = make_column(model.naming.column, model.surfaces, told_later);
   const NamedRegions named =
       name_regions(mesh, model.arrangement.soup, model.plc, model.surfaces, model.naming, column, told_later);
-  std::set<std::string> known;
-  for (const Region& r : named.regions) known.insert({r.name, r.unit});
-  known.erase("");
-  for (const auto& [name, asked] : units)
-    if (!known.contains(name)) refuse_name("unit or region", name, known);
-  for (const std::int32_t id : named.id_of_component) {
-    const Region& r = named.regions[static_cast<std::size_t>(id - 1)];
-    const auto own = units.find(r.name), unit = units.find(r.unit);
-    sizes.push_back(own != units.end() ? own->second.size : unit != units.end() ? unit->second.size : 0);
+  std::set<std::string> words;
+  for (const auto& [name, value] : asked.units) words.insert(name);
+  for (const auto& [name, value] : asked.layers) words.insert(name);
+  for (const Region* r : regions_of_components(named, words)) {
+    double least = value_of(*r, asked.units).size;
+    const double by_waves = asked.frequency > 0 ? wavelength_size_of(*r, model) : 0;
+    if (by_waves > 0 && !(least > 0 && least < by_waves)) least = by_waves;
+    size.component_size.push_back(least);
+    size.component_layers.push_back(value_of(*r, asked.layers));
   }
-  return sizes;
+  if (asked.layers.empty()) size.component_layers.clear();
+}
+
+/// The word by which settings name all surfaces of a kind.
+std::string kind_word(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::horizon:
+      return "horizons";
+    case SurfaceKind::fault:
+      return "faults";
+    case SurfaceKind::body:
+      return "bodies";
+    default:
+      return {};
+  }
 }
 
 /// Per patch the size asked on it: the least over the surfaces that it is part of.
@@ -60,13 +101,14 @@ std::vector<AskedSize> patch_sizes(const PreparedModel& model, const std::vector
   if (asked.empty()) return sizes;
   std::set<std::string> known;
   for (const TriangulatedSurface& s : model.surfaces) known.insert(s.name);
+  known.insert({"horizons", "faults", "bodies"});
   for (const auto& [name, size] : asked)
     if (!known.contains(name)) refuse_name("surface", name, known);
   for (Index f = 0; f < facet_patch.size(); ++f) {
     if (facet_patch[f] >= sizes.size()) sizes.resize(facet_patch[f] + 1);
     for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
-      if (const auto at = asked.find(model.surfaces[o.surface].name); at != asked.end())
-        ask(sizes[facet_patch[f]], at->second);
+      for (const std::string& word : {model.surfaces[o.surface].name, kind_word(model.surfaces[o.surface].kind)})
+        if (const auto at = asked.find(word); at != asked.end()) ask(sizes[facet_patch[f]], at->second);
   }
   return sizes;
 }
@@ -99,19 +141,44 @@ double cell_value(const std::string& name, const TetrahedronShape& s) {
   throw InternalError("no cell array is called " + name);
 }
 
+/// "top, fault": the surfaces that facets are part of.
+std::string names_of_facets(const PreparedModel& model, const std::vector<Index>& facets) {
+  std::set<std::string> names;
+  for (const Index f : facets)
+    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
+      names.insert(model.surfaces[o.surface].name);
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Surfaces that could not be proven to be within the tolerance are as they were given.
+void warn_of_kept(PreparedModel& model, const RefineResult& result, const RunContext& context) {
+  if (result.all_kept) {
+    warn(model.warnings, context,
+         "no mesh of surfaces within the tolerance could be proven to be one, so that all surfaces are kept exactly: "
+         "short edges and needles of the input stay, and force elements as poor. Ask for smaller sizes or another "
+         "tolerance");
+  } else if (!result.kept.empty()) {
+    std::vector<Index> facets;
+    for (const KeptPlace& k : result.kept) facets.push_back(k.facet);
+    const Vec3 at = result.kept.front().place + model.origin;
+    warn(model.warnings, context,
+         std::to_string(facets.size()) + " triangles of " + names_of_facets(model, facets) +
+             " are kept exactly: remeshed they could not be proven to be within the tolerance. The first is at (" +
+             short_words(at.x) + ", " + short_words(at.y) + ", " + short_words(at.z) +
+             "). Smaller sizes there would let them be remeshed");
+  }
+}
+
 /// What is refused of facets is told of their surfaces.
 RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetrahedralization mesh,
                                     const RefineOptions& options, const RunContext& context) {
   try {
     return refine_and_improve(model.plc.plc, std::move(mesh), options, context);
   } catch (const Error& error) {
-    std::set<std::string> names;
-    for (const Index f : error.context().facets)
-      for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
-        names.insert(model.surfaces[o.surface].name);
-    if (names.empty()) throw;
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    const std::string list = names_of_facets(model, error.context().facets);
+    if (list.empty()) throw;
     throw Error(error.kind(), std::string(error.what()) + " (surfaces: " + list + ")", error.context());
   }
 }
@@ -189,6 +256,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   RefineOptions options;
   options.honour = settings.honour;
   options.tolerance = settings.tolerance;
+  options.tolerance_share = settings.tolerance_share;
   options.size_surfaces = settings.sizes_on_surfaces;
   options.quality = settings.quality;
   options.time_budget = settings.time_budget;
@@ -196,10 +264,16 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);
   options.facet_parent = facet_parents(model);
   options.segment_curve = segment_curves(model);
+  if (std::any_of(model.surfaces.begin(), model.surfaces.end(),
+                  [](const auto& s) { return s.kind == SurfaceKind::box; })) {
+    // Other points inside of a box side are left of pieces that were cut away: nobody's.
+    options.fixed_points.emplace();
+    for (const auto& p : model.arrangement.soup.isolated_points) options.fixed_points->push_back(p.v);
+  }
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)
     options.size.sources.push_back({near.place - model.origin, near.asked.size, near.asked.radius});
-  options.size.component_size = component_sizes(model, mesh);
+  ask_of_components(model, mesh, options.size);
   options.size.patch_size = patch_sizes(model, options.facet_patch);
   options.size.segment_size = segment_sizes(model);
   return options;
@@ -211,6 +285,7 @@ RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization me
     return refine_conforming(model.plc.plc, mesh, model.options, options, context);
   RefineResult result = refine_naming_surfaces(model, std::move(mesh), options, context);
   model.warnings.insert(model.warnings.end(), result.warnings.begin(), result.warnings.end());
+  warn_of_kept(model, result, context);
   if (result.statistics.out_of_time)
     warn(model.warnings, context,
          "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");

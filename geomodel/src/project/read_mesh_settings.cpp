@@ -2,6 +2,7 @@
 #include "project/read_mesh_settings.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 
 namespace geomesh::geomodel {
@@ -59,21 +60,26 @@ bool read_place(const YamlValue& value, const Project& project, Vec3& place) {
   return true;
 }
 
+/// `at: points`: every entry of `points`.
+constexpr std::string_view all_points = "points";
+
 void read_near(const YamlValue& value, const Project& project, NamedSizes& sizes) {
   for (const YamlValue& item : value.items()) {
     const YamlMap map(item, {"at", "size", "radius"});
     if (!map.is_map()) continue;
     PlaceSize near;
     const auto at = map.require("at", "[x, y, z], or the name of an entry of 'points'");
-    const bool known = at && read_place(*at, project, near.place);
+    const bool known = at && at->scalar() != all_points && read_place(*at, project, near.place);
     if (const auto v = map.require("size", "the length that edges should have")) read_positive(*v, near.asked.size);
     if (const auto v = map.find("radius")) read_positive(*v, near.asked.radius);
     if (known && near.asked.size > 0) sizes.near.push_back(near);
+    for (const NamedPoint& p : project.points)
+      if (at && at->scalar() == all_points && near.asked.size > 0) sizes.near.push_back({p.point, near.asked});
   }
 }
 
 std::vector<std::string_view> surface_names(const Project& project) {
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names{"horizons", "faults", "bodies"};
   for (const SurfaceSpec& s : project.surfaces) names.push_back(s.name);
   if (project.box) names.insert(names.end(), {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"});
   return names;
@@ -88,11 +94,55 @@ void read_background(const YamlValue& value, const Project& project, NamedSizes&
     value.problem("there is no file '" + *text + "' (looked for as " + sizes.background.string() + ")");
 }
 
-void read_size(const YamlValue& value, const Project& project, RefinementSettings& settings) {
+/// 5 or 5 Hz.
+void read_frequency(const YamlValue& value, double& frequency) {
+  const std::string text = value.scalar();
+  const std::size_t end = text.find_last_not_of(" Hhz");
+  double number = 0;
+  const char* const last = text.data() + (end == std::string::npos ? 0 : end + 1);
+  const auto [at, status] = std::from_chars(text.data(), last, number);
+  if (status != std::errc() || at != last || !(number > 0)) return value.problem("a frequency was expected, as 5 Hz");
+  frequency = number;
+}
+
+/// [[depth, size], ...], depths rising.
+void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
+  for (const YamlValue& row : value.items()) {
+    const std::vector<YamlValue> pair = row.items();
+    const auto depth = pair.size() == 2 ? pair[0].number() : std::nullopt;
+    NamedSizes::DepthSize entry{depth.value_or(0), 0};
+    if (pair.size() == 2) read_positive(pair[1], entry.size);
+    if (!depth || !(entry.size > 0)) return row.problem("[depth, size] was expected");
+    if (!sizes.by_depth.empty() && !(entry.depth > sizes.by_depth.back().depth))
+      return row.problem("depths must rise from row to row");
+    sizes.by_depth.push_back(entry);
+  }
+}
+
+/// With surfaces within a tolerance: edges are at most two and a half times as long as a layer is thick.
+constexpr double default_gap_layers = 0.4;
+
+const std::vector<std::string_view>& size_keys() {
+  static const std::vector<std::string_view> keys{"global",     "units",       "surfaces",    "curves",
+                                                  "near",       "input_edges", "on_surfaces", "curvature",
+                                                  "gap_layers", "gradation",   "min",         "max",
+                                                  "background", "layers",      "frequency",   "points_per_wavelength",
+                                                  "by_depth"};
+  return keys;
+}
+
+/// Which keys of `size` are given whose default depends on whether surfaces are kept.
+struct SizeKeysGiven {
+  bool input_edges = false, gap_layers = false;
+};
+
+SizeKeysGiven read_size(const YamlValue& value, const Project& project, RefinementSettings& settings) {
   NamedSizes& sizes = settings.size;
-  if (!value.is_map()) return read_positive(value, sizes.base.global);
-  const YamlMap map(value, {"global", "units", "surfaces", "curves", "near", "input_edges", "on_surfaces", "curvature",
-                            "gap_layers", "gradation", "min", "max", "background"});
+  if (!value.is_map()) {
+    read_positive(value, sizes.base.global);
+    return {};
+  }
+  const YamlMap map(value, size_keys());
   if (const auto v = map.find("global")) read_positive(*v, sizes.base.global);
   if (const auto v = map.find("units")) {
     read_named(*v, {}, "unit", sizes.units);
@@ -117,25 +167,32 @@ void read_size(const YamlValue& value, const Project& project, RefinementSetting
   if (const auto v = map.find("min")) read_positive(*v, sizes.base.min_size);
   if (const auto v = map.find("max")) read_positive(*v, sizes.base.max_size);
   if (const auto v = map.find("background")) read_background(*v, project, sizes);
+  if (const auto v = map.find("layers"))
+    for (const auto& [name, entry] : named_entries(*v, "UNIT: number of elements"))
+      read_positive(entry, sizes.layers[name]);
+  if (const auto v = map.find("frequency")) read_frequency(*v, sizes.frequency);
+  if (const auto v = map.find("points_per_wavelength")) read_positive(*v, sizes.points_per_wavelength);
+  if (const auto v = map.find("by_depth")) read_by_depth(*v, sizes);
   if (sizes.base.max_size > 0 && sizes.base.min_size > sizes.base.max_size) value.problem("min is greater than max");
+  return {map.find("input_edges").has_value(), map.find("gap_layers").has_value()};
 }
 
-void read_honour(const YamlMap& mesh, RefinementSettings& settings) {
+/// What the project says of its surfaces; empty where it says nothing.
+std::optional<std::string> read_honour(const YamlMap& mesh, RefinementSettings& settings) {
   const auto honour = mesh.find("honour"), tolerance = mesh.find("tolerance");
-  std::optional<std::string> word = "exact";
+  std::optional<std::string> word;
   if (honour && honour->is_map()) {
     honour->problem(
         "exact or tolerance was expected, found a map; give 'honour: tolerance' and beside it 'tolerance', a length");
-    word = std::nullopt;
   } else if (honour) {
     word = honour->choice({"exact", "tolerance"});
   }
-  if (word == "tolerance") settings.honour = Honour::tolerance;
-  if (tolerance) read_positive(*tolerance, settings.tolerance);
-  if (settings.honour == Honour::tolerance && !tolerance)
-    honour->problem("how far surfaces may be from the input is missing: give 'tolerance', a length");
   if (tolerance && word == "exact")
     tolerance->problem("has no meaning while surfaces are kept exactly; give 'honour: tolerance' with it");
+  if (tolerance) read_positive(*tolerance, settings.tolerance);
+  if (tolerance && !honour) word = "tolerance";
+  if (word == "tolerance") settings.honour = Honour::tolerance;
+  return word;
 }
 
 void read_limits(const YamlMap& mesh, RefinementSettings& settings) {
@@ -144,6 +201,7 @@ void read_limits(const YamlMap& mesh, RefinementSettings& settings) {
     read_positive(*v, n);
     if (n >= 1) settings.max_elements = static_cast<std::size_t>(std::min(n, 4e9));
   }
+  if (const auto v = mesh.find("target_elements")) read_positive(*v, settings.target_elements);
   if (const auto v = mesh.find("time_budget")) read_positive(*v, settings.time_budget);
   if (const auto v = mesh.find("cell_arrays")) {
     const std::vector<std::string>& known = known_cell_arrays();
@@ -155,33 +213,56 @@ void read_limits(const YamlMap& mesh, RefinementSettings& settings) {
 }  // namespace
 
 const std::vector<std::string_view>& refinement_keys() {
-  static const std::vector<std::string_view> keys{"refine",    "size",         "quality",     "honour",
-                                                  "tolerance", "max_elements", "time_budget", "cell_arrays"};
+  static const std::vector<std::string_view> keys{"refine",      "size",        "quality",
+                                                  "honour",      "tolerance",   "max_elements",
+                                                  "time_budget", "cell_arrays", "target_elements"};
   return keys;
+}
+
+namespace {
+
+/// Whether the project asks for something that a refinement with surfaces within a tolerance contradicts.
+bool excludes_default(const Project& project) {
+  const RecoverOptions& recover = project.mesh.options.recover;
+  return recover.mode == MeshMode::conforming || recover.preserve_boundary || project.crs.z_scale != 1;
+}
+
+/// Surfaces may be remeshed, as far as the sizes say; nobody asks for the edges of the input.
+void follow_sizes(const SizeKeysGiven& given, RefinementSettings& settings) {
+  SizeOptions& base = settings.size.base;
+  settings.refine = true;
+  settings.honour = Honour::tolerance;
+  if (!(settings.tolerance > 0)) settings.tolerance_share = default_tolerance_share;
+  if (!given.input_edges) base.from_input_edges = false;
+  if (!given.gap_layers) base.gap_layers = default_gap_layers;
+  settings.derive_size = !(base.global > 0) && settings.size.background.empty() && settings.size.by_depth.empty();
+}
+
+}  // namespace
+
+void default_refinement(Project& project) {
+  if (!excludes_default(project)) follow_sizes({}, project.mesh.refinement);
 }
 
 void read_refinement(const YamlMap& mesh, Project& project) {
   RefinementSettings& settings = project.mesh.refinement;
-  if (const auto v = mesh.find("size")) {
-    settings.refine = true;
-    read_size(*v, project, settings);
-  }
-  if (const auto v = mesh.find("quality")) {
-    settings.refine = true;
-    const auto level = v->choice({"fast", "default", "best"});
+  const auto size = mesh.find("size"), quality = mesh.find("quality"), refine = mesh.find("refine");
+  const SizeKeysGiven given = size ? read_size(*size, project, settings) : SizeKeysGiven{};
+  if (quality) {
+    const auto level = quality->choice({"fast", "default", "best"});
     settings.quality = level == "fast"   ? QualityLevel::fast
                        : level == "best" ? QualityLevel::best
                                          : QualityLevel::standard;
   }
-  read_honour(mesh, settings);
-  settings.refine = settings.refine || settings.honour == Honour::tolerance;
+  const auto honour = read_honour(mesh, settings);
   read_limits(mesh, settings);
-  if (const auto v = mesh.find("refine")) {
-    const auto word = v->choice({"none", "default"});
-    if (word == "none" && settings.refine)
-      v->problem("none contradicts 'size', 'quality' or 'honour: tolerance', which ask for refinement");
-    settings.refine = settings.refine || word == "default";
-  }
+  const auto word = refine ? refine->choice({"none", "default"}) : std::nullopt;
+  const bool is_asked = size || quality || honour || word == "default" || settings.target_elements > 0;
+  if (word == "none" && (size || quality || honour == "tolerance"))
+    refine->problem("none contradicts 'size', 'quality' or 'honour: tolerance', which ask for refinement");
+  if (word != "none" && is_asked) settings.refine = true;
+  const bool is_kept = honour == "exact" || !settings.sizes_on_surfaces || excludes_default(project);
+  if (honour == "tolerance" || (word != "none" && !is_kept)) follow_sizes(given, settings);
   const std::string text = contradiction(settings, project.mesh.options.recover);
   if (!text.empty()) mesh.value().problem(text);
 }

@@ -103,7 +103,11 @@ class ProjectReader {
     finish_volume(root, project_);
     finish_rules(root, project_);
     if (const auto v = map.find("tolerance")) read_tolerance(*v);
-    if (const auto v = map.find("mesh")) read_mesh(*v);
+    if (const auto v = map.find("mesh")) {
+      read_mesh(*v);
+    } else {
+      default_refinement(project_);
+    }
     if (const auto v = map.find("output")) read_output(*v);
   }
 

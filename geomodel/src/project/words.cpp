@@ -2,6 +2,7 @@
 #include "geomesh/geomodel/words.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace geomesh::geomodel {
 namespace {
@@ -61,6 +62,12 @@ std::string file_was_meant(const std::filesystem::path& file) {
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return was_meant(file.filename().string(), {names.begin(), names.end()});
+}
+
+std::string short_words(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
 }
 
 }  // namespace geomesh::geomodel

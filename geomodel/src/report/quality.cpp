@@ -88,6 +88,39 @@ std::string cause_in_words(const WorstElement& w, bool refined, const PolygonSou
   return refined ? "nothing in the input forces it" : "no points were added for shape: the mesh was not refined";
 }
 
+namespace {
+
+const char* cause_in_words(EdgeCause cause) {
+  switch (cause) {
+    case EdgeCause::input_angle:
+      return "input angle";
+    case EdgeCause::thin_gap:
+      return "thin gap";
+    case EdgeCause::near_curves:
+      return "near curves";
+    case EdgeCause::free:
+      break;
+  }
+  return "nothing in the input forces it";
+}
+
+json short_edges_json(const ShortEdges& edges) {
+  json worst = json::array();
+  for (const ShortEdge& e : edges.worst) {
+    json edge{{"length", e.length},
+              {"size", e.size},
+              {"place", {e.place.x, e.place.y, e.place.z}},
+              {"forced", e.cause != EdgeCause::free},
+              {"cause", cause_in_words(e.cause)}};
+    if (e.cause == EdgeCause::input_angle) edge["angle"] = e.forcing_angle;
+    if (e.cause == EdgeCause::thin_gap) edge["gap"] = e.gap;
+    worst.push_back(std::move(edge));
+  }
+  return {{"edges", edges.n}, {"forced", edges.n_forced}, {"worst", std::move(worst)}};
+}
+
+}  // namespace
+
 json quality_json(const QualityReport& quality, const ModelMesh* mesh) {
   const MeshQuality& q = quality.measured;
   const auto region_name = [&](std::size_t row) {
@@ -114,16 +147,18 @@ json quality_json(const QualityReport& quality, const ModelMesh* mesh) {
     region.update(statistics_json(q.per_component[r], quality.has_sizes));
     regions.push_back(std::move(region));
   }
-  return {{"min_dihedral", q.whole.min_dihedral.min},
-          {"max_dihedral", q.whole.max_dihedral.max},
-          {"min_radius_ratio", q.whole.radius_ratio.min},
-          {"min_dihedral_histogram", q.whole.min_dihedral_histogram},
-          {"dihedral_histogram", q.whole.dihedral_histogram},
-          {"radius_ratio_histogram", q.whole.radius_ratio_histogram},
-          {"below_8_degrees", {{"tetrahedra", q.n_bad}, {"forced", q.n_bad_forced}}},
-          {"whole", statistics_json(q.whole, quality.has_sizes)},
-          {"regions", std::move(regions)},
-          {"worst", std::move(worst)}};
+  json root{{"min_dihedral", q.whole.min_dihedral.min},
+            {"max_dihedral", q.whole.max_dihedral.max},
+            {"min_radius_ratio", q.whole.radius_ratio.min},
+            {"min_dihedral_histogram", q.whole.min_dihedral_histogram},
+            {"dihedral_histogram", q.whole.dihedral_histogram},
+            {"radius_ratio_histogram", q.whole.radius_ratio_histogram},
+            {"below_8_degrees", {{"tetrahedra", q.n_bad}, {"forced", q.n_bad_forced}}},
+            {"whole", statistics_json(q.whole, quality.has_sizes)},
+            {"regions", std::move(regions)},
+            {"worst", std::move(worst)}};
+  if (quality.has_sizes) root["short_edges"] = short_edges_json(quality.short_edges);
+  return root;
 }
 
 json refinement_json(const RefineStatistics& s) {

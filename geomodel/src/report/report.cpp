@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geomesh/geomodel/warnings.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
 #include "report/quality.hpp"
@@ -172,6 +173,17 @@ void add_mesh(const ModelMesh& mesh, json& root) {
 
 }  // namespace
 
+namespace {
+
+json warning_groups_json(const std::vector<std::string>& warnings) {
+  json groups = json::array();
+  for (const WarningGroup& g : group_warnings(warnings))
+    groups.push_back({{"cause", g.cause}, {"count", g.count}, {"first", g.first}});
+  return groups;
+}
+
+}  // namespace
+
 std::string to_json(const Report& report) {
   json root;
   root["command"] = report.command;
@@ -188,9 +200,11 @@ std::string to_json(const Report& report) {
   if (report.stack) root["stack"] = stack_json(*report.stack);
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
+  if (report.solver) root["solver"] = json::parse(to_json(*report.solver));
   if (report.voronoi_dual) root["voronoi_dual"] = voronoi_json(*report.voronoi_dual);
   root["notes"] = report.notes;
   root["warnings"] = report.warnings;
+  root["warning_groups"] = warning_groups_json(report.warnings);
   root["files"] = report.files;
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -144,6 +144,7 @@ std::string to_html(const Report& report) {
            warnings(report) + viewer(mesh, bounds) + regions_table(mesh) + notes(report);
     if (report.stack) out += page::stack_section(*report.stack, mesh.unit);
     out += sections(mesh, bounds);
+    if (report.solver) out += page::solver_section(*report.solver);
     if (report.quality) out += page::shape_section(*report.quality, mesh);
     out += surfaces_table(mesh);
   } else {

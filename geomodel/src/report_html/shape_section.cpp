@@ -101,4 +101,10 @@ std::string shape_section(const QualityReport& report, const ModelMesh& mesh) {
   return out + worst_elements(report, mesh);
 }
 
+std::string solver_section(const SolverVerdict& verdict) {
+  std::string out = "<h2>For solvers</h2>\n";
+  for (const std::string& line : to_lines(verdict)) out += "<p>" + escape(line) + "</p>\n";
+  return out;
+}
+
 }  // namespace geomesh::geomodel::page

@@ -14,4 +14,7 @@ namespace geomesh::geomodel::page {
 /// region; the worst elements with place and cause.
 std::string shape_section(const QualityReport& report, const ModelMesh& mesh);
 
+/// What solvers will make of the mesh.
+std::string solver_section(const SolverVerdict& verdict);
+
 }  // namespace geomesh::geomodel::page

@@ -168,4 +168,11 @@ ModelVolume make_volume(const VolumeSpec& spec, const std::vector<TriangulatedSu
   return result;
 }
 
+Box3 bounds_of(const std::vector<TriangulatedSurface>& surfaces) {
+  Box3 bounds;
+  for (const TriangulatedSurface& s : surfaces)
+    for (const Vec3& p : s.points) bounds.add(p);
+  return bounds;
+}
+
 }  // namespace geomesh::geomodel

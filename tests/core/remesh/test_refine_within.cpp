@@ -38,7 +38,7 @@ VertexIndex vertex_of_kind(const DomainMesh& mesh, VertexKind kind) {
 
 /// Of faces alone: a result that is imported again has other numbers for its curves.
 Deviations verify_faces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance) {
-  Deviations found = verify_surfaces(mesh, input, tolerance, 2);
+  Deviations found = verify_surfaces(mesh, input, LocalTolerance(tolerance), 2);
   std::erase_if(found.breaches, [](const Breach& b) { return b.on_curve; });
   return found;
 }
@@ -90,7 +90,7 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
   const double tolerance = 0.01;
   const DomainMesh given = import_domain(model.plc, model.mesh, within(tolerance, 1));
   const SurfaceItems input = surface_items(given, given);
-  CHECK(verify_surfaces(given, input, tolerance, 1).breaches.empty());
+  CHECK(verify_surfaces(given, input, LocalTolerance(tolerance), 1).breaches.empty());
   for (const VertexKind kind : {VertexKind::surface, VertexKind::curve}) {
     CAPTURE(static_cast<int>(kind));
     DomainMesh mesh = given;
@@ -98,7 +98,7 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
     const Vec3 old = mesh.point(v);
     const auto found_at_height = [&](double height) {
       mesh.move_vertex(v, old + height * Vec3{0.48, 0.6, 0.64});
-      return verify_surfaces(mesh, input, tolerance, 2);
+      return verify_surfaces(mesh, input, LocalTolerance(tolerance), 2);
     };
     CHECK(found_at_height(0.9 * tolerance).breaches.empty());
     const Deviations found = found_at_height(4 * tolerance);
@@ -108,7 +108,7 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
     CHECK(std::any_of(found.breaches.begin(), found.breaches.end(), [](const Breach& b) { return b.on_curve; }) ==
           (kind == VertexKind::curve));
     CHECK(found.result_to_input > tolerance);
-    const Deviations again = verify_surfaces(mesh, input, tolerance, 1);
+    const Deviations again = verify_surfaces(mesh, input, LocalTolerance(tolerance), 1);
     CHECK(again.breaches.size() == found.breaches.size());
     CHECK(again.result_to_input == found.result_to_input);
   }
@@ -122,7 +122,7 @@ class SurfaceVertex {
   /// `turned`: all faces are given the other way round.
   SurfaceVertex(const Model& model, double tolerance, bool turned = false)
       : mesh_(import_domain(model.plc, model.mesh, within(tolerance, 1))),
-        guard_(mesh_, mesh_, model.plc, Honour::tolerance, tolerance),
+        guard_(mesh_, mesh_, model.plc, Honour::tolerance, LocalTolerance(tolerance)),
         place_(mesh_.point(vertex_of_kind(mesh_, VertexKind::surface))),
         turned_(turned) {
     EpochMarks marks;
@@ -189,8 +189,8 @@ TEST_CASE("What is off is mended by points on the input", "[refine]") {
   const DomainMesh given = import_domain(model.plc, model.mesh, options);
   const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
   DomainMesh mesh = import_domain(model.plc, r.mesh, options);
-  const SurfaceGuard guard(given, given, model.plc, Honour::tolerance, tolerance);
-  const SizeField size = build_size_field(model.plc, mesh, options, 0).all;
+  const SurfaceGuard guard(given, given, model.plc, Honour::tolerance, LocalTolerance(tolerance));
+  const SizeField size = build_size_field(model.plc, mesh, options, LocalTolerance()).all;
   RefineStatistics statistics;
   Toolbox tools(mesh, guard, size, statistics);
   const SurfaceItems input = surface_items(given, given);

@@ -24,8 +24,8 @@ struct Bench {
       : model(std::move(m)),
         options(make_options(tolerance)),
         mesh(import_domain(model.plc, model.mesh, options)),
-        guard(mesh, mesh, model.plc, options.honour, options.tolerance),
-        size(build_size_field(model.plc, mesh, options, tolerance).all),
+        guard(mesh, mesh, model.plc, options.honour, LocalTolerance(options.tolerance)),
+        size(build_size_field(model.plc, mesh, options, LocalTolerance(tolerance)).all),
         tools(mesh, guard, size, statistics) {}
 
   static RefineOptions make_options(double tolerance) {

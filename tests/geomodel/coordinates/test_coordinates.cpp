@@ -162,11 +162,36 @@ TEST_CASE("coordinates that cannot be what they are said to be are refused", "[c
         std::string::npos);
   CHECK(complaint(project_in("local"), degrees, geographic, ErrorKind::usage).find("no place on the globe") !=
         std::string::npos);
-  CHECK(complaint(project_in("epsg:31467"), metres, utm, ErrorKind::usage).find("epsg:31467 is not served") !=
-        std::string::npos);
+  CHECK(complaint(project_in("epsg:99999"), metres, utm, ErrorKind::usage)
+            .find("epsg:99999 is no system that PROJ knows") != std::string::npos);
   CHECK(complaint(project_in("utm"), metres, {}, ErrorKind::usage).find("name the zone") != std::string::npos);
   CHECK(place(project_in("epsg:31467"), metres, {}).points[0] ==
         Vec3{432000, 6012345, -100});  // a name alone converts nothing
+}
+
+TEST_CASE("PROJ converts national grids, and the shift of the datum is told", "[coordinates]") {
+  // Ordnance Survey, "A guide to coordinate systems in Great Britain": Caister Water Tower in the National Grid
+  // (epsg:27700) and on ETRS89. Without the grid of shifts PROJ is within some metres; the datums are 100 m apart.
+  SourceSpec national;
+  national.crs = "epsg:27700";
+  const Vec2 wanted =
+      from_geographic(parse_crs("utm 31N"), {1 + 42.0 / 60 + 57.8663 / 3600, 52 + 39.0 / 60 + 28.8282 / 3600});
+  const FileContents tower = with_points({{651409.792, 313177.448, -100}});
+  const Vec3 found = place(project_in("utm 31N"), tower, national).points[0];
+  CHECK(found.x == Approx(wanted.x).margin(8));
+  CHECK(found.y == Approx(wanted.y).margin(8));
+  CHECK(found.z == -100);
+
+  // NAD83 in zone 12N (epsg:26912), and its neighbour zone: taken there and back.
+  SourceSpec nad, neighbour;
+  nad.crs = "epsg:26912";
+  neighbour.crs = "epsg:26911";
+  const FileContents there = with_points({{450000, 4400000, 5}});
+  const Vec3 in_neighbour = place(project_in("epsg:26911"), there, nad).points[0];
+  CHECK(in_neighbour.x > 900000);
+  const Vec3 back = place(project_in("epsg:26912"), with_points({in_neighbour}), neighbour).points[0];
+  CHECK(back.x == Approx(450000).margin(1e-3));
+  CHECK(back.y == Approx(4400000).margin(1e-3));
 }
 
 TEST_CASE("zones are found, and other zones converted", "[coordinates]") {

@@ -133,7 +133,14 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK(r.max_elements == 1000);
   CHECK(r.time_budget == 2.5);
   CHECK(r.cell_arrays == std::vector<std::string>{"size", "aspect"});
-  CHECK_FALSE(read_project(f.write(two_surfaces)).mesh.refinement.refine);
+  const RefinementSettings by_default = read_project(f.write(two_surfaces)).mesh.refinement;
+  CHECK(by_default.refine);
+  CHECK(by_default.honour == Honour::tolerance);
+  CHECK(by_default.derive_size);
+  CHECK(by_default.tolerance_share == default_tolerance_share);
+  CHECK_FALSE(by_default.size.base.from_input_edges);
+  CHECK_FALSE(read_project(f.write(std::string(two_surfaces) + "mesh: {refine: none}\n")).mesh.refinement.refine);
+  CHECK(read_project(f.write(std::string(two_surfaces) + "mesh: {tolerance: 2}\n")).mesh.refinement.tolerance == 2);
   CHECK_FALSE(read_project(f.write(std::string(two_surfaces) + "mesh: {size: {on_surfaces: false}}\n"))
                   .mesh.refinement.sizes_on_surfaces);
 }
@@ -212,10 +219,9 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {quality: good}\n", "mesh.quality: fast, default or best was expected"},
       {s + "mesh: {size: -5}\n", "mesh.size: a number above zero was expected"},
       {s + "mesh: {refine: none, size: 5}\n", "mesh.refine: none contradicts"},
-      {s + "mesh: {honour: tolerance}\n", "mesh.honour: how far surfaces may be from the input is missing"},
       {s + "mesh: {honour: {tolerance: 2}}\n",
        "found a map; give 'honour: tolerance' and beside it 'tolerance', a length"},
-      {s + "mesh: {tolerance: 2}\n", "mesh.tolerance: has no meaning while surfaces are kept exactly"},
+      {s + "mesh: {honour: exact, tolerance: 2}\n", "mesh.tolerance: has no meaning while surfaces are kept exactly"},
       {s + "mesh: {size: {min: 5, max: 2}}\n", "mesh.size: min is greater than max"},
       {s + "mesh: {size: {units: {a: {size: 2, radius: 3}}}}\n", "mesh.size.units: a size inside of a has no radius"},
       {s + "mesh: {size: {near: [{at: nowhere, size: 5}]}}\n",
@@ -228,7 +234,7 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {size: {on_surfaces: false}, honour: tolerance, tolerance: 1}\n",
        "(on_surfaces: false) contradicts it"},
       {s + "mesh: {size: {on_surfaces: false}, mode: conforming}\n", "(on_surfaces: false) contradicts it"},
-      {s + "mesh: {cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
+      {s + "mesh: {refine: none, cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
       {s + "mesh: {preserve_boundary: yes}\n", "true or false was expected, found 'yes'"},
       {s + "mesh: {cluster_distance: -2}\n", "auto or a length of zero or more was expected"},
       {s + "output: {formats: [vtk]}\n", "output.formats[1]: "},

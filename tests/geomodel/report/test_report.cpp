@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/report.hpp"
+#include "geomesh/geomodel/warnings.hpp"
 #include "hand_made.hpp"
 #include "made_up_quality.hpp"
 
@@ -125,4 +126,19 @@ TEST_CASE("a full report has the names of the output contract and fits its schem
       CHECK(status == 0);
     }
   }
+}
+
+TEST_CASE("Warnings that say one thing of many surfaces are one group", "[report]") {
+  const std::vector<std::string> warnings{
+      "basement falls into 2 regions: basement__1 (volume 1.9e+10), basement__2 (volume 8e+09)",
+      "top.ts: the file says z is in ft; taken as m as the project says",
+      "sand falls into 12 regions: sand__1 (volume 1), sand__2 (volume 2)",
+      "base_sand.ts: the file says z is in ft; taken as m as the project says"};
+  const std::vector<WarningGroup> groups = group_warnings(warnings);
+  REQUIRE(groups.size() == 2);
+  CHECK(groups[0].cause == "falls into # regions");
+  CHECK(groups[0].count == 2);
+  CHECK(groups[0].first == warnings[0]);
+  CHECK(groups[1].cause == "the file says z is in ft");
+  CHECK(groups[1].count == 2);
 }

@@ -217,7 +217,8 @@ inline std::filesystem::path write_project(const std::filesystem::path& folder) 
                                             "  - {name: mid, kind: horizon, file: mid.ts}\n"
                                             "  - {name: fault, kind: fault, file: fault.ts}\n"
                                             "  - {name: salt, kind: body, file: salt.ts, cuts: all}\n"
-                                            "column: [upper, mid, lower]\n";
+                                            "column: [upper, mid, lower]\n"
+                                            "mesh: {refine: none}\n";
   return folder / "project.yaml";
 }
 

@@ -10,7 +10,7 @@ int main() {
   GivenProject given;
   given.text =
       "{box: {min: [0, 0, -1000], max: [1000, 1000, 0]}, surfaces: [{name: top, kind: horizon}], column: [upper, top, "
-      "lower]}";
+      "lower], mesh: {refine: none}}";
   given.inputs["top"] = std::make_shared<const FileContents>(given_surface(
       "top", {{-1, -1, -400}, {1001, -1, -400}, {1001, 1001, -400}, {-1, 1001, -400}}, {{0, 1, 2}, {0, 2, 3}}));
   ProjectRequest request;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,19 +41,25 @@ struct SizeOptions {
   std::vector<AskedSize> segment_size;            ///< per row of plc.segments; may be shorter
   std::vector<SizeSource> sources;                ///< asked near places (wells, points of interest), with radius
   std::function<double(const Vec3&)> background;  ///< called from one thread
-  bool from_input_edges = true;  ///< surfaces ask for the mean length of the input edges about each point
-  double curvature_angle = 0;    ///< degrees that one edge may turn on a curved patch; 0: not asked
-  double gap_layers = 0.8;       ///< elements across a gap between surfaces that face each other; 0: not asked
-  double gap_floor = 0.25;       ///< gaps never ask for less than this share of the size asked otherwise
-  double gradation = 0.3;        ///< growth of the size per unit of distance
-  double min_size = 0;           ///< 0: none
-  double max_size = 0;           ///< 0: none
+  bool from_input_edges = true;          ///< surfaces ask for the mean length of the input edges about each point
+  double curvature_angle = 0;            ///< degrees that one edge may turn on a curved patch; 0: not asked
+  double gap_layers = 0.8;               ///< elements across a gap between surfaces that face each other; 0: not asked
+  std::vector<double> component_layers;  ///< per component: elements across it from surface to surface, however thin it
+                                         ///< is; 0 or missing: gap_layers
+  double gap_floor = 0.25;               ///< gaps never ask for less than this share of the size asked otherwise
+  double gradation = 0.3;                ///< growth of the size per unit of distance
+  double min_size = 0;                   ///< 0: none
+  double max_size = 0;                   ///< 0: none
 };
 
 struct RefineOptions {
   SizeOptions size;
   Honour honour = Honour::exact;
   double tolerance = 0;  ///< Honour::tolerance: largest distance between input and result, in model units
+  /// Honour::tolerance: the distance allowed at a place is besides at most this share of the size that is asked there
+  /// by `size` (not by input edges, curvature and gaps), and half of the gap to the surface that faces it. 0:
+  /// `tolerance` everywhere.
+  double tolerance_share = 0;
   QualityLevel quality = QualityLevel::standard;
   /// Honour::exact: false puts no points on surfaces and curves for their sizes, and has only the inside follow the
   /// sizes asked, which near a vertex of a surface are those of the longest edge there; a few points may still go onto
@@ -69,6 +76,8 @@ struct RefineOptions {
   /// are pieces of one curve: its points may move along it, and edges of the result name the first of these rows.
   /// no_index, and where this is empty: the segment's ends stay.
   std::vector<Index> segment_curve;
+  /// Honour::tolerance: rows of plc.points that stay in their places. Nothing: those of plc.facet_points.
+  std::optional<std::vector<VertexIndex>> fixed_points;
   double sharp_angle = 40;  ///< degrees between the normals of two faces of one patch from which their edge is a curve
   double time_budget = 0;   ///< seconds for improvement; 0: none. With a budget the result depends on the machine.
   std::size_t max_elements = 50'000'000;
@@ -94,11 +103,19 @@ struct RefineStatistics {
   bool out_of_time = false;
 };
 
+/// Where surfaces were kept exactly, since they could not be proven to be within the tolerance otherwise.
+struct KeptPlace {
+  Vec3 place{};
+  Index facet = no_index;  ///< of the PLC, nearest
+};
+
 struct RefineResult {
   ConstrainedTetrahedralization mesh;
   RefineStatistics statistics;
   std::vector<std::string>
-      warnings;  ///< noted while it ran, as where short edges of the input ask for most of many elements
+      warnings;                 ///< noted while it ran, as where short edges of the input ask for most of many elements
+  std::vector<KeptPlace> kept;  ///< Honour::tolerance: places where facets were kept as they are
+  bool all_kept = false;        ///< Honour::tolerance: all surfaces were kept in the end, since nothing else was proven
   SizeField size_field;
   SizeField asked;                ///< the same without what gaps ask for: what QualityOptions::asked takes
   std::vector<Index> kept_patch;  ///< per facet of the PLC: facets of one number were kept as one; what
@@ -114,11 +131,11 @@ struct RefineResult {
 ///
 /// `Honour::tolerance`: each triangle of the input and of the result, and each piece of their curves, is proven to be
 /// within the tolerance of the other's same patch or curve, and outer faces to cross nowhere; up to six runs, each
-/// closer to the input where the last was not so. Throws Error{cannot_mesh} where that fails (facets, places), and
-/// where the estimated or the actual number of elements exceeds the limit, Error{usage} on options out of range. Ends
-/// always: points are added for sizes only at a distance from all others that the size field bounds from below, and
-/// improvement makes a bounded number of passes, none of which lowers the worst shape but for rounding. Deterministic
-/// for given options unless a time budget is set.
+/// closer to the input where the last was not so, from the fourth with the facets kept where it was not. Where all of
+/// that fails every surface is kept. Throws Error{cannot_mesh} where the estimated or the actual number of elements
+/// exceeds the limit, Error{usage} on options out of range. Ends always: points are added for sizes only at a distance
+/// from all others that the size field bounds from below, and improvement makes a bounded number of passes, none of
+/// which lowers the worst shape but for rounding. Deterministic for given options unless a time budget is set.
 ///
 /// Sources: Cavalcanti and Mello 1999, section 5 (points added automatically, smart smoothing); Freitag and
 /// Ollivier-Gooch 1997 (combining flips with optimising smoothing); Klingner and Shewchuk 2007 (insertion, contraction

@@ -103,7 +103,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   RefineResult result;
   {
     const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
-    remesh::SizeFields sizes = remesh::build_size_field(plc, domain, options, 0);
+    remesh::SizeFields sizes = remesh::build_size_field(plc, domain, options, remesh::LocalTolerance());
     result.statistics.estimated_elements = remesh::estimate_elements(domain, sizes.all, options);
     result.size_field = std::move(sizes.all);
     result.asked = std::move(sizes.without_gaps);

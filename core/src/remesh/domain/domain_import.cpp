@@ -25,6 +25,7 @@ class Importer {
            std::vector<Index> patches)
       : plc_(plc),
         input_(input),
+        fixed_points_(options.fixed_points),
         exact_(options.honour == Honour::exact),
         narrow_(narrow_share * options.tolerance),
         cos_sharp_(std::cos(options.sharp_angle * pi / 180)) {
@@ -237,7 +238,11 @@ class Importer {
     std::vector<bool> pinned(n, false);
     for (const VertexIndex v : input_.isolated_points) pinned[v] = true;
     std::vector<bool> pinned_input(plc_.points.size(), false);
-    for (const auto& p : plc_.facet_points) pinned_input[p.v] = true;
+    if (exact_ || !fixed_points_) {
+      for (const auto& p : plc_.facet_points) pinned_input[p.v] = true;
+    } else {
+      for (const VertexIndex v : *fixed_points_) pinned_input[v] = true;
+    }
     for (VertexIndex v = 0; v < n; ++v)
       if (input_.input_vertex[v] != no_vertex && pinned_input[input_.input_vertex[v]]) pinned[v] = true;
     std::vector<Index> offset(n + 1, 0), at_vertex(3 * faces_.size());
@@ -253,6 +258,7 @@ class Importer {
 
   const PiecewiseLinearComplex& plc_;
   const ConstrainedTetrahedralization& input_;
+  const std::optional<std::vector<VertexIndex>>& fixed_points_;
   bool exact_;
   double narrow_, cos_sharp_;
   std::vector<Index> first_of_curve_;  // per segment: the first of those that are pieces of one curve with it

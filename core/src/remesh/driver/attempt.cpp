@@ -27,8 +27,8 @@ double worst_shape(const DomainMesh& mesh) {
 
 /// `context` is told what is to come.
 void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
-                const RunContext& context, RefineResult& result) {
-  SizeFields sizes = build_size_field(plc, mesh, options, size_tolerance(options));
+                const LocalTolerance& tolerance, const RunContext& context, RefineResult& result) {
+  SizeFields sizes = build_size_field(plc, mesh, options, tolerance);
   result.size_field = std::move(sizes.all);
   result.asked = std::move(sizes.without_gaps);
   result.statistics.sizes_on_surfaces = sizes_surfaces(options);
@@ -66,16 +66,6 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, const MergedFacets& m
   result.statistics.points_on_curves += n_on_edges;
   result.statistics.points_on_surfaces += n_on_facets;
   return true;
-}
-
-/// Gives surfaces their points and keeps them as they were given for reference.
-SurfaceGuard prepare_surfaces(const Hold& hold, const PiecewiseLinearComplex& plc, const MergedFacets& merged,
-                              const RefineOptions& options, ConstrainedTetrahedralization& input, DomainMesh& mesh,
-                              const RunContext& context, RefineResult& result) {
-  std::optional<DomainMesh> given;
-  if (options.refine && add_surface_points(plc, merged, options, input, context, result))
-    given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
-  return SurfaceGuard(given ? *given : mesh, mesh, plc, options.honour, options.tolerance, hold);
 }
 
 /// Edges that long stay where the front was stuck. A few are mended by the improvement; so large a share of the cells
@@ -162,10 +152,15 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   const MergedFacets merged = merge_pieces(plc, options.facet_parent);
   result.kept_patch = patches_of_facets(plc, options, merged);
   DomainMesh mesh = import_domain(plc, input, options, result.kept_patch);
-  find_sizes(plc, mesh, options, hold.run == 0 ? context : RunContext{}, result);
+  const LocalTolerance tolerance = allowed_tolerance(plc, mesh, options);
+  find_sizes(plc, mesh, options, tolerance, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  const SurfaceGuard guard = prepare_surfaces(hold, plc, merged, options, input, mesh, context, result);
+  std::optional<DomainMesh> given;  // surfaces as they were given, for reference
+  if (options.refine && add_surface_points(plc, merged, options, input, context, result))
+    given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
+  const SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, tolerance, hold);
+  given.reset();
   release_elements(input);
   Toolbox tools(mesh, guard, result.size_field, result.statistics);
   tools.bad_cells_may_spread = !sizes_surfaces(options);

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "geomesh/core/error.hpp"
 #include "remesh/operations/surface_repair.hpp"
 
 namespace geomesh::remesh {
@@ -66,35 +65,6 @@ void tell_what_is_off(const Attempt& attempt, const RunContext& context) {
   for (std::size_t i = 0; i < std::min(most, attempt.crossings.size()); ++i)
     context.note(LogLevel::debug,
                  "surfaces cross through the outside at " + place_words(centre(attempt.crossings[i].box)));
-}
-
-void refuse_tolerance(const Attempt& attempt) {
-  constexpr const char* what_to_do =
-      ". Ask for another tolerance, for smaller sizes there, or keep the surfaces exactly";
-  ErrorContext context;
-  if (!attempt.crossings.empty()) {
-    const Vec3 place = centre(attempt.crossings.front().box);
-    context.places.push_back(place);
-    throw Error(ErrorKind::cannot_mesh,
-                "surfaces that are nearer to each other than the tolerance, with the outside between, could not be "
-                "remeshed without crossing, at " +
-                    place_words(place) + what_to_do,
-                std::move(context));
-  }
-  const auto& breaches = attempt.breaches;
-  const auto worst = std::max_element(breaches.begin(), breaches.end(),
-                                      [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  context.places.push_back(worst->place);
-  for (const auto& b : breaches) {
-    context.places.push_back(b.place);
-    if (b.facet != no_index) context.facets.push_back(b.facet);
-  }
-  throw Error(
-      ErrorKind::cannot_mesh,
-      "surfaces could not be remeshed so that they are proven to be within the tolerance of the input, both ways: " +
-          std::to_string(breaches.size()) + " triangles or pieces of curves are not, the worst at " +
-          place_words(worst->place) + what_to_do,
-      std::move(context));
 }
 
 }  // namespace geomesh::remesh

@@ -31,7 +31,4 @@ void tighten(Hold& hold, const Attempt& attempt, double tolerance);
 /// Tells of what does not hold, and the first places (debug).
 void tell_what_is_off(const Attempt& attempt, const RunContext& context);
 
-/// Throws Error{cannot_mesh} with the places and facets of what does not hold.
-[[noreturn]] void refuse_tolerance(const Attempt& attempt);
-
 }  // namespace geomesh::remesh

@@ -22,6 +22,7 @@ class Judge {
       : plc_(plc), input_(input) {
     judging_.asked = &result.asked;
     judging_.tolerance = size_tolerance(options);
+    judging_.gaps_stay = options.tolerance_share > 0;
     judging_.facet_patch = result.kept_patch;
     creases_ = find_creases(plc, judging_);
   }

@@ -8,6 +8,7 @@
 #include "geomesh/core/error.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/driver/hold_surfaces.hpp"
+#include "remesh/driver/keep_there.hpp"
 #include "remesh/sizes/sizes.hpp"
 
 namespace geomesh {
@@ -48,6 +49,7 @@ void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
   if (o.honour == Honour::tolerance && !(o.tolerance > 0))
     refuse("honouring surfaces to a tolerance needs a distance above 0");
   if (o.honour == Honour::tolerance) check_tolerance(plc, o.tolerance);
+  if (o.tolerance_share < 0) refuse("the share of the size that surfaces may be off cannot be negative");
   if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets())
     refuse("one patch must be given for each facet");
   if (!o.segment_curve.empty() && o.segment_curve.size() != plc.segments.size())
@@ -62,28 +64,72 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
                          const RefineOptions& options) {
   check_options(plc, options);
   const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
-  const SizeField sizes = remesh::build_size_field(plc, domain, options, remesh::size_tolerance(options)).all;
+  const SizeField sizes = remesh::build_size_field(plc, domain, options).all;
   return remesh::estimate_elements(domain, sizes, options);
 }
+
+namespace {
+
+/// Runs that hold surfaces more and more closely; from this one on, facets are kept where the run before was off.
+constexpr unsigned first_run_that_keeps = 3, most_runs = 6;
+
+class HoldingRuns {
+ public:
+  HoldingRuns(const PiecewiseLinearComplex& plc, const RefineOptions& options, const RunContext& context)
+      : plc_(plc), options_(options), context_(context) {
+    options_.facet_patch = remesh::named_patches(plc, options);
+  }
+
+  RefineResult run(const ConstrainedTetrahedralization& input) {
+    for (; hold_.run < most_runs;) {
+      remesh::Attempt attempt = remesh::attempt_holding(hold_, plc_, input, options_, context_);
+      if (attempt.holds()) return told(std::move(attempt.result), hold_.run + 1);
+      remesh::tell_what_is_off(attempt, context_);
+      off_before_ += attempt.breaches.size() + attempt.crossings.size();
+      if (hold_.run + 1 >= first_run_that_keeps && !keep_more(attempt)) break;
+      remesh::tighten(hold_, attempt, options_.tolerance);
+    }
+    return keep_all(input);
+  }
+
+ private:
+  RefineResult told(RefineResult result, std::size_t runs) const {
+    result.statistics.runs = runs;
+    result.statistics.off_before = off_before_;
+    result.kept = kept_;
+    return result;
+  }
+
+  bool keep_more(const remesh::Attempt& attempt) {
+    const std::vector<KeptPlace> more = remesh::keep_there(plc_, attempt, options_);
+    kept_.insert(kept_.end(), more.begin(), more.end());
+    return !more.empty();
+  }
+
+  RefineResult keep_all(const ConstrainedTetrahedralization& input) {
+    options_.honour = Honour::exact;
+    RefineResult result =
+        told(remesh::attempt_holding(remesh::Hold{}, plc_, input, options_, context_).result, hold_.run + 2);
+    result.all_kept = true;
+    return result;
+  }
+
+  const PiecewiseLinearComplex& plc_;
+  RefineOptions options_;
+  const RunContext& context_;
+  remesh::Hold hold_;
+  std::size_t off_before_ = 0;
+  std::vector<KeptPlace> kept_;
+};
+
+}  // namespace
 
 RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
                                 const RefineOptions& options, const RunContext& context) {
   check_options(plc, options);
   if (options.honour == Honour::exact)
     return remesh::attempt_holding({}, plc, std::move(input), options, context).result;
-  constexpr unsigned most_attempts = 6;
-  remesh::Hold hold;
-  std::size_t off_before = 0;
-  for (;;) {
-    remesh::Attempt attempt = remesh::attempt_holding(hold, plc, input, options, context);
-    attempt.result.statistics.runs = hold.run + 1;
-    attempt.result.statistics.off_before = off_before;
-    if (attempt.holds()) return std::move(attempt.result);
-    if (hold.run + 1 == most_attempts) remesh::refuse_tolerance(attempt);
-    remesh::tighten(hold, attempt, options.tolerance);
-    off_before += attempt.breaches.size() + attempt.crossings.size();
-    remesh::tell_what_is_off(attempt, context);
-  }
+  return HoldingRuns(plc, options, context).run(input);
 }
 
 }  // namespace geomesh

@@ -127,7 +127,12 @@ class Improver {
   void thin_out() {
     const double floor = std::max(shape_of_angle(rescue_angle), first_percentile());
     for (unsigned k = 0; k < thinning_passes && !out_of_time(); ++k)
-      if (thin_out_inside(tools_, floor, context_) == 0) break;
+      if (thin_out_inside(tools_, floor, context_) + thin_out_surfaces(floor) == 0) break;
+  }
+
+  /// Where surfaces may be remeshed, edges on them too.
+  std::size_t thin_out_surfaces(double floor) {
+    return tools_.guard.exact() ? 0 : remesh::thin_out_surfaces(tools_, floor, context_);
   }
 
   RescueRule rescue_rule() const { return {shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps}; }

@@ -18,6 +18,8 @@ std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunCont
 /// Collapses edges at inner vertices that are shorter than half of their size where the worst shape does not fall below
 /// the lesser of what it was and `floor`: points that turn out not to be needed. O(n log n).
 std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context);
+/// The same of edges between vertices on surfaces that are shorter than two fifths of their size, within the tolerance.
+std::size_t thin_out_surfaces(Toolbox& tools, double floor, const RunContext& context);
 
 /// Splits edges of curves (or else of surfaces) longer than 1.4 times their size, longest first. Throws
 /// Error{cannot_mesh} beyond max_cells, as the other passes that add points do.

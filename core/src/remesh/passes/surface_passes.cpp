@@ -169,4 +169,9 @@ std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& cont
   return collapse_edges(tools, short_edges(tools, true, out_of_size), CollapseRule::thin_out, floor, context);
 }
 
+std::size_t thin_out_surfaces(Toolbox& tools, double floor, const RunContext& context) {
+  constexpr double out_of_size = 0.4;  // a third is promised, and what is beside it takes its share
+  return collapse_edges(tools, short_edges(tools, false, out_of_size), CollapseRule::thin_out, floor, context);
+}
+
 }  // namespace geomesh::remesh

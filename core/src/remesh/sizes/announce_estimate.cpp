@@ -26,8 +26,7 @@ void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& me
   if (!(options.size.global > 0) || !options.size.from_input_edges || !sizes_surfaces(options) || estimate < many)
     return;
   options.size.from_input_edges = false;
-  const double without =
-      estimate_elements(mesh, build_size_field(plc, mesh, options, size_tolerance(options)).all, options);
+  const double without = estimate_elements(mesh, build_size_field(plc, mesh, options).all, options);
   if (estimate < most * without) return;
   result.warnings.push_back(
       "short edges of the input ask for most of the " + in_words(estimate) +

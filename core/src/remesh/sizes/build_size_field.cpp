@@ -7,6 +7,8 @@
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/domain/merge_pieces.hpp"
+#include "remesh/sizes/gap_width.hpp"
+#include "remesh/sizes/size_sources.hpp"
 #include "remesh/sizes/sizes.hpp"
 
 namespace geomesh::remesh {
@@ -25,7 +27,7 @@ std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const Domain
 class SizeFieldBuilder {
  public:
   SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
-                   double tolerance)
+                   const LocalTolerance& tolerance)
       : tolerance_(tolerance),
         by_longest_edges_(options.honour == Honour::exact && !options.size_surfaces),
         mesh_(mesh),
@@ -43,7 +45,7 @@ class SizeFieldBuilder {
       if (at_vertex_[v] < infinity) sources_.push_back({mesh_.point(v), at_vertex_[v], 0});
     SizeFields fields;
     fields.without_gaps = SizeField(sources_, limits());
-    if (options_.gap_layers > 0) add_gaps();
+    if (asks_for_gaps()) add_gaps();
     fields.all = SizeField(std::move(sources_), limits());
     return fields;
   }
@@ -82,19 +84,6 @@ class SizeFieldBuilder {
     }
   }
 
-  template <class Visit>
-  void for_each_face(Visit visit) const {
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      for (unsigned i = 0; i < 4; ++i) {
-        const FaceTag t = mesh_.tag(c, i);
-        if (!mesh_.is_live(c) || !t.constrained() || t.facet() == hull_facet ||
-            (!t.above() && mesh_.has_neighbor(c, i)))
-          continue;
-        const Tetrahedron& v = mesh_.vertices(c);
-        visit(c, i, Triangle{v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]}, t.facet());
-      }
-  }
-
   /// At each vertex on a surface or curve the harmonic mean of the lengths of the constrained edges there: in an even
   /// triangulation their mean; near a few short edges among long ones a few times the short ones, which is what
   /// elements of good shape need there. Edges between pieces of one input triangle are nobody's wish.
@@ -104,7 +93,7 @@ class SizeFieldBuilder {
       Index facet;
     };
     std::vector<Use> uses;
-    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
+    for_each_face_of_facet(mesh_, [&](CellIndex, unsigned, const Triangle& t, Index facet) {
       for (unsigned k = 0; k < 3; ++k)
         uses.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), merged_[facet]});
     });
@@ -142,38 +131,19 @@ class SizeFieldBuilder {
 
   /// Sizes of patches hold over their faces, curvature at their edges.
   void visit_faces() {
-    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
+    for_each_face_of_facet(mesh_, [&](CellIndex, unsigned, const Triangle& t, Index facet) {
       const Index patch = facet < patch_.size() ? patch_[facet] : no_index;
       if (patch >= options_.patch_size.size() || !(options_.patch_size[patch].size > 0)) return;
-      add_triangle(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), options_.patch_size[patch]);
+      cover_triangle({mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])}, options_.patch_size[patch], sources_);
     });
-    if (options_.curvature_angle > 0 || tolerance_ > 0) add_curvature();
-  }
-
-  /// A large triangle of the input is covered with sources no farther apart than its size asks for (at most a few
-  /// thousand).
-  void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const AskedSize& asked) {
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    const int n = std::clamp(static_cast<int>(std::ceil(longest / (2 * asked.size))), 1, 100);
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j) {
-        const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
-        sources_.push_back({(1 - u - v) * a + u * b + v * c, asked.size, asked.radius + 0.75 * longest / n});
-      }
-  }
-
-  void add_piece(const Vec3& a, const Vec3& b, const AskedSize& asked) {
-    const double l = distance(a, b);
-    const int n = std::clamp(static_cast<int>(std::ceil(l / (2 * asked.size))), 1, 10000);
-    for (int i = 0; i <= n; ++i)
-      sources_.push_back({a + (static_cast<double>(i) / n) * (b - a), asked.size, asked.radius + 0.5 * l / n});
+    if (options_.curvature_angle > 0 || tolerance_.greatest() > 0) add_curvature();
   }
 
   void add_curve_sizes() {
     for (const auto& [a, b] : mesh_.curve_edges())
       for (const Index s : mesh_.curve_class(mesh_.curve_of(a, b)).segments)
         if (s < options_.segment_size.size() && options_.segment_size[s].size > 0)
-          add_piece(mesh_.point(a), mesh_.point(b), options_.segment_size[s]);
+          cover_piece(mesh_.point(a), mesh_.point(b), options_.segment_size[s], sources_);
   }
 
   /// Where the surface turns by an angle over the distance between two faces' centroids, the radius is distance /
@@ -185,7 +155,7 @@ class SizeFieldBuilder {
       Index patch;
     };
     std::vector<Half> halves;
-    for_each_face([&](CellIndex, unsigned, const Triangle& t, Index facet) {
+    for_each_face_of_facet(mesh_, [&](CellIndex, unsigned, const Triangle& t, Index facet) {
       const Vec3 &a = mesh_.point(t[0]), &b = mesh_.point(t[1]), &c = mesh_.point(t[2]), n = cross(b - a, c - a);
       const double l = length(n);
       if (!(l > 0)) return;
@@ -206,7 +176,10 @@ class SizeFieldBuilder {
       const double radius = distance(x.centroid, y.centroid) / turn;
       double size = infinity;
       if (options_.curvature_angle > 0) size = options_.curvature_angle * pi / 180 * radius;
-      if (tolerance_ > 0) size = std::min(size, std::max(std::sqrt(8 * radius * tolerance_), shortest_at(x.edge)));
+      if (tolerance_.greatest() > 0) {
+        const double chord = tolerance_.least_at(std::array{x.centroid, y.centroid});
+        size = std::min(size, std::max(std::sqrt(8 * radius * chord), shortest_at(x.edge)));
+      }
       for (const VertexIndex v : x.edge) ask(v, size);
     }
   }
@@ -217,67 +190,45 @@ class SizeFieldBuilder {
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
   }
 
-  /// Distance from the centroid of face i of c, along its normal into c, to the next constrained face that faces back;
-  /// infinite where that face stands at more than 60 degrees to this one or shares a vertex with it (a corner, not a
-  /// gap).
-  double gap_width(CellIndex c, unsigned i, const Triangle& t) const {
-    const Vec3 &a = mesh_.point(t[0]), &b = mesh_.point(t[1]), &d = mesh_.point(t[2]), n = cross(b - a, d - a);
-    const double l = length(n);
-    if (!(l > 0)) return infinity;
-    const Vec3 direction = (1 / l) * n,
-               origin = (1.0 / 3) * (a + b + d);  // seen from the cell, the normal points into it
-    unsigned entered = i;
-    for (unsigned step = 0; step < 500; ++step) {
-      const Tetrahedron& v = mesh_.vertices(c);
-      double leave_at = infinity;
-      unsigned leave = 4;
-      Vec3 leave_normal;
-      for (unsigned k = 0; k < 4; ++k) {
-        if (k == entered) continue;
-        const Vec3& p = mesh_.point(v[face_vertices[k][0]]);
-        const Vec3 m =
-            cross(mesh_.point(v[face_vertices[k][1]]) - p, mesh_.point(v[face_vertices[k][2]]) - p);  // inward
-        const double speed = -dot(m, direction);
-        if (!(speed > 0)) continue;
-        const double at = dot(m, origin - p) / speed;
-        if (at < leave_at) leave_at = at, leave = k, leave_normal = m;
-      }
-      if (leave == 4) return infinity;
-      if (mesh_.tag(c, leave).constrained()) {
-        for (const unsigned k : face_vertices[leave])
-          if (std::find(t.begin(), t.end(), v[k]) != t.end()) return infinity;
-        return -dot(leave_normal, direction) > 0.5 * length(leave_normal) ? std::max(leave_at, 0.0) : infinity;
-      }
-      const FaceRef next = mesh_.topology().neighbor(c, leave);
-      c = next.cell();
-      entered = next.face();
-    }
-    return infinity;
+  double layers_of(Index component) const {
+    return component < options_.component_layers.size() ? options_.component_layers[component] : 0;
+  }
+  bool asks_for_gaps() const { return options_.gap_layers > 0 || !options_.component_layers.empty(); }
+
+  /// Asked layers come whatever their thickness; others never below a share of what is asked otherwise.
+  double size_across(double width, Index component, double asked) const {
+    const double layers = layers_of(component);
+    if (layers > 0) return width / layers;
+    return options_.gap_layers > 0 ? std::max(width / options_.gap_layers, options_.gap_floor * asked) : infinity;
   }
 
   void add_gaps() {
     std::vector<SizeSource> found;
-    const SizeField others(sources_,
-                           {options_.global > 0 ? options_.global : infinity, 0, infinity, options_.gradation, {}, {}});
-    const auto visit = [&](CellIndex c, unsigned i, const Triangle& t) {
-      const double width = gap_width(c, i, t);
+    const double global = options_.global > 0 ? options_.global : infinity;
+    const SizeField others(sources_, {global, 0, infinity, options_.gradation, {}, {}});
+    const auto visit = [&](CellIndex c, unsigned i, const Vec3& place, double radius) {
+      const double width = gap_width(mesh_, c, i, place);
       if (!(width < infinity)) return;
-      const Vec3 centroid = (1.0 / 3) * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]));
-      const double asked = others.at(centroid),
-                   size = std::max(width / options_.gap_layers, options_.gap_floor * asked);
-      if (size < asked) found.push_back({centroid, size, 0});
+      const double asked = others.at(place), size = size_across(width, mesh_.component(c), asked);
+      if (size < asked) found.push_back({place, size, radius});
     };
     for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
       for (unsigned i = 0; i < 4; ++i) {
         if (!mesh_.is_live(c) || !mesh_.tag(c, i).constrained()) continue;
         const Tetrahedron& v = mesh_.vertices(c);
-        visit(c, i, {v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]});
+        const std::array<Vec3, 3> corners{mesh_.point(v[face_vertices[i][0]]), mesh_.point(v[face_vertices[i][1]]),
+                                          mesh_.point(v[face_vertices[i][2]])};
+        if (layers_of(mesh_.component(c)) > 0) {
+          visit_pieces(corners, global, [&](const Vec3& p, double radius) { visit(c, i, p, radius); });
+        } else {
+          visit(c, i, (1.0 / 3) * (corners[0] + corners[1] + corners[2]), 0);
+        }
       }
     sources_.insert(sources_.end(), found.begin(), found.end());
   }
 
-  double tolerance_;       // of surfaces; 0 where they are kept exactly
-  bool by_longest_edges_;  // not by means of edges
+  const LocalTolerance& tolerance_;  // of surfaces; 0 where they are kept exactly
+  bool by_longest_edges_;            // not by means of edges
   const DomainMesh& mesh_;
   const SizeOptions& options_;
   std::vector<Index> patch_;   // by facet
@@ -290,8 +241,12 @@ class SizeFieldBuilder {
 }  // namespace
 
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
-                            double tolerance) {
+                            const LocalTolerance& tolerance) {
   return SizeFieldBuilder(plc, mesh, options, tolerance).run();
+}
+
+SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {
+  return build_size_field(plc, mesh, options, allowed_tolerance(plc, mesh, options));
 }
 
 }  // namespace geomesh::remesh

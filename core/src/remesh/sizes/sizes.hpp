@@ -5,6 +5,7 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/operations.hpp"
+#include "remesh/sizes/tolerance_field.hpp"
 
 namespace geomesh::remesh {
 
@@ -14,11 +15,13 @@ struct SizeFields {
   SizeField all, without_gaps;
 };
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
-                            double tolerance);
+                            const LocalTolerance& tolerance);
+/// The same with the tolerance that the options ask for.
+SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
 /// Whether surfaces get points for sizes: where they may be remeshed they always do.
 inline bool sizes_surfaces(const RefineOptions& o) { return o.size_surfaces || o.honour == Honour::tolerance; }
-/// What build_size_field takes.
+/// The greatest; 0 where surfaces are kept.
 inline double size_tolerance(const RefineOptions& o) { return o.honour == Honour::tolerance ? o.tolerance : 0; }
 
 /// What the sizes come to, told before the work. Throws Error{cannot_mesh} beyond the limit.

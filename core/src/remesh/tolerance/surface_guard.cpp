@@ -113,12 +113,13 @@ void for_each_reference_sample(const search::Corners& t, double tolerance, Visit
 }  // namespace
 
 SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc,
-                           Honour honour, double tolerance, const Hold& hold)
+                           Honour honour, LocalTolerance tolerance, const Hold& hold)
     : honour_(honour),
-      tolerance_(hold.margin * tolerance),
+      tolerance_(hold.margin * tolerance.greatest()),
       zones_(hold.zones),
-      proving_(Proving{search::DistanceProver(proven_share * tolerance), {}, {}}),
-      reach_(tolerance) {
+      proving_(Proving{search::DistanceProver(proven_share * tolerance.greatest()), {}, {}}),
+      allowed_(std::move(tolerance)),
+      reach_(allowed_.greatest()) {
   if (exact()) {
     find_planes(mesh, plc);
     return;
@@ -134,7 +135,8 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
 }
 
 double SurfaceGuard::share_about(std::span<const Vec3> points) const {
-  double least = reach_;
+  double least = allowed_.least_at(points);
+  if (zones_.empty()) return least / reach_;
   Box3 box;
   for (const Vec3& p : points) box.add(p);
   zone_boxes_.for_each_in(box, 0, [&](const auto& item) {
@@ -288,7 +290,7 @@ bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vec
 }
 
 Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {
-  if (!exact()) return verify_surfaces(mesh, given_, reach_, threads);
+  if (!exact()) return verify_surfaces(mesh, given_, allowed_, threads);
   Deviations d;
   for (const auto& face : face_items(mesh)) {
     const Plane& plane = planes_[face.group];

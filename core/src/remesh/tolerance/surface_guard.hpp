@@ -23,6 +23,7 @@
 
 #include "geomesh/core/refine.hpp"
 #include "remesh/tolerance/cavity.hpp"
+#include "remesh/tolerance/local_tolerance.hpp"
 #include "remesh/tolerance/verify_surfaces.hpp"
 #include "search/proven_distance.hpp"
 
@@ -53,7 +54,7 @@ class SurfaceGuard {
   /// References are the faces of `given` and the curves of `mesh`, as they are now: the same surfaces, in `mesh`
   /// perhaps with more points and without the edges between coplanar pieces. Planes are those of the facets.
   SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
-               double tolerance, const Hold& hold = {});
+               LocalTolerance tolerance, const Hold& hold = {});
 
   bool exact() const { return honour_ == Honour::exact; }
 
@@ -118,7 +119,8 @@ class SurfaceGuard {
     std::vector<Index> rows;  // of nearby, in given_.faces
   };
   mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}, {}}};  // scratch
-  double reach_ = 0;            // the tolerance: what is farther away has no say
+  LocalTolerance allowed_;      // what is promised
+  double reach_ = 0;            // the greatest of it: what is farther away has no say
   std::vector<Plane> planes_;   // by patch in exact mode, else by facet
   std::vector<bool> oriented_;  // by patch: whether its faces in the reference are oriented alike
   SurfaceItems given_;

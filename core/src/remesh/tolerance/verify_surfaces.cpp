@@ -17,24 +17,39 @@ constexpr std::size_t chunk = 256;
 
 using Items = std::vector<search::ClosestPointTrees::Item>;
 
-/// Judges the items against those of their groups in the set. Returns the largest distance found.
-double judge(const Items& items, const search::ClosestPointTrees& set, std::span<const std::uint8_t> open_edges,
-             double tolerance, unsigned threads, Breach kind, std::vector<Breach>& breaches) {
+/// What is judged: the items, against those of their groups in the set.
+struct Judgement {
+  const Items& items;
+  const search::ClosestPointTrees& set;
+  std::span<const std::uint8_t> open_edges;
+  Breach kind;
+};
+
+double limit_of(const search::ClosestPointTrees::Item& item, const Breach& kind, const LocalTolerance& tolerance) {
+  return proven_share * (kind.of_input ? tolerance.most_on(item.corners) : tolerance.least_at(item.corners));
+}
+
+/// Returns the largest distance found.
+double judge(const Judgement& what, const LocalTolerance& tolerance, unsigned threads, std::vector<Breach>& breaches) {
+  const Items& items = what.items;
   std::vector<search::Cover> covers(items.size());
   for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
-    search::CoverProver prover(set, proven_share * tolerance, open_edges);
-    for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i)
+    search::CoverProver prover(what.set, proven_share * tolerance.greatest(), what.open_edges);
+    for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) {
+      prover.set_limit(limit_of(items[i], what.kind, tolerance));
       covers[i] = prover.judge(items[i].corners, items[i].group);
+    }
   });
   double largest = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     largest = std::max(largest, covers[i].farthest);
     if (covers[i].is_proven) continue;
-    kind.place = covers[i].place;
-    kind.distance = covers[i].farthest;
-    kind.group = items[i].group;
-    kind.facet = items[i].id;
-    breaches.push_back(kind);
+    Breach breach = what.kind;
+    breach.place = covers[i].place;
+    breach.distance = covers[i].farthest;
+    breach.group = items[i].group;
+    breach.facet = items[i].id;
+    breaches.push_back(breach);
   }
   return largest;
 }
@@ -63,18 +78,20 @@ SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_
   return items;
 }
 
-Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads) {
+Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
+                           unsigned threads) {
   Deviations found;
   const SurfaceItems result = surface_items(mesh, mesh);
   const Breach face_off{.on_curve = false, .of_input = false}, curve_off{.on_curve = true, .of_input = false};
   const Breach input_face_off{.on_curve = false, .of_input = true}, input_curve_off{.on_curve = true, .of_input = true};
   threads = thread_count(threads);
+  const auto largest = [&](const Judgement& what) { return judge(what, tolerance, threads, found.breaches); };
+  found.result_to_input = largest({result.faces.items(), input.faces, input.open_edges, face_off});
   found.result_to_input =
-      std::max(judge(result.faces.items(), input.faces, input.open_edges, tolerance, threads, face_off, found.breaches),
-               judge(result.curves.items(), input.curves, {}, tolerance, threads, curve_off, found.breaches));
-  found.input_to_result = std::max(
-      judge(input.faces.items(), result.faces, result.open_edges, tolerance, threads, input_face_off, found.breaches),
-      judge(input.curves.items(), result.curves, {}, tolerance, threads, input_curve_off, found.breaches));
+      std::max(found.result_to_input, largest({result.curves.items(), input.curves, {}, curve_off}));
+  found.input_to_result = largest({input.faces.items(), result.faces, result.open_edges, input_face_off});
+  found.input_to_result =
+      std::max(found.input_to_result, largest({input.curves.items(), result.curves, {}, input_curve_off}));
   return found;
 }
 

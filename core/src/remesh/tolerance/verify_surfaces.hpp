@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "remesh/domain/domain_mesh.hpp"
+#include "remesh/tolerance/local_tolerance.hpp"
 #include "search/closest_point.hpp"
 
 namespace geomesh::remesh {
@@ -58,8 +59,10 @@ struct Deviations {
 };
 
 /// Faces and curve edges of the mesh against those of the same patch or curve of the input, and the other way round.
-/// Near-linear where sizes of both are alike; on all threads given, with the same result.
-Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance, unsigned threads);
+/// Each of the result is held to the least that is allowed at its corners; each of the input to no less than what is
+/// allowed anywhere on it. Near-linear where sizes of both are alike; on all threads given, with the same result.
+Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
+                           unsigned threads);
 
 /// A place where surfaces are held more closely than by the tolerance.
 struct TightZone {

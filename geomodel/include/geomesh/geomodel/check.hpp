@@ -11,10 +11,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/geomodel/solver_verdict.hpp"
 
 namespace geomesh::geomodel {
 
@@ -23,6 +25,7 @@ struct CheckRequest {
   std::filesystem::path project;                ///< empty: none
   std::vector<std::filesystem::path> surfaces;  ///< each triangle must be covered by mesh faces
   bool delaunay = false;
+  bool solver = false;  ///< judge what solvers will make of it (solver_verdict.hpp); velocities are the project's
   /// How far rounding may have moved a mesh face off the input triangle that it stands for, in the mesh's unit.
   /// Negative: 1024 ulps of the largest coordinate (what lies nearer is brought together where crossings are rounded),
   /// and twice the project's `tolerance`; 8 ulps for coordinates in single precision.
@@ -52,6 +55,7 @@ struct CheckResult {
     double volume;
   };
   std::vector<RegionVolume> regions;
+  std::optional<SolverVerdict> solver;   ///< where it was asked for
   std::vector<std::string> checks_done;  ///< what was checked, in words; and what was not, and why
   std::vector<CheckFault> faults;        ///< empty: the mesh passes
 };

@@ -43,4 +43,7 @@ struct ModelVolume {
 /// Error{usage}: a polygon that crosses itself, no height between bottom and top, or no data to lay a margin about.
 ModelVolume make_volume(const VolumeSpec& spec, const std::vector<TriangulatedSurface>& surfaces, const Vec3& origin);
 
+/// Of all their points.
+Box3 bounds_of(const std::vector<TriangulatedSurface>& surfaces);
+
 }  // namespace geomesh::geomodel

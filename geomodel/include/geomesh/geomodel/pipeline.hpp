@@ -34,6 +34,7 @@ const std::vector<std::string>& stage_names();
 
 struct ProjectRequest {
   Project project;
+  bool preview = false;  ///< a coarse mesh in seconds, whatever the project asks of its mesh (preview_settings)
   std::optional<std::filesystem::path> directory;  ///< wins over the project's output.directory
   std::optional<std::filesystem::path> report;     ///< a further copy of the report
   std::string stop_after;                          ///< empty: run to the end

@@ -26,6 +26,13 @@ struct NamedSizes {
   /// By curve, by well, or by kind: `wells`, `intersections`, `borders`, `fault_tips`.
   std::map<std::string, AskedSize> curves;
   std::vector<PlaceSize> near;
+  std::map<std::string, double> layers;  ///< by unit, body or region: elements across it, however thin it is
+  double frequency = 0;  ///< Hz: units ask for a share of the wavelength of their slower wave (attributes vs, vp)
+  double points_per_wavelength = 5;
+  struct DepthSize {
+    double depth, size;
+  };
+  std::vector<DepthSize> by_depth;  ///< depth below z = 0, rising; linear between
   /// Sizes at points, read into base.background before meshing (docs/meshing.md says which files); empty: none.
   std::filesystem::path background;
 };
@@ -35,12 +42,37 @@ struct RefinementSettings {
   NamedSizes size;
   QualityLevel quality = QualityLevel::standard;
   Honour honour = Honour::exact;
-  double tolerance = 0;
+  double tolerance = 0;  ///< Honour::tolerance: a length
+  /// Honour::tolerance: how far surfaces may be off follows the size asked at the place, of which it is this share;
+  /// `tolerance` is then set by settle_sizes. 0: `tolerance` everywhere.
+  double tolerance_share = 0;
+  bool derive_size = false;       ///< nobody asks for a size of the whole model: settle_sizes derives one
+  double derived_elements = 1e5;  ///< for about so many elements
+  double target_elements = 0;     ///< all sizes are scaled so that about so many elements come out; 0: none
   bool sizes_on_surfaces = true;  ///< false: surfaces get no points for sizes (RefineOptions::size_surfaces)
   std::size_t max_elements = 50'000'000;
   double time_budget = 0;
   std::vector<std::string> cell_arrays;  ///< of known_cell_arrays(), written with the mesh whether it is refined or not
 };
+
+/// Where neither is said: a fortieth of the size.
+inline constexpr double default_tolerance_share = 1.0 / 40;
+
+/// Values by unit or region: attribute: value.
+using UnitAttributes = std::map<std::string, std::map<std::string, double>>;
+
+/// An edge length that comes to about so many elements in a volume of these bounds, with two digits.
+double derived_size(const Box3& bounds, double elements = 1e5);
+/// By frequency and points per wavelength: of the slower of the waves whose velocities the attributes tell (vs where it
+/// is above 0, else vp); 0 where they tell none.
+double wavelength_size(const NamedSizes& sizes, const std::map<std::string, double>& attributes);
+/// Sets what depends on the model: the size of the whole model where it is to be derived or follows from a frequency,
+/// sizes by depth as part of the background, and the largest distance of surfaces from the input where it follows the
+/// sizes. `origin` was subtracted from the model's coordinates. Throws Error{usage} where a frequency has no velocity.
+void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
+                  const Vec3& origin);
+/// A coarse mesh in seconds: about 10,000 elements of one size, nothing else asked for.
+RefinementSettings preview_settings();
 
 /// size, min_dihedral, max_dihedral, radius_ratio, mean_ratio, aspect.
 const std::vector<std::string>& known_cell_arrays();

@@ -10,11 +10,13 @@
 
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine.hpp"
+#include "geomesh/core/short_edges.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/core/voronoi_dual.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/solver_verdict.hpp"
 #include "geomesh/geomodel/stack.hpp"
 
 namespace geomesh::geomodel {
@@ -32,6 +34,7 @@ struct QualityReport {
   MeshQuality measured;             ///< parted by region: row is region id - 1
   std::vector<std::string> causes;  ///< per row of measured.worst
   bool has_sizes = false;           ///< edge lengths were held against the asked sizes
+  ShortEdges short_edges{};         ///< below a third of the asked size; of none where there are no sizes
 };
 /// "input angle of 3 degrees between fault F2 and horizon H1".
 std::string cause_in_words(const WorstElement& worst, bool refined, const PolygonSoup& soup, const ModelPlc& plc,
@@ -51,6 +54,7 @@ struct Report {
       surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
+  std::optional<SolverVerdict> solver;
   std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
   std::vector<std::string> notes;           ///< what was found before meshing and what rules changed, with areas
   std::vector<std::string> warnings;

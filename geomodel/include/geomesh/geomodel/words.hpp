@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Words that a user may have meant.
+/// Words that a user may have meant, and numbers as words.
 #pragma once
 
 #include <filesystem>
@@ -21,5 +21,8 @@ std::string listed(const std::vector<std::string_view>& words);
 std::string was_meant(std::string_view word, const std::vector<std::string_view>& known);
 /// The same for a file that is not there, of the names in its folder.
 std::string file_was_meant(const std::filesystem::path& file);
+
+/// Four significant digits: no figure is rounded to zero.
+std::string short_words(double x);
 
 }  // namespace geomesh::geomodel

@@ -125,7 +125,9 @@ Claim claim_of_project(const std::filesystem::path& file) {
     claim.trims.back().n_given_triangles = (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
   claim.merging = project.tolerance;
-  const RefinementSettings& refinement = project.mesh.refinement;
+  RefinementSettings refinement = project.mesh.refinement;
+  settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
+               Vec3{});
   claim.refined = refinement.refine;
   if (refinement.refine && refinement.honour == Honour::tolerance)
     claim.within = refinement.tolerance;  // not together with crs.z_scale

@@ -11,8 +11,16 @@ const std::vector<std::string>& stage_names() {
   return names;
 }
 
+/// The same model, meshed coarsely.
+static Project preview_of(Project project) {
+  project.mesh.refinement = preview_settings();
+  project.mesh.options.recover.mode = MeshMode::constrained;
+  project.mesh.options.recover.preserve_boundary = false;
+  return project;
+}
+
 JobResult run_project(const ProjectRequest& request, const RunContext& context) {
-  const Project& project = request.project;
+  const Project project = request.preview ? preview_of(request.project) : request.project;
   StageRecorder recorder(context, request.stop_after);
   PreparedModel model;
   model.command = "project";

@@ -3,6 +3,7 @@
 
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/geomodel/ask_stack.hpp"
+#include "geomesh/geomodel/words.hpp"
 #include "grid_sizes/size_grid.hpp"
 #include "pipeline/jobs/prepare.hpp"
 
@@ -52,6 +53,20 @@ void scale_z(PreparedModel& model, std::vector<Polyline>& wells) {
   }
 }
 
+/// What was not asked for and yet steers the mesh.
+void tell_sizes(PreparedModel& model, const RunContext& context) {
+  const RefinementSettings& r = model.refinement;
+  if (r.derive_size)
+    note(model.notes, context,
+         "edges of about " + short_words(r.size.base.global) + " " + model.unit +
+             ": nothing asks for a size (mesh: {size: L}), so the model's volume does, for about " +
+             short_words(r.derived_elements) + " elements");
+  if (r.tolerance_share > 0)
+    note(model.notes, context,
+         "surfaces may be off the input by a fortieth of the size asked at the place, here " +
+             short_words(r.tolerance) + " " + model.unit + " at most, and by half of the gap to the next at most");
+}
+
 std::string describe_input(const Project& project, const PreparedModel& model) {
   nlohmann::ordered_json input;
   input["project"] = project.file.filename().string();
@@ -72,7 +87,11 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
   if (!project.column.empty()) input["column"] = project.column;
   input["mesh"] = {{"mode", project.mesh.options.recover.mode == MeshMode::conforming ? "conforming" : "constrained"},
                    {"refine", project.mesh.refinement.refine ? "default" : "none"},
+                   {"honour", project.mesh.refinement.honour == Honour::exact ? "exact" : "tolerance"},
                    {"preserve_boundary", project.mesh.options.recover.preserve_boundary}};
+  const RefinementSettings& refinement = model.refinement;
+  if (refinement.refine && refinement.size.base.global > 0) input["mesh"]["size"] = refinement.size.base.global;
+  if (refinement.honour == Honour::tolerance) input["mesh"]["tolerance"] = refinement.tolerance;
   input["output"] = {{"formats", project.output.formats},
                      {"origin", {project.output.origin.x, project.output.origin.y, project.output.origin.z}}};
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -107,6 +126,9 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
     if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
     model.rules.box = model.volume.bounds;
   }
+  settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
+               model.naming.attributes, model.origin);
+  tell_sizes(model, context);
   ask_stack(model.rules, model.refinement, model.volume);
   model.input_json = describe_input(project, model);
   build(model, context);

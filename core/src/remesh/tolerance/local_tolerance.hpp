@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// How far surfaces may be from the input, by place: a length everywhere, or a share of the size asked there.
+#pragma once
+
+#include <span>
+
+#include "geomesh/core/size_field.hpp"
+
+namespace geomesh::remesh {
+
+class LocalTolerance {
+ public:
+  LocalTolerance() = default;
+  /// The same everywhere.
+  explicit LocalTolerance(double everywhere) : greatest_(everywhere) {}
+  /// `by_place` holds tolerances, nowhere more than `greatest`.
+  LocalTolerance(double greatest, SizeField by_place)
+      : greatest_(greatest), by_place_(std::move(by_place)), varies_(true) {}
+
+  /// Nowhere is more allowed.
+  double greatest() const { return greatest_; }
+  /// The least at these points.
+  double least_at(std::span<const Vec3> points) const;
+  /// No less than what is allowed at any point of the triangle (a line piece: its last two corners are equal).
+  double most_on(const std::array<Vec3, 3>& corners) const;
+
+ private:
+  double greatest_ = 0;
+  SizeField by_place_;
+  bool varies_ = false;
+};
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Declared in geomesh/geomodel/refinement.hpp: what of the settings depends on the model.
+#include <algorithm>
+#include <cmath>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/refinement.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// As estimate_elements counts them: regular tetrahedra of unit edges take 1 / 8.5 each, and a mesh of even sizes has a
+/// third more.
+constexpr double elements_per_volume = 11.2;
+
+double two_digits(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return unit >= 1 ? std::round(x / unit) * unit : std::round(x / unit) / std::round(1 / unit);
+}
+
+double size_at_depth(const std::vector<NamedSizes::DepthSize>& table, double depth) {
+  const auto below = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.depth > depth; });
+  if (below == table.begin()) return table.front().size;
+  if (below == table.end()) return table.back().size;
+  const auto above = below - 1;
+  const double share = (depth - above->depth) / (below->depth - above->depth);
+  return (1 - share) * above->size + share * below->size;
+}
+
+/// The smaller of what depth and a file ask for.
+void add_depths(NamedSizes& sizes, const Vec3& origin) {
+  if (sizes.by_depth.empty()) return;
+  sizes.base.background = [table = sizes.by_depth, file = sizes.base.background, zero = origin.z](const Vec3& p) {
+    const double by_depth = size_at_depth(table, -(p.z + zero)), by_file = file ? file(p) : 0;
+    return by_file > 0 ? std::min(by_file, by_depth) : by_depth;
+  };
+}
+
+/// No unit asks for more.
+double greatest_wavelength_size(const NamedSizes& sizes, const UnitAttributes& attributes) {
+  double greatest = 0;
+  for (const auto& [unit, values] : attributes) greatest = std::max(greatest, wavelength_size(sizes, values));
+  if (!(greatest > 0))
+    throw Error(ErrorKind::usage,
+                "mesh.size.frequency: no unit has a velocity; give each one in 'attributes', as chalk: {vp: 3000}");
+  return greatest;
+}
+
+}  // namespace
+
+double derived_size(const Box3& bounds, double elements) {
+  const Vec3 extent = bounds.max - bounds.min;
+  const double volume = extent.x * extent.y * extent.z;
+  return volume > 0 ? two_digits(std::cbrt(elements_per_volume * volume / elements)) : 0;
+}
+
+double wavelength_size(const NamedSizes& sizes, const std::map<std::string, double>& attributes) {
+  const auto value = [&](const char* name) {
+    const auto at = attributes.find(name);
+    return at == attributes.end() ? 0.0 : at->second;
+  };
+  const double velocity = value("vs") > 0 ? value("vs") : value("vp");
+  return velocity / (sizes.frequency * sizes.points_per_wavelength);
+}
+
+void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
+                  const Vec3& origin) {
+  SizeOptions& size = settings.size.base;
+  if (settings.size.frequency > 0) {
+    const double by_waves = greatest_wavelength_size(settings.size, attributes);
+    size.global = size.global > 0 ? std::min(size.global, by_waves) : by_waves;
+  } else if (settings.derive_size) {
+    if (settings.target_elements > 0) settings.derived_elements = settings.target_elements;
+    size.global = derived_size(bounds, settings.derived_elements);
+  }
+  add_depths(settings.size, origin);
+  if (!(settings.tolerance_share > 0)) return;
+  double greatest = size.global > 0 ? size.global : derived_size(bounds, settings.derived_elements);
+  if (size.max_size > 0) greatest = std::min(greatest, size.max_size);
+  settings.tolerance = settings.tolerance_share * greatest;
+}
+
+RefinementSettings preview_settings() {
+  RefinementSettings preview;
+  preview.refine = preview.derive_size = true;
+  preview.derived_elements = 1e4;
+  preview.honour = Honour::tolerance;
+  preview.tolerance_share = default_tolerance_share;
+  preview.quality = QualityLevel::fast;
+  preview.size.base.from_input_edges = false;
+  preview.size.base.gap_layers = 0;
+  return preview;
+}
+
+}  // namespace geomesh::geomodel

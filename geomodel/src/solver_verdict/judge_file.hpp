@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `geomesh check --solver`: the verdict on a mesh as it stands in a file.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "check/read/mesh_files.hpp"
+#include "geomesh/geomodel/check.hpp"
+
+namespace geomesh::geomodel {
+
+/// Velocities by unit or region.
+using Velocities = std::map<std::string, double>;
+
+/// Sets result.solver; a fault `unfit_for_solvers` where the mesh does not pass.
+void check_for_solvers(const checking::MeshFile& file, const Velocities& velocities, CheckResult& result);
+
+}  // namespace geomesh::geomodel

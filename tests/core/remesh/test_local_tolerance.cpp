@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// A tolerance that follows the sizes: what is allowed where, and that the result keeps it there.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "geomesh/core/short_edges.hpp"
+#include "refine_models.hpp"
+#include "remesh/domain/domain_io.hpp"
+#include "remesh/driver/keep_there.hpp"
+#include "remesh/sizes/tolerance_field.hpp"
+
+using namespace geomesh;
+using namespace geomesh::remesh;
+using namespace refine_models;
+
+namespace {
+
+RefineOptions following(double size) {
+  RefineOptions o;
+  o.honour = Honour::tolerance;
+  o.tolerance_share = 1.0 / 40;
+  o.tolerance = size / 40;
+  o.size.from_input_edges = false;
+  o.size.global = size;
+  o.size.gap_layers = 0;
+  return o;
+}
+
+/// The unit cube in three regions along x, the one in the middle a quarter or `thickness` wide, from x = 1/4 on.
+Model box_with_layer(double thickness = 0.25) {
+  const auto squeeze = [=](const Vec3& p) {
+    const double end = 0.25 + thickness;
+    const double x = p.x <= 0.25  ? p.x
+                     : p.x <= 0.5 ? 0.25 + thickness * (p.x - 0.25) / 0.25
+                                  : end + (1 - end) * (p.x - 0.5) / 0.5;
+    return Vec3{x, p.y, p.z};
+  };
+  return GridModel(
+             4, {1, 1, 1}, [](const Vec3& p) { return p.x < 0.25  ? 0u
+                                                      : p.x < 0.5 ? 1u
+                                                                  : 2u; },
+             [](const Vec3& p) { return side_of_cube(p, p.x < 0.3 ? 6 : 7); }, squeeze)
+      .model();
+}
+
+double allowed_at(const LocalTolerance& tolerance, const Vec3& p) { return tolerance.least_at({&p, 1}); }
+
+}  // namespace
+
+TEST_CASE("A tolerance is a share of the size that is asked at the place", "[remesh][tolerance]") {
+  const Model model = box_with_layer();
+  RefineOptions options = following(0.4);
+  options.size.sources = {{{0, 0, 0}, 0.04, 0.1, 0}};
+  const LocalTolerance tolerance = allowed_tolerance(model.plc, import_domain(model.plc, model.mesh, options), options);
+  CHECK(tolerance.greatest() == Approx(0.01));
+  CHECK(allowed_at(tolerance, {0, 0, 0}) == Approx(0.001));
+  CHECK(allowed_at(tolerance, {0.2, 0, 0}) == Approx(0.001 + 0.1 * 0.3 / 40));
+  CHECK(tolerance.most_on({Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) <= tolerance.greatest());
+}
+
+TEST_CASE("A tolerance is at most half of the gap to the surface that is faced", "[remesh][tolerance]") {
+  const double gap = 0.004;
+  const Model model = box_with_layer(gap);
+  const RefineOptions options = following(0.4);
+  const LocalTolerance tolerance = allowed_tolerance(model.plc, import_domain(model.plc, model.mesh, options), options);
+  CHECK(allowed_at(tolerance, {0.25, 0.5, 0.5}) <= 0.5 * gap * (1 + 1e-9));
+  CHECK(allowed_at(tolerance, {0.25, 0.5, 0.5}) >= 0.4 * gap);
+}
+
+TEST_CASE("Without a share the tolerance is the same everywhere", "[remesh][tolerance]") {
+  const Model model = box_with_layer(0.004);
+  RefineOptions options = following(0.4);
+  options.tolerance_share = 0;
+  const LocalTolerance tolerance = allowed_tolerance(model.plc, import_domain(model.plc, model.mesh, options), options);
+  CHECK(allowed_at(tolerance, {0.25, 0.5, 0.5}) == 0.01);
+}
+
+TEST_CASE("Facets about a place that does not hold become patches of their own", "[remesh][tolerance]") {
+  const Model model = box_with_layer();
+  RefineOptions options = following(0.4);
+  options.facet_patch = named_patches(model.plc, options);
+  Attempt attempt;
+  attempt.breaches.push_back({.place = {0.5, 0.5, 1}, .distance = 1});
+  const std::vector<Index> before = options.facet_patch;
+  const std::vector<KeptPlace> kept = keep_there(model.plc, attempt, options);
+  for (const KeptPlace& k : kept) {
+    CHECK(options.facet_patch[k.facet] != before[k.facet]);
+    CHECK(std::count(options.facet_patch.begin(), options.facet_patch.end(), options.facet_patch[k.facet]) == 1);
+  }
+  CHECK(keep_there(model.plc, attempt, options).size() <= kept.size());
+}
+
+TEST_CASE("A model refined within a tolerance that follows the sizes has no short edge that nothing forces",
+          "[remesh][tolerance][quality]") {
+  const Model model = ball_in_box(6);
+  const RefineOptions options = following(0.5);
+  const RefineResult r = refine_and_improve(model.plc, model.mesh, options);
+  require_valid(r.mesh);
+  CHECK(r.statistics.deviation_result_to_input <= options.tolerance);
+  CHECK(r.kept.empty());
+  CHECK_FALSE(r.all_kept);
+  QualityOptions judging;
+  judging.size = &r.size_field;
+  judging.asked = &r.asked;
+  judging.tolerance = options.tolerance;
+  judging.gaps_stay = true;
+  judging.facet_patch = r.kept_patch;
+  const ShortEdges edges = find_short_edges(model.plc, r.mesh, judging);
+  CHECK(edges.n == edges.n_forced);
+}
+
+TEST_CASE("An edge is short by the size that is asked, and nothing forces those of a plain box", "[quality]") {
+  const Model model = box_with_layer();
+  const SizeField size({}, {2.0, 0, 10, 0.3, {}, {}});
+  QualityOptions judging;
+  judging.size = &size;
+  const ShortEdges edges = find_short_edges(model.plc, model.mesh, judging);
+  CHECK(edges.n > 100);  // edges of a quarter where two are asked
+  CHECK(edges.n_forced < edges.n);
+  CHECK(edges.worst.size() == 20);
+  CHECK(edges.worst.front().cause == EdgeCause::free);
+  CHECK(edges.worst.front().size == 2);
+  const SizeField fine({}, {0.3, 0, 10, 0.3, {}, {}});
+  judging.size = &fine;
+  CHECK(find_short_edges(model.plc, model.mesh, judging).n == 0);
+}
