@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/init.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -64,6 +65,21 @@ int run_command(const CheckCommand& command, const RunContext&, Verbosity verbos
   write_report(command.report, geomodel::to_json(result));
   if (verbosity != Verbosity::quiet || !result.faults.empty()) std::cout << geomodel::to_text(result);
   return result.faults.empty() ? 0 : status_faults_found;
+}
+
+int run_command(const ConvertCommand& command, const RunContext&, Verbosity verbosity) {
+  const std::filesystem::path stem = command.output.parent_path() / command.output.stem();
+  const geomodel::ModelMesh mesh = geomodel::read_model_mesh(command.mesh);
+  const SignalsHeldBack held;
+  if (!stem.parent_path().empty()) std::filesystem::create_directories(stem.parent_path());
+  geomodel::JobResult result;
+  result.files = geomodel::write_format(mesh, command.format, stem, command.options);
+  result.summary.push_back(std::to_string(mesh.tetrahedra.size()) + " tetrahedra, " +
+                           std::to_string(mesh.regions.size()) + " regions, " + std::to_string(mesh.surfaces.size()) +
+                           " surfaces, " + std::to_string(mesh.curves.size() + mesh.marked_points.size()) +
+                           " curves and points, " + std::to_string(mesh.node_sets.size()) + " other node sets");
+  print_result(result, verbosity);
+  return 0;
 }
 
 int run_command(const InfoCommand& command, const RunContext&, Verbosity) {

@@ -8,8 +8,9 @@
 #include <functional>
 #include <map>
 
+#include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "geomesh/geomodel/writers.hpp"
+#include "output_flags.hpp"
 #include "refinement_flags.hpp"
 
 namespace geomesh::app {
@@ -21,6 +22,7 @@ const char* const overview = R"(geomesh: tetrahedral meshes of earth models, fro
   geomesh mesh INPUT... -o OUT       mesh surface or PLC files, no project
   geomesh delaunay POINTS -o OUT     Delaunay tetrahedralization of points
   geomesh check MESH                 exact verification of a mesh, of any tool's
+  geomesh convert MESH -o OUT        a mesh in another format, of any tool's; sets are kept
   geomesh info FILE                  what a file holds, and what is wrong with it
   geomesh init DIR                   a commented project that runs as it is
   geomesh picture MESH -o NAME.png   a picture of a mesh, or of a project's
@@ -87,13 +89,6 @@ std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
-}
-
-void check_output_extension(const std::filesystem::path& output) {
-  const auto& known = geomodel::known_formats();
-  const std::string extension = output.extension().string();
-  if (extension.empty() || std::find(known.begin(), known.end(), extension.substr(1)) == known.end())
-    usage_error("-o " + output.string() + ": unknown extension; known are " + joined(known));
 }
 
 void check_file_exists(const std::filesystem::path& file) {
@@ -206,7 +201,7 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
     return line;
   }
   check_stage(stop_after);
-  check_output_extension(output);
+  geomodel::format_name_of(output);  // refuses an unknown extension
   for (const std::string& input : inputs) {
     check_file_exists(input);
     request.inputs.emplace_back(input);
@@ -251,7 +246,7 @@ CommandLine parse_delaunay(int argc, const char* const* argv) {
     return line;
   }
   check_file_exists(points);
-  check_output_extension(output);
+  geomodel::format_name_of(output);  // refuses an unknown extension
   geomodel::DelaunayRequest request;
   request.points = points;
   request.output = output;
@@ -272,7 +267,7 @@ CommandLine parse_check(int argc, const char* const* argv) {
   std::string mesh, project, help;
   std::vector<std::string> surfaces;
   CheckCommand command;
-  app.add_option("MESH", mesh, "The mesh (.vtu)")->required();
+  app.add_option("MESH", mesh, "The mesh: .vtu, .vtk, .msh, .inp, .e, .med, .mesh")->required();
   auto* p = app.add_option("--project", project, "Check against this project's box and surfaces")->type_name("P");
   app.add_option("--surfaces", surfaces, "Check that these surfaces are covered by mesh faces")
       ->type_name("FILE...")
@@ -307,6 +302,26 @@ CommandLine parse_check(int argc, const char* const* argv) {
   command.report = common.report_file();
   common.apply(line);
   line.command = command;
+  return line;
+}
+
+CommandLine parse_convert(int argc, const char* const* argv) {
+  CLI::App app("Write a mesh in another format; regions, surfaces, curves and node sets are kept.", "geomesh convert");
+  Common common;
+  OutputFlags flags;
+  std::string mesh, output, help;
+  app.add_option("MESH", mesh, "The mesh: .vtu, .msh, .inp, .e, .med, .mesh")->required();
+  app.add_option("-o", output, "Output; its extension says the format")->required()->type_name("OUT");
+  flags.add_to(app);
+  common.add_to(app);
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  check_file_exists(mesh);
+  common.apply(line);
+  line.command = ConvertCommand{mesh, output, flags.format_of(output), flags.options()};
   return line;
 }
 
@@ -386,8 +401,9 @@ void check_is_no_misspelt_command(const std::string& word, const Commands& comma
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  static const Commands commands{{"mesh", parse_mesh}, {"delaunay", parse_delaunay}, {"check", parse_check},
-                                 {"info", parse_info}, {"init", parse_init},         {"picture", parse_picture}};
+  static const Commands commands{{"mesh", parse_mesh},       {"delaunay", parse_delaunay}, {"check", parse_check},
+                                 {"convert", parse_convert}, {"info", parse_info},         {"init", parse_init},
+                                 {"picture", parse_picture}};
   CommandLine line;
   if (argc < 2) usage_error(std::string("what should be meshed?\n\n") + overview);
   const std::string first = argv[1];

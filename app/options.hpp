@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/pipeline.hpp"
+#include "geomesh/geomodel/write_options.hpp"
 #include "progress.hpp"
 
 namespace geomesh::app {
@@ -32,6 +33,11 @@ struct CheckCommand {
   double displacement = -1;  ///< by rounding; negative: what the checker computes
   std::optional<std::filesystem::path> report;
 };
+struct ConvertCommand {
+  std::filesystem::path mesh, output;
+  std::string format;
+  geomodel::WriteOptions options;
+};
 struct InfoCommand {
   std::filesystem::path file;
   std::optional<std::filesystem::path> report;
@@ -48,8 +54,8 @@ struct PictureCommand {
 };
 
 struct CommandLine {
-  std::variant<Help, ProjectCommand, geomodel::MeshRequest, geomodel::DelaunayRequest, CheckCommand, InfoCommand,
-               InitCommand, PictureCommand>
+  std::variant<Help, ProjectCommand, geomodel::MeshRequest, geomodel::DelaunayRequest, CheckCommand, ConvertCommand,
+               InfoCommand, InitCommand, PictureCommand>
       command;
   unsigned threads = 0;
   Verbosity verbosity = Verbosity::normal;

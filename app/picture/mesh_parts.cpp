@@ -8,7 +8,6 @@
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkPlane.h>
-#include <vtkStringArray.h>
 #include <vtkTableBasedClipDataSet.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -24,12 +23,16 @@
 namespace geomesh::picture {
 namespace {
 
-std::map<int, std::string> names_in(vtkFieldData* field, const char* ids, const char* names) {
+/// Names by id: the field array `region:chalk` holds the id of the region chalk.
+std::map<int, std::string> names_in(vtkFieldData* field, const std::string& prefix) {
   std::map<int, std::string> by_id;
-  auto* const numbers = field->GetArray(ids);
-  auto* const words = vtkStringArray::SafeDownCast(field->GetAbstractArray(names));
-  for (vtkIdType i = 0; numbers && words && i < numbers->GetNumberOfTuples() && i < words->GetNumberOfValues(); ++i)
-    by_id[static_cast<int>(numbers->GetTuple1(i))] = words->GetValue(i);
+  for (int i = 0; i < field->GetNumberOfArrays(); ++i) {
+    const char* const name = field->GetArrayName(i);
+    auto* const ids = field->GetArray(i);
+    if (!name || !ids || std::string(name).rfind(prefix, 0) != 0) continue;
+    for (vtkIdType k = 0; k < ids->GetNumberOfTuples(); ++k)
+      by_id[static_cast<int>(ids->GetTuple1(k))] = name + prefix.size();
+  }
   return by_id;
 }
 
@@ -101,7 +104,7 @@ MeshFile read_mesh_file(const std::filesystem::path& file) {
   mesh.cells = reader->GetOutput();
   if (!mesh.cells || mesh.cells->GetNumberOfCells() == 0)
     throw std::runtime_error(file.string() + " holds no tetrahedra; a .vtu of geomesh was expected");
-  mesh.region_names = names_in(mesh.cells->GetFieldData(), "region_ids", "region_names");
+  mesh.region_names = names_in(mesh.cells->GetFieldData(), "region:");
   auto* const regions = mesh.cells->GetCellData()->GetArray("region");
   for (vtkIdType c = 0; c < mesh.cells->GetNumberOfCells(); ++c)
     mesh.region_of_cell.push_back(regions ? static_cast<int>(regions->GetTuple1(c)) : 0);
@@ -111,7 +114,7 @@ MeshFile read_mesh_file(const std::filesystem::path& file) {
   face_reader->SetFileName(faces.c_str());
   face_reader->Update();
   mesh.faces = face_reader->GetOutput();
-  mesh.surface_names = names_in(mesh.faces->GetFieldData(), "surface_ids", "surface_names");
+  mesh.surface_names = names_in(mesh.faces->GetFieldData(), "surface:");
   return mesh;
 }
 

@@ -4,7 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
-#include "geomesh/geomodel/writers.hpp"
+#include "geomesh/geomodel/formats.hpp"
 
 namespace geomesh::python {
 namespace {

@@ -33,9 +33,15 @@ def read_vtk(stem, wanted):
         reader.Update()
         return reader.GetOutput()
 
-    def strings(data, name):
-        array = data.GetFieldData().GetAbstractArray(name)
-        return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+    def names(data, what):
+        field = data.GetFieldData()
+        found = {}
+        for i in range(field.GetNumberOfArrays()):
+            if field.GetArray(i) is None:
+                fail(f"{field.GetArrayName(i)} is no array of numbers")
+            if field.GetArrayName(i).startswith(what + ":"):
+                found[int(field.GetArray(i).GetTuple1(0))] = field.GetArrayName(i)[len(what) + 1:]
+        return [found[id] for id in sorted(found)]
 
     def array(attributes, name, type_name):
         found = attributes.GetArray(name)
@@ -48,7 +54,7 @@ def read_vtk(stem, wanted):
     expect("points", grid.GetNumberOfPoints(), wanted["points"])
     expect("tetrahedra", grid.GetNumberOfCells(), wanted["tetrahedra"])
     expect("point type", grid.GetPoints().GetData().GetDataTypeAsString(), "double")
-    expect("region names", strings(grid, "region_names"), wanted["regions"])
+    expect("region names", names(grid, "region"), wanted["regions"])
     region = array(grid.GetCellData(), "region", "int")
     expect("regions", sorted(set(region.tolist())), list(range(1, len(wanted["regions"]) + 1)))
     array(grid.GetPointData(), "kind", "int")
@@ -59,11 +65,11 @@ def read_vtk(stem, wanted):
     expect("faces", faces.GetNumberOfPolys(), wanted["faces"])
     for name in ("surface", "surface_set", "patch", "region_minus", "region_plus", "source_triangle"):
         array(faces.GetCellData(), name, "int")
-    expect("surface names", strings(faces, "surface_names"), wanted["surfaces"])
+    expect("surface names", names(faces, "surface"), wanted["surfaces"])
     curves = load(stem + ".curves.vtp", vtk.vtkXMLPolyDataReader())
     expect("curve edges", curves.GetNumberOfLines(), wanted["curve_edges"])
     expect("marked points", curves.GetNumberOfVerts(), wanted["marked_points"])
-    expect("curve names", strings(curves, "curve_names"), wanted["curves"])
+    expect("curve names", names(curves, "curve") + names(curves, "point"), wanted["curves"])
     array(curves.GetCellData(), "curve", "int")
 
 
@@ -75,6 +81,14 @@ def read_meshio(path, wanted):
         sys.exit(SKIPPED)
     mesh = meshio.read(path)
     expect("points", len(mesh.points), wanted["points"])
+    if path.endswith(".vtu"):
+        expect("same coordinates", mesh.points.tolist(), wanted["coordinates"])
+        names = {k: int(v[0]) for k, v in mesh.field_data.items() if k.startswith("region:")}
+        expect("regions", names, {"region:" + name: i + 1 for i, name in enumerate(wanted["regions"])})
+        counts = numpy.bincount(numpy.concatenate(mesh.cell_data["region"]))
+        expect("tetrahedra", int(counts.sum()), wanted["tetrahedra"])
+        expect("no region is empty", bool((counts[1:] > 0).all()), True)
+        return
     expect("coordinates", sorted(mesh.points.tolist()), sorted(wanted["coordinates"]))
     count = lambda kind: sum(len(c.data) for c in mesh.cells if c.type == kind)
     expect("tetrahedra", count("tetra"), wanted["tetrahedra"])

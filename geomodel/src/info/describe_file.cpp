@@ -2,11 +2,11 @@
 #include <cmath>
 #include <map>
 
-#include "check/read/mesh_files.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "mesh_readers/mesh_files.hpp"
 #include "naming/sums.hpp"
 #include "readers/vtk/vtk_xml_guard.hpp"
 

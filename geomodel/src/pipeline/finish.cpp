@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -234,8 +235,9 @@ Report begin_report(const PreparedModel& model) {
 /// Before anything is computed: folders that cannot be written to are found out now.
 void require_writable_outputs(const OutputPlan& plan) {
   for (const std::string& format : plan.formats) {
-    const std::filesystem::path file = plan.stem.string() + "." + format;
-    require_writable(file);
+    const Format* const known = format_of_name(format);
+    const std::filesystem::path file = plan.stem.string() + (known ? known->extensions.front() : ".html");
+    require_writable(format == "openfoam" ? file / "mesh.json" : file);
     if (plan.report_copy && std::filesystem::absolute(*plan.report_copy).lexically_normal() ==
                                 std::filesystem::absolute(file).lexically_normal())
       throw Error(ErrorKind::usage,
@@ -286,7 +288,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     make_output_folder(plan);
     for (const std::string& format : plan.formats) {
       if (format == "html") continue;  // the report as a page: written with the report
-      for (auto& file : write_format(mesh, format, plan.stem)) result.files.push_back(std::move(file));
+      for (auto& file : write_format(mesh, format, plan.stem, plan.options)) result.files.push_back(std::move(file));
     }
     recorder.context().note(LogLevel::info, count_words(result.files.size(), "files"));
   }

@@ -14,6 +14,7 @@
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "geomesh/geomodel/refinement.hpp"
+#include "geomesh/geomodel/write_options.hpp"
 #include "pipeline/stage_recorder.hpp"
 #include "pipeline/z_scale.hpp"
 
@@ -44,7 +45,8 @@ struct PreparedModel {
 struct OutputPlan {
   std::filesystem::path stem;        ///< without extension
   std::vector<std::string> formats;  ///< as known_formats()
-  bool report_beside = true;         ///< STEM.report.json
+  WriteOptions options;
+  bool report_beside = true;  ///< STEM.report.json
   std::optional<std::filesystem::path> report_copy;
 };
 

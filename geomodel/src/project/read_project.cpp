@@ -6,10 +6,10 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/given.hpp"
 #include "geomesh/geomodel/project.hpp"
-#include "geomesh/geomodel/writers.hpp"
 #include "project/read_coordinates.hpp"
 #include "project/read_gridding.hpp"
 #include "project/read_mesh_settings.hpp"
+#include "project/read_output.hpp"
 #include "project/read_rules.hpp"
 #include "project/read_volume.hpp"
 #include "project/yaml_values.hpp"
@@ -108,7 +108,7 @@ class ProjectReader {
     } else {
       default_refinement(project_);
     }
-    if (const auto v = map.find("output")) read_output(*v);
+    if (const auto v = map.find("output")) read_output(*v, folder_, project_);
   }
 
   /// Names go into files of many formats, and into their names: not too long, no control characters, quotes, commas or
@@ -288,36 +288,6 @@ class ProjectReader {
     if (!length) return;
     project_.tolerance = *length;
     if (*length < 0) value.problem("a length of zero or more was expected");
-  }
-
-  void read_output(const YamlValue& value) {
-    const YamlMap map(value, {"directory", "formats", "origin"});
-    if (const auto v = map.find("directory")) {
-      if (const auto text = v->text()) project_.output.directory = (folder_ / *text).lexically_normal();
-    }
-    if (const auto v = map.find("formats")) read_formats(*v);
-    if (const auto v = map.find("origin")) {
-      if (const auto origin = v->point()) {
-        project_.output.origin = *origin;
-        project_.output.has_origin = true;
-      }
-    }
-  }
-
-  void read_formats(const YamlValue& value) {
-    const std::vector<std::string>& known = known_formats();
-    const std::vector<std::string_view> words(known.begin(), known.end());
-    project_.output.formats.clear();
-    for (const YamlValue& item : value.items()) {
-      const auto format = item.choice(words);
-      if (!format) continue;
-      if (std::find(project_.output.formats.begin(), project_.output.formats.end(), *format) ==
-          project_.output.formats.end()) {
-        project_.output.formats.push_back(*format);
-      }
-    }
-    if (value.is_list() && project_.output.formats.empty() && value.items().empty())
-      value.problem("the list of formats is empty");
   }
 
   Problems problems_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Shared by the VTK XML writers: arrays, names in field data, and settings under which the same mesh gives the same
+/// Shared by what is written for looking at through VTK: arrays and settings under which the same mesh gives the same
 /// bytes.
 #pragma once
 
@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
-#include "geomesh/geomodel/model_mesh.hpp"
 
 namespace geomesh::geomodel {
 
@@ -53,15 +52,6 @@ vtkSmartPointer<vtkStringArray> string_array(const char* name, std::size_t n, F&
   for (std::size_t i = 0; i < n; ++i) array->SetValue(static_cast<vtkIdType>(i), value(i));
   return array;
 }
-
-/// Field data `region_ids` / `region_names`, `surface_ids` / `surface_names` / `surface_kinds`, and `origin` where one
-/// was subtracted.
-void add_region_names(const ModelMesh& mesh, vtkFieldData& field);
-/// `group_names`, and group k's regions as `group_region_ids` from `group_offsets[k]` to `[k + 1]`, where there are
-/// groups.
-void add_groups(const ModelMesh& mesh, vtkFieldData& field);
-void add_surface_names(const ModelMesh& mesh, vtkFieldData& field);
-void add_origin(const ModelMesh& mesh, vtkFieldData& field);
 
 /// Appended raw data, zlib, 64-bit headers. Throws Error{usage} where the file cannot be written.
 void write_vtk_xml(vtkXMLWriter& writer, vtkDataSet& data, const std::filesystem::path& file);

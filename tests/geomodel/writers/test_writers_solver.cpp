@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "geomesh/geomodel/writers.hpp"
+#include "geomesh/geomodel/formats.hpp"
 #include "hand_made.hpp"
 
 using namespace geomesh;

@@ -3,6 +3,7 @@
 /// The named mesh: what writers write and what the report speaks of (output contract of docs/output-files.md).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -55,6 +56,36 @@ struct NamedCurve {
   double length = 0;
 };
 
+/// Nodes in the middle of edges, for elements of second order; empty where elements are of first order. Edges of a
+/// tetrahedron in the order 01 12 20 03 13 23, of a face 01 12 20.
+struct Midpoints {
+  std::vector<Vec3> points;  ///< their rows follow those of ModelMesh::points
+  std::vector<std::array<VertexIndex, 6>> of_tetrahedron;
+  std::vector<std::array<VertexIndex, 3>> of_face;
+  std::vector<VertexIndex> of_curve_edge;
+
+  bool empty() const { return of_tetrahedron.empty(); }
+};
+
+/// Prism without thickness between the two sides of a split fault: vertices 0 1 2 on the minus side, 3 4 5 on the plus
+/// side, 3 at the place of 0.
+struct Prism {
+  std::array<VertexIndex, 6> vertices;
+  std::int32_t layer;  ///< id of its CohesiveLayer
+};
+
+struct CohesiveLayer {
+  std::int32_t id;  ///< disjoint from all other ids
+  std::string name;
+};
+
+/// Nodes under a name that are not the nodes of a surface or curve (from files of other tools).
+struct NodeSet {
+  std::int32_t id;
+  std::string name;
+  std::vector<VertexIndex> nodes;
+};
+
 /// Named mesh, plain data.
 ///
 /// Invariants (validate_model_mesh): every tetrahedron positive and of a named region; no unused point; no two equal
@@ -96,6 +127,10 @@ struct ModelMesh {
   std::vector<RegionGroup> groups;
   std::vector<NamedSurface> surfaces;
   std::vector<NamedCurve> curves;
+  std::vector<NodeSet> node_sets;
+  std::vector<Prism> prisms;  ///< only where faults were split for cohesive elements
+  std::vector<CohesiveLayer> cohesive_layers;
+  Midpoints midpoints;
   Vec3 origin{0, 0, 0};    ///< was subtracted from the project's coordinates
   std::string unit = "m";  ///< of all coordinates; volumes and areas are in its powers
 };

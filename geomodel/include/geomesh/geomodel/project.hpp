@@ -17,6 +17,7 @@
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/refinement.hpp"
 #include "geomesh/geomodel/surface.hpp"
+#include "geomesh/geomodel/write_options.hpp"
 
 namespace geomesh::geomodel {
 
@@ -73,6 +74,7 @@ struct OutputSpec {
   std::vector<std::string> formats{"vtu"};
   Vec3 origin{0, 0, 0};
   bool has_origin = false;
+  WriteOptions options;
 };
 
 struct Project {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "check/claim/claim.hpp"
-#include "check/read/mesh_files.hpp"
 #include "geomesh/geomodel/check.hpp"
+#include "mesh_readers/mesh_files.hpp"
 
 namespace geomesh::geomodel::checking {
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
@@ -133,7 +134,7 @@ JobResult run_delaunay(const DelaunayRequest& request, const RunContext& context
     StageScope stage(recorder.context(), "write");
     if (!request.output.parent_path().empty()) std::filesystem::create_directories(request.output.parent_path());
     const auto stem = request.output.parent_path() / request.output.stem();
-    result.files = write_format(mesh, request.output.extension().string().substr(1), stem);
+    result.files = write_format(mesh, format_name_of(request.output), stem);
   }
   Report report;
   report.command = "delaunay";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
-#include "geomesh/geomodel/writers.hpp"
 #include "pipeline/jobs/prepare.hpp"
 
 namespace geomesh::geomodel {
@@ -29,6 +29,7 @@ JobResult run_project(const ProjectRequest& request, const RunContext& context) 
   if (request.outputs == ProjectRequest::Outputs::written) {
     plan.stem = request.directory.value_or(project.output.directory) / project.name;
     plan.formats = project.output.formats;
+    plan.options = project.output.options;
     plan.report_copy = request.report;
   } else {
     plan.report_beside = false;
@@ -43,7 +44,7 @@ JobResult run_mesh(const MeshRequest& request, const RunContext& context) {
   model.name = request.output.stem().string();
   OutputPlan plan;
   plan.stem = request.output.parent_path() / request.output.stem();
-  plan.formats = {request.output.extension().string().substr(1)};
+  plan.formats = {format_name_of(request.output)};
   plan.report_beside = plan.formats.front() == "vtu";
   plan.report_copy = request.report;
   return run_stages(model, plan, recorder, [&] { prepare_mesh(request, model, recorder.context()); });

@@ -20,9 +20,10 @@
 #include <iterator>
 #include <limits>
 
-#include "check/read/mesh_files.hpp"
-#include "check/read/vtk_legacy_guard.hpp"
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/surface.hpp"
+#include "mesh_readers/mesh_files.hpp"
+#include "mesh_readers/vtk_legacy_guard.hpp"
 #include "readers/vtk/vtk_xml_guard.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -128,9 +129,17 @@ std::vector<std::int32_t> integers_of(vtkFieldData& data, const char* name) {
   return array ? integers_of(*array) : std::vector<std::int32_t>{};
 }
 
-/// Names by id from a pair of field-data arrays <what>_ids and <what>_names.
+/// Names by id: the field array `region:chalk` holds the id of the region chalk. Files of geomesh 0.1 have the pair of
+/// arrays <what>_ids and <what>_names instead.
 std::map<std::int32_t, std::string> names_of(vtkFieldData& field, const std::string& what) {
   std::map<std::int32_t, std::string> names;
+  const std::string prefix = what + ":";
+  for (int i = 0; i < field.GetNumberOfArrays(); ++i) {
+    const char* const name = field.GetArrayName(i);
+    vtkDataArray* const array = field.GetArray(i);
+    if (!name || !array || std::string_view(name).substr(0, prefix.size()) != prefix) continue;
+    for (const std::int32_t id : integers_of(*array)) names.emplace(id, name + prefix.size());
+  }
   auto* texts = vtkStringArray::SafeDownCast(field.GetAbstractArray((what + "_names").c_str()));
   const std::vector<std::int32_t> ids = integers_of(field, (what + "_ids").c_str());
   if (texts)
@@ -188,6 +197,30 @@ void take_cell_values(vtkUnstructuredGrid& grid, MeshFile& mesh) {
   }
 }
 
+/// The ids in arrays whose names begin so, in the order of the file.
+std::vector<std::int32_t> ids_in_order(vtkFieldData& field, const std::string& prefix) {
+  std::vector<std::int32_t> ids;
+  for (int i = 0; i < field.GetNumberOfArrays(); ++i) {
+    const char* const name = field.GetArrayName(i);
+    vtkDataArray* const array = field.GetArray(i);
+    if (!name || !array || !std::string_view(name).starts_with(prefix)) continue;
+    for (const std::int32_t id : integers_of(*array)) ids.push_back(id);
+  }
+  return ids;
+}
+
+/// `curve:NAME` with `curve_kinds` in the same order, then `point:NAME`.
+void take_curve_names(vtkFieldData& field, CurvesFile& curves) {
+  constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", "curve"};
+  const std::map<std::int32_t, std::string> names = names_of(field, "curve"), points = names_of(field, "point");
+  const std::vector<std::int32_t> ids = ids_in_order(field, "curve:"), numbers = integers_of(field, "curve_kinds");
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const bool known = i < numbers.size() && numbers[i] >= 0 && numbers[i] < 5;
+    curves.curves.push_back({ids[i], names.at(ids[i]), known ? kinds[numbers[i]] : "curve"});
+  }
+  for (const std::int32_t id : ids_in_order(field, "point:")) curves.curves.push_back({id, points.at(id), "point"});
+}
+
 std::vector<std::string> texts_of(vtkFieldData& field, const char* name) {
   std::vector<std::string> texts;
   auto* array = vtkStringArray::SafeDownCast(field.GetAbstractArray(name));
@@ -209,9 +242,35 @@ std::vector<std::vector<std::int32_t>> lists_of(vtkFieldData& field, const char*
 }
 
 void take_groups(vtkFieldData& field, MeshFile& mesh, const std::filesystem::path& path) {
+  const std::string prefix = "group:";
+  for (int i = 0; i < field.GetNumberOfArrays(); ++i) {
+    const char* const name = field.GetArrayName(i);
+    vtkDataArray* const array = field.GetArray(i);
+    if (name && array && std::string_view(name).starts_with(prefix))
+      mesh.region_groups[name + prefix.size()] = integers_of(*array);
+  }
   const std::vector<std::string> names = texts_of(field, "group_names");
   const auto lists = lists_of(field, "group_offsets", "group_region_ids", path);
   for (std::size_t i = 0; i < names.size() && i < lists.size(); ++i) mesh.region_groups[names[i]] = lists[i];
+}
+
+/// Numbers of the cells that are kept although they are no solids.
+struct LowerCells {
+  std::vector<std::size_t> triangles, edges;
+};
+
+void take_lower(vtkUnstructuredGrid& grid, vtkIdType cell, const std::filesystem::path& path, MeshFile& mesh,
+                LowerCells& lower) {
+  const int type = grid.GetCellType(cell);
+  if (type != VTK_TRIANGLE && type != VTK_QUADRATIC_TRIANGLE && type != VTK_LINE && type != VTK_QUADRATIC_EDGE) return;
+  const auto p = cell_points(*grid.GetCells(), cell, mesh.points.size(), path);
+  if ((type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE) && p.size() >= 3) {
+    mesh.triangles.push_back({p[0], p[1], p[2]});
+    lower.triangles.push_back(static_cast<std::size_t>(cell));
+  } else if (p.size() >= 2) {
+    mesh.edges.push_back({p[0], p[1]});
+    lower.edges.push_back(static_cast<std::size_t>(cell));
+  }
 }
 
 MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path) {
@@ -221,17 +280,19 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
   if (mesh.points.size() >= no_vertex) refuse(path, "holds more points than 32 bits can count");
   if (grid.GetCells() && !grid.GetCells()->IsValid())
     refuse(path, "has offsets of cells that do not fit their connectivity (damaged)");
+  LowerCells lower;
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
     const int type = grid.GetCellType(cell);
-    if (type == VTK_TETRA) {
+    if (type == VTK_TETRA || type == VTK_QUADRATIC_TETRA) {
       const auto p = cell_points(*grid.GetCells(), cell, mesh.points.size(), path);
-      if (p.size() != 4)
+      if (p.size() != (type == VTK_TETRA ? 4u : 10u))
         refuse(path, "cell " + std::to_string(cell) + " is called a tetrahedron and has " + std::to_string(p.size()) +
                          " points");
       mesh.tetrahedra.push_back({p[0], p[1], p[2], p[3]});
       mesh.cell.push_back(static_cast<std::size_t>(cell));
     } else {
       ++(is_solid(type) ? mesh.n_other_solids : mesh.n_lower_cells);
+      take_lower(grid, cell, path, mesh, lower);
     }
   }
   list_arrays(*grid.GetPointData(), "points", mesh.arrays);
@@ -245,8 +306,15 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
       refuse(path, "has fewer numbers in the cell array " + std::string(name) + " than cells (damaged)");
     mesh.region_array = name;
     for (const std::size_t cell : mesh.cell) mesh.region.push_back(all[cell]);
+    for (const std::size_t cell : lower.triangles) mesh.triangle_id.push_back(all[cell]);
+    for (const std::size_t cell : lower.edges) mesh.edge_id.push_back(all[cell]);
     break;
   }
+  if (mesh.region_array == "MaterialIDs" && !names_of(*grid.GetFieldData(), "region").empty())
+    for (std::int32_t& id : mesh.region) ++id;  // OpenGeoSys counts from 0, the names from 1
+  mesh.surface_names = names_of(*grid.GetFieldData(), "surface");
+  mesh.curve_names = names_of(*grid.GetFieldData(), "curve");
+  if (vtkDataArray* kinds = grid.GetPointData()->GetArray("kind")) mesh.point_kind = integers_of(*kinds);
   mesh.region_names = names_of(*grid.GetFieldData(), "region");
   for (const char* name : {"kind", "input_vertex"})
     if (!grid.GetPointData()->GetArray(name)) mesh.missing_arrays.emplace_back(name);
@@ -308,6 +376,11 @@ FacesFile read_faces_file(const std::filesystem::path& path) {
   const std::vector<std::int32_t> ids = integers_of(field, "surface_ids");
   const std::vector<std::string> kinds = texts_of(field, "surface_kinds");
   for (std::size_t i = 0; i < ids.size() && i < kinds.size(); ++i) faces.surface_kinds[ids[i]] = kinds[i];
+  const std::vector<std::int32_t> listed = ids_in_order(field, "surface:");
+  const std::vector<std::int32_t> numbers = integers_of(field, "surface_kinds");
+  for (std::size_t i = 0; kinds.empty() && i < listed.size() && i < numbers.size(); ++i)
+    if (numbers[i] >= 0 && numbers[i] <= static_cast<std::int32_t>(SurfaceKind::box))
+      faces.surface_kinds[listed[i]] = to_string(static_cast<SurfaceKind>(numbers[i]));
   if (vtkDataArray* rows = data.GetPointData()->GetArray("mesh_point")) faces.mesh_point = integers_of(*rows);
   return faces;
 }
@@ -339,19 +412,13 @@ CurvesFile read_curves_file(const std::filesystem::path& path) {
     refuse(path, "has no cell array curve");
   }
   vtkFieldData& field = *data.GetFieldData();
+  take_curve_names(field, curves);
   const auto ids = integers_of(field, "curve_ids");
   const auto names = texts_of(field, "curve_names"), kinds = texts_of(field, "curve_kinds");
   for (std::size_t i = 0; i < ids.size() && i < names.size() && i < kinds.size(); ++i)
     curves.curves.push_back({ids[i], names[i], kinds[i]});
   if (vtkDataArray* rows = data.GetPointData()->GetArray("mesh_point")) curves.mesh_point = integers_of(*rows);
   return curves;
-}
-
-MeshFile read_mesh_file(const std::filesystem::path& path) {
-  if (path.extension() == ".msh") return read_gmsh(path);
-  if (path.extension() == ".inp") return read_abaqus(path);
-  if (path.extension() == ".vtu" || path.extension() == ".vtk") return read_vtk_mesh(path);
-  throw Error(ErrorKind::usage, path.string() + ": no known mesh format; check reads .vtu, .vtk, .msh and .inp");
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -26,7 +26,8 @@ struct SidecarGroup {
 
 /// Writes MESH_FILE.json: `groups`, and `regions`, `surfaces`, `curves`, `points` of the mesh each with its full name
 /// and `groups`, the names in the file whose union it is; `region_groups` by region ids where there are any.
-void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
-                   const std::filesystem::path& mesh_file);
+/// Returns its name; removes MESH_FILE, which is there already, where it cannot be written.
+std::filesystem::path write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
+                                    const std::filesystem::path& mesh_file);
 
 }  // namespace geomesh::geomodel

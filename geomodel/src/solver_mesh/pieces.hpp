@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names and groups for solver files: sanitised names, and the pieces by which each face and curve edge is in one group
-/// alone.
+/// Pieces by which each face and each edge of a curve is in one group alone.
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "geomesh/geomodel/model_mesh.hpp"
 
 namespace geomesh::geomodel {
-
-inline constexpr std::size_t max_solver_name = 24;
-
-/// Hands out names that match [A-Za-z][A-Za-z0-9_.-]*, have at most 24 characters and differ even where case is
-/// ignored. A name that had to be shortened or is taken gets a number at its end.
-class SolverNames {
- public:
-  std::string give(const std::string& full_name);
-
- private:
-  std::set<std::string> taken_;  // in lower case
-};
 
 /// Faces with the same surfaces and the same regions on both sides.
 struct FacePiece {
@@ -42,11 +27,14 @@ struct CurvePiece {
   std::vector<std::size_t> edges;  ///< rows of curve_edges, each mesh edge once
 };
 
-struct SolverGroups {
+struct SolverPieces {
   std::vector<FacePiece> faces;
   std::vector<CurvePiece> curves;
 };
 /// Ids of new pieces follow the largest id of the mesh.
-SolverGroups make_groups(const ModelMesh& mesh);
+SolverPieces make_pieces(const ModelMesh& mesh);
+
+/// The largest id of a region, surface, curve, point or set.
+std::int32_t largest_id(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "writers/solver_groups.hpp"
+#include "solver_mesh/pieces.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <map>
 #include <tuple>
 
 namespace geomesh::geomodel {
 
 namespace {
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-std::int32_t largest_id(const ModelMesh& mesh) {
-  std::int32_t id = 0;
-  for (const auto& r : mesh.regions) id = std::max(id, r.id);
-  for (const auto& s : mesh.surfaces) id = std::max(id, s.id);
-  for (const auto& c : mesh.curves) id = std::max(id, c.id);
-  for (const auto& p : mesh.marked_points) id = std::max(id, p.id);
-  return id;
-}
 
 std::vector<FacePiece> face_pieces(const ModelMesh& mesh, std::int32_t& next_id) {
   std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, std::vector<std::size_t>> pieces;
@@ -85,25 +71,20 @@ std::vector<CurvePiece> curve_pieces(const ModelMesh& mesh, std::int32_t& next_i
 
 }  // namespace
 
-std::string SolverNames::give(const std::string& full_name) {
-  std::string clean;
-  for (char c : full_name) {
-    const bool allowed = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '-';
-    if (static_cast<unsigned char>(c) < 0x80 || clean.empty() || clean.back() != '_') clean += allowed ? c : '_';
-  }
-  if (clean.empty() || !std::isalpha(static_cast<unsigned char>(clean.front()))) clean.insert(0, 1, 'n');
-  std::string name = clean.substr(0, max_solver_name);
-  for (std::size_t k = 1; (k == 1 && clean.size() > max_solver_name) || taken_.contains(lower_case(name)); ++k) {
-    const std::string number = std::string("_").append(std::to_string(k));
-    name = clean.substr(0, max_solver_name - number.size()) + number;
-  }
-  taken_.insert(lower_case(name));
-  return name;
+std::int32_t largest_id(const ModelMesh& mesh) {
+  std::int32_t id = 0;
+  for (const auto& r : mesh.regions) id = std::max(id, r.id);
+  for (const auto& s : mesh.surfaces) id = std::max(id, s.id);
+  for (const auto& c : mesh.curves) id = std::max(id, c.id);
+  for (const auto& p : mesh.marked_points) id = std::max(id, p.id);
+  for (const auto& l : mesh.cohesive_layers) id = std::max(id, l.id);
+  for (const auto& n : mesh.node_sets) id = std::max(id, n.id);
+  return id;
 }
 
-SolverGroups make_groups(const ModelMesh& mesh) {
+SolverPieces make_pieces(const ModelMesh& mesh) {
   std::int32_t next_id = largest_id(mesh) + 1;
-  SolverGroups groups;
+  SolverPieces groups;
   groups.faces = face_pieces(mesh, next_id);
   groups.curves = curve_pieces(mesh, next_id);
   return groups;

@@ -26,7 +26,14 @@ struct MeshFile {
   std::vector<std::int32_t> region;  ///< per tetrahedron; empty where the file has no such array
   std::string region_array;          ///< its name
   std::map<std::int32_t, std::string> region_names;
-  std::vector<std::string> arrays;          ///< of points and cells, with their type (VTK files only)
+  std::vector<std::string> arrays;  ///< of points and cells, with their type (VTK files only)
+  std::vector<Triangle> triangles;  ///< beside the solids (VTU files only), with their ids and names
+  std::vector<std::int32_t> triangle_id;
+  std::map<std::int32_t, std::string> surface_names;
+  std::vector<std::array<VertexIndex, 2>> edges;
+  std::vector<std::int32_t> edge_id;
+  std::map<std::int32_t, std::string> curve_names;
+  std::vector<std::int32_t> point_kind;     ///< per point; empty where the file has no such array
   std::vector<std::int32_t> input_vertex;   ///< per point, -1 where added; empty where the file has no such array
   std::vector<std::string> missing_arrays;  ///< point arrays of the output contract that are not there (VTK files only)
   std::vector<std::int32_t> kind;           ///< per point; empty where the file has no such array
@@ -60,12 +67,10 @@ struct CurvesFile {
   std::vector<std::int32_t> edge_curve, vertex_curve;  ///< ids
 };
 
-/// By extension: .vtu, .vtk (VTK); .msh; .inp. Throws Error{usage} where the file cannot be opened,
-/// Error{invalid_input} where it cannot be understood.
+/// By extension: .vtu, .vtk (VTK), and what the table of formats has a reader for. Throws Error{usage} where the file
+/// cannot be opened, Error{invalid_input} where it cannot be understood.
 MeshFile read_mesh_file(const std::filesystem::path& path);
 MeshFile read_vtk_mesh(const std::filesystem::path& path);
-MeshFile read_gmsh(const std::filesystem::path& path);
-MeshFile read_abaqus(const std::filesystem::path& path);
 
 FacesFile read_faces_file(const std::filesystem::path& path);
 CurvesFile read_curves_file(const std::filesystem::path& path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "writers/sidecar.hpp"
+#include "solver_mesh/sidecar.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -21,8 +21,8 @@ ordered_json entry(std::int32_t id, const std::string& name, const std::vector<S
 
 }  // namespace
 
-void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
-                   const std::filesystem::path& mesh_file) {
+std::filesystem::path write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
+                                    const std::filesystem::path& mesh_file) {
   ordered_json root;
   root["mesh"] = mesh_file.filename().string();
   root["groups"] = ordered_json::array();
@@ -47,8 +47,17 @@ void write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& group
     root["curves"].push_back(std::move(curve));
   }
   for (const auto& p : mesh.marked_points) root["points"].push_back(entry(p.id, p.name, groups));
-  write_text_file(mesh_file.string() + ".json",
-                  root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  for (const CohesiveLayer& l : mesh.cohesive_layers) root["cohesive_layers"].push_back(entry(l.id, l.name, groups));
+  for (const NodeSet& n : mesh.node_sets) root["node_sets"].push_back(entry(n.id, n.name, groups));
+  const std::filesystem::path file = mesh_file.string() + ".json";
+  try {
+    write_text_file(file, root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(mesh_file, ignored);
+    throw;
+  }
+  return file;
 }
 
 }  // namespace geomesh::geomodel

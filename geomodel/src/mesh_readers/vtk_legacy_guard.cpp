@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/read/vtk_legacy_guard.hpp"
+#include "mesh_readers/vtk_legacy_guard.hpp"
 
 #include <cctype>
 #include <charconv>

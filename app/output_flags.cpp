@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output_flags.hpp"
+
+#include "geomesh/geomodel/formats.hpp"
+
+namespace geomesh::app {
+
+void OutputFlags::add_to(CLI::App& app) {
+  app.add_option("--format", format_, "Format, where the extension does not say which (msh22, msh-binary, ogs ...)")
+      ->check(CLI::IsMember(geomodel::mesh_formats()));
+  app.add_option("--groups", groups_, "whole: a group for each surface and curve; pieces: by pairs of regions; both")
+      ->check(CLI::IsMember({"whole", "pieces", "both"}))
+      ->capture_default_str();
+  app.add_flag("--no-inner-faces", no_inner_faces_, "Leave out faces between two regions");
+  app.add_flag("--no-curves", no_curves_, "Leave out curves and named points");
+  app.add_option("--order", order_, "Elements of first or second order")
+      ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+  app.add_option("--region-array", region_array_, "VTU: name of the first cell array")
+      ->check(CLI::IsMember({"region", "MaterialIDs", "attribute"}))
+      ->capture_default_str();
+  app.add_flag("--single-grid", single_grid_, "VTU: faces and curves as 2D and 1D cells of the one grid");
+  app.add_flag("--node-arrays", node_arrays_, "VTU: each surface and curve as a point array of 0 and 1");
+  app.add_option("--compression", compression_, "VTU: none, fast (zlib 1) or small (zlib 6)")
+      ->check(CLI::IsMember({"none", "fast", "small"}))
+      ->capture_default_str();
+  app.add_option("--split", split_, "Double the nodes along this surface (may be given several times)")
+      ->type_name("SURFACE")
+      ->take_all()
+      ->expected(1);
+  app.add_flag("--cohesive", cohesive_, "Prisms of no thickness between the sides of split surfaces");
+}
+
+geomodel::WriteOptions OutputFlags::options() const {
+  geomodel::WriteOptions options;
+  options.groups = groups_ == "whole"    ? geomodel::GroupChoice::whole
+                   : groups_ == "pieces" ? geomodel::GroupChoice::pieces
+                                         : geomodel::GroupChoice::both;
+  options.inner_faces = !no_inner_faces_;
+  options.curves = !no_curves_;
+  options.order = order_ == 2 ? geomodel::ElementOrder::second : geomodel::ElementOrder::first;
+  options.region_array = region_array_;
+  options.single_grid = single_grid_;
+  options.node_arrays = node_arrays_;
+  options.compression = compression_ == "none"   ? geomodel::Compression::none
+                        : compression_ == "fast" ? geomodel::Compression::fast
+                                                 : geomodel::Compression::small;
+  options.split = split_;
+  options.cohesive = cohesive_;
+  return options;
+}
+
+std::string OutputFlags::format_of(const std::filesystem::path& output) const {
+  return format_.empty() ? geomodel::format_name_of(output) : format_;
+}
+
+}  // namespace geomesh::app

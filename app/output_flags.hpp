@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Options that say what a mesh file should hold, as `output:` of a project does.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/write_options.hpp"
+
+namespace geomesh::app {
+
+class OutputFlags {
+ public:
+  void add_to(CLI::App& app);
+  geomodel::WriteOptions options() const;
+  /// The format asked for, else that of the output's extension.
+  std::string format_of(const std::filesystem::path& output) const;
+
+ private:
+  std::string format_, groups_ = "whole", region_array_ = "region", compression_ = "fast";
+  std::vector<std::string> split_;
+  bool no_inner_faces_ = false, no_curves_ = false, single_grid_ = false, node_arrays_ = false, cohesive_ = false;
+  int order_ = 1;
+};
+
+}  // namespace geomesh::app

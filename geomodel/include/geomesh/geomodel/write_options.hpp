@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What a mesh file should hold, and how: the choices of `output:` in a project and of `geomesh convert`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace geomesh::geomodel {
+
+/// Which groups of faces and curves a solver file has.
+enum class GroupChoice {
+  whole,   ///< one for each surface and curve
+  pieces,  ///< one for each part between two regions; no two of them share a face or an edge
+  both
+};
+
+/// Of VTK files.
+enum class Compression {
+  none,
+  fast,  ///< zlib, level 1
+  small  ///< zlib, level 6
+};
+
+enum class ElementOrder { first = 1, second = 2 };
+
+struct WriteOptions {
+  GroupChoice groups = GroupChoice::whole;
+  bool inner_faces = true;  ///< faces with regions on both sides (horizons, faults)
+  bool curves = true;       ///< curves and named points
+  ElementOrder order = ElementOrder::first;
+  std::string region_array = "region";  ///< VTU: name of the first cell array
+  bool single_grid = false;             ///< VTU: faces and curves as 2D and 1D cells of the one grid
+  bool node_arrays = false;             ///< VTU: each surface and curve as a point array of 0 and 1
+  Compression compression = Compression::fast;
+  std::vector<std::string> split;  ///< faults along which nodes are doubled
+  bool cohesive = false;           ///< prisms without thickness between the two sides of split faults
+  unsigned partitions = 1;         ///< VTU: parts by METIS, with a PVTU
+};
+
+}  // namespace geomesh::geomodel

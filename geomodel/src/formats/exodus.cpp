@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exodus II: named element blocks, side sets and node sets, for MOOSE, libMesh, PyLith, Sierra. Written and read by the
+// Exodus library of Sandia (version 8, inside VTK as VTK::exodusII): the library of record knows the names' lengths,
+// the 64-bit switches and the order of sides, and Debian's separate libexodusii is of 2013.
+#include <vtk_exodusII.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "formats/format_list.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "mesh_readers/mesh_readers.hpp"
+#include "solver_mesh/names.hpp"
+#include "solver_mesh/sidecar.hpp"
+#include "solver_mesh/solver_mesh.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Side of a tetrahedron by the vertex it is opposite to: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3 2).
+constexpr std::array<int, 4> side_opposite{2, 3, 1, 4};
+
+/// An Exodus file being written. Every failure of the library is a failure to write the file.
+class ExodusWriter {
+ public:
+  ExodusWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh)
+      : file_(file), mesh_(mesh) {
+    if (!std::ofstream(temporary)) refuse_to_write(file_);  // before the library prints its own lines about it
+    ex_opts(0);
+    int word = 8, stored = 8;
+    id_ = ex_create(temporary.c_str(), EX_CLOBBER | EX_64BIT_OFFSET, &word, &stored);
+    if (id_ < 0) refuse_to_write(file_);
+    ex_set_max_name_length(id_, static_cast<int>(name_limit_exodus));
+  }
+  ~ExodusWriter() {
+    if (id_ >= 0) ex_close(id_);
+  }
+  ExodusWriter(const ExodusWriter&) = delete;
+  ExodusWriter& operator=(const ExodusWriter&) = delete;
+
+  std::vector<SidecarGroup> write() {
+    collect_sets();
+    put_sizes();
+    put_coordinates();
+    put_blocks();
+    put_sets();
+    const int status = ex_close(id_);
+    id_ = -1;
+    require(status);
+    return std::move(sidecar_);
+  }
+
+ private:
+  struct Set {
+    std::int32_t id;
+    std::string name;
+    std::vector<int> entries, sides;  ///< nodes; or elements with their sides
+  };
+
+  void require(int status) const {
+    if (status < 0) refuse_to_write(file_);
+  }
+  std::string add_name(SolverNames& names, const char* type, const CellGroup& group) {
+    const std::string name = names.give(group.full_name);
+    sidecar_.push_back({type, group.dimension, group.id, name, group.full_name, group.members});
+    return name;
+  }
+  /// A side set has the sides of the elements that the faces' normals point away from, so each face once.
+  void collect_sets() {
+    SolverNames side_names(name_limit_exodus), node_names(name_limit_exodus);
+    for (const CellGroup& group : mesh_.groups) {
+      if (group.dimension == 3) continue;
+      if (group.dimension == 2) {
+        Set sides{group.id, add_name(side_names, "side set", group), {}, {}};
+        for (const std::size_t b : group.blocks)
+          for (const auto& [minus, plus] : mesh_.blocks[b].sides) {
+            const FaceSide& side = minus.solid != no_cell ? minus : plus;
+            if (side.solid == no_cell) continue;
+            sides.entries.push_back(static_cast<int>(side.solid + 1));
+            sides.sides.push_back(side_opposite[side.opposite]);
+          }
+        side_sets_.push_back(std::move(sides));
+      }
+      add_node_set(node_names, group, nodes_of(mesh_, group));
+    }
+    for (const NodeSet& set : mesh_.source->node_sets)
+      add_node_set(node_names, {set.id, 0, set.name, {}, {set.id}}, set.nodes);
+  }
+  void add_node_set(SolverNames& names, const CellGroup& group, const std::vector<VertexIndex>& rows) {
+    Set nodes{group.id, add_name(names, "node set", group), {}, {}};
+    for (const VertexIndex v : rows) nodes.entries.push_back(static_cast<int>(v) + 1);
+    node_sets_.push_back(std::move(nodes));
+  }
+  void put_sizes() {
+    ex_init_params sizes{};
+    const std::string title = transliterated(mesh_.source->name).substr(0, MAX_LINE_LENGTH);
+    std::copy(title.begin(), title.end(), sizes.title);
+    sizes.num_dim = 3;
+    sizes.num_nodes = static_cast<int64_t>(mesh_.n_nodes());
+    sizes.num_elem = static_cast<int64_t>(mesh_.n_solids());
+    sizes.num_elem_blk =
+        std::count_if(mesh_.blocks.begin(), mesh_.blocks.end(), [](const CellBlock& b) { return is_solid(b); });
+    sizes.num_side_sets = static_cast<int64_t>(side_sets_.size());
+    sizes.num_node_sets = static_cast<int64_t>(node_sets_.size());
+    require(ex_put_init_ext(id_, &sizes));
+  }
+  static bool is_solid(const CellBlock& block) { return dimension_of(block.shape) == 3; }
+  void put_coordinates() {
+    std::array<std::vector<double>, 3> axis;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t v = 0; v < mesh_.n_nodes(); ++v) axis[k].push_back(mesh_.node(v)[k]);
+    require(ex_put_coord(id_, axis[0].data(), axis[1].data(), axis[2].data()));
+  }
+  void put_blocks() {
+    SolverNames names(name_limit_exodus);
+    std::vector<std::string> given;
+    for (const CellBlock& block : mesh_.blocks) {
+      if (!is_solid(block)) continue;
+      const char* const type = block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA4";
+      require(ex_put_block(id_, EX_ELEM_BLOCK, block.id, type, static_cast<int64_t>(block.n_cells()),
+                           static_cast<int64_t>(block.nodes_per_cell), 0, 0, 0));
+      std::vector<int> nodes;
+      nodes.reserve(block.nodes.size());
+      for (const VertexIndex v : block.nodes) nodes.push_back(static_cast<int>(v) + 1);
+      if (!nodes.empty()) require(ex_put_conn(id_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr));
+      given.push_back(add_name(names, "element block", {block.id, 3, block.full_name, {}, block.members}));
+    }
+    put_names(EX_ELEM_BLOCK, given);
+  }
+  void put_sets() {
+    for (const auto& [kind, sets] : {std::pair{EX_SIDE_SET, &side_sets_}, std::pair{EX_NODE_SET, &node_sets_}}) {
+      std::vector<std::string> names;
+      for (const Set& set : *sets) {
+        require(ex_put_set_param(id_, kind, set.id, static_cast<int64_t>(set.entries.size()), 0));
+        if (!set.entries.empty())
+          require(ex_put_set(id_, kind, set.id, set.entries.data(), set.sides.empty() ? nullptr : set.sides.data()));
+        names.push_back(set.name);
+      }
+      put_names(kind, names);
+    }
+  }
+  void put_names(ex_entity_type kind, std::vector<std::string>& names) {
+    if (names.empty()) return;
+    std::vector<char*> texts;
+    for (std::string& name : names) texts.push_back(name.data());
+    require(ex_put_names(id_, kind, texts.data()));
+  }
+
+  const std::filesystem::path& file_;
+  const SolverMesh& mesh_;
+  int id_ = -1;
+  std::vector<Set> side_sets_, node_sets_;
+  std::vector<SidecarGroup> sidecar_;
+};
+
+std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
+                                         const std::filesystem::path& stem) {
+  const SolverMesh mesh = make_solver_mesh(model, options);
+  const std::filesystem::path file = stem.string() + ".e";
+  std::vector<SidecarGroup> sidecar;
+  write_complete_or_absent(
+      file, [&](const std::filesystem::path& temporary) { sidecar = ExodusWriter(temporary, file, mesh).write(); });
+  return {file, write_sidecar(model, sidecar, file)};
+}
+
+}  // namespace
+
+Format exodus_format() {
+  return {"exodus",    {".e", ".exo", ".ex2", ".exii"},
+          "Exodus II", {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
+          write,       read_exodus_mesh};
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What both versions of Gmsh's format share: shapes, groups, and numbers as text or as bytes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver_mesh/sidecar.hpp"
+#include "solver_mesh/solver_mesh.hpp"
+#include "writers/text_file.hpp"
+
+namespace geomesh::geomodel {
+
+enum class Encoding { text, binary };
+
+/// Numbers of a section: in a text separated by blanks, else as they are in memory (little endian).
+class GmshNumbers {
+ public:
+  GmshNumbers(OutputText& out, Encoding encoding) : out_(out), binary_(encoding == Encoding::binary) {}
+  void integer(std::int32_t value) { put(value); }
+  void size(std::size_t value) { put(static_cast<std::uint64_t>(value)); }
+  void real(double value) { put(value); }
+  void real(const Vec3& p) {
+    real(p.x);
+    real(p.y);
+    real(p.z);
+  }
+  /// End of a line, in a text.
+  void line() {
+    if (!binary_) out_ << "\n";
+    at_start_ = true;
+  }
+
+ private:
+  template <class T>
+  void put(T value) {
+    if (binary_) {
+      out_.raw(value);
+      return;
+    }
+    if (!at_start_) out_ << " ";
+    at_start_ = false;
+    out_ << value;
+  }
+  OutputText& out_;
+  bool binary_, at_start_ = true;
+};
+
+struct GmshPhysical {
+  int dimension;
+  std::int32_t tag;
+  std::string name;
+};
+
+/// Groups as Gmsh holds them. `of_block`: the tags of each block's groups; one for each block unless whole groups and
+/// pieces are both asked for.
+struct GmshGroups {
+  std::vector<GmshPhysical> physicals;
+  std::vector<std::vector<std::int32_t>> of_block;
+  std::vector<SidecarGroup> sidecar;
+};
+GmshGroups gmsh_groups(const SolverMesh& mesh, const WriteOptions& options);
+
+int gmsh_type(const SolverMesh& mesh, CellShape shape);
+/// Node `i` of a cell in Gmsh's order: the last two midpoints of a tetrahedron are exchanged.
+std::size_t gmsh_node(const CellBlock& block, std::size_t i);
+
+/// The sections before the nodes that are text in every version.
+void write_gmsh_head(OutputText& out, const char* version, Encoding encoding, const GmshGroups& groups);
+
+}  // namespace geomesh::geomodel

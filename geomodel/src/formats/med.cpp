@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MED for Code_Aster and SALOME, written by libmedc (built only where that is there). A family is a block, with the
+// groups that the block belongs to; node families are combinations of node groups. Followed: the documentation of MED
+// 4.1. The corners of a MED tetrahedron turn the other way than VTK's.
+#include <med.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "formats/format_list.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "mesh_readers/mesh_readers.hpp"
+#include "solver_mesh/names.hpp"
+#include "solver_mesh/sidecar.hpp"
+#include "solver_mesh/solver_mesh.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Place in VTK's order of a MED node.
+std::size_t vtk_node(CellShape shape, std::size_t i) {
+  constexpr std::array<std::size_t, 10> tetrahedron{0, 2, 1, 3, 6, 5, 4, 7, 9, 8};
+  constexpr std::array<std::size_t, 6> prism{0, 2, 1, 3, 5, 4};
+  return shape == CellShape::tetrahedron ? tetrahedron[i] : shape == CellShape::prism ? prism[i] : i;
+}
+
+med_geometry_type geometry_of(const SolverMesh& mesh, CellShape shape) {
+  const bool second = mesh.second_order();
+  switch (shape) {
+    case CellShape::vertex:
+      return MED_POINT1;
+    case CellShape::edge:
+      return second ? MED_SEG3 : MED_SEG2;
+    case CellShape::triangle:
+      return second ? MED_TRIA6 : MED_TRIA3;
+    case CellShape::tetrahedron:
+      return second ? MED_TETRA10 : MED_TETRA4;
+    case CellShape::prism:
+      break;
+  }
+  return MED_PENTA6;
+}
+
+/// A MED file being written. Every failure of the library is a failure to write the file.
+class MedWriter {
+ public:
+  MedWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh)
+      : file_(file), mesh_(mesh) {
+    if (!std::ofstream(temporary)) refuse_to_write(file_);  // before the library prints its own lines about it
+    id_ = MEDfileOpen(temporary.c_str(), MED_ACC_CREAT);
+    if (id_ < 0) refuse_to_write(file_);
+    name_ = SolverNames(MED_NAME_SIZE).give(mesh.source->name);
+  }
+  ~MedWriter() {
+    if (id_ >= 0) MEDfileClose(id_);
+  }
+  MedWriter(const MedWriter&) = delete;
+  MedWriter& operator=(const MedWriter&) = delete;
+
+  std::vector<SidecarGroup> write() {
+    const std::string axes = padded("x") + padded("y") + padded("z"),
+                      units = padded(mesh_.source->unit) + padded(mesh_.source->unit) + padded(mesh_.source->unit);
+    require(MEDmeshCr(id_, name_.c_str(), 3, 3, MED_UNSTRUCTURED_MESH, "", "", MED_SORT_DTIT, MED_CARTESIAN,
+                      axes.c_str(), units.c_str()));
+    put_family("FAMILLE_ZERO", 0, {});
+    put_nodes();
+    put_cells();
+    const med_err status = MEDfileClose(id_);
+    id_ = -1;
+    require(status);
+    return std::move(sidecar_);
+  }
+
+ private:
+  static std::string padded(std::string text) {
+    text.resize(MED_SNAME_SIZE, ' ');
+    return text;
+  }
+  void require(med_err status) const {
+    if (status < 0) refuse_to_write(file_);
+  }
+  void put_family(const std::string& name, med_int number, const std::vector<std::string>& groups) {
+    std::string names;
+    for (const std::string& group : groups) {
+      names += group;
+      names.resize((names.size() + MED_LNAME_SIZE - 1) / MED_LNAME_SIZE * MED_LNAME_SIZE, '\0');
+    }
+    require(MEDfamilyCr(id_, name_.c_str(), name.c_str(), number, static_cast<med_int>(groups.size()), names.c_str()));
+  }
+  std::string give_name(const char* type, const CellGroup& group, SolverNames& names) {
+    std::string name = names.give(group.full_name);
+    sidecar_.push_back({type, group.dimension, 0, name, group.full_name, group.members});
+    return name;
+  }
+
+  void put_nodes() {
+    std::vector<med_float> coordinates;
+    coordinates.reserve(3 * mesh_.n_nodes());
+    for (std::size_t v = 0; v < mesh_.n_nodes(); ++v)
+      for (std::size_t k = 0; k < 3; ++k) coordinates.push_back(mesh_.node(v)[k]);
+    const auto n = static_cast<med_int>(mesh_.n_nodes());
+    require(MEDmeshNodeCoordinateWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_FULL_INTERLACE, n,
+                                    coordinates.data()));
+    std::vector<std::vector<std::size_t>> sets_of(mesh_.n_nodes());
+    std::vector<std::string> names;
+    SolverNames give(name_limit_med);
+    const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
+      for (const VertexIndex v : nodes) sets_of[v].push_back(names.size());
+      names.push_back(give_name("node group", group, give));
+    };
+    for (const CellGroup& group : mesh_.groups)
+      if (group.dimension < 3) add(group, nodes_of(mesh_, group));
+    for (const NodeSet& set : mesh_.source->node_sets) add({0, 0, set.name, {}, {set.id}}, set.nodes);
+    std::map<std::vector<std::size_t>, med_int> family_of{{{}, 0}};
+    std::vector<med_int> families;
+    for (const auto& sets : sets_of) {
+      const auto [entry, is_new] = family_of.try_emplace(sets, static_cast<med_int>(family_of.size()));
+      families.push_back(entry->second);
+      if (!is_new) continue;
+      std::vector<std::string> groups;
+      for (const std::size_t s : sets) groups.push_back(names[s]);
+      put_family("N" + std::to_string(entry->second), entry->second, groups);
+    }
+    require(
+        MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NODE, MED_NONE, n, families.data()));
+  }
+
+  /// Cells shape by shape; a block's family has the number -1 - block.
+  void put_cells() {
+    std::vector<std::vector<std::string>> groups_of(mesh_.blocks.size());
+    SolverNames give(name_limit_med);
+    for (const auto* groups : {&mesh_.groups, &mesh_.region_groups})
+      for (const CellGroup& group : *groups) {
+        const std::string name = give_name("cell group", group, give);
+        for (const std::size_t b : group.blocks) groups_of[b].push_back(name);
+      }
+    for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
+      put_family("E" + std::to_string(b + 1), -1 - static_cast<med_int>(b), groups_of[b]);
+    for (const CellShape shape :
+         {CellShape::vertex, CellShape::edge, CellShape::triangle, CellShape::tetrahedron, CellShape::prism}) {
+      std::vector<med_int> nodes, families;
+      for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
+        const CellBlock& block = mesh_.blocks[b];
+        if (block.shape != shape) continue;
+        for (std::size_t c = 0; c < block.n_cells(); ++c)
+          for (std::size_t i = 0; i < block.nodes_per_cell; ++i)
+            nodes.push_back(static_cast<med_int>(block.nodes[c * block.nodes_per_cell + vtk_node(shape, i)]) + 1);
+        families.insert(families.end(), block.n_cells(), -1 - static_cast<med_int>(b));
+      }
+      if (families.empty()) continue;
+      const auto n = static_cast<med_int>(families.size());
+      const med_geometry_type type = geometry_of(mesh_, shape);
+      require(MEDmeshElementConnectivityWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_CELL, type,
+                                           MED_NODAL, MED_FULL_INTERLACE, n, nodes.data()));
+      require(
+          MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_CELL, type, n, families.data()));
+    }
+  }
+
+  const std::filesystem::path& file_;
+  const SolverMesh& mesh_;
+  std::string name_;
+  med_idt id_ = -1;
+  std::vector<SidecarGroup> sidecar_;
+};
+
+std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
+                                         const std::filesystem::path& stem) {
+  const SolverMesh mesh = make_solver_mesh(model, options);
+  const std::filesystem::path file = stem.string() + ".med";
+  std::vector<SidecarGroup> sidecar;
+  write_complete_or_absent(
+      file, [&](const std::filesystem::path& temporary) { sidecar = MedWriter(temporary, file, mesh).write(); });
+  return {file, write_sidecar(model, sidecar, file)};
+}
+
+}  // namespace
+
+Format med_format() {
+  return {"med",
+          {".med"},
+          "MED (Code_Aster, SALOME)",
+          {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
+          write,
+          read_med_mesh};
+}
+
+}  // namespace geomesh::geomodel

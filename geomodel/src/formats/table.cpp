@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of formats (geomesh/geomodel/formats.hpp).
+#include <algorithm>
+
+#include "formats/format_list.hpp"
+#include "geomesh/core/error.hpp"
+#include "solver_mesh/second_order.hpp"
+#include "solver_mesh/split_faults.hpp"
+
+namespace geomesh::geomodel {
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all{
+      vtu_format(),           gmsh41_format(),   gmsh41_binary_format(), gmsh22_format(),
+      gmsh22_binary_format(), abaqus_format(),   exodus_format(),
+#ifdef GEOMESH_WITH_MED
+      med_format(),
+#endif
+#ifdef GEOMESH_WITH_HDF5
+      xdmf_format(),
+#endif
+      ogs_format(),           openfoam_format(), mfem_format(),          pflotran_format(),
+  };
+  return all;
+}
+
+const Format* format_of_name(const std::string& name) {
+  for (const Format& format : formats())
+    if (format.name == name) return &format;
+  return nullptr;
+}
+
+const Format* format_of_extension(const std::string& extension) {
+  for (const Format& format : formats())
+    if (std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end())
+      return &format;
+  return nullptr;
+}
+
+std::string format_name_of(const std::filesystem::path& output) {
+  const std::string extension = output.extension().string();
+  if (extension == ".html") return "html";
+  if (const Format* const format = format_of_extension(extension)) return format->name;
+  std::string known;
+  for (const std::string& e : known_extensions()) known += (known.empty() ? "" : ", ") + e;
+  throw Error(ErrorKind::usage, "-o " + output.string() + ": unknown extension; known are " + known);
+}
+
+std::vector<std::string> mesh_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : formats()) names.push_back(format.name);
+  return names;
+}
+
+std::vector<std::string> known_formats() {
+  std::vector<std::string> names = mesh_formats();
+  names.emplace_back("html");
+  return names;
+}
+
+std::vector<std::string> known_extensions() {
+  std::vector<std::string> all;
+  for (const Format& format : formats())
+    for (const std::string& extension : format.extensions)
+      if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
+  all.emplace_back(".html");
+  return all;
+}
+
+std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& name,
+                                                const std::filesystem::path& stem, const WriteOptions& options) {
+  const Format* const format = format_of_name(name);
+  if (!format) {
+    std::string known;
+    for (const std::string& f : mesh_formats()) known += (known.empty() ? "" : ", ") + f;
+    throw Error(ErrorKind::usage, "output format '" + name + "' is not known; known are " + known);
+  }
+  const bool second = options.order == ElementOrder::second;
+  if (second && !format->holds.second_order)
+    throw Error(ErrorKind::usage, "the format " + name + " holds no elements of second order here; leave out order: 2");
+  if (options.cohesive && !format->holds.prisms)
+    throw Error(ErrorKind::usage, "the format " + name + " holds no cohesive prisms here; leave out cohesive: true");
+  if (second && options.cohesive)
+    throw Error(ErrorKind::usage, "cohesive prisms are of first order; leave out order: 2 or cohesive: true");
+  if (options.split.empty() && !second) return format->write(mesh, options, stem);
+  ModelMesh changed = options.split.empty() ? mesh : split_along(mesh, options.split, options.cohesive);
+  if (second) add_midpoints(changed);
+  return format->write(changed, options, stem);
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_readers/file_names.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace geomesh::geomodel {
+
+FileNames read_file_names(const std::filesystem::path& mesh_file) {
+  std::ifstream in(mesh_file.string() + ".json");
+  const nlohmann::json root = nlohmann::json::parse(in, nullptr, false);
+  if (root.is_discarded() || !root.is_object() || root.value("mesh", "") != mesh_file.filename().string()) return {};
+  FileNames names;
+  const auto read = [&](const char* key, std::vector<FullName>& list) {
+    if (!root.contains(key)) return;
+    for (const auto& entry : root.at(key))
+      list.push_back({entry.at("name"), entry.value("kind", ""), entry.at("groups")});
+  };
+  try {
+    read("regions", names.regions);
+    read("surfaces", names.surfaces);
+    read("curves", names.curves);
+    read("points", names.points);
+    read("node_sets", names.node_sets);
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
+  return names;
+}
+
+}  // namespace geomesh::geomodel

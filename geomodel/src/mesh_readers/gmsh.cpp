@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gmsh .msh, versions 2.2 and 4.1, text and binary: nodes, simplices of first and second order, physical groups.
+#include <cstdlib>
+#include <optional>
+
+#include "mesh_readers/file_cursor.hpp"
+#include "mesh_readers/mesh_readers.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// What is known of Gmsh's element types.
+struct ElementType {
+  int dimension;
+  std::size_t n_nodes;
+  bool simplex;
+};
+std::optional<ElementType> element_type(int type) {
+  switch (type) {
+    case 15:
+      return ElementType{0, 1, true};
+    case 1:
+      return ElementType{1, 2, true};
+    case 8:
+      return ElementType{1, 3, true};
+    case 2:
+      return ElementType{2, 3, true};
+    case 9:
+      return ElementType{2, 6, true};
+    case 4:
+      return ElementType{3, 4, true};
+    case 11:
+      return ElementType{3, 10, true};
+    case 3:
+      return ElementType{2, 4, false};
+    case 5:
+      return ElementType{3, 8, false};
+    case 6:
+      return ElementType{3, 6, false};
+    case 7:
+      return ElementType{3, 5, false};
+    case 10:
+      return ElementType{2, 9, false};
+    case 12:
+      return ElementType{3, 27, false};
+    case 13:
+      return ElementType{3, 18, false};
+    case 14:
+      return ElementType{3, 14, false};
+    case 16:
+      return ElementType{2, 8, false};
+    case 17:
+      return ElementType{3, 20, false};
+    case 18:
+      return ElementType{3, 15, false};
+    case 19:
+      return ElementType{3, 13, false};
+    default:
+      return std::nullopt;
+  }
+}
+
+class GmshReader {
+ public:
+  explicit GmshReader(const std::filesystem::path& path) : in_(path) {}
+
+  RawMesh read() {
+    mesh_.format = "Gmsh";
+    while (!in_.at_end()) {
+      const std::string_view section = in_.line();
+      if (section == "$MeshFormat") {
+        read_format();
+      } else if (section == "$PhysicalNames") {
+        read_names();
+      } else if (section == "$Entities") {
+        read_entities();
+      } else if (section == "$Nodes") {
+        require_format();
+        version_ < 4 ? read_nodes_2() : read_nodes_4();
+      } else if (section == "$Elements") {
+        require_format();
+        version_ < 4 ? read_elements_2() : read_elements_4();
+      }
+    }
+    require_format();
+    for (auto& [key, set] : sets_)
+      if (!set.rows.empty()) mesh_.sets.push_back(std::move(set));
+    return std::move(mesh_);
+  }
+
+ private:
+  void require_format() const {
+    if (version_ == 0) in_.refuse("no $MeshFormat: not a Gmsh file");
+  }
+  std::int32_t integer() { return binary_ ? in_.raw<std::int32_t>() : in_.number<std::int32_t>(); }
+  std::size_t size() { return binary_ ? in_.raw<std::uint64_t>() : in_.number<std::uint64_t>(); }
+  double real() { return binary_ ? in_.raw<double>() : in_.number<double>(); }
+
+  void read_format() {
+    version_ = in_.number<double>();
+    binary_ = in_.number<int>() != 0;
+    const auto bytes = in_.number<int>();
+    in_.line();
+    if (version_ != 2.2 && version_ != 2.1 && version_ != 2 && version_ != 4.1)
+      in_.refuse("Gmsh files of this version are not read; save as version 4.1 or 2.2");
+    if (!binary_) return;
+    if (bytes != 8) in_.refuse("numbers are not of 8 bytes");
+    if (in_.raw<std::int32_t>() != 1)
+      in_.refuse("binary numbers of another machine's byte order are not read; save as ASCII");
+  }
+  void read_names() {
+    const auto n = in_.number<std::size_t>();
+    in_.line();
+    for (std::size_t i = 0; i < n; ++i) {
+      const int dimension = in_.number<int>();
+      const auto id = in_.number<std::int32_t>();
+      const std::string_view rest = in_.line();
+      const auto first = rest.find('"'), last = rest.rfind('"');
+      if (first != std::string_view::npos && last > first)
+        set_of(dimension, id).name = rest.substr(first + 1, last - first - 1);
+    }
+  }
+  RawSet& set_of(int dimension, std::int32_t id) {
+    RawSet& set = sets_[{dimension, id}];
+    set.id = id;
+    set.dimension = dimension;
+    return set;
+  }
+  void read_entities() {
+    std::array<std::size_t, 4> n{};
+    for (auto& count : n) count = size();
+    for (int d = 0; d < 4; ++d)
+      for (std::size_t i = 0; i < n[static_cast<std::size_t>(d)]; ++i) {
+        const std::int32_t tag = integer();
+        for (int k = 0; k < (d == 0 ? 3 : 6); ++k) real();
+        std::vector<std::int32_t>& groups = groups_of_[{d, tag}];
+        for (std::size_t k = size(); k > 0; --k) groups.push_back(integer());
+        if (d > 0)
+          for (std::size_t k = size(); k > 0; --k) integer();
+      }
+  }
+  void add_point(double x, double y, double z) { mesh_.points.push_back({x, y, z}); }
+  void read_nodes_2() {
+    const auto n = in_.number<std::size_t>();
+    in_.line();
+    for (std::size_t i = 0; i < n; ++i) {
+      nodes_.add(static_cast<std::size_t>(integer()), in_);
+      const double x = real(), y = real(), z = real();
+      add_point(x, y, z);
+    }
+  }
+  void read_nodes_4() {
+    const std::size_t blocks = size();
+    for (int k = 0; k < 3; ++k) size();
+    for (std::size_t b = 0; b < blocks; ++b) {
+      const int dimension = integer();
+      integer();
+      const bool parametric = integer() != 0;
+      const std::size_t n = size();
+      for (std::size_t i = 0; i < n; ++i) nodes_.add(size(), in_);
+      for (std::size_t i = 0; i < n; ++i) {
+        const double x = real(), y = real(), z = real();
+        if (parametric)
+          for (int k = 0; k < dimension; ++k) real();
+        add_point(x, y, z);
+      }
+    }
+  }
+
+  /// Reads the nodes of one element, by `node()`, and files it under its groups.
+  template <class F>
+  void add_element(int type, const std::vector<std::int32_t>& groups, F&& node) {
+    const std::optional<ElementType> known = element_type(type);
+    if (!known) in_.refuse("elements of Gmsh's type " + std::to_string(type) + " are not known here");
+    const std::size_t number = n_elements_++;
+    RawCells& cells = mesh_.cells[static_cast<std::size_t>(known->dimension)];
+    for (std::size_t i = 0; i < known->n_nodes; ++i) {
+      const VertexIndex row = nodes_.row(node(), in_);
+      if (known->simplex && i < cells.n_corners) cells.corners.push_back(row);
+    }
+    if (!known->simplex) {
+      mesh_.n_other_solids += known->dimension == 3;
+      return;
+    }
+    if (known->dimension == 3) {
+      mesh_.numbers.push_back(number);
+      mesh_.second_order |= type == 11;
+    }
+    for (const std::int32_t id : groups)
+      if (id != 0) set_of(known->dimension, std::abs(id)).rows.push_back(cells.size() - 1);
+  }
+  void read_elements_2() {
+    const auto n = in_.number<std::size_t>();
+    in_.line();
+    for (std::size_t done = 0; done < n;) {
+      std::int32_t type = 0, n_tags = 0, follow = 1, first = 0;
+      if (binary_) {
+        type = integer();
+        follow = integer();
+        n_tags = integer();
+        if (follow <= 0) in_.refuse("a block of elements is empty");
+      }
+      for (std::int32_t i = 0; i < follow; ++i, ++done) {
+        integer();
+        if (!binary_) {
+          type = integer();
+          n_tags = integer();
+        }
+        for (std::int32_t k = 0; k < n_tags; ++k) {
+          const std::int32_t tag = integer();
+          if (k == 0) first = tag;
+        }
+        add_element(type, {n_tags > 0 ? first : 0}, [&] { return static_cast<std::size_t>(integer()); });
+      }
+    }
+  }
+  void read_elements_4() {
+    const std::size_t blocks = size();
+    for (int k = 0; k < 3; ++k) size();
+    for (std::size_t b = 0; b < blocks; ++b) {
+      const std::int32_t dimension = integer(), entity = integer(), type = integer();
+      const std::size_t n = size();
+      const auto groups = groups_of_.find({dimension, entity});
+      static const std::vector<std::int32_t> none;
+      for (std::size_t i = 0; i < n; ++i) {
+        size();
+        add_element(type, groups == groups_of_.end() ? none : groups->second, [&] { return size(); });
+      }
+    }
+  }
+
+  FileCursor in_;
+  RawMesh mesh_;
+  NodeRows nodes_;
+  double version_ = 0;
+  bool binary_ = false;
+  std::size_t n_elements_ = 0;
+  std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;  // by dimension and entity
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;                          // by dimension and tag
+};
+
+}  // namespace
+
+RawMesh read_gmsh_mesh(const std::filesystem::path& file) { return GmshReader(file).read(); }
+
+}  // namespace geomesh::geomodel

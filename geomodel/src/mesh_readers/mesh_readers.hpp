@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Readers of mesh files, one format a file. Indices are checked, everything else is left to be judged. Each throws
+/// Error{usage} where the file cannot be opened, Error{invalid_input} where it cannot be understood.
+#pragma once
+
+#include <filesystem>
+
+#include "mesh_readers/raw_mesh.hpp"
+
+namespace geomesh::geomodel {
+
+RawMesh read_gmsh_mesh(const std::filesystem::path& file);    // 2.2 and 4.1, text and binary
+RawMesh read_abaqus_mesh(const std::filesystem::path& file);  // C3D4, C3D10
+RawMesh read_exodus_mesh(const std::filesystem::path& file);
+RawMesh read_med_mesh(const std::filesystem::path& file);  // with libmedc
+RawMesh read_mfem_mesh(const std::filesystem::path& file);
+RawMesh read_vtu_mesh(const std::filesystem::path& file);  // with NAME.faces.vtp and NAME.curves.vtp where they are
+
+}  // namespace geomesh::geomodel

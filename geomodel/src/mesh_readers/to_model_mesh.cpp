@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the sets of a file to regions, surfaces, curves and named nodes.
+#include <algorithm>
+#include <set>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "geomesh/geomodel/formats.hpp"
+#include "mesh_readers/file_names.hpp"
+#include "mesh_readers/raw_mesh.hpp"
+#include "solver_mesh/face_sides.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// A surface, curve or point to be, with rows of the cells it has.
+struct Wanted {
+  std::string name, kind;
+  std::vector<std::size_t> rows;
+};
+
+Triangle sorted(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+SurfaceKind surface_kind(const std::string& word) {
+  for (const SurfaceKind kind : {SurfaceKind::horizon, SurfaceKind::fault, SurfaceKind::body, SurfaceKind::box})
+    if (word == to_string(kind)) return kind;
+  return SurfaceKind::surface;
+}
+
+/// `fault.minus`, `fault.plus` and `zmin.faces` are sides of one surface.
+std::string without_side(const std::string& name) {
+  for (const std::string_view side : {".minus", ".plus", ".faces"})
+    if (name.size() > side.size() && name.ends_with(side)) return name.substr(0, name.size() - side.size());
+  return name;
+}
+
+class ModelMeshBuilder {
+ public:
+  ModelMeshBuilder(RawMesh raw, const std::filesystem::path& file)
+      : raw_(std::move(raw)), names_(read_file_names(file)) {
+    if (raw_.n_other_solids > 0)
+      refuse(file, std::to_string(raw_.n_other_solids) +
+                       " of its solids are no tetrahedra (hexahedra, prisms ...); split them "
+                       "first");
+    if (raw_.cells[3].size() == 0) refuse(file, "it holds no tetrahedra");
+    mesh_.name = raw_.name.empty() ? file.stem().string() : raw_.name;
+    mesh_.origin = raw_.origin;
+    name_unnamed_sets();
+  }
+
+  ModelMesh build() {
+    keep_used_points();
+    add_tetrahedra();
+    add_regions();
+    add_faces();
+    add_curves();
+    add_points();
+    add_node_sets();
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] static void refuse(const std::filesystem::path& file, const std::string& why) {
+    throw Error(ErrorKind::invalid_input, file.string() + ": " + why);
+  }
+  void name_unnamed_sets() {
+    const char* const what[] = {"point_", "curve_", "surface_", "region_"};
+    for (RawSet& set : raw_.sets)
+      if (set.name.empty()) set.name = (set.dimension < 0 ? "nodes_" : what[set.dimension]) + std::to_string(set.id);
+  }
+  void keep_used_points() {
+    row_.assign(raw_.points.size(), no_vertex);
+    for (const VertexIndex v : raw_.cells[3].corners) row_[v] = 0;
+    const bool ours = raw_.point_kind.size() == row_.size() && raw_.input_vertex.size() == row_.size();
+    for (std::size_t v = 0; v < row_.size(); ++v) {
+      if (row_[v] == no_vertex) continue;
+      row_[v] = static_cast<VertexIndex>(mesh_.points.size());
+      mesh_.points.push_back(raw_.points[v]);
+      mesh_.point_kind.push_back(ours ? static_cast<std::uint8_t>(raw_.point_kind[v]) : 0);
+      mesh_.input_vertex.push_back(ours ? raw_.input_vertex[v] : -1);
+    }
+  }
+  void add_tetrahedra() {
+    const std::vector<VertexIndex>& c = raw_.cells[3].corners;
+    for (std::size_t t = 0; t < raw_.cells[3].size(); ++t) {
+      Tetrahedron v{row_[c[4 * t]], row_[c[4 * t + 1]], row_[c[4 * t + 2]], row_[c[4 * t + 3]]};
+      if (orient3d(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], mesh_.points[v[3]]) == Sign::negative)
+        std::swap(v[2], v[3]);
+      mesh_.tetrahedra.push_back(v);
+    }
+    mesh_.cell_arrays = std::move(raw_.cell_arrays);
+  }
+
+  /// The sets of one dimension, by the full names where those are known; else as they stand.
+  std::vector<Wanted> wanted(int dimension, const std::vector<FullName>& full_names) const {
+    std::vector<Wanted> list;
+    std::map<std::string, std::size_t> row_of_name;
+    const auto give = [&](const std::string& name, const std::string& kind) -> Wanted& {
+      const auto [entry, is_new] = row_of_name.try_emplace(name, list.size());
+      if (is_new) list.push_back({name, kind, {}});
+      return list[entry->second];
+    };
+    std::set<std::string> known;
+    for (const FullName& full : full_names) {
+      for (const RawSet& set : raw_.sets) {
+        if (set.dimension != dimension || std::find(full.sets.begin(), full.sets.end(), set.name) == full.sets.end())
+          continue;
+        Wanted& item = give(full.name, full.kind);
+        item.rows.insert(item.rows.end(), set.rows.begin(), set.rows.end());
+        known.insert(set.name);
+      }
+    }
+    for (const RawSet& set : raw_.sets) {
+      if (set.dimension != dimension || known.contains(set.name)) continue;
+      Wanted& item = give(dimension == 2 ? without_side(set.name) : set.name, "");
+      item.rows.insert(item.rows.end(), set.rows.begin(), set.rows.end());
+    }
+    return list;
+  }
+
+  /// Tetrahedra in the same sets are a region. It has the name of a set that is just this region, else the names of
+  /// its sets joined by `+`; sets of several regions become groups.
+  void add_regions() {
+    const std::vector<Wanted> sets = wanted(3, names_.regions);
+    std::vector<std::vector<std::size_t>> sets_of(mesh_.tetrahedra.size());
+    for (std::size_t s = 0; s < sets.size(); ++s)
+      for (const std::size_t t : sets[s].rows)
+        if (sets_of[t].empty() || sets_of[t].back() != s) sets_of[t].push_back(s);
+    std::map<std::vector<std::size_t>, std::size_t> n_of;
+    for (const auto& list : sets_of) ++n_of[list];
+    std::vector<std::size_t> n_regions(sets.size(), 0);
+    for (const auto& [list, n] : n_of)
+      for (const std::size_t s : list) ++n_regions[s];
+    std::map<std::vector<std::size_t>, std::int32_t> id_of;
+    for (const auto& [list, n] : n_of) {
+      std::string name;
+      for (const std::size_t s : list)
+        if (n_regions[s] == 1 && name.empty()) name = sets[s].name;
+      if (name.empty())
+        for (const std::size_t s : list) name += (name.empty() ? "" : "+") + sets[s].name;
+      const auto id = static_cast<std::int32_t>(mesh_.regions.size() + 1);
+      id_of[list] = id;
+      mesh_.regions.push_back({id, name.empty() ? "region_" + std::to_string(id) : name, {}});
+    }
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      RegionGroup group{sets[s].name, {}};
+      for (const auto& [list, id] : id_of)
+        if (std::find(list.begin(), list.end(), s) != list.end()) group.regions.push_back(id);
+      const bool is_region =
+          group.regions.size() == 1 && mesh_.regions[static_cast<std::size_t>(group.regions[0] - 1)].name == group.name;
+      if (!is_region && !group.regions.empty()) mesh_.groups.push_back(std::move(group));
+    }
+    for (const auto& list : sets_of) {
+      mesh_.tet_region.push_back(id_of[list]);
+      ++mesh_.regions[static_cast<std::size_t>(mesh_.tet_region.back() - 1)].n_tetrahedra;
+    }
+    next_id_ = static_cast<std::int32_t>(mesh_.regions.size() + 1);
+  }
+
+  /// A face is there once, with all its surfaces; its normal points from the lower region id to the higher, or
+  /// outwards.
+  void add_faces() {
+    std::map<Triangle, std::size_t> face_of;
+    std::vector<std::vector<std::int32_t>> surfaces_of;
+    std::vector<Triangle> faces;
+    const std::vector<VertexIndex>& c = raw_.cells[2].corners;
+    for (const Wanted& surface : wanted(2, names_.surfaces)) {
+      const std::int32_t id = next_id_++;
+      mesh_.surfaces.push_back({id, surface.name, surface_kind(surface.kind)});
+      for (const std::size_t f : surface.rows) {
+        const Triangle t{row_[c[3 * f]], row_[c[3 * f + 1]], row_[c[3 * f + 2]]};
+        if (t[0] == no_vertex || t[1] == no_vertex || t[2] == no_vertex) continue;
+        const auto [entry, is_new] = face_of.try_emplace(sorted(t), faces.size());
+        if (is_new) {
+          faces.push_back(t);
+          surfaces_of.emplace_back();
+        }
+        auto& ids = surfaces_of[entry->second];
+        if (ids.empty() || ids.back() != id) ids.push_back(id);
+      }
+    }
+    const auto sides = tetrahedra_at_faces(mesh_.tetrahedra, faces);
+    std::map<std::vector<std::int32_t>, std::int32_t> set_of;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto region = [&](std::size_t k) {
+        return sides[f][k].tetrahedron == no_side ? 0 : mesh_.tet_region[sides[f][k].tetrahedron];
+      };
+      std::int32_t minus = region(0), plus = region(1);
+      if (minus == 0 && plus == 0) continue;  // no face of a tetrahedron
+      if (minus == 0 || (plus != 0 && plus < minus)) {
+        std::swap(minus, plus);
+        std::swap(faces[f][1], faces[f][2]);
+      }
+      const auto [entry, is_new] =
+          set_of.try_emplace(surfaces_of[f], static_cast<std::int32_t>(mesh_.surface_sets.size()));
+      if (is_new) mesh_.surface_sets.push_back(surfaces_of[f]);
+      mesh_.faces.push_back({faces[f], surfaces_of[f].front(), entry->second, entry->second + 1, minus, plus, -1});
+    }
+  }
+  void add_curves() {
+    const std::vector<VertexIndex>& c = raw_.cells[1].corners;
+    for (const Wanted& curve : wanted(1, names_.curves)) {
+      const std::int32_t id = next_id_++;
+      mesh_.curves.push_back({id, curve.name, curve.kind.empty() ? "curve" : curve.kind});
+      for (const std::size_t e : curve.rows) {
+        const VertexIndex a = row_[c[2 * e]], b = row_[c[2 * e + 1]];
+        if (a != no_vertex && b != no_vertex) mesh_.curve_edges.push_back({a, b, id});
+      }
+    }
+  }
+  void add_points() {
+    for (const Wanted& point : wanted(0, names_.points))
+      for (const std::size_t p : point.rows) {
+        const VertexIndex v = row_[raw_.cells[0].corners[p]];
+        if (v != no_vertex) mesh_.marked_points.push_back({v, next_id_++, point.name});
+      }
+  }
+  /// Nodes that are just those of a region, surface, curve or point under the same name are not told twice.
+  void add_node_sets() {
+    std::set<std::string> taken;
+    for (const Region& r : mesh_.regions) taken.insert(r.name);
+    for (const NamedSurface& s : mesh_.surfaces) taken.insert(s.name);
+    for (const NamedCurve& c : mesh_.curves) taken.insert(c.name);
+    for (const auto& p : mesh_.marked_points) taken.insert(p.name);
+    std::map<std::string, std::string> full_name;
+    for (const auto* list : {&names_.surfaces, &names_.curves, &names_.points, &names_.node_sets})
+      for (const FullName& full : *list)
+        for (const std::string& set : full.sets) full_name.emplace(set, full.name);
+    for (const RawSet& set : raw_.sets) {
+      if (set.dimension != -1) continue;
+      const auto full = full_name.find(set.name);
+      const std::string name = full == full_name.end() ? set.name : full->second;
+      if (taken.contains(name)) continue;
+      NodeSet nodes{next_id_++, name, {}};
+      for (const std::size_t v : set.rows)
+        if (row_[v] != no_vertex) nodes.nodes.push_back(row_[v]);
+      std::sort(nodes.nodes.begin(), nodes.nodes.end());
+      nodes.nodes.erase(std::unique(nodes.nodes.begin(), nodes.nodes.end()), nodes.nodes.end());
+      mesh_.node_sets.push_back(std::move(nodes));
+    }
+  }
+
+  RawMesh raw_;
+  FileNames names_;
+  ModelMesh mesh_;
+  std::vector<VertexIndex> row_;  // of a point of the file in the mesh
+  std::int32_t next_id_ = 1;
+};
+
+}  // namespace
+
+ModelMesh to_model_mesh(RawMesh raw, const std::filesystem::path& file) {
+  return ModelMeshBuilder(std::move(raw), file).build();
+}
+
+ModelMesh read_model_mesh(const std::filesystem::path& file) {
+  const Format* const format = format_of_extension(file.extension().string());
+  if (!format || !format->read) {
+    std::string known;
+    for (const Format& f : formats())
+      if (f.read && known.find(f.extensions.front()) == std::string::npos)
+        known += (known.empty() ? "" : ", ") + f.extensions.front();
+    throw Error(ErrorKind::usage, file.string() + ": meshes of this extension are not read; read are " + known);
+  }
+  return to_model_mesh(format->read(file), file);
+}
+
+}  // namespace geomesh::geomodel

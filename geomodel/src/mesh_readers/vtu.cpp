@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// VTU of any tool: regions from its cell array of ids; of our own files also NAME.faces.vtp and NAME.curves.vtp.
+#include <algorithm>
+
+#include "mesh_readers/mesh_files.hpp"
+#include "mesh_readers/mesh_readers.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Cells grouped by id.
+void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
+                    const std::map<std::int32_t, std::string>& names, RawMesh& mesh) {
+  std::map<std::int32_t, RawSet> sets;
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    RawSet& set = sets[ids[row]];
+    set.rows.push_back(row);
+  }
+  for (auto& [id, set] : sets) {
+    const auto name = names.find(id);
+    set.name = name == names.end() ? "" : name->second;
+    set.id = id;
+    set.dimension = dimension;
+    mesh.sets.push_back(std::move(set));
+  }
+}
+
+/// A face of several surfaces is in the set of each.
+void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& row, RawMesh& mesh) {
+  std::map<std::int32_t, RawSet> sets;
+  for (const auto& [id, name] : file.surface_names) sets[id] = {name, id, 2, {}};
+  for (std::size_t f = 0; f < file.triangles.size(); ++f) {
+    for (const VertexIndex v : file.triangles[f]) mesh.cells[2].corners.push_back(row[v]);
+    const bool listed = f < file.surface_set.size() && file.surface_set[f] >= 0 &&
+                        static_cast<std::size_t>(file.surface_set[f]) < file.surface_sets.size();
+    if (listed) {
+      for (const std::int32_t id : file.surface_sets[static_cast<std::size_t>(file.surface_set[f])])
+        sets[id].rows.push_back(f);
+    } else if (f < file.surface.size()) {
+      sets[file.surface[f]].rows.push_back(f);
+    }
+  }
+  for (auto& [id, set] : sets) {
+    set.id = id;
+    set.dimension = 2;
+    if (!set.rows.empty()) mesh.sets.push_back(std::move(set));
+  }
+}
+
+/// Rows of a file's points in the mesh, by coordinates; the file's own numbers where it has them.
+std::vector<VertexIndex> rows_of(const std::vector<Vec3>& points, const std::vector<std::int32_t>& numbers,
+                                 const RawMesh& mesh) {
+  std::vector<VertexIndex> rows;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool known = i < numbers.size() && numbers[i] >= 0 &&
+                       static_cast<std::size_t>(numbers[i]) < mesh.points.size() &&
+                       mesh.points[static_cast<std::size_t>(numbers[i])] == points[i];
+    rows.push_back(known ? static_cast<VertexIndex>(numbers[i]) : no_vertex);
+  }
+  return rows;
+}
+
+}  // namespace
+
+RawMesh read_vtu_mesh(const std::filesystem::path& path) {
+  checking::MeshFile file = checking::read_vtk_mesh(path);
+  RawMesh mesh;
+  mesh.format = "VTU";
+  mesh.points = std::move(file.points);
+  mesh.n_other_solids = file.n_other_solids;
+  mesh.numbers = std::move(file.cell);
+  for (const Tetrahedron& t : file.tetrahedra)
+    mesh.cells[3].corners.insert(mesh.cells[3].corners.end(), t.begin(), t.end());
+  add_sets_by_id(file.region, 3, file.region_names, mesh);
+  mesh.point_kind = std::move(file.point_kind);
+  mesh.input_vertex = std::move(file.input_vertex);
+  const std::filesystem::path stem = path.parent_path() / path.stem();
+  if (const std::filesystem::path faces = stem.string() + ".faces.vtp"; std::filesystem::exists(faces)) {
+    const checking::FacesFile set = checking::read_faces_file(faces);
+    const std::vector<VertexIndex> rows = rows_of(set.points, set.mesh_point, mesh);
+    if (std::find(rows.begin(), rows.end(), no_vertex) == rows.end()) add_faces(set, rows, mesh);
+  } else {
+    for (const auto& triangle : file.triangles)
+      mesh.cells[2].corners.insert(mesh.cells[2].corners.end(), triangle.begin(), triangle.end());
+    add_sets_by_id(file.triangle_id, 2, file.surface_names, mesh);
+    for (const auto& edge : file.edges)
+      mesh.cells[1].corners.insert(mesh.cells[1].corners.end(), edge.begin(), edge.end());
+    add_sets_by_id(file.edge_id, 1, file.curve_names, mesh);
+  }
+  if (const std::filesystem::path curves = stem.string() + ".curves.vtp"; std::filesystem::exists(curves)) {
+    const checking::CurvesFile set = checking::read_curves_file(curves);
+    const std::vector<VertexIndex> rows = rows_of(set.points, set.mesh_point, mesh);
+    if (std::find(rows.begin(), rows.end(), no_vertex) == rows.end()) {
+      for (const auto& edge : set.edges)
+        for (const VertexIndex v : edge) mesh.cells[1].corners.push_back(rows[v]);
+      std::map<std::int32_t, std::string> names;
+      for (const auto& curve : set.curves) names[curve.id] = curve.name;
+      add_sets_by_id(set.edge_curve, 1, names, mesh);
+      for (const VertexIndex v : set.vertices) mesh.cells[0].corners.push_back(rows[v]);
+      add_sets_by_id(set.vertex_curve, 0, names, mesh);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/read_output.hpp"
+
+#include <algorithm>
+
+#include "geomesh/geomodel/formats.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Two formats that write a file of one name: the second is refused.
+bool is_taken(const std::vector<std::string>& chosen, const std::string& name) {
+  const Format* const format = format_of_name(name);
+  return format && std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
+           const Format* const o = format_of_name(other);
+           return o && o->extensions.front() == format->extensions.front();
+         });
+}
+
+void read_formats(const YamlValue& value, std::vector<std::string>& formats) {
+  const std::vector<std::string> known = known_formats();
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  formats.clear();
+  for (const YamlValue& item : value.items()) {
+    const auto format = item.choice(words);
+    if (!format || std::find(formats.begin(), formats.end(), *format) != formats.end()) continue;
+    if (is_taken(formats, *format)) {
+      item.problem("another format of the list has the same file name; one of them was expected");
+    } else {
+      formats.push_back(*format);
+    }
+  }
+  if (value.is_list() && formats.empty() && value.items().empty()) value.problem("the list of formats is empty");
+}
+
+void read_split(const YamlValue& value, const Project& project, WriteOptions& options) {
+  std::vector<std::string_view> names;
+  for (const SurfaceSpec& surface : project.surfaces) names.push_back(surface.name);
+  options.split.clear();
+  for (const YamlValue& item : value.items())
+    if (const auto name = item.choice(names)) options.split.push_back(*name);
+}
+
+void read_options(const YamlMap& map, const Project& project, WriteOptions& options) {
+  if (const auto v = map.find("groups"))
+    if (const auto word = v->choice({"whole", "pieces", "both"}))
+      options.groups = *word == "whole"    ? GroupChoice::whole
+                       : *word == "pieces" ? GroupChoice::pieces
+                                           : GroupChoice::both;
+  if (const auto v = map.find("inner_faces")) options.inner_faces = v->boolean().value_or(true);
+  if (const auto v = map.find("curves")) options.curves = v->boolean().value_or(true);
+  if (const auto v = map.find("order"))
+    if (const auto order = v->number()) {
+      if (*order != 1 && *order != 2) v->problem("1 or 2 was expected");
+      options.order = *order == 2 ? ElementOrder::second : ElementOrder::first;
+    }
+  if (const auto v = map.find("region_array"))
+    if (const auto name = v->choice({"region", "MaterialIDs", "attribute"})) options.region_array = *name;
+  if (const auto v = map.find("single_grid")) options.single_grid = v->boolean().value_or(false);
+  if (const auto v = map.find("node_arrays")) options.node_arrays = v->boolean().value_or(false);
+  if (const auto v = map.find("compression"))
+    if (const auto word = v->choice({"none", "fast", "small"}))
+      options.compression = *word == "none"   ? Compression::none
+                            : *word == "fast" ? Compression::fast
+                                              : Compression::small;
+  if (const auto v = map.find("split")) read_split(*v, project, options);
+  if (const auto v = map.find("cohesive")) {
+    options.cohesive = v->boolean().value_or(false);
+    if (options.cohesive && options.split.empty())
+      v->problem("cohesive prisms need faults to split: split was expected");
+    if (options.cohesive && options.order == ElementOrder::second) v->problem("cohesive prisms are of first order");
+  }
+}
+
+/// What the chosen formats cannot hold is found before anything is meshed.
+void check_formats(const YamlValue& value, const OutputSpec& output) {
+  for (const std::string& name : output.formats) {
+    const Format* const format = format_of_name(name);
+    if (!format) continue;
+    if (output.options.order == ElementOrder::second && !format->holds.second_order)
+      value.problem("the format " + name + " holds no elements of second order here; order: 1 was expected");
+    if (output.options.cohesive && !format->holds.prisms)
+      value.problem("the format " + name + " holds no cohesive prisms here; cohesive: false was expected");
+  }
+}
+
+}  // namespace
+
+void read_output(const YamlValue& value, const std::filesystem::path& folder, Project& project) {
+  const YamlMap map(value, {"directory", "formats", "origin", "groups", "inner_faces", "curves", "order",
+                            "region_array", "single_grid", "node_arrays", "compression", "split", "cohesive"});
+  OutputSpec& output = project.output;
+  if (const auto v = map.find("directory")) {
+    if (const auto text = v->text()) output.directory = (folder / *text).lexically_normal();
+  }
+  if (const auto v = map.find("formats")) read_formats(*v, output.formats);
+  if (const auto v = map.find("origin")) {
+    if (const auto origin = v->point()) {
+      output.origin = *origin;
+      output.has_origin = true;
+    }
+  }
+  read_options(map, project, output.options);
+  check_formats(value, output);
+}
+
+}  // namespace geomesh::geomodel

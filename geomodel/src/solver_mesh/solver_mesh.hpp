@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The mesh as solver files hold it: blocks of cells of one kind, each cell in one block, and named groups of blocks.
+/// Every solver format is written from this.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/write_options.hpp"
+
+namespace geomesh::geomodel {
+
+enum class CellShape { vertex, edge, triangle, tetrahedron, prism };
+int dimension_of(CellShape shape);
+
+inline constexpr std::size_t no_cell = std::numeric_limits<std::size_t>::max();
+
+/// Where a face lies at a solid: the solid's number from 0 (SolverMesh::n_solids), and the vertex it is opposite to.
+struct FaceSide {
+  std::size_t solid = no_cell;
+  unsigned opposite = 0;
+};
+
+/// Cells of one shape that belong together whatever groups are asked for: a region, the faces of the same surfaces
+/// between the same two regions, the edges on the same curves, a named point.
+struct CellBlock {
+  CellShape shape;
+  std::int32_t id;  ///< no two blocks have the same
+  std::string full_name;
+  std::vector<std::int32_t> members;  ///< ids of the region, surfaces, curves or the point
+  std::int32_t region_minus = 0, region_plus = 0;
+  std::size_t nodes_per_cell;
+  std::vector<VertexIndex> nodes;              ///< in VTK's order
+  std::vector<std::array<FaceSide, 2>> sides;  ///< of faces: minus, plus
+  std::vector<std::size_t> rows;               ///< of faces and tetrahedra: in the ModelMesh
+  std::size_t n_cells() const { return nodes_per_cell == 0 ? 0 : nodes.size() / nodes_per_cell; }
+};
+
+/// Blocks under one name.
+struct CellGroup {
+  std::int32_t id;
+  int dimension;
+  std::string full_name;
+  std::vector<std::size_t> blocks;
+  std::vector<std::int32_t> members;
+};
+
+struct SolverMesh {
+  const ModelMesh* source;
+  std::vector<CellBlock> blocks;  ///< solids (regions by id, then cohesive layers), faces, edges, points
+  /// As asked for: surfaces and curves whole, their pieces, or both; two may share blocks.
+  std::vector<CellGroup> groups;
+  /// The same for formats in which a cell has one number: no two share a block. Faces on several surfaces are a group
+  /// of their own, named `a+b`.
+  std::vector<CellGroup> labels;
+  std::vector<CellGroup> region_groups;  ///< groups of regions, as named in the project
+
+  std::size_t n_nodes() const { return source->points.size() + source->midpoints.points.size(); }
+  const Vec3& node(std::size_t i) const {
+    const std::size_t n = source->points.size();
+    return i < n ? source->points[i] : source->midpoints.points[i - n];
+  }
+  std::size_t n_solids() const { return count(3); }
+  std::size_t count(int dimension) const;
+  bool second_order() const { return !source->midpoints.empty(); }
+};
+
+/// The mesh must outlive the result.
+SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options);
+
+/// Nodes of a group, in rising order.
+std::vector<VertexIndex> nodes_of(const SolverMesh& mesh, const CellGroup& group);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/vtk_xml.hpp"
+
+#include <tbb/parallel_for.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "writers/text_buffer.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Bytes of a block before compression. The blocks do not depend on the number of threads, so neither does the file.
+constexpr std::size_t block_bytes = std::size_t{1} << 20;
+
+using Bytes = std::vector<std::byte>;
+
+std::size_t size_of(const VtkArray& array) { return array.n_values * array.value_size; }
+
+/// Values of one block of an array.
+Bytes block_of(const VtkArray& array, std::size_t block) {
+  const std::size_t per_block = block_bytes / array.value_size, first = block * per_block;
+  const std::size_t last = std::min(array.n_values, first + per_block);
+  Bytes bytes((last - first) * array.value_size);
+  array.fill(first, last, bytes.data());
+  return bytes;
+}
+
+Bytes compressed(const Bytes& bytes, int level) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  Bytes result(size);
+  if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                static_cast<uLong>(bytes.size()), level) != Z_OK)
+    throw InternalError("zlib cannot compress a block");
+  result.resize(size);
+  return result;
+}
+
+/// All blocks of an array, compressed, with the header that stands before them.
+struct CompressedArray {
+  std::vector<std::uint64_t> header;
+  std::vector<Bytes> blocks;
+
+  std::size_t size() const {
+    std::size_t sum = header.size() * sizeof(std::uint64_t);
+    for (const Bytes& block : blocks) sum += block.size();
+    return sum;
+  }
+};
+
+CompressedArray compress_array(const VtkArray& array, int level) {
+  const std::size_t bytes = size_of(array), n_blocks = (bytes + block_bytes - 1) / block_bytes;
+  CompressedArray result;
+  result.blocks.resize(n_blocks);
+  tbb::parallel_for(std::size_t{0}, n_blocks,
+                    [&](std::size_t b) { result.blocks[b] = compressed(block_of(array, b), level); });
+  result.header = {n_blocks, block_bytes, bytes % block_bytes};
+  for (const Bytes& block : result.blocks) result.header.push_back(block.size());
+  return result;
+}
+
+/// The text before the appended data.
+class Head {
+ public:
+  explicit Head(Compression compression) : compression_(compression) {}
+
+  void begin(const VtkDocument& document) {
+    text_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << document.type
+          << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"";
+    if (compression_ != Compression::none) text_ << " compressor=\"vtkZLibDataCompressor\"";
+    text_ << ">\n<" << document.type << ">\n";
+    add_fields(document);
+    text_ << "<Piece " << document.piece_attributes << ">\n";
+  }
+  void begin_section(const VtkSection& section) {
+    text_ << "<" << section.tag << (section.attributes.empty() ? "" : " ") << section.attributes << ">\n";
+  }
+  void add_array(const VtkArray& array, std::size_t offset) {
+    text_ << "<DataArray type=\"" << array.type << "\" Name=\"" << xml_text(array.name) << "\"";
+    if (array.components > 1) text_ << " NumberOfComponents=\"" << array.components << "\"";
+    text_ << " format=\"appended\" offset=\"" << offset << "\"/>\n";
+  }
+  void end_section(const VtkSection& section) { text_ << "</" << section.tag << ">\n"; }
+  const std::string& end(const VtkDocument& document) {
+    text_ << "</Piece>\n</" << document.type << ">\n<AppendedData encoding=\"raw\">\n_";
+    return text_.text();
+  }
+
+ private:
+  void add_fields(const VtkDocument& document) {
+    if (document.fields.empty() && document.origin.empty()) return;
+    std::map<std::string, std::vector<std::int32_t>> values;
+    for (const VtkField& field : document.fields)
+      values[field.name].insert(values[field.name].end(), field.values.begin(), field.values.end());
+    text_ << "<FieldData>\n";
+    for (const VtkField& field : document.fields) {
+      const auto entry = values.find(field.name);
+      if (entry == values.end()) continue;
+      text_ << "<DataArray type=\"Int32\" Name=\"" << xml_text(field.name) << "\" NumberOfTuples=\""
+            << entry->second.size() << "\" format=\"ascii\">";
+      for (const std::int32_t value : entry->second) text_ << " " << value;
+      text_ << " </DataArray>\n";
+      values.erase(entry);
+    }
+    if (!document.origin.empty())
+      text_ << "<DataArray type=\"Float64\" Name=\"origin\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
+               "format=\"ascii\"> "
+            << document.origin[0] << " " << document.origin[1] << " " << document.origin[2] << " </DataArray>\n";
+    text_ << "</FieldData>\n";
+  }
+
+  Compression compression_;
+  TextBuffer text_;
+};
+
+void put(std::ofstream& out, const void* data, std::size_t n) {
+  out.write(static_cast<const char*>(data), static_cast<std::streamsize>(n));
+}
+
+/// Array after array; uncompressed ones are made block by block as they are written.
+void write_to(std::ofstream& out, const VtkDocument& document, Compression compression) {
+  Head head(compression);
+  head.begin(document);
+  std::vector<CompressedArray> packed;
+  std::size_t offset = 0;
+  for (const VtkSection& section : document.sections) {
+    head.begin_section(section);
+    for (const VtkArray& array : section.arrays) {
+      head.add_array(array, offset);
+      if (compression == Compression::none) {
+        offset += sizeof(std::uint64_t) + size_of(array);
+      } else {
+        packed.push_back(compress_array(array, compression == Compression::fast ? 1 : 6));
+        offset += packed.back().size();
+      }
+    }
+    head.end_section(section);
+  }
+  const std::string& text = head.end(document);
+  put(out, text.data(), text.size());
+  for (const CompressedArray& array : packed) {
+    put(out, array.header.data(), array.header.size() * sizeof(std::uint64_t));
+    for (const Bytes& block : array.blocks) put(out, block.data(), block.size());
+  }
+  if (compression == Compression::none)
+    for (const VtkSection& section : document.sections)
+      for (const VtkArray& array : section.arrays) {
+        const std::uint64_t bytes = size_of(array);
+        put(out, &bytes, sizeof bytes);
+        for (std::size_t b = 0; b * block_bytes < bytes && out; ++b) {
+          const Bytes block = block_of(array, b);
+          put(out, block.data(), block.size());
+        }
+      }
+  const std::string_view tail = "\n</AppendedData>\n</VTKFile>\n";
+  put(out, tail.data(), tail.size());
+}
+
+}  // namespace
+
+std::string xml_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+void write_vtk_document(const VtkDocument& document, Compression compression, const std::filesystem::path& file) {
+  write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    if (out) write_to(out, document, compression);
+    out.close();
+    if (!out) refuse_to_write(file);
+  });
+}
+
+}  // namespace geomesh::geomodel
