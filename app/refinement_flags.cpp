@@ -30,6 +30,8 @@ void RefinementFlags::add_to(CLI::App& app) {
       ->check(CLI::ExistingFile);
   app.add_option("--quality", quality_, "Refine: how much is done for the elements' shapes")
       ->check(CLI::IsMember({"fast", "default", "best"}));
+  app.add_option("--quality-measure", quality_measure_, "Refine: what makes a shape good (dihedral)")
+      ->check(CLI::IsMember(std::vector<std::string>(quality_measure_names.begin(), quality_measure_names.end())));
   app.add_option("--gradation", gradation_, "Refine: growth of sizes per unit of distance (0.3)")
       ->type_name("G")
       ->check(positive);
@@ -58,8 +60,8 @@ void RefinementFlags::add_to(CLI::App& app) {
 
 geomodel::RefinementSettings RefinementFlags::settings() const {
   geomodel::RefinementSettings s;
-  s.refine =
-      size_ || gradation_ || curvature_ || tolerance_ || inside_only_ || !quality_.empty() || !size_from_.empty();
+  s.refine = size_ || gradation_ || curvature_ || tolerance_ || inside_only_ || !quality_.empty() ||
+             !quality_measure_.empty() || !size_from_.empty();
   s.size.base.global = size_.value_or(0);
   s.size.base.gradation = gradation_.value_or(s.size.base.gradation);
   s.size.base.curvature_angle = curvature_.value_or(0);
@@ -69,6 +71,7 @@ geomodel::RefinementSettings RefinementFlags::settings() const {
   s.sizes_on_surfaces = !inside_only_;
   if (quality_ == "fast") s.quality = QualityLevel::fast;
   if (quality_ == "best") s.quality = QualityLevel::best;
+  s.quality_measure = quality_measure_of(quality_measure_).value_or(s.quality_measure);
   s.max_elements = max_elements_.value_or(s.max_elements);
   s.time_budget = time_budget_.value_or(0);
   s.cell_arrays = cell_arrays_;

@@ -22,7 +22,7 @@ class RefinementFlags {
   std::optional<double> size_, gradation_, curvature_, tolerance_, time_budget_;
   std::optional<std::size_t> max_elements_;
   bool inside_only_ = false;
-  std::string quality_, size_from_;
+  std::string quality_, quality_measure_, size_from_;
   std::vector<std::string> cell_arrays_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "quality/measure/measures.hpp"
 #include "quality/measure/shape.hpp"
 
 namespace geomesh {
@@ -62,11 +63,12 @@ void CauseFinder::explain(WorstElement& w) {
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const InputCreases& creases, std::size_t n_judged) {
   std::vector<WorstElement> bad;
+  const double limit = remesh::DihedralMeasure::of_angle(options.bad_angle);
   for (Index row = 0; row < std::min(n_judged, mesh.tetrahedra.size()); ++row) {
     const Tetrahedron& t = mesh.tetrahedra[row];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
-    if (remesh::shape(a, b, c, d) > remesh::shape_of_angle(options.bad_angle))
-      continue;  // quick: the shape is not above the least sine
+    if (remesh::shape_of_cell<remesh::DihedralMeasure>(a, b, c, d) > limit)
+      continue;  // quick: the measure is not above the least sine
     const double least = tetrahedron_shape(a, b, c, d).min_dihedral;
     if (!(least < options.bad_angle)) continue;
     WorstElement& w = bad.emplace_back();

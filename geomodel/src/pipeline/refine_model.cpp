@@ -241,8 +241,10 @@ std::string contradiction(const RefinementSettings& settings, const RecoverOptio
     if (settings.honour == Honour::tolerance)
       return "mode conforming keeps the input's facets, so a tolerance for surfaces (honour: tolerance) contradicts "
              "it; leave out one of them";
-    if (settings.quality != QualityLevel::standard || settings.time_budget > 0)
-      return "mode conforming refines to sizes and keeps the mesh Delaunay: quality and time_budget have no meaning "
+    if (settings.quality != QualityLevel::standard || settings.quality_measure != QualityMeasure::dihedral ||
+        settings.time_budget > 0)
+      return "mode conforming refines to sizes and keeps the mesh Delaunay: quality, quality_measure and time_budget "
+             "have no meaning "
              "with it, since improving "
              "elements moves points and flips faces";
   }
@@ -259,6 +261,7 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   options.tolerance_share = settings.tolerance_share;
   options.size_surfaces = settings.sizes_on_surfaces;
   options.quality = settings.quality;
+  options.quality_measure = settings.quality_measure;
   options.time_budget = settings.time_budget;
   options.max_elements = settings.max_elements;
   for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);

@@ -213,9 +213,9 @@ void read_limits(const YamlMap& mesh, RefinementSettings& settings) {
 }  // namespace
 
 const std::vector<std::string_view>& refinement_keys() {
-  static const std::vector<std::string_view> keys{"refine",      "size",        "quality",
-                                                  "honour",      "tolerance",   "max_elements",
-                                                  "time_budget", "cell_arrays", "target_elements"};
+  static const std::vector<std::string_view> keys{"refine",      "size",           "quality",      "quality_measure",
+                                                  "honour",      "tolerance",      "max_elements", "time_budget",
+                                                  "cell_arrays", "target_elements"};
   return keys;
 }
 
@@ -254,12 +254,18 @@ void read_refinement(const YamlMap& mesh, Project& project) {
                        : level == "best" ? QualityLevel::best
                                          : QualityLevel::standard;
   }
+  const auto measure = mesh.find("quality_measure");
+  if (measure) {
+    const auto name = measure->choice({quality_measure_names.begin(), quality_measure_names.end()});
+    settings.quality_measure = quality_measure_of(name.value_or("")).value_or(QualityMeasure::dihedral);
+  }
   const auto honour = read_honour(mesh, settings);
   read_limits(mesh, settings);
   const auto word = refine ? refine->choice({"none", "default"}) : std::nullopt;
-  const bool is_asked = size || quality || honour || word == "default" || settings.target_elements > 0;
-  if (word == "none" && (size || quality || honour == "tolerance"))
-    refine->problem("none contradicts 'size', 'quality' or 'honour: tolerance', which ask for refinement");
+  const bool is_asked = size || quality || measure || honour || word == "default" || settings.target_elements > 0;
+  if (word == "none" && (size || quality || measure || honour == "tolerance"))
+    refine->problem(
+        "none contradicts 'size', 'quality', 'quality_measure' or 'honour: tolerance', which ask for refinement");
   if (word != "none" && is_asked) settings.refine = true;
   const bool is_kept = honour == "exact" || !settings.sizes_on_surfaces || excludes_default(project);
   if (honour == "tolerance" || (word != "none" && !is_kept)) follow_sizes(given, settings);

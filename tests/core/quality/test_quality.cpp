@@ -7,7 +7,6 @@
 
 #include "geomesh/core/quality.hpp"
 #include "quality/causes.hpp"
-#include "quality/measure/shape.hpp"
 #include "quality/soup_star.hpp"
 #include "refine_models.hpp"
 
@@ -49,38 +48,6 @@ TEST_CASE("A flat tetrahedron has angles 0 and 180 and ratios 0", "[quality]") {
   CHECK(s.min_dihedral == 0);
   CHECK(s.max_dihedral == 180);
   CHECK(s.radius_ratio == 0);
-}
-
-TEST_CASE("The measure of improvement is the least weighted sine, its gradient that of differences", "[quality]") {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> u(-0.4, 0.4);
-  for (int trial = 0; trial < 200; ++trial) {
-    std::array<Vec3, 4> p = regular;
-    for (Vec3& q : p) q = q + Vec3{u(random), u(random), u(random)};
-    if (orient3d(p[0], p[1], p[2], p[3]) != Sign::positive) std::swap(p[0], p[1]);
-    const TetrahedronShape s = tetrahedron_shape(p[0], p[1], p[2], p[3]);
-    double expected = 1;
-    for (const double a : s.dihedral)
-      expected = std::min(expected, std::sin(a * std::acos(-1.0) / 180) * (a > 90 ? remesh::obtuse_weight : 1));
-    CHECK(remesh::shape(p[0], p[1], p[2], p[3]) == Approx(expected));
-    const remesh::detail::ShapeFrame frame(p[0], p[1], p[2], p[3]);
-    const auto terms = remesh::shape_terms(frame, p[0], p[1], p[2]);
-    for (unsigned k = 0; k < 6; ++k) {
-      const Vec3 g = remesh::shape_gradient(frame, k, terms.value[k]);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        constexpr double h = 1e-6;
-        Vec3 forward = p[3], back = p[3];
-        forward[axis] += h;
-        back[axis] -= h;
-        const double f =
-            remesh::shape_terms(remesh::detail::ShapeFrame(p[0], p[1], p[2], forward), p[0], p[1], p[2]).value[k];
-        const double b =
-            remesh::shape_terms(remesh::detail::ShapeFrame(p[0], p[1], p[2], back), p[0], p[1], p[2]).value[k];
-        if (std::abs(f - b) < 0.1)  // not across the step of the weight at 90 degrees
-          CHECK(g[axis] == Approx((f - b) / (2 * h)).margin(1e-5));
-      }
-    }
-  }
 }
 
 TEST_CASE("Statistics count every element, angle and edge", "[quality]") {

@@ -267,7 +267,7 @@ TEST_CASE("Raising the mean keeps the mesh valid and the worst shape, and raises
       std::pair<double, double> r{1, 0};
       for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
         if (bench.mesh.is_live(c))
-          r.first = std::min(r.first, bench.mesh.shape_of(c)), r.second += MeanGoal::worth(bench.mesh.shape_of(c));
+          r.first = std::min(r.first, bench.mesh.shape_of(c)), r.second += CellQuality().worth(bench.mesh.shape_of(c));
       r.second /= static_cast<double>(bench.mesh.n_cells());
       return r;
     };
@@ -287,10 +287,11 @@ TEST_CASE("Raising the mean keeps the mesh valid and the worst shape, and raises
 }
 
 TEST_CASE("What a shape counts falls faster below that of slivers, without a jump", "[improve]") {
-  const double s = sliver_shape;
-  CHECK(MeanGoal::worth(0.5) == 0.5);
-  CHECK(MeanGoal::worth(s) == s);
-  CHECK(MeanGoal::worth(s - 0.01) == Approx(s - 0.01 * sliver_weight));
+  const CellQuality quality;
+  const double s = DihedralMeasure::poor;
+  CHECK(quality.worth(0.5) == 0.5);
+  CHECK(quality.worth(s) == s);
+  CHECK(quality.worth(s - 0.01) == Approx(s - 0.01 * poor_weight));
   CHECK(MeanGoal{0.3, 0.5}.least_after(0.4) == 0.3);
   CHECK(MeanGoal{0.3, 0.5}.least_after(0.2) == Approx(0.2));
 }
@@ -377,13 +378,13 @@ TEST_CASE("A star with more bad cells than the one it replaces is told, an equal
   const Vec3 foot =
       (1.0 / 3) * (bench.mesh.point(f.vertices[0]) + bench.mesh.point(f.vertices[1]) + bench.mesh.point(f.vertices[2]));
   const auto towards = [&](double t) { return foot + t * (middle - foot); };
-  REQUIRE(star_shape(bench.mesh, star, towards(0.01)) < shape_of_angle(bad_angle));
+  REQUIRE(star_shape(bench.mesh, star, towards(0.01)) < DihedralMeasure::of_angle(bad_angle));
   CHECK_FALSE(adds_bad_cells(bench.mesh, star, middle));
   CHECK(adds_bad_cells(bench.mesh, star, towards(0.01)));
   std::vector<double> shapes;
   for (const LinkFace& g : star.link)
-    shapes.push_back(shape(bench.mesh.point(g.vertices[0]), bench.mesh.point(g.vertices[1]),
-                           bench.mesh.point(g.vertices[2]), towards(0.01)));
+    shapes.push_back(CellQuality().shape(bench.mesh.point(g.vertices[0]), bench.mesh.point(g.vertices[1]),
+                                         bench.mesh.point(g.vertices[2]), towards(0.01)));
   CHECK(adds_bad_cells(bench.mesh, star, shapes));
   // Once there, going a little back raises the worst shape and adds none.
   bench.mesh.move_vertex(v, towards(0.01));

@@ -27,7 +27,7 @@ TEST_CASE("Free cells told by what is near to them are those of the whole mesh",
       const std::vector<CellIndex> free = judge.find(bench.mesh);
       std::vector<CellIndex> bad;
       for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
-        if (bench.mesh.is_live(c) && bench.mesh.shape_of(c) < shape_of_angle(8)) bad.push_back(c);
+        if (bench.mesh.is_live(c) && bench.mesh.shape_of(c) < DihedralMeasure::of_angle(8)) bad.push_back(c);
       CAPTURE(size, bad.size(), free.size());
       n_free += free.size();
       n_forced += bad.size() - free.size();

@@ -155,7 +155,7 @@ void judge_rescue(bool (*rescue)(Toolbox&, CellIndex, const RescueRule&), double
     Model model = ball_in_box(4);
     disturb_inside(model, seed);
     Bench bench(std::move(model));
-    const RescueRule rule{shape_of_angle(bad_degrees), 12, 30};
+    const RescueRule rule{DihedralMeasure::of_angle(bad_degrees), 12, 30};
     for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c) {
       if (!bench.mesh.is_live(c) || bench.mesh.shape_of(c) >= rule.bad_shape) continue;
       const DomainMesh copy = bench.mesh;
@@ -196,7 +196,7 @@ TEST_CASE("A search makes no cell worse than the worst, and more bad ones only w
     Model model = ball_in_box(4);
     disturb_inside(model, 1);
     Bench bench(std::move(model));
-    const RescueRule rule{shape_of_angle(50), 12, 30};
+    const RescueRule rule{DihedralMeasure::of_angle(50), 12, 30};
     for (CellIndex c = 0; c < bench.mesh.n_slots(); c += 4) {
       if (!bench.mesh.is_live(c) || bench.mesh.shape_of(c) >= rule.bad_shape) continue;
       const DomainMesh copy = bench.mesh;
@@ -227,7 +227,7 @@ TEST_CASE("Openings mend cells that are beyond a rescue without, a search cells 
     Model model = ball_in_box(4);
     disturb_inside(model, seed);
     Bench bench(std::move(model));
-    const RescueRule rule{shape_of_angle(30), 12, 30};
+    const RescueRule rule{DihedralMeasure::of_angle(30), 12, 30};
     for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c) {
       if (!bench.mesh.is_live(c) || bench.mesh.shape_of(c) >= rule.bad_shape || rescue_cell(bench.tools, c, rule))
         continue;
@@ -245,7 +245,8 @@ TEST_CASE("A search tries no more often than it may, and not at all when time is
   Model model = ball_in_box(4);
   disturb_inside(model, 1);
   Bench bench(std::move(model));
-  const RescueRule rule{shape_of_angle(60), 12, 30};  // nothing is that good, so all is in vain or little is gained
+  const RescueRule rule{DihedralMeasure::of_angle(60), 12,
+                        30};  // nothing is that good, so all is in vain or little is gained
   RescueSearch search{Chooser(1), 3, 4, [] { return false; }, several_are_free};
   CellIndex c = 0;
   while (!bench.mesh.is_live(c)) ++c;

@@ -110,7 +110,8 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
               "  size: {global: 9, units: {u: 4}, surfaces: {salt: {size: 2, radius: 7}}, curves: {wells: 1.5},\n"
               "         near: [{at: gauge, size: 0.5, radius: 3}, {at: [4, 5, 6], size: 0.25}], gradation: 0.2, max: "
               "8, gap_layers: none}\n"
-              "  honour: tolerance\n  tolerance: 0.125\n  quality: best\n  max_elements: 1000\n  time_budget: 2.5\n"
+              "  honour: tolerance\n  tolerance: 0.125\n  quality: best\n  quality_measure: mean_ratio\n  "
+              "max_elements: 1000\n  time_budget: 2.5\n"
               "  cell_arrays: [size, aspect]\n"));
   const RefinementSettings& r = p.mesh.refinement;
   CHECK(r.refine);
@@ -130,6 +131,7 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK(r.honour == Honour::tolerance);
   CHECK(r.tolerance == 0.125);
   CHECK(r.quality == QualityLevel::best);
+  CHECK(r.quality_measure == QualityMeasure::mean_ratio);
   CHECK(r.max_elements == 1000);
   CHECK(r.time_budget == 2.5);
   CHECK(r.cell_arrays == std::vector<std::string>{"size", "aspect"});
@@ -217,6 +219,9 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {"surfaces:\n  - {name: t, kind: horizon, file: s/a.ts, cuts: all}\n",
        "cuts: only bodies and faults cut; this surface is a horizon"},
       {s + "mesh: {quality: good}\n", "mesh.quality: fast, default or best was expected"},
+      {s + "mesh: {quality_measure: best}\n",
+       "mesh.quality_measure: dihedral, radius_ratio or mean_ratio was expected"},
+      {s + "mesh: {mode: conforming, size: 5, quality_measure: mean_ratio}\n", "quality_measure and time_budget"},
       {s + "mesh: {size: -5}\n", "mesh.size: a number above zero was expected"},
       {s + "mesh: {refine: none, size: 5}\n", "mesh.refine: none contradicts"},
       {s + "mesh: {honour: {tolerance: 2}}\n",
@@ -226,7 +231,8 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {size: {units: {a: {size: 2, radius: 3}}}}\n", "mesh.size.units: a size inside of a has no radius"},
       {s + "mesh: {size: {near: [{at: nowhere, size: 5}]}}\n",
        "[x, y, z] or the name of an entry of 'points' was expected"},
-      {s + "mesh: {mode: conforming, size: 5, quality: best}\n", "quality and time_budget have no meaning with it"},
+      {s + "mesh: {mode: conforming, size: 5, quality: best}\n",
+       "quality, quality_measure and time_budget have no meaning with it"},
       {s + "mesh: {mode: conforming, size: 5, honour: tolerance, tolerance: 1}\n",
        "mode conforming keeps the input's facets"},
       {s + "mesh: {size: {background: nowhere.csv}}\n", "there is no file 'nowhere.csv'"},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geomesh/core/plc.hpp"
+#include "geomesh/core/quality_measure.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/size_field.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
@@ -61,6 +62,9 @@ struct RefineOptions {
   /// `tolerance` everywhere.
   double tolerance_share = 0;
   QualityLevel quality = QualityLevel::standard;
+  /// What improvement maximises: first its least value over the cells, then its mean. Limits that levels set as angles
+  /// stand for the value of a sliver with this least dihedral angle.
+  QualityMeasure quality_measure = QualityMeasure::dihedral;
   /// Honour::exact: false puts no points on surfaces and curves for their sizes, and has only the inside follow the
   /// sizes asked, which near a vertex of a surface are those of the longest edge there; a few points may still go onto
   /// surfaces where the worst elements need them. For surfaces full of short edges that are to be kept with few
@@ -95,7 +99,9 @@ struct RefineStatistics {
   std::size_t points_on_curves = 0, points_on_surfaces = 0, points_inside = 0;
   std::size_t collapses = 0, edge_removals = 0, face_removals = 0, smoothing_moves = 0, improving_insertions = 0;
   std::size_t passes = 0;
-  double worst_shape_before = 0, worst_shape_after = 0;  ///< after refinement and at the end; see docs/meshing.md
+  QualityMeasure quality_measure = QualityMeasure::dihedral;  ///< that of the options
+  /// Least value of that measure after refinement and at the end.
+  double worst_shape_before = 0, worst_shape_after = 0;
   /// Largest distances found between surfaces and curves; all are proven to be within the tolerance. Zero in exact mode
   /// but for rounding.
   double deviation_result_to_input = 0, deviation_input_to_result = 0;

@@ -3,13 +3,15 @@
 /// The loops over the faces of a link, four at a time, that smoothing spends its time in.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/core/quality_measure.hpp"
 
 namespace geomesh::remesh {
 
-/// Four faces, a face a lane, with what all tetrahedra over them have in common (as ShapeBase has for one).
+/// Four faces, a face a lane, with what all tetrahedra over them have in common (as Base has for one).
 struct alignas(32) FourFaces {
   using Lanes = double[4];
   Lanes corner[3][3];  ///< by corner and coordinate
@@ -19,24 +21,27 @@ struct alignas(32) FourFaces {
   Lanes share;         ///< 1; 0 in lanes that repeat a face to fill the last four
 };
 
-/// The loops over a link, for one instruction set.
+/// The loops over a link, for one measure and one instruction set.
 struct LinkKernels {
   /// All but corners and shares.
   void (*prepare)(FourFaces* faces, std::size_t n_fours);
   void (*shapes)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* shapes);
   /// The least, or some shape that is at most `enough`.
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
-  /// Of worth(shape); minus infinity where a shape is not above `floor`.
+  /// Of CellQuality::worth; minus infinity where a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);
   /// With respect to p, which must make all cells positive.
   Vec3 (*gradient_of_sum)(const FourFaces* faces, std::size_t n_fours, const Vec3& p);
 };
 
+/// By measure.
+using LinkKernelTable = std::array<LinkKernels, n_quality_measures>;
+
 namespace detail {
-extern const LinkKernels baseline_link_kernels, avx2_link_kernels;
+extern const LinkKernelTable baseline_link_kernels, avx2_link_kernels;
 }
 
 /// The version for this machine; all compute the same bits.
-const LinkKernels& link_kernels();
+const LinkKernels& link_kernels(QualityMeasure measure);
 
 }  // namespace geomesh::remesh

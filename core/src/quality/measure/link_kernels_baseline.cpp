@@ -2,5 +2,5 @@
 #include "quality/measure/link_kernels_body.hpp"
 
 namespace geomesh::remesh::detail {
-const LinkKernels baseline_link_kernels{prepare, shapes, worst, sum_of_worths, gradient_of_sum};
+const LinkKernelTable baseline_link_kernels = QualityMeasures::table<LinkKernels, KernelsOf>();
 }  // namespace geomesh::remesh::detail

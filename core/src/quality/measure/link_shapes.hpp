@@ -10,11 +10,15 @@
 
 namespace geomesh::remesh {
 
-/// Faces (a, b, c) with (a, b, c, p) positive for an admissible apex p, and the shapes of these cells as `shape` gives
-/// them but for rounding.
+/// Faces (a, b, c) with (a, b, c, p) positive for an admissible apex p, and the shapes of these cells, the
+/// same bits as CellQuality::shape.
 class LinkShapes {
  public:
-  void clear() { n_ = 0; }
+  /// No face, and the measure that shapes are asked of from now on.
+  void clear(const LinkKernels& kernels) {
+    n_ = 0;
+    kernels_ = &kernels;
+  }
   void add(const Vec3& a, const Vec3& b, const Vec3& c);
   /// To be called once after the last face, before any shape is asked for.
   void prepare();
@@ -47,7 +51,7 @@ class LinkShapes {
   std::vector<FourFaces> fours_;  // at least as many as are in use
   mutable std::vector<double> shapes_;
   std::size_t n_ = 0;
-  const LinkKernels* kernels_ = &link_kernels();
+  const LinkKernels* kernels_ = &link_kernels(QualityMeasure::dihedral);
 };
 
 }  // namespace geomesh::remesh

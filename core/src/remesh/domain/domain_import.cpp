@@ -7,7 +7,6 @@
 #include "common/epoch_marks.hpp"
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
-#include "quality/measure/shape.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/domain/face_directions.hpp"
 #include "remesh/domain/merge_pieces.hpp"
@@ -29,6 +28,7 @@ class Importer {
         exact_(options.honour == Honour::exact),
         narrow_(narrow_share * options.tolerance),
         cos_sharp_(std::cos(options.sharp_angle * pi / 180)) {
+    domain_.set_measure(options.quality_measure);
     domain_.set_facet_patches(std::move(patches));
     std::map<Index, Index> first;
     for (Index s = 0; s < plc.segments.size(); ++s) {

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "geomesh/core/validate.hpp"
-#include "quality/measure/shape.hpp"
 
 namespace geomesh::remesh {
 
@@ -55,7 +54,7 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, dou
 
 void DomainMesh::refresh_shape(CellIndex c) {
   const Tetrahedron& t = mesh_.vertices(c);
-  set_shape(c, shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]));
+  set_shape(c, measure_.shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]));
 }
 
 void DomainMesh::set_shape(CellIndex c, double shape) {

@@ -17,6 +17,7 @@
 
 #include "common/flat_map.hpp"
 #include "mesh/editable_mesh.hpp"
+#include "quality/measure/cell_quality.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
 
@@ -64,6 +65,9 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   }
 
   // Cells.
+  /// The measure of shapes. To be set before the first cell.
+  const CellQuality& measure() const { return measure_; }
+  void set_measure(QualityMeasure measure) { measure_ = CellQuality(measure); }
   const TetMesh& topology() const { return cells(); }
   CellIndex n_slots() const { return mesh_.n_slots(); }
   std::size_t n_cells() const { return mesh_.n_live(); }
@@ -197,6 +201,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<std::uint64_t> changed_;
   std::vector<bool> pinched_;  // by vertex, of those there were at first
 
+  CellQuality measure_;
   std::uint64_t clock_ = 1;
 
   std::vector<Index> facet_patch_;

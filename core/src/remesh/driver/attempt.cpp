@@ -32,6 +32,7 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   result.size_field = std::move(sizes.all);
   result.asked = std::move(sizes.without_gaps);
   result.statistics.sizes_on_surfaces = sizes_surfaces(options);
+  result.statistics.quality_measure = options.quality_measure;
   if (options.refine) announce_estimate(plc, mesh, options, context, result);
 }
 

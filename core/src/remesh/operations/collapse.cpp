@@ -116,7 +116,8 @@ class Collapse {
       if (mesh_.topology().has_vertex(c, v_)) return true;
       const Tetrahedron& t = mesh_.vertices(c);
       const auto& f = face_vertices[mesh_.topology().index_of(c, u_)];
-      return shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), mesh_.point(v_)) > needed;
+      return mesh_.measure().shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), mesh_.point(v_)) >
+             needed;
     });
   }
 

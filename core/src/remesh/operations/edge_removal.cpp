@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/geometry.hpp"
 #include "mesh/edge_shell.hpp"
-#include "quality/measure/shape.hpp"
-#include "remesh/operations/half_angle.hpp"
 #include "remesh/operations/improve.hpp"
 
 namespace geomesh::remesh {
@@ -23,6 +22,7 @@ class PolygonTriangulation {
   PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon,
                        bool is_whole_ring)
       : mesh_(mesh),
+        measure_(mesh.measure()),
         a_(a),
         b_(b),
         p_(polygon),
@@ -55,7 +55,7 @@ class PolygonTriangulation {
       const double rest = left + right - 2 * mean;
       if (!(rest + 2 * bound_of_triangle(s.i, s.k, s.j) > s.best)) return none;
       const auto [upper, lower] = shapes_on(s.i, s.k, s.j);
-      return upper > floor && lower > floor ? rest + MeanGoal::worth(upper) + MeanGoal::worth(lower) : none;
+      return upper > floor && lower > floor ? rest + measure_.worth(upper) + measure_.worth(lower) : none;
     });
   }
 
@@ -88,10 +88,10 @@ class PolygonTriangulation {
   /// The worse of the two cells over a side of the ring is no better, nor is half of what both sum to.
   double bound_at_side(std::size_t i) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
-    return sine_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);
+    return measure_.most_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);
   }
   double bound_of_triangle(std::size_t i, std::size_t k, std::size_t j) const {
-    double bound = largest_shape;
+    double bound = measure_.largest();
     if (k == i + 1) bound = std::min(bound, bound_[i]);
     if (j == k + 1) bound = std::min(bound, bound_[k]);
     if (i == 0 && j + 1 == n_ && n_sides_ == n_) bound = std::min(bound, bound_[j]);
@@ -100,16 +100,17 @@ class PolygonTriangulation {
 
   std::array<double, 2> shapes_on(std::size_t i, std::size_t j, std::size_t k) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
-    return {shape(x, y, z, mesh_.point(b_)), shape(z, y, x, mesh_.point(a_))};
+    return {measure_.shape(x, y, z, mesh_.point(b_)), measure_.shape(z, y, x, mesh_.point(a_))};
   }
 
   double triangle_shape(std::size_t i, std::size_t j, std::size_t k, double enough) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
-    const double upper = shape(x, y, z, mesh_.point(b_));
-    return upper <= enough ? upper : std::min(upper, shape(z, y, x, mesh_.point(a_)));
+    const double upper = measure_.shape(x, y, z, mesh_.point(b_));
+    return upper <= enough ? upper : std::min(upper, measure_.shape(z, y, x, mesh_.point(a_)));
   }
 
   const DomainMesh& mesh_;
+  const CellQuality& measure_;
   VertexIndex a_, b_;
   const std::vector<VertexIndex>& p_;
   std::size_t n_, n_sides_;
@@ -166,7 +167,7 @@ class EdgeRemoval {
  private:
   double sum_before() const {
     double sum = 0;
-    for (const CellIndex k : tools_.work.cells) sum += MeanGoal::worth(mesh_.shape_of(k)) - goal_->mean;
+    for (const CellIndex k : tools_.work.cells) sum += mesh_.measure().worth(mesh_.shape_of(k)) - goal_->mean;
     return sum;
   }
 
@@ -184,13 +185,13 @@ class EdgeRemoval {
 
   /// As for stars: see cavity.hpp.
   bool adds_bad_cells() const {
-    const double bad = shape_of_angle(bad_angle);
+    const double bad = mesh_.measure().bad();
     if (before_ >= bad) return false;
     const auto n_before = std::count_if(tools_.work.cells.begin(), tools_.work.cells.end(),
                                         [&](CellIndex c) { return mesh_.shape_of(c) < bad; });
     const auto n_after = std::count_if(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
-      return shape(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
-                   mesh_.point(n.vertices[3])) < bad;
+      return mesh_.measure().shape(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
+                                   mesh_.point(n.vertices[3])) < bad;
     });
     return n_after > n_before;
   }
@@ -238,7 +239,7 @@ class EdgeRemoval {
   /// A flat cell whose two faces at the edge are both on the outside goes for nothing: the faces that it has with its
   /// neighbours are the surface then.
   bool shell_off(CellIndex c) {
-    if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < shape_of_angle(bad_angle))) return false;
+    if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < mesh_.measure().bad())) return false;
     const TetMesh& topology = mesh_.topology();
     const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
     const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)),

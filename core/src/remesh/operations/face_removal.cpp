@@ -9,10 +9,6 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// More than the worths of three cells about one edge can sum to: one angle there of 90 degrees, two of 135 (obtuse
-/// sines are weighted down), and no cell is better than the regular one, 0.943.
-constexpr double most_about_an_edge_of_three = 1.9792;
-
 class FaceRemoval {
  public:
   FaceRemoval(Toolbox& tools, CellIndex c, unsigned i)
@@ -34,8 +30,9 @@ class FaceRemoval {
   bool attempt(const MeanGoal& goal) {
     if (mesh_.tag(removed_[0], i_).constrained()) return false;
     const double s = mesh_.shape_of(removed_[0]), t = mesh_.shape_of(mesh_.topology().neighbor_cell(removed_[0], i_));
-    const double needed = MeanGoal::worth(s) + MeanGoal::worth(t) + goal.mean + MeanGoal::least_gain;
-    if (needed > most_about_an_edge_of_three) return false;
+    const CellQuality& measure = mesh_.measure();
+    const double needed = measure.worth(s) + measure.worth(t) + goal.mean + MeanGoal::least_gain;
+    if (needed > measure.most_of_three()) return false;
     find_cells();
     const auto sum = worth_of_new(goal.least_after(std::min(s, t)));
     return sum && *sum > needed && replace();
@@ -57,9 +54,9 @@ class FaceRemoval {
     double sum = 0;
     for (unsigned k = 0; k < 3; ++k) {
       const Vec3 &x = mesh_.point(face_[k]), &y = mesh_.point(face_[(k + 1) % 3]);
-      const double s = shape(x, y, q, p);
+      const double s = mesh_.measure().shape(x, y, q, p);
       if (!(s > needed) || !is_positive(x, y, q, p)) return std::nullopt;
-      sum += MeanGoal::worth(s);
+      sum += mesh_.measure().worth(s);
     }
     return sum;
   }

@@ -25,15 +25,12 @@ struct SmoothRule {
       false;  ///< where surfaces are kept: vertices on input edges move along these, and else not at all
 };
 
-/// For flips that raise the mean worth of the mesh's cells: over those exchanged, however many they become, the sum of
-/// what their worths are above `mean` must rise, and no shape fall below `floor` and the worst that was there.
+/// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over those exchanged, however many
+/// they become, the sum of what their worths are above `mean` must rise, and no shape fall below `floor` and the worst
+/// that was there.
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
-  /// What a cell counts by its shape.
-  static double worth(double shape) {
-    return shape < sliver_shape ? sliver_weight * shape - (sliver_weight - 1) * sliver_shape : shape;
-  }
   double least_after(double worst_before) const { return worst_before > floor ? floor : (1 - 1e-9) * worst_before; }
 };
 

@@ -219,7 +219,7 @@ class Insertion {
 
   const std::vector<double>& new_shapes() {
     LinkShapes& link = tools_.work.link;
-    link.clear();
+    link.clear(mesh_.measure().kernels());
     for (const LinkFace& f : tools_.work.cavity.link)
       link.add(mesh_.point(f.vertices[0]), mesh_.point(f.vertices[1]), mesh_.point(f.vertices[2]));
     link.prepare();

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"
-#include "remesh/operations/half_angle.hpp"
 #include "remesh/operations/improve.hpp"
 #include "search/closest_point.hpp"
 
@@ -53,7 +52,7 @@ class CavityDigger {
       const FaceRef n = mesh_.topology().neighbor(c, i);
       if (n.valid() && std::find(cells_.begin(), cells_.end(), n.cell()) != cells_.end()) continue;
       const auto& f = face_vertices[i];
-      border_.push_back({shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p), n,
+      border_.push_back({mesh_.measure().shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p), n,
                          mesh_.tag(c, i).constrained()});
     }
   }
@@ -81,8 +80,8 @@ bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex 
   double before = 1;
   for (const CellIndex k : cells) before = std::min(before, mesh.shape_of(k));
   for (std::size_t k = 0; k < cells.size(); ++k)
-    if (sine_of_half_angle(mesh.point(a), mesh.point(b), mesh.point(ring[k]),
-                           mesh.point(ring[(k + 1) % ring.size()])) <= before * least_rise)
+    if (mesh.measure().most_of_half_angle(mesh.point(a), mesh.point(b), mesh.point(ring[k]),
+                                          mesh.point(ring[(k + 1) % ring.size()])) <= before * least_rise)
       return true;
   return false;
 }

@@ -11,7 +11,8 @@
 namespace geomesh::remesh {
 
 void StarProblem::set_link(const DomainMesh& mesh, const StarCavity& cavity) {
-  link.clear();
+  measure = mesh.measure();
+  link.clear(measure.kernels());
   for (const LinkFace& f : cavity.link)
     link.add(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]));
   link.prepare();
@@ -54,12 +55,10 @@ void active_gradients(const StarProblem& problem, const Vec3& p, double limit, s
   const std::vector<double>& shapes = problem.link.shapes(p);
   for (std::size_t i = 0; i < problem.link.size(); ++i) {
     if (shapes[i] > limit) continue;
-    const Vec3 a = problem.link.corner(i, 0), b = problem.link.corner(i, 1), c = problem.link.corner(i, 2);
-    const detail::ShapeFrame frame(a, b, c, p);
-    const ShapeTerms t = shape_terms(frame, a, b, c);
-    for (unsigned k = 0; k < 6; ++k)
-      if (t.value[k] <= limit) g.push_back(problem.constrain(shape_gradient(frame, k, t.value[k])));
+    problem.measure.append_gradients({problem.link.corner(i, 0), problem.link.corner(i, 1), problem.link.corner(i, 2)},
+                                     p, limit, g);
   }
+  for (Vec3& v : g) v = problem.constrain(v);
 }
 
 double shortest_reach(const StarProblem& problem, const Vec3& p) {

@@ -17,6 +17,7 @@ namespace geomesh::remesh {
 
 struct StarProblem {
   LinkShapes& link;  ///< (corners, p) positive for an admissible p
+  CellQuality measure = CellQuality();
   enum class Freedom { space, plane, line } freedom = Freedom::space;
   Vec3 direction = {};  ///< plane: its normal; line: its direction; of length one
 

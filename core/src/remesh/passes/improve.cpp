@@ -71,10 +71,10 @@ class Improver {
     for (unsigned k = 0; k < schedule_.even_passes && !out_of_time(); ++k) even_out();
     std::size_t idle = 0, fewest = mesh_.n_cells(), fewest_worst = mesh_.n_cells();
     for (unsigned k = 0; k < schedule_.repair_passes && idle < 2 && !out_of_time(); ++k) {
-      const std::vector<BadCell> bad = cells_below(mesh_, shape_of_angle(schedule_.target_angle));
+      const std::vector<BadCell> bad = cells_below(mesh_, mesh_.measure().of_angle(schedule_.target_angle));
       // Where surfaces force poor shapes everywhere, repair only moves them about: passes that do not lower their
       // number end it.
-      const std::size_t worst = count_below(bad, shape_of_angle(worst_angle));
+      const std::size_t worst = count_below(bad, mesh_.measure().of_angle(worst_angle));
       const auto falls = [&](std::size_t now, std::size_t least) {
         return static_cast<double>(now) <= schedule_.progress * static_cast<double>(least);
       };
@@ -114,7 +114,7 @@ class Improver {
     }
   }
   std::size_t rescue_pass(double room) {
-    std::vector<BadCell> worst = cells_below(mesh_, shape_of_angle(rescue_angle));
+    std::vector<BadCell> worst = cells_below(mesh_, mesh_.measure().of_angle(rescue_angle));
     const double n_cells = static_cast<double>(mesh_.n_cells());
     const bool are_forced = static_cast<double>(worst.size()) > few_slivers * n_cells;
     if (are_forced) worst.resize(static_cast<std::size_t>(forced_rescue_share * n_cells));
@@ -125,7 +125,7 @@ class Improver {
   /// Points that the rescue put near others in vain, or that later ones have made needless, would be out of size for
   /// nothing.
   void thin_out() {
-    const double floor = std::max(shape_of_angle(rescue_angle), first_percentile());
+    const double floor = std::max(mesh_.measure().of_angle(rescue_angle), first_percentile());
     for (unsigned k = 0; k < thinning_passes && !out_of_time(); ++k)
       if (thin_out_inside(tools_, floor, context_) + thin_out_surfaces(floor) == 0) break;
   }
@@ -135,13 +135,13 @@ class Improver {
     return tools_.guard.exact() ? 0 : remesh::thin_out_surfaces(tools_, floor, context_);
   }
 
-  RescueRule rescue_rule() const { return {shape_of_angle(bad_angle), schedule_.smoothing_steps, rescue_steps}; }
+  RescueRule rescue_rule() const { return {mesh_.measure().bad(), schedule_.smoothing_steps, rescue_steps}; }
 
   /// Before the repair, which looks at the worst alone; and after it where it had to give up on many cells, since what
   /// it exchanged about those is arbitrary but for the worst. A few of the cells may get worse for the many.
   void even_out() {
-    const double least = tools_.bad_cells_may_spread ? 0 : shape_of_angle(bad_angle);
-    const double floor = std::clamp(first_percentile(), least, shape_of_angle(evening_floor_angle));
+    const double least = tools_.bad_cells_may_spread ? 0 : mesh_.measure().bad();
+    const double floor = std::clamp(first_percentile(), least, mesh_.measure().of_angle(evening_floor_angle));
     raise_mean(tools_, floor, schedule_.smoothing_steps / 2, context_, flips_in_vain_);
   }
   double first_percentile() const {
@@ -154,7 +154,7 @@ class Improver {
   }
 
   bool is_poor_altogether() const {
-    const std::size_t n = cells_below(mesh_, shape_of_angle(schedule_.target_angle)).size();
+    const std::size_t n = cells_below(mesh_, mesh_.measure().of_angle(schedule_.target_angle)).size();
     return static_cast<double>(n) > many_poor * static_cast<double>(mesh_.n_cells());
   }
 
@@ -209,7 +209,8 @@ class Improver {
       remember(b.cell, Tried::collapse);
     }
     if (!may_add_points_ || pass < first_pass_with_points || tried == Tried::points) return false;
-    if (b.shape < shape_of_angle(schedule_.insertion_angle) && add_point_about_cell(tools_, b.cell, room_)) return true;
+    if (b.shape < mesh_.measure().of_angle(schedule_.insertion_angle) && add_point_about_cell(tools_, b.cell, room_))
+      return true;
     remember(b.cell, Tried::points);
     return false;
   }
@@ -219,8 +220,8 @@ class Improver {
     if (v >= smoothed_.size()) smoothed_.resize(mesh_.n_vertices() + mesh_.n_vertices() / 8 + 1, 0);
     if (smoothed_[v] >= mesh_.changed_at(v)) return false;
     if (smooth_vertex(tools_, v,
-                      {schedule_.smoothing_steps, shape_of_angle(schedule_.target_angle + 4), SmoothGoal::worst, 0,
-                       schedule_.least_rise}))
+                      {schedule_.smoothing_steps, mesh_.measure().of_angle(schedule_.target_angle + 4),
+                       SmoothGoal::worst, 0, schedule_.least_rise}))
       return true;
     smoothed_[v] = mesh_.tick();
     return false;

@@ -38,7 +38,7 @@ class MeanRaiser {
   double mean_worth() const {
     double sum = 0;
     for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c)) sum += MeanGoal::worth(mesh_.shape_of(c));
+      if (mesh_.is_live(c)) sum += mesh_.measure().worth(mesh_.shape_of(c));
     return sum / static_cast<double>(mesh_.n_cells());
   }
 

@@ -128,7 +128,8 @@ bool star_is_positive(const DomainMesh& mesh, const StarCavity& cavity, const Ve
 double star_shape(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, double enough) {
   double worst = 1;
   for (const LinkFace& f : cavity.link) {
-    worst = std::min(worst, shape(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]), p));
+    worst = std::min(worst, mesh.measure().shape(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]),
+                                                 mesh.point(f.vertices[2]), p));
     if (worst <= enough) break;
   }
   return worst;
@@ -145,7 +146,7 @@ namespace {
 /// shape_of(k): of the cell over face k of the link.
 template <class Shape>
 bool adds_bad_cells_by(const DomainMesh& mesh, const StarCavity& cavity, const Shape& shape_of) {
-  const double bad = shape_of_angle(bad_angle);
+  const double bad = mesh.measure().bad();
   std::size_t room = 0;
   for (const CellIndex c : cavity.cells) room += mesh.shape_of(c) < bad;
   for (std::size_t k = 0; k < cavity.link.size(); ++k)
@@ -158,7 +159,7 @@ bool adds_bad_cells_by(const DomainMesh& mesh, const StarCavity& cavity, const S
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
   return adds_bad_cells_by(mesh, cavity, [&](std::size_t k) {
     const Triangle& f = cavity.link[k].vertices;
-    return shape(mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2]), p);
+    return mesh.measure().shape(mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2]), p);
   });
 }
 

@@ -79,8 +79,6 @@ double star_shape(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& 
 /// Least cached shape of the cells to be removed.
 double removed_shape(const DomainMesh& mesh, const StarCavity& cavity);
 
-/// Least dihedral angle in degrees below which a cell is bad.
-inline constexpr double bad_angle = 8;
 /// Whether the star with its apex at p has more bad cells than are to be removed: where one cell cannot be mended,
 /// raising the worst shape by next to nothing would let its neighbours become as bad.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);

@@ -41,6 +41,7 @@ struct RefinementSettings {
   bool refine = false;  ///< false: the mesh keeps the points that recovery needs, and the rest is not looked at
   NamedSizes size;
   QualityLevel quality = QualityLevel::standard;
+  QualityMeasure quality_measure = QualityMeasure::dihedral;
   Honour honour = Honour::exact;
   double tolerance = 0;  ///< Honour::tolerance: a length
   /// Honour::tolerance: how far surfaces may be off follows the size asked at the place, of which it is this share;

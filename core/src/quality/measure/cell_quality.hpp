@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The quality measure that was chosen, as local operations use it. Its values are called shapes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "quality/measure/dihedral_measure.hpp"
+#include "quality/measure/link_kernels.hpp"
+#include "quality/measure/measures.hpp"
+
+namespace geomesh::remesh {
+
+/// A cell whose shape is below the measure's `poor` counts by this many times its lack of shape; see worth.
+inline constexpr double poor_weight = 3;
+
+/// Least dihedral angle in degrees below which a cell is bad.
+inline constexpr double bad_angle = 8;
+
+/// One cell at a time. The default measure is inlined; the others cost a call. What a link needs at once is in
+/// link_kernels.hpp.
+class CellQuality {
+ public:
+  explicit CellQuality(QualityMeasure measure = QualityMeasure::dihedral);
+
+  QualityMeasure measure() const { return measure_; }
+  const LinkKernels& kernels() const { return *kernels_; }
+
+  /// The measure of (a, b, c, p): above 0 for positive cells, at most `largest`; six times the volume for others.
+  double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) const {
+    if (measure_ == QualityMeasure::dihedral) [[likely]]
+      return shape_of_cell<DihedralMeasure>(a, b, c, p);
+    return rules_->shape(a, b, c, p);
+  }
+  /// Appends the gradients, by the apex p, of all terms of the least of which the shape is made and that are at most
+  /// `limit`: six for dihedral angles, one for the ratios. The cell must be positive.
+  void append_gradients(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out) const {
+    rules_->append_gradients(face, p, limit, out);
+  }
+
+  /// What a cell counts in a sum over many: its shape, but below 12 degrees less, so that few slivers come for the good
+  /// of many.
+  double worth(double shape) const { return shape < poor_ ? poor_weight * shape - (poor_weight - 1) * poor_ : shape; }
+  /// The shape that limits given as a dihedral angle in degrees stand for: that of the sliver with this least angle.
+  double of_angle(double degrees) const { return rules_->of_angle(degrees); }
+  /// of_angle(bad_angle).
+  double bad() const { return bad_; }
+
+  /// The shape of the regular tetrahedron, or a little more. No cell is better.
+  double largest() const { return largest_; }
+  /// More than the worths of three cells about one edge can sum to.
+  double most_of_three() const { return most_of_three_; }
+  /// Where two cells share the dihedral angle that cell (a, b, x, y) has at its edge (x, y), the worse of them is no
+  /// better than this, nor is half of what their worths sum to. NaN where a face has no area.
+  double most_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const {
+    constexpr double rounding = 1e-6;
+    const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);
+    const double cosine = dot(m, n) / std::sqrt(dot(m, m) * dot(n, n));
+    const double sine_of_half = std::sqrt(std::max(0.5 - 0.5 * cosine, 0.0));
+    if (measure_ == QualityMeasure::dihedral) [[likely]]
+      return DihedralMeasure::most_with_angle(sine_of_half, 0) + rounding;
+    return rules_->most_with_angle(sine_of_half, std::sqrt(std::max(0.5 + 0.5 * cosine, 0.0))) + rounding;
+  }
+
+ private:
+  struct Rules {
+    double (*shape)(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
+    void (*append_gradients)(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out);
+    double (*of_angle)(double degrees);
+    double (*most_with_angle)(double sine, double cosine);
+    double poor, largest, most_of_three;
+  };
+  template <class Measure>
+  struct RulesOf;
+  static const std::array<Rules, n_quality_measures> rules;
+
+  QualityMeasure measure_;
+  const Rules* rules_;
+  const LinkKernels* kernels_;
+  double poor_, bad_, largest_, most_of_three_;
+};
+
+}  // namespace geomesh::remesh

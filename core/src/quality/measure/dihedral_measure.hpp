@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The measure by dihedral angles: the default of improvement.
+///
+/// The measure of a tetrahedron is the least sine of its six dihedral angles, the sines of obtuse angles weighted down
+/// (Klingner and Shewchuk 2007, section 2, the "biased minimum sine"). The weight is sin 24.85 / sin 145, so that the
+/// two bounds users ask for, 24.85 and 145 degrees, are one value of the measure. For a positive tetrahedron with
+/// det = 6 volume, the sine at an edge e between the faces with normals m and n (of length twice the area) is
+/// det |e| / (|m| |n|).
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <vector>
+
+#include "geomesh/core/quality_measure.hpp"
+#include "quality/measure/vectors.hpp"
+
+namespace geomesh::remesh {
+
+struct DihedralMeasure {
+  static constexpr QualityMeasure id = QualityMeasure::dihedral;
+  static constexpr double largest = 0.94281;        ///< of the regular tetrahedron, and a little for rounding
+  static constexpr double poor = 0.2079;            ///< sin 12 degrees; see CellQuality::worth
+  static constexpr double obtuse_weight = 0.73265;  ///< sin(24.85 degrees) / sin(145 degrees)
+  /// Three cells about one edge sum to less: angles of 90, 135 and 135 degrees there, and no cell above `largest`.
+  static constexpr double most_of_three = 1.9792;
+
+  /// Value for an acute angle in degrees.
+  static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
+  /// No cell with this dihedral angle, of at most 90 degrees, is better. Concave in the angle.
+  static double most_with_angle(double sine, double /*cosine*/) { return sine; }
+
+  /// Of a positive cell. Squares are compared, so that one root is enough.
+  template <class Real>
+  GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
+    return t.det * root(Squares<Real>(base, t).least);
+  }
+
+  /// With respect to the apex. Each factor of the least sine contributes its own logarithmic derivative.
+  template <class Real>
+  GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
+    const Squares<Real> s(base, t);
+    const Vectors<Real> area_a = times(s.ia, normal_to(minus(t.b, t.c), t.na));
+    const Vectors<Real> area_b = times(s.ib, normal_to(minus(t.c, t.a), t.nb));
+    const Vectors<Real> area_c = times(s.ic, normal_to(minus(t.a, t.b), t.nc));
+    const auto is_pa = s.pa == s.least;
+    const auto is_pb = (!is_pa) & (s.pb == s.least);
+    const auto is_pc = (!is_pa) & (!is_pb) & (s.pc == s.least);
+    const auto at_apex = is_pa | is_pb | is_pc;
+    const auto is_ab = (!at_apex) & (s.ab == s.least);
+    const auto is_bc = (!at_apex) & (!is_ab) & (s.bc == s.least);
+    const auto is_ca = (!at_apex) & (!is_ab) & (!is_bc);
+    const Vectors<Real> none = place<Real>({});
+    const Vectors<Real> edge = choose(is_pa, t.a, choose(is_pb, t.b, t.c));
+    Vectors<Real> g = times(1 / t.det, base.normal);
+    g = minus(g, choose(at_apex, times(1 / product(edge, edge), edge), none));
+    g = minus(g, choose(is_pb | is_pc | is_bc, area_a, none));
+    g = minus(g, choose(is_pa | is_pc | is_ca, area_b, none));
+    g = minus(g, choose(is_pa | is_pb | is_ab, area_c, none));
+    return times(value, g);
+  }
+
+  /// Appends the gradients of all six weighted sines of the cell (a, b, c, p) that are at most `limit`.
+  static void append_gradients(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out);
+
+ private:
+  /// Squares of the weighted sines over the determinant's, by edge, and the least of them.
+  template <class Real>
+  struct Squares {
+    Real ia, ib, ic, pa, pb, pc, ab, bc, ca, least;
+    GEOMESH_INLINE Squares(const Base<Real>& base, const Apex<Real>& t)
+        : ia(1 / product(t.na, t.na)),
+          ib(1 / product(t.nb, t.nb)),
+          ic(1 / product(t.nc, t.nc)),
+          pa(weighted(product(t.a, t.a) * ib * ic, -product(t.nb, t.nc))),
+          pb(weighted(product(t.b, t.b) * ia * ic, -product(t.na, t.nc))),
+          pc(weighted(product(t.c, t.c) * ia * ib, -product(t.na, t.nb))),
+          ab(weighted(base.squared[0] * ic * base.inverse, product(t.nc, base.normal))),
+          bc(weighted(base.squared[1] * ia * base.inverse, product(t.na, base.normal))),
+          ca(weighted(base.squared[2] * ib * base.inverse, product(t.nb, base.normal))),
+          least(lesser(lesser(lesser(pa, pb), lesser(pc, ab)), lesser(bc, ca))) {}
+    GEOMESH_INLINE static Real weighted(Real square, Real cosine) {
+      return cosine < 0 ? all<Real>(obtuse_weight * obtuse_weight) * square : square;
+    }
+  };
+};
+
+}  // namespace geomesh::remesh
