@@ -9,6 +9,7 @@
 #include "remesh/operations/improve.hpp"
 #include "remesh/rescue/bad_cells.hpp"
 #include "remesh/rescue/rescue.hpp"
+#include "remesh/rescue/rescue_search.hpp"
 #include "remesh/rescue/trial.hpp"
 
 using namespace geomesh;

@@ -119,7 +119,7 @@ void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const R
     if (!is_fresh) return;
     flip_towards_delaunay(tools, context);
     refine_inside(tools, options.max_elements, context);
-    collapse_short_edges(tools, true, context);
+    collapse_short_edges(tools, ShortEdges::inside, context);
   }
 }
 

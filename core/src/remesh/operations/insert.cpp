@@ -8,6 +8,7 @@
 #include "mesh/cavity.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
+#include "remesh/operations/refine_ratios.hpp"
 
 namespace geomesh::remesh {
 
@@ -98,7 +99,8 @@ class Insertion {
   std::optional<VertexIndex> attempt_on_surface(FaceRef start, const InsertionRule& rule) {
     const FaceRef home = locate_on_surface(mesh_, p_, start);
     if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
-    if (!find_cavity(rule.spheres, 0.3 * rule.spacing) || !keeps_constraints()) return std::nullopt;
+    if (!find_cavity(rule.spheres, refine_ratios.surface_spacing_off * rule.spacing) || !keeps_constraints())
+      return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
     add_spokes(cavity);
     if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;

@@ -3,13 +3,12 @@
 
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
+#include "remesh/operations/improve_schedule.hpp"
 #include "search/closest_point.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
-
-constexpr double thin_gap = 0.25;  ///< of the asked size
 
 /// Grows a cavity about a cell, one cell at a time over the border face that makes the worst new cell.
 class CavityDigger {
@@ -72,7 +71,7 @@ class CavityDigger {
 
 /// Whether a point put on the edge, at any place, leaves a cell hardly better than the worst that goes: each cell about
 /// the edge hands the angle at its opposite edge on to two.
-bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double least_rise) {
+bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
   const DomainMesh& mesh = tools.mesh;
   const auto& cells = tools.work.cells;
   const auto& ring = tools.work.ring;
@@ -81,7 +80,7 @@ bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex 
   for (const CellIndex k : cells) before = std::min(before, mesh.shape_of(k));
   for (std::size_t k = 0; k < cells.size(); ++k)
     if (mesh.measure().most_of_half_angle(mesh.point(a), mesh.point(b), mesh.point(ring[k]),
-                                          mesh.point(ring[(k + 1) % ring.size()])) <= before * least_rise)
+                                          mesh.point(ring[(k + 1) % ring.size()])) <= before * point_limits.least_rise)
       return true;
   return false;
 }
@@ -103,7 +102,7 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
 bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
   if (tools.points_in_thin_gaps) return false;
   const DomainMesh& mesh = tools.mesh;
-  const double limit = thin_gap * tools.size.at(p, cavity.link[0].component);
+  const double limit = point_limits.thin_gap * tools.size.at(p, cavity.link[0].component);
   std::vector<Vec3> ways;  // to surfaces
   const auto closes_gap = [&](CellIndex c, unsigned i) {
     const Tetrahedron& t = mesh.vertices(c);
@@ -161,13 +160,13 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
   CavityDigger digger(mesh, c);
   StarCavity& cavity = tools.work.cavity;
   StarProblem problem{tools.work.link};
-  for (unsigned round = 0; round < 3; ++round) {
-    if (!digger.dig(p, 40)) return false;
+  for (unsigned place = 0; place < point_limits.most_places; ++place) {
+    if (!digger.dig(p, point_limits.most_cells)) return false;
     gather_cells(mesh, tools.work.marks, digger.cells(), cavity);
     problem.set_link(mesh, cavity);
-    const OptimizedPlace best = optimize_place(problem, p, {20, 2});
+    const OptimizedPlace best = optimize_place(problem, p, {.max_steps = point_limits.ascent_steps});
     p = best.point;
-    if (!(best.shape > removed_shape(mesh, cavity) * 1.01) || !star_is_positive(mesh, cavity, p) ||
+    if (!(best.shape > removed_shape(mesh, cavity) * point_limits.least_rise) || !star_is_positive(mesh, cavity, p) ||
         tools.spoils(cavity, p))
       continue;
     if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_barred_by_gap(tools, cavity, p))
@@ -180,9 +179,8 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
 }
 
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room) {
-  constexpr double least_rise = 1.01;
   DomainMesh& mesh = tools.mesh;
-  if (mesh.is_pinched(a, b) || halves_a_bad_angle(tools, c, a, b, least_rise)) return false;
+  if (mesh.is_pinched(a, b) || halves_a_bad_angle(tools, c, a, b)) return false;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
   const double before = removed_shape(mesh, cavity);
@@ -200,9 +198,9 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
     problem.freedom = StarProblem::Freedom::plane;
     problem.direction = tools.guard.normal(patch, middle);
   }
-  Vec3 p = optimize_place(problem, middle, {20, 2}).point;
+  Vec3 p = optimize_place(problem, middle, {.max_steps = point_limits.ascent_steps}).point;
   if (moves_on_patch) p = tools.guard.project_to_patch(patch, p);
-  if (!(problem.shape_at(p, before) > before * least_rise) || !star_is_positive(mesh, cavity, p) ||
+  if (!(problem.shape_at(p, before) > before * point_limits.least_rise) || !star_is_positive(mesh, cavity, p) ||
       tools.spoils(cavity, p))
     return false;
   if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_barred_by_gap(tools, cavity, p)))

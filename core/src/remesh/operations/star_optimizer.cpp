@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quality/measure/shape.hpp"
+#include "remesh/operations/improve_schedule.hpp"
 #include "remesh/operations/operations.hpp"
 
 namespace geomesh::remesh {
@@ -37,13 +38,13 @@ Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
   Vec3 x = g[0];
   for (const Vec3& v : g)
     if (dot(v, v) < dot(x, x)) x = v;
-  for (unsigned step = 0; step < 40; ++step) {
+  for (unsigned step = 0; step < ascent_limits.hull_steps; ++step) {
     const Vec3* least = &g[0];
     for (const Vec3& v : g)
       if (dot(x, v) < dot(x, *least)) least = &v;
     const Vec3 d = *least - x;
     const double gain = -dot(x, d), dd = dot(d, d);
-    if (gain <= 1e-3 * dot(x, x) || !(dd > 0)) break;
+    if (gain <= ascent_limits.hull_accuracy * dot(x, x) || !(dd > 0)) break;
     x = x + std::min(1.0, gain / dd) * d;
   }
   return x;
@@ -74,16 +75,17 @@ OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, con
   OptimizedPlace best{start, problem.shape_at(start)};
   if (!(best.shape > 0)) return best;
   thread_local std::vector<Vec3> g;
-  double reach = 0.3 * shortest_reach(problem, start);
-  const double least_reach = 1e-3 * reach;
+  double reach = ascent_limits.first_reach * shortest_reach(problem, start);
+  const double least_reach = ascent_limits.least_reach * reach;
   for (unsigned step = 0; step < limits.max_steps && best.shape < limits.good_enough; ++step) {
-    active_gradients(problem, best.point, best.shape * 1.03 + 1e-4, g);
+    const double active = best.shape * ascent_limits.active_share + ascent_limits.active_margin;
+    active_gradients(problem, best.point, active, g);
     if (g.empty()) break;
     const Vec3 direction = nearest_to_origin(g);
     const double slope = length(direction);
-    if (!(slope * reach > 1e-6)) break;
+    if (!(slope * reach > ascent_limits.least_slope)) break;
     bool moved = false;
-    for (unsigned trial = 0; trial < 6 && reach > least_reach; ++trial) {
+    for (unsigned trial = 0; trial < ascent_limits.trials && reach > least_reach; ++trial) {
       const Vec3 p = best.point + (reach / slope) * direction;
       const double s = problem.shape_at(p, best.shape);
       if (s > best.shape * limits.least_rise) {
@@ -91,30 +93,31 @@ OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, con
         moved = true;
         break;
       }
-      reach *= 0.4;
+      reach *= ascent_limits.shorten;
     }
     if (!moved) break;
-    reach *= 1.5;
+    reach *= ascent_limits.lengthen;
   }
   return best;
 }
 
 Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps, double least_gain) {
   Vec3 best = start;
-  double sum = problem.link.sum_of_worths(start, floor), reach = 0.3 * shortest_reach(problem, start);
-  const double least_reach = 7.5 * least_gain * reach;
+  double sum = problem.link.sum_of_worths(start, floor),
+         reach = ascent_limits.first_reach * shortest_reach(problem, start);
+  const double least_reach = ascent_limits.mean_reach_by_gain * least_gain * reach;
   for (unsigned step = 0; step < max_steps; ++step) {
     const Vec3 g = problem.constrain(problem.link.gradient_of_sum(best));
     const double slope = length(g);
-    if (!(slope * reach > 1e-6)) break;
+    if (!(slope * reach > ascent_limits.least_slope)) break;
     bool moved = false;
-    for (; !moved && reach > least_reach; reach *= 0.4) {
+    for (; !moved && reach > least_reach; reach *= ascent_limits.shorten) {
       const Vec3 p = best + (reach / slope) * g;
       const double s = problem.link.sum_of_worths(p, floor);
       if (s > sum + least_gain) best = p, sum = s, moved = true;
     }
     if (!moved) break;
-    reach *= 2;
+    reach *= ascent_limits.lengthen_mean;
   }
   return best;
 }

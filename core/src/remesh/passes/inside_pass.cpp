@@ -5,6 +5,7 @@
 #include "common/sort_unique.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/change_stamps.hpp"
+#include "remesh/operations/refine_ratios.hpp"
 #include "remesh/operations/surface_repair.hpp"
 #include "remesh/passes/passes.hpp"
 
@@ -12,11 +13,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr double large_ratio =
-    0.75;  // circumradius over asked size from which a cell is too large (0.61 for the regular one)
-/// Share of all cells: where the front slows with so many large ones left, it is because they are far from Delaunay.
-constexpr double many_stuck = 0.15;
-constexpr double spacing_ratio = 0.68;  // no two points nearer than this share of the asked size
+constexpr double spacing_ratio = refine_ratios.spacing;
 
 /// Points first at the ideal height above faces whose other side is done (a constrained face, or one of a cell that is
 /// small enough): the front advances from the surfaces inwards and the points of one layer see those of the last (Rebay
@@ -32,13 +29,13 @@ class InsideRefiner {
     while (!large.empty()) {
       const std::size_t n_front = pass(large, Kind::front, context);
       total += n_front;
-      if (!is_flipped && n_front * 20 < large.size() && is_many(large.size())) {
+      if (!is_flipped && n_front * refine_ratios.slow_front < large.size() && is_many(large.size())) {
         is_flipped = true;
         flip_towards_delaunay(tools_, context);
         large = measure_all();
         continue;
       }
-      if (n_front * 100 > large.size()) continue;
+      if (n_front * refine_ratios.idle_front > large.size()) continue;
       const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
       if (n_front + n_centre > 0) continue;
@@ -56,7 +53,7 @@ class InsideRefiner {
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
 
   bool is_many(std::size_t n_large) const {
-    return static_cast<double>(n_large) > many_stuck * static_cast<double>(mesh_.n_cells());
+    return static_cast<double>(n_large) > refine_ratios.many_stuck * static_cast<double>(mesh_.n_cells());
   }
 
   /// Returns the large cells.
@@ -78,7 +75,7 @@ class InsideRefiner {
       large_.resize(spheres_.size(), false);
     }
     spheres_[c] = circumsphere(mesh_, c);
-    large_[c] = !(spheres_[c].radius <= large_ratio * tools_.size_of_cell(c));
+    large_[c] = !(spheres_[c].radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
   }
   bool is_large(CellIndex c) const { return large_[c]; }
 
@@ -174,7 +171,7 @@ class InsideRefiner {
     if (!home || surely_crowds(p, *home)) return std::nullopt;
     const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
     if (h >= crowded) return std::nullopt;
-    const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, 1e-3, &spheres_});
+    const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, &spheres_});
     if (v) tools_.set_size(*v, h);
     return v;
   }
@@ -202,12 +199,14 @@ class InsideRefiner {
     const double h = (tools_.size_at(x) + tools_.size_at(y) + tools_.size_at(z)) / 3, r2 = dot(offset, offset);
     if (r2 > h * h) return std::nullopt;                             // the face itself is too large
     const Vec3 base = a + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
-    const auto height_of = [&](double edge) { return std::sqrt(std::max(edge * edge - r2, 0.2 * edge * edge)); };
+    const auto height_of = [&](double edge) {
+      return std::sqrt(std::max(edge * edge - r2, refine_ratios.least_height * edge * edge));
+    };
     const double to_centre = dot(centre - base, normal);
     double height = height_of(h);
     if (to_centre > height && !crowds_corner(base + height * normal, c))
       height = height_of(0.5 * (h + std::max(h, size_near(base + height * normal, c))));
-    return base + std::min(height, std::max(to_centre, 0.5 * height)) * normal;
+    return base + std::min(height, std::max(to_centre, refine_ratios.least_way * height)) * normal;
   }
 
   bool is_on_front(CellIndex c) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <string>
-
+// The schedule of refinement; declared in passes.hpp.
 #include "remesh/operations/surface_repair.hpp"
+#include "remesh/passes/pass_runner.hpp"
 #include "remesh/passes/passes.hpp"
 #include "remesh/sizes/sizes.hpp"
 
@@ -9,41 +9,87 @@ namespace geomesh::remesh {
 
 namespace {
 
-void note_cells(const Toolbox& tools, const char* when, const RunContext& context) {
-  context.note(LogLevel::debug, std::to_string(tools.mesh.n_cells()) + " cells " + when);
-}
+/// The passes by name, each run once.
+class RefinePasses {
+ public:
+  RefinePasses(Toolbox& tools, const RefineOptions& options, const RunContext& context)
+      : tools_(tools),
+        most_(options.max_elements),
+        context_(context),
+        runner_(tools.mesh, context, [] { return false; }) {}
+
+  void make_surfaces_regular() const {
+    run("surfaces made regular", [&] { regularize_surfaces(tools_, context_); });
+  }
+  void collapse_on_surfaces() const {
+    run("short edges of surfaces taken out", [&] { collapse_short_edges(tools_, ShortEdges::on_surfaces, context_); });
+  }
+  void collapse_inside() const {
+    run("short edges inside taken out", [&] { collapse_short_edges(tools_, ShortEdges::inside, context_); });
+  }
+  void split_curves() const {
+    run("long edges of curves split", [&] { split_long_edges(tools_, LongEdges::of_curves, most_, context_); });
+  }
+  /// Returns their number.
+  std::size_t split_surfaces() const {
+    std::size_t n = 0;
+    run("long edges of surfaces split", [&] { n = split_long_edges(tools_, LongEdges::of_surfaces, most_, context_); });
+    return n;
+  }
+  void flip() const {
+    run("cells flipped towards Delaunay", [&] { flip_towards_delaunay(tools_, context_); });
+  }
+  void fill_surfaces() const {
+    run("points put on surfaces", [&] { refine_surfaces(tools_, most_, context_); });
+  }
+  void fill_inside() const {
+    run("points put inside", [&] { refine_inside(tools_, most_, context_); });
+  }
+
+ private:
+  template <class Work>
+  void run(std::string_view name, const Work& work) const {
+    const auto once = [&](unsigned) {
+      work();
+      return Next::done;
+    };
+    runner_.run({.name = name, .round = once});
+  }
+
+  Toolbox& tools_;
+  std::size_t most_;  // cells
+  const RunContext& context_;
+  PassRunner runner_;
+};
 
 }  // namespace
 
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
+  const RefinePasses passes(tools, options, context);
   if (!sizes_surfaces(options)) {
-    flip_towards_delaunay(tools, context);
-    refine_inside(tools, options.max_elements, context);
-    collapse_short_edges(tools, true, context);
+    passes.flip();
+    passes.fill_inside();
+    passes.collapse_inside();
     return;
   }
-  note_cells(tools, "before points are added for sizes", context);
-  if (options.honour == Honour::tolerance) regularize_surfaces(tools, context);
-  collapse_short_edges(tools, false, context);
-  split_long_edges(tools, true, options.max_elements, context);
-  flip_towards_delaunay(tools, context);
-  refine_surfaces(tools, options.max_elements, context);
-  note_cells(tools, "after points on surfaces", context);
-  const std::size_t n_split = split_long_edges(tools, false, options.max_elements, context);
-  flip_towards_delaunay(tools, context);
-  refine_inside(tools, options.max_elements, context);
-  flip_towards_delaunay(tools, context);
-  note_cells(tools, "after points inside", context);
+  if (options.honour == Honour::tolerance) passes.make_surfaces_regular();
+  passes.collapse_on_surfaces();
+  passes.split_curves();
+  passes.flip();
+  passes.fill_surfaces();
+  const std::size_t n_split = passes.split_surfaces();
+  passes.flip();
+  passes.fill_inside();
+  passes.flip();
+  // Bisected faces are of poor shape. Their neighbourhood is loose enough to mend them only once it is filled.
   if (n_split > 0) {
-    // Bisected faces are of poor shape, and their neighbourhood is loose enough to mend them only once it is filled.
-    regularize_surfaces(tools, context);
-    collapse_short_edges(tools, false, context);
-    regularize_surfaces(tools, context);
-    flip_towards_delaunay(tools, context);
-    refine_inside(tools, options.max_elements, context);
+    passes.make_surfaces_regular();
+    passes.collapse_on_surfaces();
+    passes.make_surfaces_regular();
+    passes.flip();
+    passes.fill_inside();
   }
-  collapse_short_edges(tools, true, context);
-  note_cells(tools, "at the asked sizes", context);
+  passes.collapse_inside();
 }
 
 }  // namespace geomesh::remesh

@@ -5,6 +5,7 @@
 #include "common/epoch_marks.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
+#include "remesh/operations/refine_ratios.hpp"
 #include "remesh/passes/passes.hpp"
 
 namespace geomesh::remesh {
@@ -18,8 +19,6 @@ struct MeasuredEdge {
     return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b);
   }
 };
-
-constexpr double split_ratio = 1.4, collapse_ratio = 0.6;
 
 bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsigned j) {
   for (unsigned k = 0; k < 4; ++k)
@@ -44,7 +43,7 @@ void check_limit(const DomainMesh& mesh, std::size_t max_cells) {
 
 class EdgeSplitter {
  public:
-  EdgeSplitter(Toolbox& tools, bool curves) : tools_(tools), mesh_(tools.mesh), curves_(curves) {}
+  EdgeSplitter(Toolbox& tools, LongEdges which) : tools_(tools), mesh_(tools.mesh), which_(which) {}
 
   std::size_t run(std::size_t max_cells, const RunContext& context) {
     for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
@@ -68,7 +67,7 @@ class EdgeSplitter {
 
  private:
   bool is_asked(CellIndex c, VertexIndex a, VertexIndex b) const {
-    if (curves_) return mesh_.curve_of(a, b) != no_index;
+    if (which_ == LongEdges::of_curves) return mesh_.curve_of(a, b) != no_index;
     // Any cell about a surface edge may be at hand: look at the whole ring.
     std::vector<CellIndex> cells;
     std::vector<VertexIndex> ring;
@@ -81,20 +80,21 @@ class EdgeSplitter {
     for (const auto& e : edge_vertices) {
       const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
       if (only != no_vertex && a != only && b != only && !on_constrained_face(mesh_, c, e[0], e[1])) continue;
-      if (curves_ ? mesh_.curve_of(a, b) == no_index : !on_constrained_face(mesh_, c, e[0], e[1])) continue;
+      const bool is_of_curve = mesh_.curve_of(a, b) != no_index;
+      if (which_ == LongEdges::of_curves ? !is_of_curve : !on_constrained_face(mesh_, c, e[0], e[1])) continue;
       const double ratio = distance(mesh_.point(a), mesh_.point(b)) / tools_.size_of_edge(a, b);
-      if (ratio > split_ratio) queue_.push({ratio, a, b});
+      if (ratio > refine_ratios.split_edge) queue_.push({ratio, a, b});
     }
   }
 
   Toolbox& tools_;
   DomainMesh& mesh_;
-  bool curves_;
+  LongEdges which_;
   std::priority_queue<MeasuredEdge> queue_;
 };
 
-/// Edges at inner vertices, or else the others, shorter than `ratio` of their size, shortest first.
-std::vector<MeasuredEdge> short_edges(Toolbox& tools, bool inside_only, double ratio) {
+/// Edges shorter than `ratio` of their size, the shortest first.
+std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio) {
   DomainMesh& mesh = tools.mesh;
   std::vector<MeasuredEdge> edges;
   for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
@@ -103,7 +103,7 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, bool inside_only, double r
     for (const auto& e : edge_vertices) {
       const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
       const bool inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
-      if (inside_only != inside) continue;
+      if (inside != (which == ShortEdges::inside)) continue;
       const double share = distance(mesh.point(a), mesh.point(b)) / tools.size_of_edge(a, b);
       if (share < ratio) edges.push_back({share, a, b});
     }
@@ -133,14 +133,14 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
 
 }  // namespace
 
-std::size_t split_long_edges(Toolbox& tools, bool curves, std::size_t max_cells, const RunContext& context) {
-  return EdgeSplitter(tools, curves).run(max_cells, context);
+std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_cells, const RunContext& context) {
+  return EdgeSplitter(tools, which).run(max_cells, context);
 }
 
 void regularize_surfaces(Toolbox& tools, const RunContext& context) {
-  constexpr double floor = 1e-3;
+  const double floor = refine_ratios.regular_floor;
   DomainMesh& mesh = tools.mesh;
-  for (unsigned pass = 0; pass < 4; ++pass) {
+  for (unsigned round = 0; round < refine_ratios.regular_rounds; ++round) {
     context.check_cancelled();
     std::size_t n = 0;
     for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
@@ -159,19 +159,20 @@ void regularize_surfaces(Toolbox& tools, const RunContext& context) {
   }
 }
 
-std::size_t collapse_short_edges(Toolbox& tools, bool inside_only, const RunContext& context) {
-  constexpr double floor = 0.05;
-  return collapse_edges(tools, short_edges(tools, inside_only, collapse_ratio), CollapseRule::coarsen, floor, context);
+std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context) {
+  const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge);
+  return collapse_edges(tools, edges, CollapseRule::coarsen, refine_ratios.collapse_floor, context);
 }
 
 std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context) {
-  constexpr double out_of_size = 0.5;
-  return collapse_edges(tools, short_edges(tools, true, out_of_size), CollapseRule::thin_out, floor, context);
+  const std::vector<MeasuredEdge> edges = short_edges(tools, ShortEdges::inside, refine_ratios.thin_out_edge);
+  return collapse_edges(tools, edges, CollapseRule::thin_out, floor, context);
 }
 
 std::size_t thin_out_surfaces(Toolbox& tools, double floor, const RunContext& context) {
-  constexpr double out_of_size = 0.4;  // a third is promised, and what is beside it takes its share
-  return collapse_edges(tools, short_edges(tools, false, out_of_size), CollapseRule::thin_out, floor, context);
+  const std::vector<MeasuredEdge> edges =
+      short_edges(tools, ShortEdges::on_surfaces, refine_ratios.thin_out_surface_edge);
+  return collapse_edges(tools, edges, CollapseRule::thin_out, floor, context);
 }
 
 }  // namespace geomesh::remesh

@@ -4,15 +4,14 @@
 
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/change_stamps.hpp"
+#include "remesh/operations/refine_ratios.hpp"
 #include "remesh/passes/passes.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
 
-constexpr double large_ratio =
-    0.72;  // circumradius over asked size from which a face is too large (0.58 for the equilateral one)
-constexpr double spacing_ratio = 0.68;
+constexpr double long_squared = refine_ratios.long_edge * refine_ratios.long_edge;
 
 /// A constrained face, to be recognised after other operations.
 struct SurfaceItem {
@@ -25,6 +24,9 @@ struct SurfaceItem {
 /// The front of `refine_inside` one dimension down: points at the ideal height over edges that are done, in the plane
 /// of a face.
 class SurfaceRefiner {
+  /// Where points are placed in a pass.
+  enum class Kind : std::uint8_t { centre, front };
+
  public:
   SurfaceRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
 
@@ -34,10 +36,10 @@ class SurfaceRefiner {
       if (mesh_.is_live(c)) append_large(c, large);
     std::size_t total = 0;
     while (!large.empty()) {
-      const std::size_t n_front = pass(large, true, context);
+      const std::size_t n_front = pass(large, Kind::front, context);
       total += n_front;
       if (n_front > 0) continue;
-      const std::size_t n_centre = pass(large, false, context);
+      const std::size_t n_centre = pass(large, Kind::centre, context);
       total += n_centre;
       if (n_front + n_centre == 0) break;
     }
@@ -75,10 +77,10 @@ class SurfaceRefiner {
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       longest = std::max(longest, squared_distance(mesh_.point(t[k]), mesh_.point(t[(k + 1) % 3])));
-    return longest > 1.2 * 1.2 * h * h && !(length(offset_of_centre(t)) <= large_ratio * h);
+    return longest > long_squared * h * h && !(length(offset_of_centre(t)) <= refine_ratios.large_face * h);
   }
 
-  std::size_t pass(std::vector<SurfaceItem>& large, bool front, const RunContext& context) {
+  std::size_t pass(std::vector<SurfaceItem>& large, Kind kind, const RunContext& context) {
     std::vector<SurfaceItem> next;
     std::size_t n = 0;
     const unsigned number = changes_.begin_pass();
@@ -86,13 +88,14 @@ class SurfaceRefiner {
       if (k % 256 == 0) context.check_cancelled();
       SurfaceItem s = large[k];
       if (!is_current(s)) continue;
-      if (s.refused[front] > 0 && !changes_.changed(s.corners, s.refused[front])) {
+      unsigned& refused = s.refused[static_cast<std::size_t>(kind)];
+      if (refused > 0 && !changes_.changed(s.corners, refused)) {
         next.push_back(s);
         continue;
       }
-      const auto v = front ? insert_on_front(s) : insert_at_centre(s);
+      const auto v = kind == Kind::front ? insert_on_front(s) : insert_at_centre(s);
       if (!v) {
-        s.refused[front] = number;
+        refused = number;
         next.push_back(s);
         continue;
       }
@@ -111,7 +114,7 @@ class SurfaceRefiner {
 
   std::optional<VertexIndex> insert(const Vec3& p, const SurfaceItem& s) {
     const double h = tools_.size.at(p, mesh_.component(s.face.cell()));
-    return insert_on_surface(tools_, p, s.face, {spacing_ratio * h, 1e-7});
+    return insert_on_surface(tools_, p, s.face, {refine_ratios.spacing * h, refine_ratios.surface_shape});
   }
 
   /// An edge is done where it is a curve or not longer than 1.2 times its size.
@@ -124,10 +127,13 @@ class SurfaceRefiner {
                  inward = cross(n, b - a);
       const double h = tools_.size_of_edge(t[k], t[(k + 1) % 3]), half = 0.25 * squared_distance(a, b),
                    l = length(inward);
-      if (!(l > 0) || 4 * half > 1.44 * h * h) continue;
+      if (!(l > 0) || 4 * half > long_squared * h * h) continue;
       const Vec3 direction = (1 / l) * inward;
-      const double height = std::sqrt(std::max(h * h - half, 0.2 * h * h)), to_centre = dot(centre - middle, direction);
-      if (const auto v = insert(middle + std::min(height, std::max(to_centre, 0.5 * height)) * direction, s)) return v;
+      const double height = std::sqrt(std::max(h * h - half, refine_ratios.least_height * h * h)),
+                   to_centre = dot(centre - middle, direction);
+      if (const auto v =
+              insert(middle + std::min(height, std::max(to_centre, refine_ratios.least_way * height)) * direction, s))
+        return v;
     }
     return std::nullopt;
   }

@@ -3,8 +3,7 @@
 /// Repair that looks ahead: a sequence of operations about a bad cell, kept only where the whole of it is worth it.
 #pragma once
 
-#include "remesh/rescue/free_cell_judge.hpp"
-#include "remesh/rescue/openings.hpp"
+#include "remesh/operations/operations.hpp"
 
 namespace geomesh::remesh {
 
@@ -23,22 +22,5 @@ bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
 /// of the cell split, one of its vertices or of those about it removed, a point put into it or a cell beside it. The
 /// first that is worth it is kept. Many times as dear as rescue_cell.
 bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule);
-
-/// What searches share, one after the other.
-struct RescueSearch {
-  Chooser choose;
-  std::size_t trials_a_cell;
-  std::size_t trials_left;  ///< of all together
-  std::function<bool()> out_of_time;
-  const FreeCellJudge& judge;
-};
-
-/// The same where that was in vain, by trials of up to eight openings, each chosen at random about the worst cell that
-/// the repair of the one before has left. The first trial is kept that leaves none worse than the worst was, and fewer
-/// bad cells, or as many that together lack notably less (beside a cell that cannot be mended the worst alone tells
-/// nothing), or no cell that nothing forces and one bad cell more at most. Where such a cell has only made way for
-/// another and the place is hardly worse, the search goes on from there. Returns whether the cell is mended. A trial
-/// costs about a millisecond.
-bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
 
 }  // namespace geomesh::remesh

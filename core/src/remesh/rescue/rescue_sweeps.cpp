@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
+#include "remesh/operations/improve_schedule.hpp"
 #include "remesh/rescue/bad_cells.hpp"
+#include "remesh/rescue/rescue_search.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
-
-constexpr unsigned bad_sweeps = 4, free_sweeps = 64;
-/// Of the search about cells that nothing forces: about one of them in the first sweep, twice as many after each sweep
-/// that has left one of them as it was; and about all of them together by the number of the mesh's cells, so that it
-/// takes less than a fifth of the whole, within bounds.
-constexpr std::size_t first_trials = 200, least_trials = 500, most_trials = 60'000, cells_a_trial = 25;
 
 std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& judge) {
   std::vector<BadCell> bad;
@@ -25,7 +21,7 @@ std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& jud
 
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time) {
   std::uint64_t last_sweep = 0;
-  for (unsigned k = 0; k < bad_sweeps; ++k) {
+  for (unsigned k = 0; k < rescue_limits.bad_sweeps; ++k) {
     const std::uint64_t this_sweep = tools.mesh.tick();
     std::size_t n = 0;
     for (const BadCell& b : cells_below(tools.mesh, rule.bad_shape)) {
@@ -40,11 +36,12 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
                        const OutOfTime& out_of_time) {
   const DomainMesh& mesh = tools.mesh;
-  RescueSearch search{Chooser(0), first_trials, std::clamp(mesh.n_cells() / cells_a_trial, least_trials, most_trials),
-                      out_of_time, judge};
+  const std::size_t n_trials =
+      std::clamp(mesh.n_cells() / rescue_limits.cells_a_trial, rescue_limits.least_trials, rescue_limits.most_trials);
+  RescueSearch search{Chooser(0), rescue_limits.first_trials, n_trials, out_of_time, judge};
   std::vector<BadCell> bad = free_cells(mesh, judge);
   std::uint64_t last_sweep = 0;
-  for (unsigned k = 0; k < free_sweeps && !bad.empty(); ++k) {
+  for (unsigned k = 0; k < rescue_limits.free_sweeps && !bad.empty(); ++k) {
     const std::uint64_t this_sweep = tools.mesh.tick();
     std::size_t n = 0;
     for (const BadCell& b : bad) {

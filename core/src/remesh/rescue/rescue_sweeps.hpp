@@ -3,6 +3,7 @@
 /// Rescues over all bad cells of a mesh, again where something has changed since.
 #pragma once
 
+#include "remesh/rescue/free_cell_judge.hpp"
 #include "remesh/rescue/rescue.hpp"
 
 namespace geomesh::remesh {

@@ -107,7 +107,10 @@ Claim claim_of_project(const std::filesystem::path& file) {
   claim.ends_inside = !project.rules.topography.empty() || !project.rules.floor.empty();
   ModelRules rules = project.rules;
   if (claim.volume) rules.box = claim.volume->bounds;
-  if (claim.volume) ask_stack(rules, project.mesh.refinement, *claim.volume);
+  RefinementSettings refinement = project.mesh.refinement;
+  settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
+               Vec3{});
+  if (claim.volume) ask_stack(rules, refinement, *claim.volume);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
   if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others
     claim.names.fault_blocks = true;
@@ -125,9 +128,6 @@ Claim claim_of_project(const std::filesystem::path& file) {
     claim.trims.back().n_given_triangles = (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
   claim.merging = project.tolerance;
-  RefinementSettings refinement = project.mesh.refinement;
-  settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
-               Vec3{});
   claim.refined = refinement.refine;
   if (refinement.refine && refinement.honour == Honour::tolerance)
     claim.within = refinement.tolerance;  // not together with crs.z_scale

@@ -135,6 +135,7 @@ void build(PreparedModel& model, const RunContext& context) {
   if (model.stack.settled) {
     for (std::string& text : notes_of(model.stack)) note(model.notes, context, std::move(text));
     model.refinement.tolerance *= 1 - stack_share;  // settling may have used the rest
+    model.refinement.tolerance_share *= 1 - stack_share;
     name_by_unit_and_block(model);
   }
   for (std::string& text : built.notes) note(model.notes, context, std::move(text));

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The constants of improvement: how often each pass runs, on which cells, and when it ends.
+///
+/// Angles are dihedral angles in degrees. They stand for the shape of the sliver with this least angle, by the quality
+/// measure chosen (CellQuality::of_angle). Factors and shares have no unit. `quality_bench --section levels` shows
+/// what the levels reach and cost, `--section peers` beside tetgen and gmsh.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "geomesh/core/refine.hpp"
+
+namespace geomesh::remesh {
+
+/// The ascent of one vertex to its best place (star_optimizer.hpp).
+struct AscentLimits {
+  double first_reach = 0.3;   ///< of the distance to the nearest corner, 0..1: the first step; longer ones invert cells
+  double least_reach = 1e-3;  ///< of the first reach, 0..1: shorter steps change nothing that is seen
+  double active_share = 1.03;       ///< terms up to this factor of the least are raised together, >= 1
+  double active_margin = 1e-4;      ///< and this much in shape, so that ties near zero count
+  unsigned trials = 6;              ///< step lengths along one direction; a sixth one is 0.01 of the first
+  double shorten = 0.4;             ///< factor of the step where it did not rise, 0..1
+  double lengthen = 1.5;            ///< factor of the next step where it did, > 1
+  double lengthen_mean = 2;         ///< the same for the mean, which is smoother
+  double least_slope = 1e-6;        ///< rise of the shape over the whole reach, from which a step is tried
+  double mean_reach_by_gain = 7.5;  ///< least reach for the mean, as a multiple of the least gain that is asked
+  unsigned hull_steps = 40;         ///< of Gilbert's iteration; a dozen mostly do
+  double hull_accuracy = 1e-3;      ///< relative, of its squared distance: a direction needs no more
+};
+inline constexpr AscentLimits ascent_limits{};
+
+/// New points that improvement adds (insertion.cpp); how near to others they may be is `usual_room` (improve.hpp).
+struct PointLimits {
+  double thin_gap = 0.25;       ///< of the asked size, 0..1: between surfaces nearer than this points make flat cells
+  double least_rise = 1.01;     ///< factor of the worst shape, > 1: less is not worth a point
+  std::size_t most_cells = 40;  ///< of the cavity; larger ones have never been the best
+  unsigned most_places = 3;     ///< cavity and place are found in turns, this often
+  unsigned ascent_steps = 20;
+};
+inline constexpr PointLimits point_limits{};
+
+/// Sequences of operations that look ahead (rescue.hpp).
+struct RescueLimits {
+  double room = 0.03;             ///< of the asked size, 0..1: a bad cell is worse than a point too near
+  double notable_rise = 1.05;     ///< factor of the worst shape, > 1, that is worth a sequence
+  double notable_relief = 0.02;   ///< of one cell's way from flat to good, 0..1, that is worth a sequence of a search
+  std::size_t most_given_up = 3;  ///< cells about which all was in vain, before a sequence ends
+  unsigned most_openings = 8;     ///< of one trial of a search; later ones hardly ever mend
+  std::size_t trials_a_clearing = 4;  ///< one trial of so many removes all points about the cell first
+  double hopeless = 2;                ///< cells as flat that the place may lack more than before, until a trial ends
+  unsigned most_vain_openings = 12;
+  /// An unforced bad cell may be traded for at most this many additional bad cells, all of them forced by the input.
+  std::size_t forced_instead = 1;
+  double detour = 0.2;        ///< flat cells that the place may lack more, where a search goes on from another cell
+  unsigned steps = 40;        ///< operations of one sequence
+  unsigned bad_sweeps = 4;    ///< over all bad cells; the third mends one in a hundred
+  unsigned free_sweeps = 64;  ///< over those that nothing forces; the budget of trials ends before
+  std::size_t first_trials = 200;  ///< about one cell in the first sweep, twice as many after each sweep in vain
+  std::size_t least_trials = 500;  ///< of all cells together, whatever the size of the mesh
+  std::size_t most_trials = 60'000;
+  std::size_t cells_a_trial = 25;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
+};
+inline constexpr RescueLimits rescue_limits{};
+
+/// What a level of quality does, pass by pass.
+struct ImproveSchedule {
+  // Passes that raise the mean.
+  unsigned mean_rounds;            ///< before the repair: it sees the worst cells alone
+  unsigned poor_mean_factor = 4;   ///< times as many rounds after a repair that left many poor cells
+  double mean_floor_angle = 30;    ///< no cell falls below this for the mean
+  double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
+  double many_poor = 0.1;          ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
+
+  // Repair, the worst cell first.
+  unsigned repair_rounds;
+  double target_angle;                   ///< cells below are repaired
+  double insertion_angle;                ///< below this also by new points
+  double good_above_target = 4;          ///< degrees above the target from which a vertex is not moved further
+  unsigned smoothing_steps;              ///< of one vertex
+  double least_rise;                     ///< factor of the worst shape, > 1, that is worth a vertex's move
+  double progress;                       ///< factor of the fewest poor cells so far that the next round must reach
+  double progress_angle = 16;            ///< progress is measured on the cells below this too
+  double enough_visits = 1.5;            ///< poor cells visited, by the number of all, before a lack of progress counts
+  unsigned idle_rounds = 2;              ///< without a change, that end the repair
+  unsigned first_round_with_points = 2;  ///< flips and moves alone in the first, contraction too in the second
+
+  // Slivers, with points closer to others than sizes ask.
+  unsigned sliver_rounds;  ///< for each room
+  double sliver_angle = 12;
+  std::array<double, 2> sliver_rooms{0.15, 0.03};  ///< of the asked size, the next where the last was too narrow
+  double few_slivers = 0.05;                       ///< of all cells, 0..1; more are forced by the surfaces
+  double forced_share = 0.001;   ///< of all cells, 0..1: so many of the worst are mended where they are forced
+  double forced_room = 0.01;     ///< of the asked size
+  unsigned thinning_rounds = 4;  ///< take points out again that were put near others in vain
+};
+
+constexpr ImproveSchedule schedule_of(QualityLevel level) {
+  switch (level) {
+    case QualityLevel::fast:  // about as long as refinement
+      return {.mean_rounds = 1,
+              .repair_rounds = 2,
+              .target_angle = 20,
+              .insertion_angle = 0,
+              .smoothing_steps = 6,
+              .least_rise = 1.05,
+              .progress = 0.9,
+              .sliver_rounds = 0};
+    case QualityLevel::best:  // until nothing improves
+      return {.mean_rounds = 2,
+              .repair_rounds = 60,
+              .target_angle = 36,
+              .insertion_angle = 30,
+              .smoothing_steps = 20,
+              .least_rise = 1.0005,
+              .progress = 1.02,
+              .sliver_rounds = 20};
+    default:  // one to three times as long as refinement
+      return {.mean_rounds = 2,
+              .repair_rounds = 8,
+              .target_angle = 32,
+              .insertion_angle = 26,
+              .smoothing_steps = 12,
+              .least_rise = 1.03,
+              .progress = 0.9,
+              .sliver_rounds = 8};
+  }
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The constants of refinement: lengths by the asked size. `quality_bench --section peers` shows what they
+/// reach, in points, bad cells and time, beside tetgen and gmsh.
+#pragma once
+
+#include <cstddef>
+
+namespace geomesh::remesh {
+
+/// Ratios of lengths to the asked size unless said otherwise. Together they keep refinement finite: what is split is
+/// longer than what is collapsed, and no point is put nearer to others than `spacing`.
+struct RefineRatios {
+  double split_edge = 1.4;     ///< length from which an edge is halved: halves are then above 1 / split_edge
+  double collapse_edge = 0.6;  ///< length below which an edge goes; below split_edge / 2, so that halves stay
+  double thin_out_edge = 0.5;  ///< the same for points that improvement turned out not to need
+  /// The same on surfaces: a third is promised, and what is beside an edge takes its share.
+  double thin_out_surface_edge = 0.4;
+  double spacing = 0.68;             ///< distance of a new point to all others: half of it again is left to improvement
+  double surface_spacing_off = 0.3;  ///< of the spacing, 0..1: asked of a surface point from vertices off the surface
+  double large_cell = 0.75;          ///< circumradius from which a cell gets a point; 0.61 for the regular one
+  double large_face = 0.72;          ///< circumradius from which a face gets a point; 0.58 for the equilateral one
+  double long_edge = 1.2;            ///< length from which an edge of a face is not done; below split_edge
+  double least_height = 0.2;         ///< square of a new point's height above its face, by that of the edges asked
+  double least_way = 0.5;            ///< of the height, 0..1: a new point goes at least so far towards the circumcentre
+  double inside_shape = 1e-3;        ///< least shape of a cell that a new point inside makes
+  double surface_shape = 1e-7;       ///< the same on surfaces, whose neighbourhood is filled later
+  double collapse_floor = 0.05;      ///< shape that a contraction may fall to where it was better
+  double regular_floor = 1e-3;       ///< shape that flips and moves on surfaces may fall to, as `surface_shape`
+  unsigned regular_rounds = 4;       ///< of flips and moves on surfaces; the fourth changes one face in a hundred
+  /// Share of all cells, 0..1. A front that slows with so many large cells left stands before cells far from Delaunay.
+  double many_stuck = 0.15;
+  std::size_t slow_front = 20;   ///< large cells for one point of a round from which a front counts as slow
+  std::size_t idle_front = 100;  ///< the same from which centres are tried instead
+};
+inline constexpr RefineRatios refine_ratios{};
+
+}  // namespace geomesh::remesh

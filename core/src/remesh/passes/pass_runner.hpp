@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Named passes over the whole mesh: what the schedules of refinement and improvement are lists of.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "geomesh/core/run_context.hpp"
+#include "remesh/domain/domain_mesh.hpp"
+
+namespace geomesh::remesh {
+
+/// What comes after a round of a pass.
+enum class Next : bool { again, done };
+
+struct Pass {
+  std::string_view name;  ///< what is done, for notes
+  std::function<Next(unsigned round)> round;
+  unsigned most_rounds = 1;
+  bool applies = true;
+};
+
+/// Runs passes of one schedule, one after the other. Each round is noted (debug) and, in builds with
+/// GEOMESH_EXPENSIVE_CHECKS, followed by the validator of the mesh.
+class PassRunner {
+ public:
+  /// No round begins once `out_of_time` says so.
+  PassRunner(const DomainMesh& mesh, const RunContext& context, std::function<bool()> out_of_time)
+      : mesh_(mesh), context_(context), out_of_time_(std::move(out_of_time)) {}
+
+  /// Rounds from 0 on until one is the last, `most_rounds` were run, or time is up. None where the pass does not apply.
+  void run(const Pass& pass) const;
+
+ private:
+  void note(const Pass& pass, unsigned round) const;
+
+  const DomainMesh& mesh_;
+  const RunContext& context_;
+  std::function<bool()> out_of_time_;
+};
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Repair of poor cells, the worst first, by one local operation about each.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "remesh/operations/improve.hpp"
+#include "remesh/operations/improve_schedule.hpp"
+#include "remesh/rescue/bad_cells.hpp"
+
+namespace geomesh::remesh {
+
+/// The operations about a cell, each including those before it.
+enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, points };
+
+class WorstFirstRepair {
+ public:
+  /// All must outlive this. `out_of_time` is asked every now and then.
+  WorstFirstRepair(Toolbox& tools, const ImproveSchedule& schedule, std::function<bool()> out_of_time)
+      : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
+
+  /// Tries the operations up to `deepest` about each of the cells that is still there. New points keep the distance
+  /// `room`, by the asked size, from others. What failed before is tried again only where something has changed since.
+  /// Returns the number of cells about which something changed.
+  std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
+
+  /// New points may succeed where others failed before, as in less room.
+  void forget_failed_points();
+  /// Cells over all runs.
+  std::size_t n_visited() const { return n_visited_; }
+
+ private:
+  RepairBy tried_at(CellIndex c) const;
+  void remember(CellIndex c, RepairBy what);
+  bool repair(const BadCell& b, RepairBy deepest, double room);
+  bool smooth(VertexIndex v);
+
+  Toolbox& tools_;
+  DomainMesh& mesh_;
+  const ImproveSchedule& schedule_;
+  std::function<bool()> out_of_time_;
+  std::size_t n_visited_ = 0;
+  struct Attempt {
+    std::uint64_t when = 0;  ///< the mesh's time
+    RepairBy what = RepairBy::nothing;
+  };
+  std::vector<Attempt> tried_;           // by cell: what was in vain
+  std::vector<std::uint64_t> smoothed_;  // by vertex: when moving it was last in vain
+};
+
+}  // namespace geomesh::remesh
