@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "common/geometry.hpp"
 #include "quality/causes.hpp"
 #include "quality/measure/shape.hpp"
 #include "quality/thin_gaps.hpp"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double forcing_angle = 20;  // degrees
 
-using remesh::distance;
 
 /// Each edge that may be short once, by its ends, with the cells at it.
 using EdgeCells = std::map<std::array<VertexIndex, 2>, std::vector<Index>>;

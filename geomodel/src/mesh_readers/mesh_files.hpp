@@ -33,7 +33,6 @@ struct MeshFile {
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<std::int32_t> edge_id;
   std::map<std::int32_t, std::string> curve_names;
-  std::vector<std::int32_t> point_kind;     ///< per point; empty where the file has no such array
   std::vector<std::int32_t> input_vertex;   ///< per point, -1 where added; empty where the file has no such array
   std::vector<std::string> missing_arrays;  ///< point arrays of the output contract that are not there (VTK files only)
   std::vector<std::int32_t> kind;           ///< per point; empty where the file has no such array

@@ -314,7 +314,6 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
     for (std::int32_t& id : mesh.region) ++id;  // OpenGeoSys counts from 0, the names from 1
   mesh.surface_names = names_of(*grid.GetFieldData(), "surface");
   mesh.curve_names = names_of(*grid.GetFieldData(), "curve");
-  if (vtkDataArray* kinds = grid.GetPointData()->GetArray("kind")) mesh.point_kind = integers_of(*kinds);
   mesh.region_names = names_of(*grid.GetFieldData(), "region");
   for (const char* name : {"kind", "input_vertex"})
     if (!grid.GetPointData()->GetArray(name)) mesh.missing_arrays.emplace_back(name);

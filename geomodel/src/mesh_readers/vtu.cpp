@@ -72,7 +72,7 @@ RawMesh read_vtu_mesh(const std::filesystem::path& path) {
   for (const Tetrahedron& t : file.tetrahedra)
     mesh.cells[3].corners.insert(mesh.cells[3].corners.end(), t.begin(), t.end());
   add_sets_by_id(file.region, 3, file.region_names, mesh);
-  mesh.point_kind = std::move(file.point_kind);
+  mesh.point_kind = std::move(file.kind);
   mesh.input_vertex = std::move(file.input_vertex);
   const std::filesystem::path stem = path.parent_path() / path.stem();
   if (const std::filesystem::path faces = stem.string() + ".faces.vtp"; std::filesystem::exists(faces)) {

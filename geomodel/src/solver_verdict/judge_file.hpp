@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "check/read/mesh_files.hpp"
 #include "geomesh/geomodel/check.hpp"
+#include "mesh_readers/mesh_files.hpp"
 
 namespace geomesh::geomodel {
 
