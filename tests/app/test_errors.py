@@ -173,44 +173,27 @@ class NothingEnclosed(ProgramTest):
         self.assertAlmostEqual(check["volume"], 64 + 3.9 * 3.8 * 3.7 - 2.9 * 2.8 * 2.7, delta=1e-9)
 
 
-def plates_an_ulp_apart():
-    """OFF: in a box, rectangles from below and from above that miss each other by one ulp, where doubles are one apart. Points inside would
-    be needed to keep the boundary, and there is no room for them."""
-    points, triangles = [], []
-
-    def quad(*corners):
-        rows = []
-        for corner in corners:
-            p = tuple(2.0 ** 52 + round(100 * c) for c in corner)
-            if p not in points:
-                points.append(p)
-            rows.append(points.index(p))
-        triangles.extend([(rows[0], rows[1], rows[2]), (rows[0], rows[2], rows[3])])
-
-    def box_corner(i):
-        return (3 if i & 1 else 0, 3 if i & 2 else 0, 10 if i & 4 else -1)
-
-    for side in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)):
-        quad(*[box_corner(i) for i in side])
-    for i in (1, 2):
-        quad((i, .5, -.5), (i, 2.5, -.5), (i, 2.5, 2.5 * i), (i, .5, .5 * i))
-        quad((.5, i, 9.5), (2.5, i, 9.5), (2.5, i, 2.5 * i + .01), (.5, i, .5 * i + .01))
+def twisted_prism_of_few_ulps():
+    """OFF: a prism whose top is turned against its bottom, after Schoenhardt 1928, a few doubles wide where doubles are one apart. It needs
+    a point inside, and no double there sees all its faces."""
+    points = [(1, 3, 0), (2, 0, 0), (3, 4, 0), (0, 1, 3), (2, 0, 3), (2, 4, 3)]
+    triangles = [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)]
     lines = ["OFF", "%d %d 0" % (len(points), len(triangles))]
-    lines += ["%r %r %r" % p for p in points] + ["3 %d %d %d" % t for t in triangles]
+    lines += ["%r %r %r" % tuple(2.0 ** 52 + x for x in p) for p in points] + ["3 %d %d %d" % t for t in triangles]
     return "\n".join(lines) + "\n"
 
 
 class NoRoomForRecovery(ProgramTest):
     def test_the_place_is_written_when_asked_for(self):
-        self.write("plates.off", plates_an_ulp_apart())
-        arguments = ["mesh", "plates.off", "-o", "plates.vtu", "--preserve-boundary"]
+        self.write("prism.off", twisted_prism_of_few_ulps())
+        arguments = ["mesh", "prism.off", "-o", "prism.vtu", "--preserve-boundary"]
         self.assertIn("--stop-after recover", self.run_program(*arguments, status=CANNOT_MESH))
         self.assert_nothing_written()
         printed = self.run_program(*arguments, "--stop-after", "recover", status=CANNOT_MESH)
-        for name in ("plates.failed.vtu", "plates.failed.vtp"):
+        for name in ("prism.failed.vtu", "prism.failed.vtp"):
             self.assertIn(name, printed)
             self.assertTrue(os.path.getsize(self.path(name)) > 500)
-        self.assertFalse(os.path.exists(self.path("plates.vtu")))
+        self.assertFalse(os.path.exists(self.path("prism.vtu")))
 
 
 if __name__ == "__main__":

@@ -252,7 +252,7 @@ class DamagedMeshes(ProgramTest):
 
     def test_array_without_a_type(self):
         for name in ("out.vtu", "out.faces.vtp"):
-            self.damage(name, lambda content: content.replace(b'<Array type="String"', b'<Array tpe="String"', 1))
+            self.damage(name, lambda content: content.replace(b'<DataArray type="Int32"', b'<DataArray tpe="Int32"', 1))
 
     def test_counts_that_lie(self):
         self.damage("out.vtu", lambda content: content.replace(b'NumberOfPoints="8"', b'NumberOfPoints="99999999999"', 1))

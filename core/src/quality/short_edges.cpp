@@ -16,7 +16,6 @@ namespace {
 
 constexpr double forcing_angle = 20;  // degrees
 
-
 /// Each edge that may be short once, by its ends, with the cells at it.
 using EdgeCells = std::map<std::array<VertexIndex, 2>, std::vector<Index>>;
 

@@ -267,7 +267,11 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
-  if (rules.join_pieces) return target;  // what is small then is what settling the stack left over
+  if (rules.join_pieces) {  // what is small then is what settling the stack left over, or a body, which stays
+    for (std::size_t c = 0; c < facts.size(); ++c)
+      if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
+    return target;
+  }
   for (std::size_t c = 0; c < facts.size(); ++c) {
     if (facts[c].volume >= rules.min_volume) continue;
     const std::string what = "region of " + labels[c].name + " near " + to_text(facts[c].inside_point) +

@@ -162,27 +162,51 @@ void write_to(std::ofstream& out, const VtkDocument& document, Compression compr
   put(out, tail.data(), tail.size());
 }
 
+/// Bytes of the letter of UTF-8 that begins at text[i]; 0: none does. Overlong forms are not told apart.
+std::size_t utf8_length(const std::string& text, std::size_t i) {
+  const auto byte = static_cast<unsigned char>(text[i]);
+  const std::size_t n = byte < 0x80                   ? 1
+                        : byte >= 0xC2 && byte < 0xE0 ? 2
+                        : byte >= 0xE0 && byte < 0xF0 ? 3
+                        : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                      : 0;
+  for (std::size_t k = 1; k < n; ++k)
+    if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return 0;
+  return n;
+}
+
+std::string xml_character(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return {static_cast<unsigned char>(c) < 0x20 ? ' ' : c};
+  }
+}
+
+std::string latin1_as_utf8(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return {static_cast<char>(0xC0 | (byte >> 6)), static_cast<char>(0x80 | (byte & 0x3F))};
+}
+
 }  // namespace
 
+/// Names may come from file names that are not UTF-8, which no reader of XML accepts: such bytes are taken for Latin-1.
 std::string xml_text(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t n = utf8_length(text, i);
+    if (n == 0)
+      result += latin1_as_utf8(text[i]);
+    else
+      result += n == 1 ? xml_character(text[i]) : text.substr(i, n);
+    i += n == 0 ? 1 : n;
   }
   return result;
 }
