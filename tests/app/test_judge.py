@@ -27,6 +27,7 @@ points: [{name: gauge, at: [2500, 500, -300]}]
 column: [overburden, top_reservoir, reservoir, base_reservoir, underburden]
 groups: {rock: [reservoir, underburden]}
 attributes: {reservoir: {porosity: 0.2}, overburden: {porosity: 0.1}}
+rules: {stack: keep}  # where the stack is settled small regions join others, and suffixes and ids are not judged
 mesh: %s
 output: {directory: out, formats: [vtu]}
 """

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -192,19 +193,30 @@ TEST_CASE("sides of C3D4 elements in the .inp are those of the surface", "[write
   // Nodes of S1 .. S4 as the solvers' manuals number them, from 0.
   const int nodes_of_side[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
   std::istringstream lines(bytes_of(folder / "model.inp"));
-  std::string line, current;
+  std::string line, keyword, current;
+  std::map<std::size_t, Tetrahedron> elements;
   std::map<std::string, std::vector<Triangle>> faces;
   while (std::getline(lines, line)) {
     if (line[0] == '*') {
+      keyword = line.substr(0, line.find(','));
       current = line.rfind("*SURFACE, NAME=", 0) == 0 ? line.substr(15, line.find(',', 15) - 15) : "";
+    } else if (keyword == "*ELEMENT") {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream row(line);
+      std::size_t element = 0;
+      row >> element;
+      for (VertexIndex& v : elements[element]) {
+        row >> v;
+        --v;  // nodes are the mesh's points, from 1
+      }
     } else if (!current.empty()) {
       const std::size_t element = std::stoul(line), side = static_cast<std::size_t>(line[line.find('S') + 1] - '1');
       Triangle t;
-      for (std::size_t k = 0; k < 3; ++k)
-        t[k] = mesh.tetrahedra[element - 1][static_cast<std::size_t>(nodes_of_side[side][k])];
+      for (std::size_t k = 0; k < 3; ++k) t[k] = elements.at(element)[static_cast<std::size_t>(nodes_of_side[side][k])];
       faces[current].push_back(t);
     }
   }
+  CHECK(elements.size() == mesh.tetrahedra.size());
   const auto mean_normal_z = [&](const std::vector<Triangle>& list) {
     double z = 0;
     for (const Triangle& t : list)
