@@ -28,7 +28,7 @@ class Progress(ProgramTest):
 
     def test_refinement_counts_elements_against_its_estimate(self):
         events, _ = self.events("mesh", os.path.join(os.path.dirname(self.sample("salt-dome")), "surfaces", "salt.ts"), "-o", "salt.vtu",
-                                "--size", "150", "--quality", "fast")
+                                "--size", "70", "--quality", "fast")
         counts = [e for e in events if e["event"] == "progress" and e["stage"] == "refine" and e["done"] > 0]
         self.assertTrue(counts, "a stage of some seconds tells how far it is")
         for event in counts:
