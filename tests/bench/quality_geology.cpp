@@ -6,6 +6,7 @@
 #include "pipeline/jobs/prepare.hpp"
 #include "pipeline/refine_model.hpp"
 #include "quality_models.hpp"
+#include "test_places.hpp"
 
 namespace geomesh::bench {
 namespace {
@@ -22,7 +23,7 @@ QualityModel prepared(const std::string& name, geomodel::PreparedModel& model) {
 }  // namespace
 
 QualityModel sample(const std::string& name) {
-  const auto file = std::filesystem::path(GEOMESH_SAMPLES) / name / "project.yaml";
+  const auto file = std::filesystem::path(GEOMESH_SOURCE_DIR) / "samples" / name / "project.yaml";
   geomodel::PreparedModel model;
   geomodel::prepare_project(geomodel::read_project(file), model, {});
   return prepared(name, model);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "remesh/domain/merge_pieces.hpp"
+#include "test_places.hpp"
 
 namespace geomesh::bench {
 

@@ -4,6 +4,7 @@
 
 #include "corpus_run.hpp"
 #include "plc_reader.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 

@@ -5,6 +5,7 @@
 #include "corpus_run.hpp"
 #include "corpus_shared.hpp"
 #include "corpus_transform.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::test;

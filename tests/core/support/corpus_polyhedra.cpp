@@ -6,6 +6,7 @@
 #include "corpus_builder.hpp"
 #include "corpus_models.hpp"
 #include "plc_reader.hpp"
+#include "test_places.hpp"
 
 namespace geomesh::test {
 

@@ -11,6 +11,7 @@
 #include "geomesh/geomodel/build_model.hpp"
 #include "require_sound.hpp"
 #include "soup_models.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -12,6 +12,7 @@
 
 #include "arrangement_inputs.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

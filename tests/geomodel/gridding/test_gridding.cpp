@@ -9,6 +9,7 @@
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

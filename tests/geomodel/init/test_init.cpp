@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/init.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "geomesh/geomodel/project.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

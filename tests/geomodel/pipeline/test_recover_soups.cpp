@@ -5,6 +5,7 @@
 
 #include "corpus_run.hpp"
 #include "soup_models.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

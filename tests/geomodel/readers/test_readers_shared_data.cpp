@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geomesh/geomodel/readers.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -8,6 +8,7 @@
 #include "geomesh/geomodel/warnings.hpp"
 #include "hand_made.hpp"
 #include "made_up_quality.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -7,6 +7,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/project.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
+#include "test_places.hpp"
 
 namespace check_fixture {
 

@@ -11,6 +11,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "hand_made.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -8,6 +8,7 @@
 
 #include "geomesh/geomodel/formats.hpp"
 #include "hand_made.hpp"
+#include "test_places.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
