@@ -217,6 +217,30 @@ def vtk_exodus(path, _sidecar):
     return found
 
 
+def tetgen(path, sidecar):
+    """TetGen reads the files and writes what it holds; that is looked at. It keeps numbers of nodes, attributes and markers."""
+    if not shutil.which("tetgen"):
+        raise ReaderMissing("tetgen")
+    numpy = need("numpy")
+    with tempfile.TemporaryDirectory() as folder:
+        stem = os.path.join(folder, "m")
+        for ending in (".node", ".ele", ".face", ".edge"):
+            shutil.copy(path[:-len(".ele")] + ending, stem + ending)
+        run = subprocess.run(["tetgen", "-r", stem], capture_output=True, text=True, timeout=100)
+        if run.returncode:
+            raise AssertionError(run.stdout + run.stderr)
+        tables = {e: numpy.loadtxt(stem + ".1" + e, skiprows=1) for e in (".node", ".ele", ".face", ".edge")}
+    points = tables[".node"][:, 1:4]
+    found = Found(len(points))
+    names = {(g["dimension"], g["id"]): g["name"] for g in sidecar["groups"]}
+    blocks = []
+    for ending, dimension in ((".ele", 3), (".face", 2), (".edge", 1)):
+        table = tables[ending].astype(int)
+        blocks.append((dimension, table[:, 1:dimension + 2] - 1, table[:, dimension + 2]))
+    add_by_tag(found, points, blocks, names)
+    return found
+
+
 def h5py_xdmf(path, sidecar):
     """By the XDMF text and h5py, without any XDMF code."""
     h5py, numpy = need("h5py"), need("numpy")

@@ -223,6 +223,22 @@ class OtherFormats(FormatTest):
         self.has("xdmf")
         self.check_format(readers.meshio_xdmf, "m.xdmf", parts=("faces",))
 
+    def test_tetgen_by_tetgen(self):
+        self.check_format(readers.tetgen, "m.ele", parts=("faces", "curves"))
+
+    def test_tetgen_by_meshio(self):
+        try:
+            meshio = readers.need("meshio")
+        except readers.ReaderMissing:
+            self.skipTest("skipped: python3-meshio is not installed")
+        path = self.convert("m.ele")
+        mesh = meshio.read(path)
+        names = {g["id"]: g["full_name"] for g in self.sidecar(path)["groups"] if g["dimension"] == 3}
+        counts = {}
+        for attribute in mesh.cell_data["tetgen:ref"][0].tolist():
+            counts[names[int(attribute)]] = counts.get(names[int(attribute)], 0) + 1
+        self.assertEqual(counts, {r["name"]: r["tetrahedra"] for r in self.model["regions"]})
+
     def test_openfoam_check_mesh(self):
         if not shutil.which("checkMesh"):
             self.skipTest("skipped: openfoam is not installed")
@@ -363,14 +379,9 @@ class ByAnotherTool(FormatTest):
         except readers.ReaderMissing:
             self.skipTest("skipped: python3-meshio is not installed")
         mesh = meshio.read(self.convert("m.vtu"))
-        if name.endswith(".node"):
-            mesh.cell_data, mesh.point_data = {}, {}
         meshio.write(self.path(name), mesh)
         again = meshio.read(self.path(name))
         self.assertEqual(sum(len(c.data) for c in again.cells if c.type == "tetra"), sum(r["tetrahedra"] for r in self.model["regions"]))
-
-    def test_tetgen_by_meshio(self):
-        self.by_meshio("m.node")
 
     def test_flac3d_by_meshio(self):
         self.by_meshio("m.f3grid")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The formats, one or a family a file of this room: each says what it is, how it is written and how it is read.
+/// The formats, one or a family a file of this room: each says what it is, how it is written and how it is read. A new
+/// format is a file of this room and two lines here.
 #pragma once
 
 #include "geomesh/geomodel/formats.hpp"
@@ -20,5 +21,19 @@ Format ogs_format();            // opengeosys.cpp
 Format openfoam_format();       // openfoam.cpp
 Format mfem_format();           // mfem.cpp
 Format pflotran_format();       // pflotran.cpp
+Format tetgen_format();         // tetgen.cpp
+
+/// In the order of the documents. What was left out when the program was built is not in it.
+inline constexpr Format (*listed_formats[])() = {
+    vtu_format,    gmsh41_format,   gmsh41_binary_format, gmsh22_format,   gmsh22_binary_format,
+    abaqus_format, exodus_format,
+#ifdef GEOMESH_WITH_MED
+    med_format,
+#endif
+#ifdef GEOMESH_WITH_HDF5
+    xdmf_format,
+#endif
+    ogs_format,    openfoam_format, mfem_format,          pflotran_format, tetgen_format,
+};
 
 }  // namespace geomesh::geomodel

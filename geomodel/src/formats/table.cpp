@@ -10,17 +10,11 @@
 namespace geomesh::geomodel {
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all{
-      vtu_format(),           gmsh41_format(),   gmsh41_binary_format(), gmsh22_format(),
-      gmsh22_binary_format(), abaqus_format(),   exodus_format(),
-#ifdef GEOMESH_WITH_MED
-      med_format(),
-#endif
-#ifdef GEOMESH_WITH_HDF5
-      xdmf_format(),
-#endif
-      ogs_format(),           openfoam_format(), mfem_format(),          pflotran_format(),
-  };
+  static const std::vector<Format> all = [] {
+    std::vector<Format> made;
+    for (const auto make : listed_formats) made.push_back(make());
+    return made;
+  }();
   return all;
 }
 
