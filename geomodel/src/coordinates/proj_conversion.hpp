@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Conversion between any two systems of the EPSG register, by PROJ (through GDAL): what GeographicLib does not serve,
-/// and all that changes the datum.
+/// Conversion between any two systems of the EPSG register, by PROJ: what GeographicLib does not serve, and all that
+/// changes the datum.
 #pragma once
 
 #include <memory>
 #include <string>
 
 #include "coordinates/crs.hpp"
-
-class OGRCoordinateTransformation;
 
 namespace geomesh::geomodel {
 
@@ -21,6 +19,7 @@ class ProjConversion {
   /// Throws Error{usage} with PROJ's reason where it does not know a system, or knows no way between their datums.
   ProjConversion(const HorizontalCrs& from, const HorizontalCrs& to);
   ~ProjConversion();
+  ProjConversion(ProjConversion&&) noexcept;
 
   /// Metres, or degrees of longitude and latitude, both ways; x east and y north whatever the register says. Throws
   /// Error{invalid_input} where PROJ cannot convert the point.
@@ -29,7 +28,8 @@ class ProjConversion {
   const std::string& datum_shift() const { return datum_shift_; }
 
  private:
-  std::unique_ptr<OGRCoordinateTransformation> transformation_;
+  struct Operation;
+  std::unique_ptr<Operation> operation_;
   double from_metres_ = 1, to_metres_ = 1;  ///< per unit of the systems; 1 for degrees
   std::string names_, datum_shift_;
 };
