@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A set of cells that is to be refilled: it grows over faces by a predicate (in-sphere, visibility), and gives cells
+/// A set of cells that is to be refilled: it grows over faces by a predicate (in-sphere, visibility). It gives cells
 /// up until a point sees its whole border, so that the star of that point fills it.
 ///
 /// The Delaunay base has its own (delaunay/cavity_insertion.hpp): four faces at a time in lanes, vertices in insertion
@@ -53,9 +53,9 @@ class Cavity {
       }
   }
 
-  /// Gives up cells with a face at the border that sees(face) does not hold for, those whose faces are at the border by
-  /// that, and in the end those cut off from the bases. Faces that may_cross does not hold for are at the border but
-  /// for those that is_inner(face) holds for. False where a base would have to go.
+  /// Gives up cells with a face at the border that sees(face) does not hold for. Then go those whose faces are at the
+  /// border by that, and in the end those cut off from the bases. Faces that may_cross does not hold for are at the
+  /// border but for those that is_inner(face) holds for. False where a base would have to go.
   template <class MayCross, class IsInner, class Sees>
   bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
     std::vector<CellIndex> given_up;

@@ -5,7 +5,7 @@
 /// of magnitude.
 ///
 /// Bounds, with u = 2^-53. Each difference has relative error u. Every product of the expanded determinant passes
-/// through a number of roundings, each of relative size u of a quantity that is at most the sum of the magnitudes of
+/// through a number of roundings. Each has relative size u of a quantity that is at most the sum of the magnitudes of
 /// the products:
 ///   orient2d : 2 products, 2 differences + product + final subtraction              = 4 u  -> 8 u X Y;
 ///   orient3d : 6 products, 3 differences + (2x2: 2) + product + two sums            = 8 u  -> 48 u X Y Z;

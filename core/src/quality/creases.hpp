@@ -20,8 +20,8 @@ class InputCreases {
   /// have moved one. O(n log n).
   InputCreases(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch, double degrees, double reach);
 
-  /// Whether two mesh faces of the patch, along the edge (a, b) with their third corners x and y, make the crease that
-  /// is there in the input: they meet at a small angle, and the edge is as near to one as it may be. O(log n).
+  /// Whether two mesh faces of the patch, along the edge (a, b) with third corners x and y, make a crease of the input:
+  /// they meet at a small angle, and the edge is as near to one as it may be. O(log n).
   bool has_fold(Index patch, const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const;
 
  private:

@@ -17,12 +17,12 @@ struct Gap {
   Index segment_a = no_index, segment_b = no_index;  ///< or listed segments
 };
 
-/// An element spans a gap between two parts of the input where it has a vertex on each and the parts face each other
-/// across it: their local feature size. Parts are facets, segments (sides of facets and listed ones) and vertices of
+/// An element spans a gap between two parts of the input where it has a vertex on each and they face each other across
+/// it: their local feature size. Parts are facets, segments (sides of facets and listed ones) and vertices of
 /// the input. They face each other where
-///   - the shortest way from the vertex on the one to the other is within 60 degrees of the normals of facets, on the
-///   side of each on
-///     which the element lies, and at 60 degrees at least to segments;
+///   - the shortest way from the vertex on the one to the other is within 60 degrees of the normals of facets. It must
+///     be on the side of each on which the
+///     element lies, and at 60 degrees at least to segments;
 ///   - facets and segments are parallel but for 16 degrees: parts that converge faster meet at an angle, which is a
 ///   cause of its own.
 /// So an element over the hollow of one curved surface spans none.

@@ -4,10 +4,10 @@
 ///
 /// The distance to one triangle is a convex function, and that to any set changes by no more than the way one goes. So
 /// a triangle is within the limit where (a) its corners are within the limit of one and the same triangle of the set.
-/// It is too where (b) a ball about one of its points holds it, and that point is nearer than the limit by the ball's
-/// radius. (c) It is too where two corners lie by X and the third by Y, X and Y share an edge, and the chords between
-/// their nearest points pass near it. The triangle of the three nearest points is cut by that edge but for that
-/// distance. Its parts lie on X and Y. (d) And where the set is a smooth surface without a border over all of it
+/// It is too where (b) a ball about one of its points holds it. That point must be nearer than the limit by the ball's
+/// radius. (c) It is too where two corners lie by X and the third by Y. X and Y must share an edge, and the chords
+/// between their nearest points must pass near it. The triangle of the three nearest points is cut by that edge but for
+/// that distance. Its parts lie on X and Y. (d) And where the set is a smooth surface without a border over all of it
 /// (sheet_proof.hpp). Where none of these tells, the triangle is halved across its longest edge.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The model in a form that does not depend on how it was numbered, nor on the frame: what is meshed. Recovery tries
-/// segments by number, begins rings at the least vertex and breaks ties by coordinates, so that images of one model
+/// segments by number, begins rings at the least vertex and breaks ties by coordinates. So images of one model
 /// would be meshed in different ways; put into one form first, they are meshed in the same one
 /// (docs/decisions/recovery.md).
 #pragma once
@@ -21,7 +21,7 @@ struct CanonicalForm {
   ModelNames names;
 };
 
-/// Precondition: validate_plc finds no fault. The same form, up to symmetries of the model, for the same model with
+/// Precondition: validate_plc finds no fault. The same form, up to symmetries of the model, for images of one model:
 /// vertices and facets renumbered, loops begun elsewhere or run the other way, axes permuted, mirrored, or scaled by a
 /// power of two; and moved, where that is exact, the same but for the place. O(n log n).
 CanonicalForm canonical_form(const PiecewiseLinearComplex& plc);

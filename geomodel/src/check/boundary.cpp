@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No overlap, globally. With positive tetrahedra whose faces pair up from opposite sides, the number of tetrahedra over
-// a point equals the winding number of the boundary about it. So it is enough that the boundary is closed and embedded
-// (its faces meet in shared vertices and edges only: a hanging face is caught here, as two boundary faces that overlap)
-// and that the winding number outside each sheet of it is zero.
+// No overlap, globally. Let tetrahedra be positive and their faces pair up from opposite sides. Then the number of
+// tetrahedra over a point equals the winding number of the boundary about it. So it is enough that the boundary is
+// closed and embedded (its faces meet in shared vertices and edges only: a hanging face is caught here, as two boundary
+// faces that overlap) and that the winding number outside each sheet of it is zero.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coverage. A mesh face stands for a part of an input triangle where all its points lie within the tolerance of the
-// triangle's plane. Mesh faces of a sound mesh never overlap, so a triangle is covered where the areas that such faces
+// triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is covered where the areas that such faces
 // have in common with it add up to the area that is due: all of it, or what of it lies in the box. What is short of
 // that must be inside a body that cuts: there the faces' open edges must run along that body (or the box or the
-// triangle's sides), and points of the triangle that no face covers must lie in the body, decided exactly.
+// triangle's sides). Points of the triangle that no face covers must lie in the body, decided exactly.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

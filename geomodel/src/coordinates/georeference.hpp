@@ -28,9 +28,9 @@ class ModelFrame {
   /// it cannot be found.
   ModelFrame(const Project& project, const std::vector<SourceInput>& inputs);
 
-  /// Brings everything in the input's contents into the frame. Throws Error{invalid_input} where its coordinates cannot
-  /// be what the project says (longitude and latitude in a UTM project, a place outside the system), Error{usage} where
-  /// a conversion is not offered.
+  /// Brings everything in the input's contents into the frame. Throws Error{invalid_input} where its coordinates
+  /// cannot be what the project says (longitude and latitude in a UTM project, a place outside the system). Throws
+  /// Error{usage} where a conversion is not offered.
   void place(const SourceInput& input, std::vector<std::string>& notes, std::vector<std::string>& warnings) const;
 
   /// A point of the project file.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OpenFOAM: a case folder NAME.foam with constant/polyMesh, text. Surfaces on the outer boundary are patches, inner
-// ones face zones (flipped where the face's normal does not point from the lower region id to the higher), regions cell
-// zones. Followed: OpenFOAM user guide, "Mesh description".
+// ones face zones, regions cell zones. A face of a zone is flipped where its normal does not point from the lower
+// region id to the higher. Followed: OpenFOAM user guide, "Mesh description".
 #include <algorithm>
 
 #include "formats/format_list.hpp"

@@ -50,7 +50,7 @@ std::string text_of(const std::filesystem::path& path) {
   return text;
 }
 
-/// Keeps VTK from composing its error messages while alive: it prints them, and the one for broken cell data of a file
+/// Keeps VTK from composing its error messages while alive: it prints them. The one for broken cell data of a file
 /// without point data dereferences a null pointer (vtkXMLDataReader::ReadPieceData, up to 9.1 at least). A read that
 /// failed leaves no points.
 class QuietVtk {

@@ -34,8 +34,8 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
                                               const ModelPlc& plc, const Column& column);
 
 /// The horizons next above and next below a point on its vertical, as if they were in contact with it (area 1): for
-/// components between faults that touch no horizon. Where nothing of a horizon is left on the vertical (all of them
-/// were above the topography), the surfaces as they were before rules and bodies took parts away tell. Linear in both.
+/// components between faults that touch no horizon. Where nothing of a horizon is left on the vertical (all were
+/// above the topography), the surfaces before rules and bodies took parts away tell. Linear in both.
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p);
 

@@ -19,8 +19,8 @@ struct FlatPatch {
   std::vector<VertexIndex> points;                            ///< inside, on no segment
 };
 
-/// Patches (by number) of facets of one box side alone, whose points all have exactly the same x, y or z, that are
-/// oriented alike and whose border passes no point twice. `uses` as from sorted_edge_uses.
+/// Patches (by number) of facets of one box side alone that are oriented alike. All their points have exactly the same
+/// x, y or z, and their border passes no point twice. `uses` as from sorted_edge_uses.
 std::map<Index, FlatPatch> flat_box_patches(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                             const SurfaceSets& sets, const std::vector<Index>& patch,
                                             const std::vector<EdgeUse>& uses);

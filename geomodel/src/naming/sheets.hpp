@@ -18,8 +18,8 @@ std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points);
 bool is_closed(const TriangulatedSurface& surface);
 
 /// Which triangles have their upper side where their stored normal points. Triangles joined through edges of exactly
-/// two triangles form a sheet; a sheet is oriented as one, so that overturned folds keep their sides, and up is where
-/// most of its area (seen from above, with sign) says so. Where a sheet cannot be oriented (a Moebius band) each of its
+/// two triangles form a sheet; a sheet is oriented as one, so that overturned folds keep their sides. Up is where most
+/// of its area, seen from above and with sign, says so. Where a sheet cannot be oriented (a Moebius band) each of its
 /// triangles speaks for itself.
 struct UpwardSides {
   std::vector<std::uint8_t> as_stored;  ///< per triangle

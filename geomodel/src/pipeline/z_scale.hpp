@@ -12,8 +12,8 @@
 namespace geomesh::geomodel {
 
 /// Powers of two are applied and undone exactly. Other factors round once each way; what was given comes back as it
-/// was, as the height behind each scaled one is kept (of two that scale to the same double, which are neighbours, the
-/// first). Precondition: factor > 0.
+/// was, as the height behind each scaled one is kept. Of two heights that scale to the same double, which are
+/// neighbours, the first is kept. Precondition: factor > 0.
 class ZScale {
  public:
   explicit ZScale(double factor) : factor_(factor) {}

@@ -9,9 +9,9 @@
 
 namespace geomesh::geomodel::page {
 
-/// Statistics of the whole and of each region in a table; histograms of the whole (least dihedral angles as in the
-/// paper's Figure 11, all dihedral angles, radius ratios, edges against the asked size), and of the least angles by
-/// region; the worst elements with place and cause.
+/// Statistics of the whole and of each region in a table; histograms of the whole, and of the least angles by region.
+/// Those of the whole are least dihedral angles as in the paper's Figure 11, all dihedral angles, radius ratios, edges
+/// against the asked size; the worst elements with place and cause.
 std::string shape_section(const QualityReport& report, const ModelMesh& mesh);
 
 /// What solvers will make of the mesh.

@@ -16,8 +16,8 @@ struct BuildLog {
   std::vector<std::string>& warnings;
 };
 
-/// Fills holes whose border is at most `longest_border` long with the Delaunay triangulation of their border in the map
-/// (or, for faults and bodies, in the mean plane).
+/// Fills holes whose border is at most `longest_border` long with the Delaunay triangulation of their border. It is
+/// made in the map, for faults and bodies in the mean plane.
 void fill_holes(TriangulatedSurface& surface, double longest_border, const BuildLog& log);
 
 /// Points that a continuation gets beside those of the border.

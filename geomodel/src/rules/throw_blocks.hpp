@@ -21,10 +21,10 @@ struct ThrowFault {
 /// sorts sheets, nothing is cut by it.
 ///
 /// Where a fault ends inside the box, beyond its tip the horizon runs on. There its triangles belong to every block
-/// (BuiltRows::of_every_block): those given that cross the fault's continuation, and, where the sheets on both sides
-/// leave a gap there, triangles that join them, which are appended to the horizon. What crosses the fault itself, and
-/// what lies beyond it without going round its tip, is in no block (BuiltRows::of_no_block): the blocks are continued
-/// to the fault in its place.
+/// (BuiltRows::of_every_block): those given that cross the fault's continuation. Where the sheets on both sides leave
+/// a gap there, triangles that join them come too, which are appended to the horizon. What crosses the fault itself,
+/// and what lies beyond it without going round its tip, is in no block (BuiltRows::of_no_block): the blocks are
+/// continued to the fault in its place.
 std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, Extend how,
                                     const Box3& box, const BuildLog& log);
 

@@ -7,14 +7,14 @@
 
 namespace geomesh::geomodel {
 
-/// Puts the horizons of the column (with the topography above and the bottom of the model below) into order, has
-/// neighbours share one surface where the unit between is thinner than the least thickness, and gives all of them one
-/// triangulation of the map with as few triangles as half of the tolerance needs.
+/// Puts the horizons of the column into order, with the topography above and the bottom of the model below. Neighbours
+/// share one surface where the unit between is thinner than the least thickness. All get one triangulation of the map
+/// with as few triangles as half of the tolerance needs.
 ///
-/// Nothing is done, and false given, where rules.stack says so or has no tolerance or no size, where a horizon has
-/// several heights somewhere or is given block by block (a note tells), and where nothing asks for it: horizons in the
-/// wrong order without a rule, units thinner than a least thickness that was given, or more than four times the
-/// triangles that the size asks for.
+/// Nothing is done, and false given, where rules.stack says so or has no tolerance or no size. The same holds where a
+/// horizon has several heights somewhere or is given block by block (a note tells), and where nothing asks for it:
+/// horizons in the wrong order without a rule; units thinner than a least thickness that was given; more than four
+/// times the triangles that the size asks for.
 bool settle_stack(BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

@@ -30,10 +30,9 @@ struct MapSheets {
 };
 
 /// Greedy insertion (after Garland and Heckbert 1995) of the place where any horizon is furthest off, relative to what
-/// is allowed there. A vertex has the height of a plane fitted to the samples about it, over a radius that shrinks
-/// where the fit is what is off; at radius zero it lies on the given triangles.
-/// At last the crossings of edges in the map are looked at, between which and the vertices the difference is linear.
-/// Cost: near-linear in the samples.
+/// is allowed there. A vertex has the height of a plane fitted to the samples about it. The radius of the fit shrinks
+/// where the fit is what is off; at radius zero it lies on the given triangles. At last the crossings of edges in the
+/// map are looked at, between which and the vertices the difference is linear. Cost: near-linear in the samples.
 MapSheets approximate_sheets(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
                              const SheetOptions& options);
 

@@ -7,8 +7,9 @@
 
 namespace geomesh::geomodel {
 
-/// No triangle is vertical, no edge has more than two triangles, and triangles that share an edge lie on both sides of
-/// it in the map, all decided exactly. Sheets that lie over each other are not found here. Cost: a sort of the edges.
+/// No triangle is vertical, and no edge has more than two triangles. Triangles that share an edge lie on both sides of
+/// it in the map. All is decided exactly. Sheets that lie over each other are not found here. Cost: a sort of the
+/// edges.
 bool is_single_valued(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel

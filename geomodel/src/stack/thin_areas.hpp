@@ -24,7 +24,7 @@ struct ThinArea {
 };
 
 /// One entry a pair. Thicknesses are averaged over about half of the size, so that noise from node to node makes no
-/// islands. An area is shared where the thickness falls below three quarters of the least one somewhere in it, and an
+/// islands. An area is shared where the thickness falls below three quarters of the least one somewhere in it. An
 /// opening in it stays where the thickness exceeds one and a half times the least one; both only from ten squares of
 /// the size on, but for openings thicker than three times the least.
 std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds,

@@ -57,15 +57,15 @@ struct RefineOptions {
   SizeOptions size;
   Honour honour = Honour::exact;
   double tolerance = 0;  ///< Honour::tolerance: largest distance between input and result, in model units
-  /// Honour::tolerance: the distance allowed at a place is besides at most this share of the size that is asked there
-  /// by `size` (not by input edges, curvature and gaps), and half of the gap to the surface that faces it. 0:
-  /// `tolerance` everywhere.
+  /// Honour::tolerance: the distance allowed at a place has two more limits. One is this share of the size that is
+  /// asked there by `size` (not by input edges, curvature and gaps). The other is half of the gap to the surface that
+  /// faces it. 0: `tolerance` everywhere.
   double tolerance_share = 0;
   QualityLevel quality = QualityLevel::standard;
   /// What improvement maximises: first its least value over the cells, then its mean. Limits that levels set as angles
   /// stand for the value of a sliver with this least dihedral angle.
   QualityMeasure quality_measure = QualityMeasure::dihedral;
-  /// Honour::exact: false puts no points on surfaces and curves for their sizes, and has only the inside follow the
+  /// Honour::exact: false puts no points on surfaces and curves for their sizes. Only the inside then follows the
   /// sizes asked, which near a vertex of a surface are those of the longest edge there; a few points may still go onto
   /// surfaces where the worst elements need them. For surfaces full of short edges that are to be kept with few
   /// elements.
@@ -135,12 +135,12 @@ struct RefineResult {
 /// `Honour::exact` every point of the PLC that was in the mesh is there unmoved. Faces keep the facet they are part of;
 /// a face remade within a patch takes the facet of the patch nearest to it.
 ///
-/// `Honour::tolerance`: each triangle of the input and of the result, and each piece of their curves, is proven to be
-/// within the tolerance of the other's same patch or curve, and outer faces to cross nowhere; up to six runs, each
-/// closer to the input where the last was not so, from the fourth with the facets kept where it was not. Where all of
-/// that fails every surface is kept. Throws Error{cannot_mesh} where the estimated or the actual number of elements
+/// `Honour::tolerance`: triangles of the input and the result, and pieces of their curves, are proven within the
+/// tolerance of the other's same patch or curve. Outer faces are proven to cross nowhere; up to six runs, each closer
+/// to the input where the last was not so. From the fourth on the facets are kept where it was not. Where all of that
+/// fails every surface is kept. Throws Error{cannot_mesh} where the estimated or the actual number of elements
 /// exceeds the limit, Error{usage} on options out of range. Ends always: points are added for sizes only at a distance
-/// from all others that the size field bounds from below, and improvement makes a bounded number of passes, none of
+/// from all others that the size field bounds from below. Improvement makes a bounded number of passes, none of
 /// which lowers the worst shape but for rounding. Deterministic for given options unless a time budget is set.
 ///
 /// Sources: Cavalcanti and Mello 1999, section 5 (points added automatically, smart smoothing); Freitag and
@@ -150,8 +150,8 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
                                 const RefineOptions& options = {}, const RunContext& context = {});
 
 /// The number of tetrahedra that the options ask for: integrals of the inverse of what an element of the asked size
-/// takes of volume and of surfaces, and where those stay the cells that given points need. Within a third of what comes
-/// out; not counted far beyond the limit.
+/// takes of volume and of surfaces. Where surfaces stay, the cells that given points need are counted too. Within a
+/// third of what comes out; not counted far beyond the limit.
 double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options);
 

@@ -53,8 +53,8 @@ class CellQuality {
   double largest() const { return largest_; }
   /// More than the worths of three cells about one edge can sum to.
   double most_of_three() const { return most_of_three_; }
-  /// Where two cells share the dihedral angle that cell (a, b, x, y) has at its edge (x, y), the worse of them is no
-  /// better than this, nor is half of what their worths sum to. NaN where a face has no area.
+  /// Let two cells share the dihedral angle that cell (a, b, x, y) has at its edge (x, y). Then the worse of them is
+  /// no better than this, nor is half of what their worths sum to. NaN where a face has no area.
   double most_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const {
     constexpr double rounding = 1e-6;
     const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);

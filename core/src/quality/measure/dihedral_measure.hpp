@@ -4,9 +4,9 @@
 ///
 /// The measure of a tetrahedron is the least sine of its six dihedral angles, the sines of obtuse angles weighted down
 /// (Klingner and Shewchuk 2007, section 2, the "biased minimum sine"). The weight is sin 24.85 / sin 145, so that the
-/// two bounds users ask for, 24.85 and 145 degrees, are one value of the measure. For a positive tetrahedron with
-/// det = 6 volume, the sine at an edge e between the faces with normals m and n (of length twice the area) is
-/// det |e| / (|m| |n|).
+/// two bounds users ask for, 24.85 and 145 degrees, are one value of the measure. Let a tetrahedron be positive, with
+/// det = 6 volume, and e an edge between faces with normals m and n, of length twice the area. The sine at e is det |e|
+/// / (|m| |n|).
 #pragma once
 
 #include <array>

@@ -4,9 +4,9 @@
 /// faces by points inserted on them. Points are rounded to doubles before they are inserted.
 ///
 /// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
-///   - `max_steiner_per_facet` points on one facet that meets another at less than 90 degrees or has segments that meet
-///   at less than 60,
-///     and as many on one segment; others always end (section 3.2; Ruppert 1995), so none is given up;
+///   - `max_steiner_per_facet` points on one segment, or on one facet that meets another at less than 90 degrees or
+///     has segments meeting at less than 60; others always end (section 3.2; Ruppert 1995), so none is
+///     given up;
 ///   - 30 points for each vertex of the model, and 3,000 more, on all such facets and segments together; and 100,000
 ///   more on the others;
 ///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096
@@ -40,7 +40,7 @@ class ConformingRecovery {
   void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
-  /// Of the vertices of the cells that the missing subsegment passes through, the one from which it is seen under the
+  /// One of the vertices of the cells that the missing subsegment passes through: that from which it is seen under the
   /// largest angle, if that is obtuse; else no_vertex.
   VertexIndex encroaching_vertex(const Subsegment& s);
   /// Whether v lies on a model segment that has `end` for an end.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Facets, whose segments are all present: the mesh edges that pierce a missing subfacet are removed by flips; where
 /// that fails they are split one after the other where they pierce it. Splits of edges leave tetrahedra alone, so the
-/// prisms and pyramids of the paper's section 3.3 never come up, and after as many splits as edges pierce the subfacet
-/// it is a union of faces: this always ends.
+/// prisms and pyramids of the paper's section 3.3 never come up. After as many splits as edges pierce the subfacet it
+/// is a union of faces: this always ends.
 #include <algorithm>
 #include <cmath>
 
@@ -113,8 +113,8 @@ class FacetRecovery {
     return trace;
   }
 
-  // Where rounding bends a border with added points, the trace may leave the subfacet through cells flat in its plane,
-  // and then meets what lies beside it: nobody is accused without an exact test against the corners.
+  // Where rounding bends a border with added points, the trace may leave the subfacet through cells flat in its plane.
+  // It then meets what lies beside it: nobody is accused without an exact test against the corners.
 
   /// Whether the edge passes through the triangle of the corners or touches it: it has the corners' edges on one side.
   bool is_passed_by(PiercingEdge e) const {

@@ -60,8 +60,8 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
   return false;
 }
 
-/// Any crossing, where that leaves fewer of them, or now and then as many (as in the plane, where a crossed edge of a
-/// quadrilateral that is not convex has to wait for its neighbours).
+/// Any crossing, where that leaves fewer of them, or now and then as many. (In the plane, too, a crossed edge of a
+/// quadrilateral that is not convex has to wait for its neighbours.)
 class CrossingReduction {
  public:
   CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Segments that flips do not recover get points. The stepping insertion always ends: the point stands where the line
-/// first crosses the mesh, so that the part before it is an edge and the part behind it crosses one simplex less.
+/// first crosses the mesh. So the part before it is an edge, and the part behind it crosses one simplex less.
 #include <algorithm>
 #include <cmath>
 

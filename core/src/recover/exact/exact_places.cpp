@@ -117,7 +117,7 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   return false;
 }
 
-// The nearest double and the rounded rest give a coordinate within 2^-105 of itself, so a difference of two of them is
+// The nearest double and the rounded rest give a coordinate within 2^-105 of itself. So a difference of two of them is
 // off by 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that of filters.hpp, trebled
 // for the first, and six products with one factor that wrong for the second. The second filter works with about 2^-104;
 // its bound, 2^-96 of the greatest product, leaves room for 256 roundings.

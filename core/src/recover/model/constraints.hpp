@@ -29,7 +29,7 @@ struct Subsegment {
 
 using DirectedEdge = std::array<VertexIndex, 2>;
 
-/// A triangle that is a face of the mesh or is to become one, or, with `piece`, a part of a facet that any faces may
+/// A triangle that is a face of the mesh or is to become one. With `piece`, it is a part of a facet that any faces may
 /// cover.
 struct Subfacet {
   Triangle vertices{};  ///< in the orientation of the facet; of a piece: three of its vertices, that span its plane

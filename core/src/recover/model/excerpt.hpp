@@ -10,7 +10,7 @@
 
 namespace geomesh::recover {
 
-/// The finite cells within two steps of these vertices (of more than `max_cells` those nearest by steps), and the
+/// The finite cells within two steps of these vertices; of more than `max_cells` those nearest by steps. With them the
 /// declared segments and facets whose vertices are all among theirs. O(cells of the excerpt + declared constraints).
 std::shared_ptr<const MeshExcerpt> excerpt_about(const Recovery& recovery, std::span<const VertexIndex> vertices,
                                                  std::size_t max_cells = 4000);

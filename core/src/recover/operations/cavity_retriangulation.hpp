@@ -35,7 +35,7 @@ class Cavity {
   /// Vertices joined with v by an edge of the boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
-  /// All of the boundary joined with y, a point that no cell has yet, growing the cavity, which is valid then, over
+  /// All of the boundary joined with y, a point that no cell has yet. The cavity, which is valid then, grows over
   /// faces that y does not see.
   std::optional<std::vector<Tetrahedron>> star_from(VertexIndex y, unsigned max_growths);
   std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;

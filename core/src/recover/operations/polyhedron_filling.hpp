@@ -6,7 +6,7 @@
 /// exists it is mostly found at once).
 ///
 /// No intersection test is needed for the answer to be right: positive tetrahedra whose faces cancel in pairs but for
-/// the boundary cover each point as often as the boundary winds about it, that is once inside. Crossings are tested
+/// the boundary cover each point as often as the boundary winds about it. That is once inside. Crossings are tested
 /// only to end hopeless branches early.
 #pragma once
 

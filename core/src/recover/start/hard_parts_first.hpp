@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Recovery in stages, hard parts first, for models of which an attempt has failed. Long thin facets side by side, an
-/// ulp off one plane, are recovered without points in a mesh of little but their own vertices, and hardly ever where
-/// the vertices of all else stand between them. So what flips and cavities could not recover counts, and the vertices
-/// of what has counted most often are triangulated and their facets recovered before the next ones are inserted (own
-/// design; the counting is after the conflict-driven order of satisfiability solvers).
+/// ulp off one plane, are recovered without points in a mesh of little but their own vertices. They hardly ever are
+/// where the vertices of all else stand between them. So what flips and cavities could not recover counts. The
+/// vertices of what has counted most often are triangulated and their facets recovered before the next ones are
+/// inserted (own design; the counting is after the conflict-driven order of satisfiability solvers).
 #pragma once
 
 #include <vector>

@@ -17,9 +17,9 @@ struct HalfPlane {
   double x, y, limit;
 };
 
-/// Whether the half-planes have a point in common, by going through them one by one (Seidel 1991): where the point at
-/// hand, the best one in a fixed direction, falls out of the next half-plane, the best one on its border takes its
-/// place. O(n^2), in practice less.
+/// Whether the half-planes have a point in common, by going through them one by one (Seidel 1991): the point at hand
+/// is the best one in a fixed direction. Where it falls out of the next half-plane, the best one on its border takes
+/// its place. O(n^2), in practice less.
 bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   double s = far, t = far;
   for (std::size_t i = 0; i < planes.size(); ++i) {

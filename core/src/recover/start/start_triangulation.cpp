@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t n_box_corners = 8;
 
-/// The model's vertices and the eight corners of a box that encloses them at a distance, so that the hull of the mesh
-/// is never touched by recovery and the box disturbs the model's Delaunay cells little.
+/// The model's vertices and the eight corners of a box that encloses them at a distance. So recovery never touches the
+/// hull of the mesh, and the box disturbs the model's Delaunay cells little.
 std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const DeclaredModel& model) {
   std::vector<Vec3> points;
   Box3 box;

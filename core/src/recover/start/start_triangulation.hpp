@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The mesh that recovery starts from. In conforming mode it is the Delaunay triangulation. In constrained mode any
-/// triangulation of the vertices will do, and where the model is stretched (layers of kilometres' extent, metres thick)
+/// triangulation of the vertices will do. Some models are stretched (layers of kilometres' extent, metres thick). There
 /// the Delaunay triangulation of the vertices with an axis scaled up misses far fewer segments: as a scaling by a power
 /// of two is exact and affine, its cells are exactly positive in the model's own frame too.
 #pragma once

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Added points are taken away again where the mesh can do without: those on segments and facets first
 /// (boundary_points_inward.cpp, which may leave points inside regions), then those inside (inner_points.cpp). Once all
-/// constraints are there the sides of a facet no longer hinder each other, so much of what flips could not do before
+/// constraints are there the sides of a facet no longer hinder each other. So much of what flips could not do before
 /// can be done now.
 #include <algorithm>
 

@@ -4,9 +4,9 @@
 /// place into the sector.
 ///
 /// For a facet's inner point the two sectors are the halves of its star. A moved point sees the sector's part of the
-/// link if it moves little, and sees the facets' new triangles if it moves to the inner side of their planes; which
-/// step is small enough is decided by exact tests, and what it does not see of the link the sector grows over. A sector
-/// that goes all the way round (the border of a facet that hangs in a region, a well) has no such side: it is parted by
+/// link if it moves little. It sees the facets' new triangles if it moves to the inner side of their planes; which step
+/// is small enough is decided by exact tests, and what it does not see of the link the sector grows over. A sector that
+/// goes all the way round (the border of a facet that hangs in a region, a well) has no such side: it is parted by
 /// sheets, triangles over the segment that become faces of the mesh.
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ class PointRemoval {
     }
     return false;
   }
-  /// The edge that is to take the place of the segment's two parts is there already, and not as the border of a thin
+  /// The edge that is to take the place of the segment's two parts is there already. It is not the border of a thin
   /// part of a facet.
   bool has_foreign_chord() {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;

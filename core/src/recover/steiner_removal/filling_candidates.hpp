@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The tetrahedra of which a filling of a region can consist: those of its vertices that hold none of the others, whose
-/// edges and faces cross neither the boundary nor what must be there, and that are left when those without a partner
-/// are gone again and again.
+/// The tetrahedra of which a filling of a region can consist: those of its vertices that hold none of the others, and
+/// whose edges and faces cross neither the boundary nor what must be there. Of them those without a partner are taken
+/// away, again and again.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Removal of added points inside regions: from their star by a fan, by search or after flips at the point, and at last
-/// from a region about it whose filling is decided as a formula (region_filling.hpp).
+/// Removal of added points inside regions: from their star by a fan, by search or after flips at the point. At last
+/// they go from a region about it whose filling is decided as a formula (region_filling.hpp).
 #include <algorithm>
 
 #include "common/flood.hpp"

@@ -3,7 +3,7 @@
 /// A region of the mesh filled again without some of its points, decided as a formula: a variable for each tetrahedron
 /// of its vertices that crosses nothing, one for each triangle; each boundary face has exactly one tetrahedron on its
 /// inner side, each other triangle as many above it as below, at most one. Positive tetrahedra whose faces cancel in
-/// pairs but for the boundary cover the region exactly once, so a solution is a filling, and where there is none the
+/// pairs but for the boundary cover the region exactly once. So a solution is a filling, and where there is none the
 /// formula is unsatisfiable. Whether a polyhedron has a filling is NP-complete (Ruppert and Seidel 1992); for some tens
 /// of vertices the solver decides it in milliseconds. Where the search of polyhedron_filling.hpp sees one polyhedron,
 /// this sees what lies about it: Schoenhardt's octahedra, whose free diagonals are held by neighbours of the same kind,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Where a region goes all the way round an added point of a segment (the border of a facet that hangs in it, a well),
-/// no point moved off the segment sees both ends. Points beside it become the apexes of sheets that part the region.
+/// A region may go all the way round an added point of a segment: the border of a facet that hangs in it, a well.
+/// There no point moved off the segment sees both ends. Points beside it become the apexes of sheets that part the
+/// region.
 #include <algorithm>
 #include <cmath>
 

@@ -8,8 +8,8 @@
 /// refinement ends for any input angles, by packing; and where small angles would ask for ever smaller elements, cells
 /// stay as they are.
 ///
-/// What an insertion takes from segments or facets all the same, conforming recovery brings back with points of its
-/// own, on concentric shells about sharp vertices; these count towards its budgets.
+/// An insertion may all the same take something from segments or facets. Conforming recovery brings it back with
+/// points of its own, on concentric shells about sharp vertices; these count towards its budgets.
 #pragma once
 
 #include <functional>

@@ -112,10 +112,10 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
     return possible ? curves_.find({a, b}) : no_index;
   }
-  /// @name Where the outside passes through
+  /// @name Where the outside passes through.
   /// Cells may meet at a vertex, or at an edge, that no way through faces about it joins, since the outside is between
   /// them. `star` and `edge_ring` find those alone that are joined with the cell they start from. So such a vertex, or
-  /// one of such an edge, is a corner, told here, and a curve's edge between two of them is not split.
+  /// one of such an edge, is a corner, told here. A curve's edge between two of them is not split.
   /// @{
   bool is_pinched(VertexIndex v) const { return v < pinched_.size() && pinched_[v]; }
   bool is_pinched(VertexIndex a, VertexIndex b) const {

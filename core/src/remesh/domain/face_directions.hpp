@@ -19,10 +19,10 @@ struct EdgeUse {
 /// Whether the face runs along the edge from a to b, and not from b to a.
 bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b);
 
-/// Normals of length one by face. Three points that are on one line but for rounding, as where a crossing met the side
-/// of a triangle, have a normal that tells nothing: a face lower than `narrow` takes that of the face beyond its
-/// longest edge, where that edge has one other face and both are of one patch; zero where no such one is found within a
-/// few steps.
+/// Normals of length one by face. Three points that are on one line but for rounding have a normal that tells nothing.
+/// They come up where a crossing met the side of a triangle: a face lower than `narrow` takes that of the face beyond
+/// its longest edge. That edge must have one other face, and both must be of one patch; zero where no such one is found
+/// within a few steps.
 ///
 /// Preconditions: `uses` in ascending order of edges, three a face. O(n).
 std::vector<Vec3> face_directions(const std::vector<Vec3>& points, std::span<const Triangle> faces,

@@ -9,9 +9,9 @@
 
 namespace geomesh::remesh {
 
-/// Every facet that is near to a place of the attempt that does not hold becomes a patch of its own (its sides are
-/// curves then, its corners stay), and segments there curves of their own. Returns a place for each that was not so
-/// before. `options` come with one patch for each facet.
+/// Every facet near a place of the attempt that does not hold becomes a patch of its own: its sides are curves then,
+/// its corners stay. Segments there become curves of their own. Returns a place for each that was not so before.
+/// `options` come with one patch for each facet.
 std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options);
 
 }  // namespace geomesh::remesh

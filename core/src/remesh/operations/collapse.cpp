@@ -80,8 +80,8 @@ class Collapse {
   }
 
   /// Surfaces must not be pinched: a surface edge of u that becomes one of v may not be one already, but for those
-  /// beside the edge, and no face may be there already. (Two faces with nothing but the outside between them are told
-  /// by no cell.)
+  /// beside the edge. No face may be there already. (Two faces with nothing but the outside between them are told by no
+  /// cell.)
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
     if (mesh_.is_pinched(v_)) return false;  // its star is not all of its surface

@@ -26,7 +26,7 @@ struct SmoothRule {
 };
 
 /// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over those exchanged, however many
-/// they become, the sum of what their worths are above `mean` must rise, and no shape fall below `floor` and the worst
+/// they become, the sum of what their worths are above `mean` must rise. No shape may fall below `floor` and the worst
 /// that was there.
 struct MeanGoal {
   double floor, mean;
@@ -48,13 +48,13 @@ bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule,
 /// it. Only where the worst shape rises.
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 
-/// Exchanges an edge in the inside of a patch for the other diagonal of its two faces where the surface is more nearly
-/// Delaunay with it (opposite angles sum to more than half a turn), even if shapes of cells fall to `floor`: for
+/// Exchanges an edge inside a patch for the other diagonal of its two faces where the surface is more nearly Delaunay
+/// with it. That is where the opposite angles sum to more than half a turn. Shapes of cells may fall to `floor`: for
 /// surfaces that have just been split and whose neighbourhood is still to be filled.
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 
-/// Moves a vertex within its patch to the centroid of its faces where the worst of their shapes (4 sqrt 3 area / sum of
-/// squared sides) rises and no cell about it falls below `floor` and what it was.
+/// Moves a vertex within its patch to the centroid of its faces where their worst shape (4 sqrt 3 area / sum of squared
+/// sides) rises. No cell about it may fall below `floor` and what it was.
 bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor);
 
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite:
@@ -79,7 +79,7 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge where that, with the new vertex at its best place, raises the worst shape about it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);
 
-/// @name One operation about a cell, the first of its kind that raises the worst shape there
+/// @name One operation about a cell, the first of its kind that raises the worst shape there.
 /// Edges in the order of edge_vertices, faces by their index. Each returns whether something changed.
 /// @{
 bool flip_about_cell(Toolbox& tools, CellIndex c);

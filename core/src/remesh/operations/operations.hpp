@@ -59,8 +59,8 @@ enum class CollapseRule {
   thin_out,  ///< as coarsen, and where bad cells may not spread there are no more of them than before
 };
 
-/// Moves u into its neighbour v where u is no corner, the edge lies on u's curve or patch, surfaces and curves keep
-/// their topology (Dey et al. 1999: link conditions) and stay within the tolerance, and each new cell is positive.
+/// Moves u into its neighbour v where u is no corner and the edge lies on u's curve or patch. Surfaces and curves keep
+/// their topology (Dey et al. 1999: link conditions) and stay within the tolerance. Each new cell is positive.
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
 
 /// Centre of the sphere through the corners, and its radius. Far away where they are nearly coplanar.
@@ -84,8 +84,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 /// sees all of its border).
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
 
-/// Inserts p, brought to the patch of the face `start`, by a cavity on the surface (faces of the patch whose
-/// circumcircle has p) and one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of
+/// Inserts p, brought to the patch of the face `start`. One cavity is on the surface (faces of the patch whose
+/// circumcircle has p), one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of
 /// it of others.
 std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule);
 

@@ -92,9 +92,9 @@ class Smoother {
     return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
   }
 
-  /// A place that was found along the line of the vertices before and after, brought to that of the input edge's own
-  /// ends, so that rounding does not add up over moves. To find those is a walk, so they are asked for where v is about
-  /// to move and not before.
+  /// A place that was found along the line of the vertices before and after. It is brought to that of the input edge's
+  /// own ends, so that rounding does not add up over moves. To find those is a walk, so they are asked for where v is
+  /// about to move and not before.
   Vec3 on_input_edge(const Vec3& p) {
     for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
     const Vec3 d = ends_[1] - ends_[0];

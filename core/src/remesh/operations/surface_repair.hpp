@@ -11,8 +11,8 @@ namespace geomesh::remesh {
 /// Gives each face the facet of its patch that is nearest to it, oriented as it is.
 void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);
 
-/// Puts a vertex of the nearest face (or curve edge), new or moved, to the place of each breach, where cells stay
-/// positive and of some shape and fewer faces (none) are off the input than were (where none was). Returns how many
+/// Puts a vertex of the nearest face (or curve edge), new or moved, to the place of each breach. Cells must stay
+/// positive and of some shape, and fewer faces must be off the input than were (none, where none was). Returns how many
 /// were treated: other places may be off then, so verify again. O(n log n).
 std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches);
 

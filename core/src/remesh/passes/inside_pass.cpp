@@ -188,7 +188,7 @@ class InsideRefiner {
   }
 
   /// `centre` of the cell's circumsphere. Above the circumcentre of face i, so far that the new edges have the asked
-  /// length (the mean of those at their ends), but not beyond the cell's circumcentre.
+  /// length (the mean of those at their ends). It is not beyond the cell's circumcentre.
   std::optional<Vec3> ideal_apex(CellIndex c, unsigned i, const Vec3& centre) {
     const Tetrahedron& t = mesh_.vertices(c);
     const VertexIndex x = t[face_vertices[i][0]], y = t[face_vertices[i][1]], z = t[face_vertices[i][2]];

@@ -26,7 +26,7 @@ class Chooser {
 };
 
 /// One change about the live cell c, of a kind and at a place that are chosen: a vertex removed (curves and surfaces
-/// keep theirs), an edge split, a point put into a cell or onto a face, an edge or a face removed; in the cell or in
+/// keep theirs), an edge split; an edge or a face removed; a point put into a cell or onto a face; in the cell or in
 /// one that shares an edge with it, mostly. Returns whether something changed.
 bool open_about_cell(Toolbox& tools, CellIndex c, Chooser& choose);
 

@@ -13,13 +13,13 @@ struct RescueRule {
   unsigned max_steps;        ///< operations of one sequence
 };
 
-/// Mends the bad cell c and whatever becomes bad by that, each operation raising the worst shape about it while the
+/// Mends the bad cell c and whatever becomes bad by that. Each operation raises the worst shape about it, while the
 /// number of bad cells may rise. Kept where in the end there are fewer bad cells than before, or as many and the worst
 /// of them is notably better; else everything is as it was. Returns whether it was kept.
 bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
 
 /// The same where that was in vain, with sequences that open with an operation which may make the place worse: an edge
-/// of the cell split, one of its vertices or of those about it removed, a point put into it or a cell beside it. The
+/// of the cell split, a point put into it or a cell beside it; one of its vertices or of those about it removed. The
 /// first that is worth it is kept. Many times as dear as rescue_cell.
 bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule);
 

@@ -18,12 +18,12 @@ struct RescueSearch {
   const FreeCellJudge& judge;
 };
 
-/// The same where that was in vain, by trials of up to RescueLimits::most_openings openings, each chosen at random
-/// about the worst cell that the repair of the one before has left. The first trial is kept that leaves none worse than
-/// the worst was, and fewer bad cells, or as many that together lack notably less (beside a cell that cannot be mended
-/// the worst alone tells nothing), or no cell that nothing forces and one bad cell more at most. Where such a cell has
-/// only made way for another and the place is hardly worse, the search goes on from there. Returns whether the cell is
-/// mended. A trial costs about a millisecond.
+/// The same where that was in vain, by trials of up to RescueLimits::most_openings openings. Each is chosen at random
+/// about the worst cell that the repair of the one before has left. A trial that leaves any cell worse than the worst
+/// was is not kept. The first other trial is kept that leaves fewer bad cells, or as many that together lack notably
+/// less. (Beside a cell that cannot be mended the worst alone tells nothing.) So is one that leaves no cell that
+/// nothing forces and one bad cell more at most. Where such a cell has only made way for another and the place is
+/// hardly worse, the search goes on from there. Returns whether the cell is mended. A trial costs about a millisecond.
 bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
 
 }  // namespace geomesh::remesh

@@ -17,8 +17,8 @@ void check_estimate(double estimate, std::size_t limit) {
                                           "; ask for larger sizes, a steeper gradation, or raise the limit");
 }
 
-/// Where the size of the whole model would be met by far fewer elements than the edges of the input ask for, the user
-/// is told before the work.
+/// The size of the whole model may be met by far fewer elements than the edges of the input ask for. The user is told
+/// before the work.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
                          const RunContext& context, RefineResult& result) {
   constexpr double many = 250'000, most = 2;

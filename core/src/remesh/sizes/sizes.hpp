@@ -32,8 +32,8 @@ void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh
 double share_of_edges_within_size(Toolbox& tools);
 
 /// How many elements the sizes come to: integrals over volume and faces of the inverse of what an element of the asked
-/// size takes of them, and the cells that the mesh has before where surfaces keep their place. Measured within 30 %
-/// there. Not counted much farther than the limit of the options. Near-linear in the result.
+/// size takes of them. Where surfaces keep their place, the cells that the mesh has before are counted too. Measured
+/// within 30 % there. Not counted much farther than the limit of the options. Near-linear in the result.
 double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options);
 
 }  // namespace geomesh::remesh

@@ -9,9 +9,9 @@
 
 namespace geomesh::remesh {
 
-/// Nothing where surfaces are kept. Else `options.tolerance` everywhere, or less: `options.tolerance_share` of the size
-/// that is asked at the place by the user (of the whole model, units, surfaces, curves, places, background), and half
-/// of the gap to the surface that faces it. `mesh` is the one that was given, before refinement.
+/// Nothing where surfaces are kept. Else `options.tolerance` everywhere, or less: `options.tolerance_share` of the
+/// size that the user asks for at the place, and half of the gap to the surface that faces it. That size is of the
+/// whole model, units, surfaces, curves, places and background. `mesh` is the one that was given, before refinement.
 LocalTolerance allowed_tolerance(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
                                  const RefineOptions& options);
 

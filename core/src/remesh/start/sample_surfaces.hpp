@@ -21,7 +21,7 @@ struct SampledComplex {
 };
 
 /// Edges of facets and segments are cut into pieces of about the asked length, equal in units of it. In each facet
-/// points follow from the border inwards at the asked distance from each other, each at least 0.75 of it from all
+/// points follow from the border inwards at the asked distance from each other. Each has at least 0.75 of it from all
 /// others there: the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
 /// before facets were merged, and tells which components a facet has beside it. Deterministic. Near-linear in the
 /// points where sizes vary slowly.

@@ -2,15 +2,15 @@
 /// @file
 /// Keeps surfaces and curves where the user allows them to be while they are remeshed.
 ///
-/// `exact`: a patch is one facet or several in its plane, so a vertex within a patch moves in that plane and a curve is
-/// one input edge; no face can leave its plane but by rounding. `tolerance`: every point of a new face is proven to be
-/// within 0.8 of the tolerance of the ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not proven
-/// is refused). The other way round nothing is asked where those are a smooth sheet about the change; elsewhere samples
-/// of the original patch near the faces that go must be within 0.7 of the tolerance of those that come or of their
-/// neighbours; they are eight tolerances apart at most where a triangle is not longer than a hundred. Curves are held
-/// to 0.7 of it at samples both ways. Deviations do not add up over operations. No new face may be turned by 78 degrees
-/// or more from the original where it is nearest, which is near enough to a fold: nothing else keeps surfaces from
-/// folding on the side where nothing is meshed. What is promised is proven of the whole result in the end
+/// `exact`: a patch is one facet or several in its plane. So a vertex within a patch moves in that plane, and a curve
+/// is one input edge; no face can leave its plane but by rounding. `tolerance`: every point of a new face is proven to
+/// be within 0.8 of the tolerance of the ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not
+/// proven is refused). The other way round nothing is asked where those are a smooth sheet about the change; elsewhere
+/// samples of the original patch near the faces that go must be near those that come or their neighbours. The most is
+/// 0.7 of the tolerance; they are eight tolerances apart at most where a triangle is not longer than a hundred. Curves
+/// are held to 0.7 of it at samples both ways. Deviations do not add up over operations. No new face may be turned by
+/// 78 degrees or more from the original where it is nearest, which is near enough to a fold: nothing else keeps
+/// surfaces from folding on the side where nothing is meshed. What is promised is proven of the whole result in the end
 /// (verify_surfaces.hpp).
 #pragma once
 
@@ -101,9 +101,9 @@ class SurfaceGuard {
   bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
-  /// Whether the reference in the box is nearly the graph of a function over a plane. Then faces with the same border
-  /// as those before that are near to it cover it, seen along the plane's normal, since their border winds about each
-  /// of its points once; so it is as near to them, but for its slope.
+  /// Whether the reference in the box is nearly the graph of a function over a plane. Let faces have the same border
+  /// as those before and be near to it. They cover it, seen along the plane's normal, since their border winds about
+  /// each of its points once; so it is as near to them, but for its slope.
   bool is_even_about(const Box3& box, Index patch) const;
   bool samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before,
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Exact intersection of all surfaces with each other, with the box and with wells, into a polygon soup in doubles
-/// whose facets meet only in shared vertices and edges. CGAL stays behind this header.
+/// Exact intersection of all surfaces with each other, with the box and with wells. The result is a polygon soup in
+/// doubles whose facets meet only in shared vertices and edges. CGAL stays behind this header.
 ///
 /// Pipeline: pairs (broad phase) -> exact constructions (narrow phase) -> constrained triangulation inside each
-/// triangle -> identification of vertices -> clipping (box, bodies with cuts_all) -> rounding with an exact check,
-/// repeated where needed.
+/// triangle -> identification of vertices -> clipping (box, bodies with cuts_all). Last comes rounding with an exact
+/// check, repeated where needed.
 #pragma once
 
 #include <array>
@@ -124,9 +124,9 @@ ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, cons
                           const std::vector<NamedPoint>& points, const ArrangementOptions& options,
                           const RunContext& context = {});
 
-/// Winding number of point p with respect to one input surface taken as a closed oriented surface, decided exactly (p
-/// in doubles, not on the surface). Zero outside. Used for `inside` and for bodies that cross themselves. Complexity:
-/// linear in the surface; callers ask once a region.
+/// Winding number of point p with respect to one input surface taken as a closed oriented surface. It is decided
+/// exactly; p is in doubles and not on the surface. Zero outside. Used for `inside` and for bodies that cross
+/// themselves. Complexity: linear in the surface; callers ask once a region.
 int winding_number(const TriangulatedSurface& surface, const Vec3& p);
 
 struct SoupFault {

@@ -41,9 +41,9 @@ struct ModelPlc {
 };
 
 struct PlcOptions {
-  /// Give each patch on a box side (one surface, all points with exactly the same coordinate) as one polygon with holes
-  /// instead of the soup's triangles: only its border has to be recovered then. Patches whose border passes a point
-  /// twice stay triangles.
+  /// Give each patch on a box side as one polygon with holes instead of the soup's triangles. Such a patch is of one
+  /// surface, and all its points have exactly the same coordinate: only its border has to be recovered then. Patches
+  /// whose border passes a point twice stay triangles.
   bool merge_box_sides = true;
 };
 
@@ -53,8 +53,8 @@ ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface
                   const std::vector<Polyline>& polylines, const PlcOptions& options = {});
 
 /// How regions get their names, in this order: a seed point inside, a region seed of the PLC, the innermost body it
-/// lies in (among overlapping ones the first in project order), a hint, the column, else `region_1`, `region_2`, ... in
-/// the order of their first input triangle.
+/// lies in, a hint, the column, else `region_1`, `region_2`, ... Among overlapping bodies the first in project order
+/// counts; unnamed regions are numbered in the order of their first input triangle.
 struct NamingRules {
   std::vector<std::string> column{};      ///< as in Project: unit, horizon, unit, ...; empty or of odd length
   std::vector<RegionHint> hints{};        ///< names that came with the file (GOCAD Model3d)

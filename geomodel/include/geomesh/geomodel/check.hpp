@@ -60,7 +60,7 @@ struct CheckResult {
   std::vector<CheckFault> faults;        ///< empty: the mesh passes
 };
 
-/// Collects every fault; never stops at the first. Throws Error{usage} where a file cannot be opened,
+/// Collects every fault; never stops at the first. Throws Error{usage} where a file cannot be opened. Throws
 /// Error{invalid_input} where one cannot be understood (a cell that names a point which is not there, a truncated file
 /// ...). Near-linear in the cells, plus the triangles of the surfaces.
 CheckResult check_mesh(const CheckRequest& request);

@@ -53,8 +53,8 @@ std::vector<std::string> known_formats();
 std::vector<std::string> known_extensions();
 
 /// Splits faults and adds midpoints as asked, then writes all files of one format with `stem` (a path without
-/// extension); returns what was written. Throws Error{usage} where the format cannot hold what the options ask for, and
-/// leaves no file of the set behind where one of them cannot be written.
+/// extension); returns what was written. Throws Error{usage} where the format cannot hold what the options ask for.
+/// Leaves no file of the set behind where one of them cannot be written.
 std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format,
                                                 const std::filesystem::path& stem, const WriteOptions& options = {});
 

@@ -41,7 +41,7 @@ struct GriddedSurface {
 /// 1,000,000 nodes.
 ///
 /// thin_plate: heights at the nodes of a grid minimise  (A / n) sum (h(x_i) - z_i)^2 + s^4 * integral (h_uu^2 + 2
-/// h_uv^2 + h_vv^2), h linear on the triangles between nodes, derivatives by differences, A the rectangle, s the
+/// h_uv^2 + h_vv^2). h is linear on the triangles between nodes, derivatives are differences, A is the rectangle, s the
 /// smoothing length; planes are reproduced (after Inoue, "A least-squares smooth fitting for irregularly spaced data",
 /// Geophysics 51, 1986). One sparse Cholesky factorisation: about n_nodes^1.5; the number of points hardly matters.
 GriddedSurface grid_points(const std::vector<Vec3>& points, const GriddingSpec& spec, GraphOver over, const Box3* box);

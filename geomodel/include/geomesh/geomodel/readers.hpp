@@ -12,9 +12,9 @@
 namespace geomesh::geomodel {
 
 /// Reads any supported file. Coordinates come back with elevation up (Depth negated, winding swapped) in the file's own
-/// length unit converted to metres where the file names one. Throws Error{usage} where the file cannot be opened,
-/// Error{invalid_input} with file, line and what was expected where it is truncated, empty, lying about itself or of no
-/// known format; NaN and infinities are refused with their row.
+/// length unit converted to metres where the file names one. Throws Error{usage} where the file cannot be opened.
+/// Throws Error{invalid_input} where it is truncated, empty, lying about itself or of no known format; the message has
+/// file, line and what was expected; NaN and infinities are refused with their row.
 FileContents read_surface_file(const std::filesystem::path& path);
 
 /// TetGen .poly / .smesh (and .node beside it): a PLC as it is.

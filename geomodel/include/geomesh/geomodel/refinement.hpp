@@ -67,8 +67,8 @@ double derived_size(const Box3& bounds, double elements = 1e5);
 /// By frequency and points per wavelength: of the slower of the waves whose velocities the attributes tell (vs where it
 /// is above 0, else vp); 0 where they tell none.
 double wavelength_size(const NamedSizes& sizes, const std::map<std::string, double>& attributes);
-/// Sets what depends on the model: the size of the whole model where it is to be derived or follows from a frequency,
-/// sizes by depth as part of the background, and the largest distance of surfaces from the input where it follows the
+/// Sets what depends on the model: the size of the whole model where it is to be derived or follows from a frequency;
+/// sizes by depth as part of the background; and the largest distance of surfaces from the input where it follows the
 /// sizes. `origin` was subtracted from the model's coordinates. Throws Error{usage} where a frequency has no velocity.
 void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
                   const Vec3& origin);

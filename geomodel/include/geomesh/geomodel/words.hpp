@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// The word of `known` that was most likely meant by `word`, or an empty view where none is near (edit distance with
-/// swaps of neighbours, at most a third of the length, at least one). Source: Damerau 1964 (optimal string alignment).
+/// The word of `known` that was most likely meant by `word`, or an empty view where none is near: edit distance with
+/// swaps of neighbours, at most a third of the length, at least one. Source: Damerau 1964 (optimal string alignment).
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);
 
 /// "a, b or c".

@@ -18,8 +18,9 @@ void check_mesh_points(const JudgedMesh& mesh, const std::vector<Vec3>& points, 
 /// row. `curves`: nullptr where there are none.
 void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves, double rounding, CheckResult& result);
 
-/// Surfaces are listed in the project's order under their names, kinds and ids (`wrong_surface_list`), sets under their
-/// members' names (`wrong_surface_sets`), and a face lies on every surface of its set (`faces_off_their_surface`).
+/// Surfaces are listed in the project's order under their names, kinds and ids (`wrong_surface_list`). Sets are listed
+/// under their members' names (`wrong_surface_sets`). A face lies on every surface of its set
+/// (`faces_off_their_surface`).
 void check_surface_lists(const ClaimedFaces& claimed, double rounding, CheckResult& result);
 
 /// Patches are the faces joined across edges where just two faces of the same surfaces meet (`wrong_patches`).

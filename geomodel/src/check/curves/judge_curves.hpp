@@ -21,7 +21,7 @@ struct JudgedCurves {
   std::map<std::int32_t, std::size_t> row_of_id;  ///< in file.curves
 };
 
-/// Every line is a mesh edge, once for each curve (`curve_edges_not_in_mesh`, `repeated_curve_edges`), every curve
+/// Every line is a mesh edge, once for each curve (`curve_edges_not_in_mesh`, `repeated_curve_edges`). Every curve
 /// listed has cells and a known kind, and ids are nobody else's (`wrong_curve_lists`).
 JudgedCurves check_curve_cells(const JudgedMesh& mesh, const CurvesFile& file, const FacesFile& faces,
                                CheckResult& result);

@@ -67,8 +67,8 @@ Shared sort_shared(Triangle s, Triangle t) {
 }
 
 /// Heights of the triangle p q r and the centroid of c over the other two axes: +1 / -1 as the ray from the centroid
-/// along +axis (or -axis where `up` is false) crosses the triangle from its back (front), 0 where it does not. Sets
-/// `on` where the centroid lies on it.
+/// crosses the triangle from its back (front), 0 where it does not. The ray goes along +axis, or along -axis where `up`
+/// is false. Sets `on` where the centroid lies on it.
 int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int axis, bool up, bool& on) {
   const Sign s0 = centroid_side(c[0], c[1], c[2], t[0], t[1], axis),
              s1 = centroid_side(c[0], c[1], c[2], t[1], t[2], axis),

@@ -5,10 +5,9 @@
 ///
 /// A triangle is within a distance t of a set where one of these holds:
 ///   - its corners are within t of one triangle X of the set: the distance to a convex set is convex;
-///   - two corners are within s of X, the third within s of Y, X and Y share an edge E, and the chords from the
-///   corners' nearest
-///     points on X to that on Y pass E at no more than t - s: what of the triangle between those points does not lie on
-///     X or Y is mapped there by moving the crossing points of the chords onto E;
+///   - two corners are within s of X, the third is within s of Y, and X and Y share an edge E. The chords from the
+///     corners' nearest points on X to that on Y pass E at no more than t - s: what of the triangle between those
+///     points does not lie on X or Y is mapped there. The map moves the crossing points of the chords onto E;
 ///   - a corner is within s of the set and no corner is farther from it than t - s.
 /// Where none holds, the triangle is cut in two at its longest edge, until it is small against t.
 #pragma once

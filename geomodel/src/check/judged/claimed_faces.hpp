@@ -48,9 +48,9 @@ class ClaimedFaces {
   bool is_side_alone(Index face) const;
   bool is_cut_kind(Index surface) const;
   /// Whether the rules take p, a point of the surface, away: parts of horizons and faults inside a body that cuts, and
-  /// parts of a body that crosses itself with its inside on either side, judged `off` to both sides along the normal.
-  /// Where p is on a body's surface the answer is yes: the open edges speak there. The body in row `but` is passed
-  /// over.
+  /// parts of a body that crosses itself with its inside on either side. They are judged `off` to both sides along the
+  /// normal. Where p is on a body's surface the answer is yes: the open edges speak there. The body in row `but` is
+  /// passed over.
   bool is_removed(Index surface, const Vec3& p, const Vec3& off, Index but = no_index) const;
   /// Faces of box sides lie on them exactly: fault `faces_off_box_side`.
   void check_box_sides(CheckResult& result) const;

@@ -18,8 +18,8 @@ namespace geomesh::geomodel::checking {
 inline constexpr std::array<std::array<int, 3>, 4> outward_face{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// A mesh face once, with the tetrahedra at it. `key` is sorted; `even` is the tetrahedron for which the sorted order
-/// is counter-clockwise from outside (the normal of `key` points out of it), `odd` the one on the other side. no_index:
-/// none.
+/// is counter-clockwise from outside, `odd` the one on the other side. The normal of `key` points out of `even`.
+/// no_index: none.
 struct FacePair {
   Triangle key;
   Index even = no_index, odd = no_index;

@@ -7,9 +7,9 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Every region bears the name that the project gives it (`wrong_region_names`), the suffix that its place gives it
-/// (`wrong_name_suffixes`) and the id that its name and place give it (`wrong_region_ids`); names are the same in the
-/// mesh and beside it (`names_differ`). Seeds are located exactly, bodies by winding numbers of places inside the
+/// Every region bears the name that the project gives it (`wrong_region_names`). It has the suffix that its place
+/// gives it (`wrong_name_suffixes`) and the id that name and place give it (`wrong_region_ids`); names are the same in
+/// the mesh and beside it (`names_differ`). Seeds are located exactly, bodies by winding numbers of places inside the
 /// region, the column by the faces at the region and by verticals. `reach`: how far faces may be off their triangles.
 void check_region_names(const ClaimedFaces& claimed, double reach, CheckResult& result);
 

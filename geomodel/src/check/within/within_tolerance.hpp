@@ -30,10 +30,10 @@ std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed);
 Corners corners_of(const ClaimedFaces& claimed, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 
-/// Faces of each surface lie within what is allowed of the surface's input (fault `faces_off_their_surface`), and the
-/// input, less what the box and the rules take, within it of these faces (`input_off_the_mesh`); no face of a horizon
-/// or fault lies deeper inside a body that cuts (`faces_inside_bodies`). What was proven and what sampled goes to
-/// `checks_done`.
+/// Faces of each surface lie within what is allowed of the surface's input (fault `faces_off_their_surface`). The
+/// input, less what the box and the rules take, lies within it of these faces (`input_off_the_mesh`); no face of a
+/// horizon or fault lies deeper inside a body that cuts (`faces_inside_bodies`). What was proven and what sampled goes
+/// to `checks_done`.
 void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
 /// Each face names a triangle of its surface (`wrong_source_triangles`) that it comes within twice what is allowed of
@@ -45,9 +45,9 @@ void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, C
 /// `curves_off`). Only with names.
 void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
-/// Volumes of regions and of closed bodies differ from the input's by at most the area of their movable boundary times
-/// what is allowed (`region_volumes`, `body_volumes`). The input's region volumes are those that the report beside the
-/// mesh tells, which must fill the box; bodies' are computed here. Only with names.
+/// Volumes of regions and of closed bodies differ little from the input's (`region_volumes`, `body_volumes`). The most
+/// is the area of their movable boundary times what is allowed. The input's region volumes are those that the report
+/// beside the mesh tells, which must fill the box; bodies' are computed here. Only with names.
 void check_volumes_within(const ClaimedFaces& claimed, const Allowed& allowed,
                           const std::optional<nlohmann::json>& report, CheckResult& result);
 

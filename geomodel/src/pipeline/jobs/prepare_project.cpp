@@ -22,8 +22,8 @@ nlohmann::ordered_json describe_volume(const ModelVolume& volume, const Prepared
   return box;
 }
 
-/// With z scaled the mesh is Delaunay, and sizes and shapes are those asked for, in the scaled space and not in the one
-/// that is written.
+/// With z scaled, the scaled space counts and not the one that is written: the mesh is Delaunay there, and sizes and
+/// shapes are those asked for there.
 void refuse_scaling(const Project& project) {
   if (project.crs.z_scale == 1) return;
   const std::string where = project.file.filename().string() + ": crs.z_scale cannot be combined with ";

@@ -30,7 +30,7 @@ fs::path own_folder() {
 }
 
 /// Where the module may lie, in the order of search: GEOMESH_PLUGINS (folders parted by colons), beside the program or
-/// the Python module, in the libraries' folder of the same prefix, where it was to be installed.
+/// the Python module, in the libraries' folder of the same prefix; where it was to be installed.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* given = std::getenv("GEOMESH_PLUGINS")) {

@@ -65,7 +65,7 @@ Table read_table(LineReader& lines, const Separation& separation, Columns column
 /// not converted; contents.frame is filled. Throws Error{invalid_input} where there is no point.
 void add_table(const InputFile& file, const Table& table, FileContents& contents);
 
-/// The points as a lattice, where they stand at the nodes of a regular one along x and y and at least a quarter of it
+/// The points as a lattice. They must stand at the nodes of a regular one along x and y, of which at least a quarter
 /// is present. Nodes keep their coordinates. Empty otherwise. O(n log n).
 std::optional<NodeLattice> lattice_of_points(const std::vector<Vec3>& points);
 
