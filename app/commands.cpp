@@ -17,10 +17,28 @@ namespace {
 
 constexpr int status_faults_found = 3;
 
+/// "out/salt.vtu, .faces.vtp, .report.json": files of one stem are one line.
+std::vector<std::string> file_lines(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::string> lines;
+  std::string stem;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = file.string();
+    if (!stem.empty() && name.starts_with(stem + ".")) {
+      lines.back() += ", " + name.substr(stem.size());
+    } else {
+      stem = (file.parent_path() / file.stem()).string();
+      lines.push_back(name);
+    }
+  }
+  return lines;
+}
+
 void print_result(const geomodel::JobResult& result, Verbosity verbosity) {
   if (verbosity == Verbosity::quiet) return;
   for (const std::string& text : result.summary) std::cout << text << '\n';
-  for (const auto& file : result.files) std::cout << "wrote " << file.string() << '\n';
+  if (verbosity == Verbosity::verbose)
+    for (const std::string& text : result.details) std::cout << text << '\n';
+  for (const std::string& text : file_lines(result.files)) std::cout << "wrote " << text << '\n';
 }
 
 /// What the commands that only read leave behind.

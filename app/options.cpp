@@ -42,7 +42,9 @@ struct Common {
     app.add_option("--threads", threads, "Number of threads (default: all cores); the result is the same")
         ->check(CLI::Range(1u, 1024u));
     auto* q = app.add_flag("--quiet", quiet, "Print warnings and errors only");
-    app.add_flag("--verbose", verbose, "Print details")->excludes(q);
+    app.add_flag("--verbose", verbose,
+                 "Print details: every message of the stages, every warning, every region, the shapes")
+        ->excludes(q);
     app.add_flag("--json-progress", json_progress,
                  "Progress for programs: JSON objects on the standard error, one a line");
     app.add_option("--report", report, "Write a report (JSON) to this file")->type_name("FILE");

@@ -166,21 +166,27 @@ void Progress::on_log(LogLevel level, std::string_view text) {
 }
 
 bool Progress::is_shown(std::string_view warning) {
-  constexpr std::size_t most_causes = 10;
-  if (++warnings_[geomodel::warning_cause(warning)] > 1 || shown_ == most_causes) return false;
-  ++shown_;
-  return true;
+  constexpr std::size_t most_kinds = 10;
+  Kind& kind = warnings_[geomodel::warning_cause(warning)];
+  if (++kind.count > 1) return false;
+  kind.first = warning;
+  kind.shown = shown_ < most_kinds;
+  shown_ += kind.shown ? 1 : 0;
+  return kind.shown;
 }
 
 void Progress::tell_warnings_left() const {
   if (verbosity_ == Verbosity::verbose || style_ == ProgressStyle::json) return;
-  std::size_t n = 0;
-  for (const auto& [cause, count] : warnings_) n += count;
-  if (n == shown_) return;
-  std::fprintf(stderr, "%zu further warnings, of %zu kinds in all; the report lists them by kind (warning_groups):\n",
-               n - shown_, warnings_.size());
-  for (const auto& [cause, count] : warnings_)
-    if (count > 1) std::fprintf(stderr, "  %zu times: %s\n", count, cause.c_str());
+  std::size_t n_left = 0, n_other = 0;
+  for (const auto& [cause, kind] : warnings_) {
+    n_left += kind.count - (kind.shown ? 1 : 0);
+    if (!kind.shown) n_other += kind.count;
+    if (kind.shown && kind.count > 1)
+      std::fprintf(stderr, "%s more warning%s like \"%s\"\n", count_words(kind.count - 1).c_str(),
+                   kind.count > 2 ? "s" : "", geomodel::warning_statement(kind.first).c_str());
+  }
+  if (n_other > 0) std::fprintf(stderr, "%s more warnings of other kinds\n", count_words(n_other).c_str());
+  if (n_left > 0) std::fputs("The report lists all warnings; --verbose prints them.\n", stderr);
 }
 
 }  // namespace geomesh::app

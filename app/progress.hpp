@@ -57,8 +57,13 @@ class Progress {
   bool ended_ = false;
   std::string stage_, note_;
   std::size_t done_ = 0, total_ = 0;
-  std::map<std::string, std::size_t> warnings_;  ///< by cause
-  std::size_t shown_ = 0;                        ///< warnings
+  struct Kind {
+    std::string first;  ///< warning
+    std::size_t count = 0;
+    bool shown = false;  ///< the first of it
+  };
+  std::map<std::string, Kind> warnings_;  ///< by cause
+  std::size_t shown_ = 0;                 ///< warnings
   Clock::time_point start_, last_drawn_;
   std::thread ticker_;
 };

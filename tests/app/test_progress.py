@@ -54,6 +54,33 @@ class Progress(ProgramTest):
         for stage in ("read", "intersect", "delaunay", "verify", "write"):
             self.assertTrue(re.search(r"%s +[0-9.]+ (s|min)" % stage, text), stage)
 
+    def run_apart(self, *arguments):
+        """Standard output and standard error of a run that ends well."""
+        done = subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=self.timeout, check=True)
+        return done.stdout.splitlines(), done.stderr.splitlines()
+
+    def test_a_run_ends_with_ten_lines_however_many_units_and_parts_there_are(self):
+        for sample, units in (("faulted-layers", ["cover", "sand", "shale", "basement"]), ("layer-cake", [])):
+            printed, said = self.run_apart(self.copy_of_sample(sample, None), "-o", self.path(sample))
+            self.assertLessEqual(len(printed), 10, sample)
+            for unit in units:
+                self.assertTrue(any(re.match(r"  %s +[0-9,]+ tetrahedra +[0-9.]+ km3   in 3 parts: %s__1 to %s__3$" % (unit, unit, unit), line)
+                                    for line in printed), unit)
+            self.assertNotIn("#", "".join(said), sample)
+        self.assertTrue(any("and 35 smaller units" in line for line in printed), printed)
+
+    def test_what_is_left_out_of_ten_lines_is_printed_when_asked_for(self):
+        project = self.copy_of_sample("faulted-layers", None)
+        short, warned = self.run_apart(project, "-o", self.path("out"))
+        long, warned_all = self.run_apart(project, "-o", self.path("out"), "--verbose")
+        for region in self.report(self.path("out", "faulted_layers.report.json"))["regions"]:
+            self.assertTrue(any(" %s " % region["name"] in line for line in long), region["name"])
+        self.assertTrue(any("time step" in line for line in long))
+        self.assertFalse(any("time step" in line for line in short))
+        self.assertEqual(sum(line.startswith("warning: ") for line in warned), 1, warned)
+        self.assertEqual(sum(line.startswith("warning: ") for line in warned_all), 4, warned_all)
+        self.assertTrue(any(line.startswith("3 more warnings like ") for line in warned), warned)
+
 
 if __name__ == "__main__":
     unittest.main()

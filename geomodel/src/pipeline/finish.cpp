@@ -7,69 +7,19 @@
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/report.hpp"
-#include "geomesh/geomodel/words.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/name_regions.hpp"
 #include "pipeline/failed_place.hpp"
 #include "pipeline/refine_model.hpp"
 #include "pipeline/region_volumes.hpp"
 #include "pipeline/soup_vtp.hpp"
+#include "pipeline/summary.hpp"
 #include "pipeline/target_elements.hpp"
-#include "report/words.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 std::string count_words(std::size_t n, const char* what) { return std::to_string(n) + " " + what; }
-
-constexpr const char* no_mesh_for_solvers =
-    "not refined: the bare triangulation of the surfaces, no mesh for a solver (mesh: {size: L} makes one)";
-
-constexpr std::size_t most_regions_listed = 30;
-
-std::vector<std::string> summarise(const ModelMesh& mesh) {
-  std::vector<std::string> lines;
-  lines.push_back(count_words(mesh.tetrahedra.size(), "tetrahedra, ") + count_words(mesh.points.size(), "points, ") +
-                  count_words(mesh.faces.size(), "faces on surfaces, ") + count_words(mesh.regions.size(), "regions:"));
-  for (std::size_t i = 0; i < std::min(mesh.regions.size(), most_regions_listed); ++i) {
-    const Region& region = mesh.regions[i];
-    char line[256];
-    std::snprintf(line, sizeof line, "  %3d  %-28s %10zu tetrahedra  %s", region.id, region.name.c_str(),
-                  region.n_tetrahedra, volume_words(region.volume, mesh.unit).c_str());
-    lines.emplace_back(line);
-  }
-  if (mesh.regions.size() > most_regions_listed)
-    lines.push_back("  ... and " +
-                    count_words(mesh.regions.size() - most_regions_listed, "more, listed in the report"));
-  return lines;
-}
-
-/// "smallest dihedral angle 21.3 degrees, largest 142; 99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3
-/// forced ...)".
-std::string summarise(const QualityReport& quality) {
-  const ShapeStatistics& s = quality.measured.whole;
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "dihedral angles %.3g to %.4g degrees; %.4g %% of the tetrahedra above 24.85 degrees, %zu below 8 (%zu "
-                "forced by the input)",
-                s.min_dihedral.min, s.max_dihedral.max, 100 * s.share_above_24_85, quality.measured.n_bad,
-                quality.measured.n_bad_forced);
-  if (quality.short_edges.n == 0) return text;
-  return text + ("; " + count_words(quality.short_edges.n, "edges below a third of the size asked there (")) +
-         count_words(quality.short_edges.n_forced, "forced by the input)");
-}
-
-/// What steers the mesh, where the user did not say it.
-std::string summarise(const RefinementSettings& r, const std::string& unit) {
-  std::string text;
-  if (r.derive_size)
-    text = "edges of about " + short_words(r.size.base.global) + " " + unit +
-           ", derived from the model's volume (mesh: {size: L} asks for others)";
-  if (r.tolerance_share > 0)
-    text += std::string(text.empty() ? "" : "; ") + "surfaces are within " + short_words(r.tolerance) + " " + unit +
-            " of the input (mesh: {honour: exact} keeps them)";
-  return text;
-}
 
 ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& recorder) {
   ConstrainedTetrahedralization core = tetrahedralize(model.plc.plc, model.options, recorder.context());
@@ -274,15 +224,9 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
       report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   }
   report.mesh = &mesh;
-  result.summary = summarise(mesh);
-  if (refine) {
-    if (std::string text = summarise(model.refinement, model.unit); !text.empty())
-      result.summary.push_back(std::move(text));
-    result.summary.push_back(summarise(*report.quality));
-    for (std::string& line : to_lines(*report.solver)) result.summary.push_back(std::move(line));
-  } else {
-    result.summary.emplace_back(no_mesh_for_solvers);
-  }
+  Summary summary = summarise(report, model.refinement);
+  result.summary = std::move(summary.lines);
+  result.details = std::move(summary.details);
   {
     StageScope stage(recorder.context(), "write");
     make_output_folder(plan);

@@ -9,6 +9,9 @@ namespace geomesh::geomodel {
 
 namespace {
 
+constexpr std::string_view left_out = "...";  ///< in place of names and numbers
+constexpr const char* ends_of_statement = ":;(";
+
 bool is_name_or_number(std::string_view word) {
   return std::any_of(word.begin(), word.end(), [](unsigned char c) {
     return std::isdigit(c) != 0 || c == '_' || c == '*' || c == '/' || c == '\'' || c == '"' || c == '.';
@@ -39,12 +42,19 @@ std::string_view without_prefix(std::string_view text) {
 std::string warning_cause(std::string_view warning) {
   const std::string_view said = without_prefix(warning);
   std::string cause;
-  for (const std::string_view word : words_of(said.substr(0, said.find_first_of(":;(")))) {
-    const std::string_view kept = is_name_or_number(word) ? "#" : word;
-    if (kept == "#" && cause.ends_with("#")) continue;
+  for (const std::string_view word : words_of(said.substr(0, said.find_first_of(ends_of_statement)))) {
+    const std::string_view kept = is_name_or_number(word) ? left_out : word;
+    if (kept == left_out && cause.ends_with(left_out)) continue;
     cause += (cause.empty() ? "" : " ") + std::string(kept);
   }
   return cause.empty() ? std::string(warning) : cause;
+}
+
+std::string warning_statement(std::string_view warning) {
+  const std::size_t said_at = warning.size() - without_prefix(warning).size();
+  std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
+  while (statement.ends_with(' ')) statement.remove_suffix(1);
+  return std::string(statement.empty() ? warning : statement);
 }
 
 std::vector<WarningGroup> group_warnings(const std::vector<std::string>& warnings) {

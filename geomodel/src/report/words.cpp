@@ -15,4 +15,10 @@ std::string volume_words(double volume, const std::string& unit) {
   return text;
 }
 
+std::string grouped_words(std::size_t n) {
+  std::string text = std::to_string(n);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
+  return text;
+}
+
 }  // namespace geomesh::geomodel

@@ -42,7 +42,8 @@ std::string steps(const SolverVerdict& v) {
 std::vector<std::string> to_lines(const SolverVerdict& v) {
   std::vector<std::string> lines;
   if (v.passes()) {
-    lines.push_back("fit for solvers: every element has a positive volume and angles that a solver bears");
+    lines.push_back("fit for solvers: every element has a positive volume, dihedral angles are " +
+                    short_words(v.min_dihedral) + " to " + short_words(v.max_dihedral) + " degrees");
   } else {
     const WorstForSolver& worst = v.n_not_positive > 0 ? v.flattest : v.sharpest;
     lines.push_back("not fit for solvers: " + counted(v.n_implicit, "of ") +

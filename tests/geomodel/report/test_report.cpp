@@ -137,7 +137,10 @@ TEST_CASE("Warnings that say one thing of many surfaces are one group", "[report
       "base_sand.ts: the file says z is in ft; taken as m as the project says"};
   const std::vector<WarningGroup> groups = group_warnings(warnings);
   REQUIRE(groups.size() == 2);
-  CHECK(groups[0].cause == "falls into # regions");
+  CHECK(groups[0].cause == "falls into ... regions");
+  CHECK(warning_statement(groups[0].first) == "basement falls into 2 regions");
+  CHECK(warning_statement(warnings[1]) == "top.ts: the file says z is in ft");
+  CHECK(warning_statement("all is lost") == "all is lost");
   CHECK(groups[0].count == 2);
   CHECK(groups[0].first == warnings[0]);
   CHECK(groups[1].cause == "the file says z is in ft");

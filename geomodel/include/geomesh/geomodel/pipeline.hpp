@@ -24,7 +24,8 @@ namespace geomesh::geomodel {
 struct JobResult {
   std::vector<std::filesystem::path> files;  ///< written, in order; the report last
   std::vector<std::string> warnings;
-  std::vector<std::string> summary;  ///< lines for a person: regions with volumes, counts
+  std::vector<std::string> summary;  ///< about ten lines for a person: counts, units with volumes, the verdict
+  std::vector<std::string> details;  ///< further lines: every region, shapes, what solvers would fail at
   ModelMesh mesh;                    ///< of project and mesh jobs that ran to the end: what was verified
   std::string report_json;           ///< of these: the report, as in the file
 };

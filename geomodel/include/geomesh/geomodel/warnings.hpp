@@ -11,8 +11,12 @@
 namespace geomesh::geomodel {
 
 /// What a warning says, whatever it says it of: without the name at its beginning, numbers, names that are told by
-/// their characters, and all behind the first colon, semicolon or parenthesis. "falls into # regions".
+/// their characters, and all behind the first colon, semicolon or parenthesis. "falls into ... regions".
 std::string warning_cause(std::string_view warning);
+
+/// The warning up to its first colon, semicolon or parenthesis, with its name and numbers: "basement falls into 3
+/// regions".
+std::string warning_statement(std::string_view warning);
 
 struct WarningGroup {
   std::string cause;

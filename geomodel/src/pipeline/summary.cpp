@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/summary.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/words.hpp"
+#include "report/words.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr const char* no_mesh_for_solvers =
+    "not refined: the bare triangulation of the surfaces, no mesh for a solver (mesh: {size: L} makes one)";
+
+constexpr std::size_t most_units_listed = 6;
+
+/// The regions of one name before suffixes.
+struct Unit {
+  std::string name;
+  std::vector<const Region*> regions;
+  std::size_t n_tetrahedra = 0;
+  double volume = 0;
+};
+
+/// In the order of their first regions.
+std::vector<Unit> units_of(const ModelMesh& mesh) {
+  std::vector<Unit> units;
+  for (const Region& region : mesh.regions) {
+    const std::string& name = region.unit.empty() ? region.name : region.unit;
+    auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == name; });
+    if (unit == units.end()) unit = units.insert(unit, {name, {}, 0, 0});
+    unit->regions.push_back(&region);
+    unit->n_tetrahedra += region.n_tetrahedra;
+    unit->volume += region.volume;
+  }
+  return units;
+}
+
+/// All of them where they are few; else the largest, in the same order.
+std::vector<Unit> units_shown(std::vector<Unit> units) {
+  if (units.size() <= most_units_listed) return units;
+  std::vector<double> volumes;
+  for (const Unit& unit : units) volumes.push_back(unit.volume);
+  std::nth_element(volumes.begin(), volumes.begin() + (most_units_listed - 2), volumes.end(), std::greater<>());
+  const double least = volumes[most_units_listed - 2];
+  std::vector<Unit> shown;
+  for (Unit& unit : units)
+    if (unit.volume >= least && shown.size() + 1 < most_units_listed) shown.push_back(std::move(unit));
+  return shown;
+}
+
+std::string row(const std::string& name, std::size_t width, std::size_t n_tetrahedra, const std::string& volume) {
+  char numbers[64];
+  std::snprintf(numbers, sizeof numbers, "%12s tetrahedra   ", grouped_words(n_tetrahedra).c_str());
+  return "  " + name + std::string(width - std::min(width, name.size()), ' ') + numbers + volume;
+}
+
+void add_units(const ModelMesh& mesh, std::vector<std::string>& lines) {
+  std::vector<Unit> units = units_of(mesh);
+  const std::size_t n = units.size();
+  units = units_shown(std::move(units));
+  std::size_t width = 0;
+  for (const Unit& unit : units) width = std::max(width, unit.name.size());
+  for (const Unit& unit : units) {
+    std::string line = row(unit.name, width, unit.n_tetrahedra, volume_words(unit.volume, mesh.unit));
+    if (unit.regions.size() > 1)
+      line += "   in " + grouped_words(unit.regions.size()) + " parts: " + unit.regions.front()->name +
+              (unit.regions.size() > 2 ? " to " : " and ") + unit.regions.back()->name;
+    lines.push_back(std::move(line));
+  }
+  if (n > units.size())
+    lines.push_back("  and " + grouped_words(n - units.size()) + " smaller units (--verbose or the report lists all)");
+}
+
+void add_regions(const ModelMesh& mesh, std::vector<std::string>& lines) {
+  std::size_t width = 0;
+  for (const Region& region : mesh.regions) width = std::max(width, region.name.size());
+  for (const Region& region : mesh.regions) {
+    char id[16];
+    std::snprintf(id, sizeof id, "%5d", region.id);
+    lines.push_back(id + row(region.name, width, region.n_tetrahedra, volume_words(region.volume, mesh.unit)));
+  }
+}
+
+/// What steers the mesh, where the user did not say it; empty where all was said.
+std::string steering(const RefinementSettings& r, const std::string& unit) {
+  std::string text;
+  if (r.derive_size)
+    text = "edges of about " + short_words(r.size.base.global) + " " + unit +
+           ", derived from the model's volume (mesh: {size: L} asks for others)";
+  if (r.tolerance_share > 0)
+    text += std::string(text.empty() ? "" : "; ") + "surfaces are within " + short_words(r.tolerance) + " " + unit +
+            " of the input (mesh: {honour: exact} keeps them)";
+  return text;
+}
+
+/// "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3 forced by the input); 2 edges ...".
+std::string shapes(const QualityReport& quality) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "smallest dihedral angle above 24.85 degrees in %.4g %% of the tetrahedra, below 8 in %zu (%zu forced "
+                "by the input)",
+                100 * quality.measured.whole.share_above_24_85, quality.measured.n_bad, quality.measured.n_bad_forced);
+  if (quality.short_edges.n == 0) return text;
+  return text + ("; " + grouped_words(quality.short_edges.n)) + " edges below a third of the size asked there (" +
+         grouped_words(quality.short_edges.n_forced) + " forced by the input)";
+}
+
+}  // namespace
+
+Summary summarise(const Report& report, const RefinementSettings& refinement) {
+  const ModelMesh& mesh = *report.mesh;
+  Summary summary;
+  summary.lines.push_back(grouped_words(mesh.tetrahedra.size()) + " tetrahedra, " + grouped_words(mesh.points.size()) +
+                          " points, " + grouped_words(mesh.regions.size()) +
+                          (mesh.regions.size() == 1 ? " region:" : " regions:"));
+  add_units(mesh, summary.lines);
+  add_regions(mesh, summary.details);
+  summary.details.push_back(grouped_words(mesh.faces.size()) + " faces on surfaces");
+  if (!refinement.refine) {
+    summary.lines.emplace_back(no_mesh_for_solvers);
+    return summary;
+  }
+  if (std::string text = steering(refinement, mesh.unit); !text.empty()) summary.lines.push_back(std::move(text));
+  const std::vector<std::string> verdict = to_lines(*report.solver);
+  summary.lines.push_back(verdict.front());
+  summary.details.push_back(shapes(*report.quality));
+  summary.details.insert(summary.details.end(), verdict.begin() + 1, verdict.end());
+  return summary;
+}
+
+}  // namespace geomesh::geomodel
