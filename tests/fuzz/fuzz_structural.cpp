@@ -3,10 +3,14 @@
 //                 [--save DIR] [--verbose]
 // Meshes sealed structural models with needles in fans (structural_models.hpp) and judges each mesh exactly. Prints a
 // line a model: seed, triangles, needles (%), smallest angle (degrees), least height (m), added points on segments, on
-// facets, inside, CPU seconds, verdict. Exit status 1 where anything failed.
+// facets, inside, and all of them in % of the input's vertices, attempts that ended, CPU seconds, verdict. Then a line
+// for all: the largest share of added points, the median and the largest time a triangle. --verbose: what each attempt
+// came to, with CPU seconds. Exit status 1 where anything failed.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "corpus_run.hpp"
 #include "structural_models.hpp"
@@ -41,30 +45,58 @@ Arguments parse(int argc, char** argv) {
   return a;
 }
 
-/// True where the mesh passes the judge.
-bool run(unsigned seed, const Arguments& a) {
+struct Outcome {
+  bool ok = true;
+  double added_percent = 0;             ///< of the input's vertices
+  double microseconds_a_triangle = -1;  ///< negative where there is no model
+};
+
+/// Counts attempts that ended, and with `verbose` prints what happens when.
+RunContext watch_of(unsigned& n_ended, bool verbose) {
+  RunContext watch;
+  const double start = thread_cpu_seconds();
+  watch.log = [&n_ended, verbose, start](LogLevel, std::string_view text) {
+    n_ended += text.substr(0, 8) == "attempt ";
+    if (verbose)
+      std::printf("  %.3f s %.*s\n", thread_cpu_seconds() - start, static_cast<int>(text.size()), text.data());
+  };
+  if (verbose)
+    watch.stage = [start](std::string_view name, bool begins) {
+      std::printf("  %.3f s %.*s %s\n", thread_cpu_seconds() - start, static_cast<int>(name.size()), name.data(),
+                  begins ? "begins" : "ends");
+    };
+  return watch;
+}
+
+TetrahedralizeOptions mode_of(const Arguments& a) {
+  if (a.mode == "preserve") return preserving_mode();
+  return a.mode == "conforming" ? conforming_mode() : constrained_mode();
+}
+
+Outcome run(unsigned seed, const Arguments& a) {
   StructuralModel model;
   try {
     model = structural_model(seed, structural_options(seed, a.family));
   } catch (const Error& e) {
     std::printf("%u no model: %s\n", seed, e.what());
-    return true;
+    return {};
   }
-  const double share = 100.0 * static_cast<double>(model.n_needles) / static_cast<double>(model.plc.n_facets());
-  const CorpusRun result = run_and_judge(model.plc,
-                                         a.mode == "preserve"     ? preserving_mode()
-                                         : a.mode == "conforming" ? conforming_mode()
-                                                                  : constrained_mode(),
-                                         a.seconds);
+  const auto n_triangles = static_cast<double>(model.plc.n_facets());
+  unsigned n_ended = 0;
+  const CorpusRun result = run_and_judge(model.plc, mode_of(a), a.seconds, watch_of(n_ended, a.verbose));
   const RecoveryStatistics s = result.mesh ? result.mesh->recovery : RecoveryStatistics{};
-  std::printf("%u %zu triangles %.1f%% %.1e deg %.1e m: %zu %zu %zu points %zu given up %.2f s %s\n", seed,
-              model.plc.n_facets(), share, model.smallest_angle, model.least_height, s.steiner_on_segments,
-              s.steiner_on_facets, s.steiner_inside, s.facets_not_recovered.size(), result.cpu_seconds,
+  const std::size_t n_added = s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside;
+  const Outcome out{result.ok(), 100.0 * static_cast<double>(n_added) / static_cast<double>(model.plc.points.size()),
+                    1e6 * result.cpu_seconds / n_triangles};
+  std::printf("%u %zu triangles %.1f%% %.1e deg %.1e m: %zu %zu %zu points %.3f%% %zu given up %u ended %.2f s %s\n",
+              seed, model.plc.n_facets(), 100.0 * static_cast<double>(model.n_needles) / n_triangles,
+              model.smallest_angle, model.least_height, s.steiner_on_segments, s.steiner_on_facets, s.steiner_inside,
+              out.added_percent, s.facets_not_recovered.size(), n_ended, result.cpu_seconds,
               result.ok() ? "ok" : result.trouble.c_str());
   std::fflush(stdout);
   if (!result.ok() && !a.save.empty())
     write_poly(model.plc, a.save + "/structural_" + std::to_string(a.family) + "_" + std::to_string(seed) + ".poly");
-  return result.ok();
+  return out;
 }
 
 }  // namespace
@@ -72,7 +104,18 @@ bool run(unsigned seed, const Arguments& a) {
 int main(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   unsigned n_failed = 0;
-  for (unsigned seed = a.first; seed < a.first + a.count; ++seed) n_failed += !run(seed, a);
+  double most_added = 0;
+  std::vector<double> times;
+  for (unsigned seed = a.first; seed < a.first + a.count; ++seed) {
+    const Outcome outcome = run(seed, a);
+    n_failed += !outcome.ok;
+    most_added = std::max(most_added, outcome.added_percent);
+    if (outcome.microseconds_a_triangle >= 0) times.push_back(outcome.microseconds_a_triangle);
+  }
+  std::sort(times.begin(), times.end());
+  if (!times.empty())
+    std::printf("added points: at most %.3f%%; microseconds a triangle: median %.1f, largest %.1f\n", most_added,
+                times[times.size() / 2], times.back());
   std::printf("%u of %u failed\n", n_failed, a.count);
   return n_failed == 0 ? 0 : 1;
 }

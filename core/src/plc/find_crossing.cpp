@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "geomesh/core/predicates.hpp"
 #include "search/closest_point.hpp"
@@ -25,16 +26,14 @@ class CrossingSearch {
   /// All crossings of the first edge that has some, or of all edges. By edge, then facet.
   std::vector<PlcCrossing> run(bool all) {
     collect();
-    const std::size_t axis = longest_axis();
-    std::stable_sort(edges_.begin(), edges_.end(),
-                     [axis](const Item& x, const Item& y) { return x.box.min[axis] < y.box.min[axis]; });
+    sort_edges();
     const search::ClosestPointTrees tree = tree_of_triangles();
     std::vector<PlcCrossing> crossings;
     for (const Item& e : edges_) {
       const auto first = static_cast<std::ptrdiff_t>(crossings.size());
       tree.for_each_in(e.box, 0, [&](const auto& found) {
         const Item& t = triangles_[found.id];
-        if (meet(e, t)) crossings.push_back({e.a, e.b, e.facet, t.facet});
+        if (overlap(e.box, t.box) && meet(e, t)) crossings.push_back({e.a, e.b, e.facet, t.facet});
       });
       std::sort(crossings.begin() + first, crossings.end(),
                 [](const PlcCrossing& x, const PlcCrossing& y) { return x.facet < y.facet; });
@@ -64,6 +63,22 @@ class CrossingSearch {
       if (plc_.n_loops(f) == 1 && outer.size() == 3) triangles_.push_back(make(outer[0], outer[1], outer[2], f));
     }
     for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
+  }
+  /// Along the longest axis, each once, as the first facet has it.
+  void sort_edges() {
+    const std::size_t axis = longest_axis();
+    const auto key = [axis](const Item& e) {
+      return std::tuple(e.box.min[axis], std::min(e.a, e.b), std::max(e.a, e.b));
+    };
+    std::stable_sort(edges_.begin(), edges_.end(), [&](const Item& x, const Item& y) { return key(x) < key(y); });
+    edges_.erase(
+        std::unique(edges_.begin(), edges_.end(), [&](const Item& x, const Item& y) { return key(x) == key(y); }),
+        edges_.end());
+  }
+  static bool overlap(const Box3& x, const Box3& y) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (x.min[i] > y.max[i] || y.min[i] > x.max[i]) return false;
+    return true;
   }
   search::ClosestPointTrees tree_of_triangles() const {
     std::vector<search::ClosestPointTrees::Item> items;

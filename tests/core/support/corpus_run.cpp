@@ -40,18 +40,21 @@ class Watchdog {
   std::thread thread_;
 };
 
+}  // namespace
+
 double thread_cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-}  // namespace
-
-CorpusRun run_and_judge(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, double time_limit) {
+CorpusRun run_and_judge(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, double time_limit,
+                        const RunContext& watch) {
   CorpusRun run;
   const Watchdog watchdog(time_limit);
   RunContext context;
+  context.log = watch.log;
+  context.stage = watch.stage;
   context.threads = 1;
   context.cancel = &watchdog.expired();
   const double start = thread_cpu_seconds();

@@ -8,6 +8,7 @@
 
 #include "corpus_judge.hpp"
 #include "corpus_models.hpp"
+#include "geomesh/core/run_context.hpp"
 
 namespace geomesh::test {
 
@@ -19,9 +20,13 @@ struct CorpusRun {
   bool ok() const { return trouble.empty(); }
 };
 
-/// Runs on one thread. After `time_limit` seconds the cancel token is set and the run counts as "hangs".
+/// Runs on one thread. After `time_limit` seconds the cancel token is set and the run counts as "hangs". `watch`: its
+/// log and stage observer are called.
 CorpusRun run_and_judge(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options = {},
-                        double time_limit = 60);
+                        double time_limit = 60, const RunContext& watch = {});
+
+/// CPU seconds of the calling thread so far.
+double thread_cpu_seconds();
 
 TetrahedralizeOptions constrained_mode();
 TetrahedralizeOptions preserving_mode();
