@@ -10,8 +10,7 @@ namespace {
 
 class Exporter {
  public:
-  Exporter(const DomainMesh& domain, const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& before)
-      : domain_(domain), plc_(plc), before_(before) {}
+  Exporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before) : domain_(domain), before_(before) {}
 
   ConstrainedTetrahedralization run() {
     out_.n_components = before_.n_components;
@@ -106,7 +105,6 @@ class Exporter {
   }
 
   const DomainMesh& domain_;
-  const PiecewiseLinearComplex& plc_;
   const ConstrainedTetrahedralization& before_;
   ConstrainedTetrahedralization out_;
   std::vector<VertexIndex> row_;
@@ -120,9 +118,8 @@ VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedrali
   return domain.point(v) == before.points[v] ? before.input_vertex[v] : no_vertex;
 }
 
-ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const PiecewiseLinearComplex& plc,
-                                            const ConstrainedTetrahedralization& before) {
-  return Exporter(domain, plc, before).run();
+ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before) {
+  return Exporter(domain, before).run();
 }
 
 }  // namespace geomesh::remesh

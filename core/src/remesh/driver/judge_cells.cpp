@@ -19,7 +19,7 @@ class Judge {
  public:
   Judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
         const RefineResult& result)
-      : plc_(plc), input_(input) {
+      : input_(input) {
     judging_.asked = &result.asked;
     judging_.tolerance = size_tolerance(options);
     judging_.gaps_stay = options.tolerance_share > 0;
@@ -31,7 +31,7 @@ class Judge {
     std::vector<CellIndex> cells, bad;
     for (CellIndex c = 0; c < mesh.n_slots(); ++c)
       if (mesh.is_live(c)) cells.push_back(c);
-    const ConstrainedTetrahedralization exported = export_domain(mesh, plc_, input_);
+    const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
     for (const Index row : unforced_bad_elements(exported, judging_, creases_)) bad.push_back(cells[row]);
     return bad;
   }
@@ -44,7 +44,6 @@ class Judge {
   }
 
  private:
-  const PiecewiseLinearComplex& plc_;
   const ConstrainedTetrahedralization& input_;
   QualityOptions judging_;
   InputCreases creases_;

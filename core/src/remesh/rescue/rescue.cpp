@@ -32,7 +32,8 @@ class Rescue {
       if (attempt(spread, [&] { return split_edge(tools_, seed, t[e[0]], t[e[1]], opening_shape).has_value(); }))
         return true;
     for (const auto& [u, v] : edges_to_collapse(tools_, t))
-      if (attempt(spread, [&] { return try_collapse(tools_, u, v, CollapseRule::coarsen, opening_shape); }))
+      if (attempt(spread,
+                  [&, u = u, v = v] { return try_collapse(tools_, u, v, CollapseRule::coarsen, opening_shape); }))
         return true;
     for (const CellIndex c : cells_about(tools_, t))
       if (attempt(spread, [&] { return insert_centroid(c); })) return true;

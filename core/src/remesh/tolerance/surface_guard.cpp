@@ -258,14 +258,15 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 }
 
 bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& over) const {
-  auto& [prover, nearby, rows] = proving_.local();
+  Proving& proving = proving_.local();
+  auto& [prover, nearby, rows] = proving;
   nearby.clear();
   rows.clear();
   limit *= share_about(f.corners);
   prover.set_limit(limit);
   given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) {
-    nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
-    rows.push_back(row);
+    proving.nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
+    proving.rows.push_back(row);
   });
   const bool is_within = prover.is_within(f.corners, nearby);
   over = prover.sheet_row() == no_index ? no_index : given_.faces.items()[rows[prover.sheet_row()]].id;
