@@ -34,14 +34,17 @@ std::array<double, 4> seen_bounds(vtkRenderer& scene, vtkCamera& camera, double 
   return seen;
 }
 
-void fill_picture(vtkRenderer& scene, const PictureOptions& options) {
+void fill_picture(vtkRenderer& scene, const PictureOptions& options, double legend_share) {
   vtkCamera& camera = *scene.GetActiveCamera();
-  const double bottom = options.view == View::quality && options.legend ? -0.72 : -0.95, top = 0.95;
+  const double bottom = options.view == View::quality && options.legend ? -0.72 : -0.95, top = 0.95,
+               left = -0.95 + 2 * legend_share, right = 0.95;
   const std::array<double, 4> seen = seen_bounds(scene, camera, static_cast<double>(options.width) / options.height);
-  const double zoom = std::min(1.9 / (seen[1] - seen[0]), (top - bottom) / (seen[3] - seen[2])) * options.zoom;
+  const double zoom =
+      std::min((right - left) / (seen[1] - seen[0]), (top - bottom) / (seen[3] - seen[2])) * options.zoom;
   const double half_angle = camera.GetViewAngle() * pi / 360;
   camera.SetViewAngle(std::atan(std::tan(half_angle) / zoom) * 360 / pi);
-  camera.SetWindowCenter(0.5 * zoom * (seen[0] + seen[1]), 0.5 * zoom * (seen[2] + seen[3]) - 0.5 * (bottom + top));
+  camera.SetWindowCenter(0.5 * zoom * (seen[0] + seen[1]) - 0.5 * (left + right),
+                         0.5 * zoom * (seen[2] + seen[3]) - 0.5 * (bottom + top));
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ std::array<double, 2> towards_camera(const PictureOptions& options) {
   return {std::sin(a), std::cos(a)};
 }
 
-void aim_camera(vtkRenderer& scene, const PictureOptions& options) {
+void aim_camera(vtkRenderer& scene, const PictureOptions& options, double legend_share) {
   const auto [tx, ty] = towards_camera(options);
   const double e = options.elevation * pi / 180;
   vtkCamera* const camera = scene.GetActiveCamera();
@@ -60,7 +63,7 @@ void aim_camera(vtkRenderer& scene, const PictureOptions& options) {
   camera->SetViewUp(0, 0, 1);
   camera->SetViewAngle(25);
   scene.ResetCamera();
-  fill_picture(scene, options);
+  fill_picture(scene, options, legend_share);
   scene.ResetCameraClippingRange();
 }
 

@@ -14,7 +14,8 @@ namespace geomesh::picture {
 /// The direction from the model to the camera, in the map.
 std::array<double, 2> towards_camera(const PictureOptions& options);
 
-/// Makes what is in the scene fill the picture but for a margin, and for the scale of colours below.
-void aim_camera(vtkRenderer& scene, const PictureOptions& options);
+/// Makes what is in the scene fill the picture but for a margin and the scale of colours below. The legend takes a
+/// share of the picture's width at the left.
+void aim_camera(vtkRenderer& scene, const PictureOptions& options, double legend_share);
 
 }  // namespace geomesh::picture

@@ -52,6 +52,20 @@ const std::array<Colour, 12> palette{{{0.93, 0.79, 0.45},
 
 Colour colour_of(std::size_t i) { return palette[i % palette.size()]; }
 
+/// Shades by which the parts of a unit are told apart; the first is the colour itself.
+Colour shade_of(const Colour& colour, std::size_t part) {
+  constexpr std::array<double, 4> brightness{1.0, 0.86, 1.12, 0.93};
+  Colour shade = colour;
+  for (double& channel : shade) channel = std::min(1.0, channel * brightness[part % brightness.size()]);
+  return shade;
+}
+
+/// The unit that "sand__2" or "sand__B2" is a part of.
+std::string without_suffix(const std::string& name) {
+  const std::size_t at = name.rfind("__");
+  return at == std::string::npos || at == 0 ? name : name.substr(0, at);
+}
+
 class SceneBuilder {
  public:
   SceneBuilder(const MeshFile& mesh, const PictureOptions& options) : mesh_(mesh), options_(options) {
@@ -87,7 +101,7 @@ class SceneBuilder {
     lights->SetKeyToFillRatio(2.5);
     lights->SetKeyLightIntensity(0.75);
     lights->AddLightsToRenderer(scene_);
-    aim_camera(*scene_, options_);
+    aim_camera(*scene_, options_, legend_share_);
     return scene_;
   }
 
@@ -144,19 +158,23 @@ class SceneBuilder {
     return actor;
   }
 
-  /// One colour an id, in the order of the ids; fills the legend's entries.
+  /// One colour a name, in the order of the ids; the parts of a unit (`sand__1`, `sand__2`) have shades of one. Fills
+  /// the legend's entries.
   vtkSmartPointer<vtkLookupTable> colours_of(const std::set<int>& ids, const std::map<int, std::string>& names) {
     auto table = vtkSmartPointer<vtkLookupTable>::New();
     low_ = *ids.begin();
     high_ = std::max(*ids.rbegin(), low_ + 1);
     table->SetNumberOfTableValues(high_ - low_ + 1);
     for (int row = 0; row <= high_ - low_; ++row) table->SetTableValue(row, 0.6, 0.6, 0.6);  // all opaque
-    std::size_t i = 0;
+    std::map<std::string, std::size_t> n_parts;
     for (const int id : ids) {
-      const Colour c = colour_of(i++);
-      table->SetTableValue(id - low_, c[0], c[1], c[2]);
       const auto name = names.find(id);
-      entries_.push_back({name == names.end() ? std::to_string(id) : name->second, c});
+      const std::string unit = name == names.end() ? std::to_string(id) : without_suffix(name->second);
+      const std::size_t part = n_parts[unit]++;
+      if (part == 0) entries_.push_back({unit, colour_of(entries_.size())});
+      const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == unit; });
+      const Colour c = shade_of(entry->colour, part);
+      table->SetTableValue(id - low_, c[0], c[1], c[2]);
     }
     return table;
   }
@@ -255,6 +273,10 @@ class SceneBuilder {
   void add_legend() {
     const std::size_t n = std::min(entries_.size(), most_names);
     const double row = oversampling * 0.035 * options_.height, left = 0.4 * row;
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, entries_[i].name.size());
+    constexpr double letter = 0.6;  // widths of letters over the size of the font
+    legend_share_ = (left + row + letter * 0.72 * row * static_cast<double>(longest)) / (oversampling * options_.width);
     for (std::size_t i = 0; i < n; ++i) {
       const bool rest = i + 1 == n && entries_.size() > n;
       const double bottom = oversampling * options_.height - row * static_cast<double>(i + 1) - left;
@@ -296,6 +318,7 @@ class SceneBuilder {
     Colour colour;
   };
   std::vector<Entry> entries_;
+  double legend_share_ = 0;  ///< of the picture's width
 };
 
 }  // namespace
