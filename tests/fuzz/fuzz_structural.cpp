@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fuzz_structural [--family 0|1|2] [--first SEED] [--count N] [--mode constrained|preserve|conforming] [--seconds S]
-//                 [--save DIR] [--verbose]
+//                 [--save DIR] [--verbose] [--minimise]
 // Meshes sealed structural models with needles in fans (structural_models.hpp) and judges each mesh exactly. Prints a
 // line a model: seed, triangles, needles (%), smallest angle (degrees), least height (m), added points on segments, on
 // facets, inside, and all of them in % of the input's vertices, attempts that ended, CPU seconds, verdict. Then a line
 // for all: the largest share of added points, the median and the largest time a triangle. --verbose: what each attempt
-// came to, with CPU seconds. Exit status 1 where anything failed.
+// came to, with CPU seconds. --minimise: writes to DIR as few facets of the model, in a box, as still need another
+// attempt than the first. Exit status 1 where anything failed.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "corpus_run.hpp"
+#include "minimise.hpp"
 #include "structural_models.hpp"
 
 namespace {
@@ -25,7 +28,7 @@ struct Arguments {
   unsigned family = 0, first = 0, count = 20;
   std::string mode = "constrained", save;
   double seconds = 300;
-  bool verbose = false;
+  bool verbose = false, minimise = false;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -41,6 +44,7 @@ Arguments parse(int argc, char** argv) {
     if (word == "--seconds") a.seconds = std::strtod(value().c_str(), nullptr);
     if (word == "--save") a.save = value();
     if (word == "--verbose") a.verbose = true;
+    if (word == "--minimise") a.minimise = true;
   }
   return a;
 }
@@ -73,6 +77,36 @@ TetrahedralizeOptions mode_of(const Arguments& a) {
   return a.mode == "conforming" ? conforming_mode() : constrained_mode();
 }
 
+/// With the sides of a box about all, so that something is enclosed whatever is left of the model.
+PiecewiseLinearComplex in_box(PiecewiseLinearComplex plc) {
+  Box3 box;
+  for (const Vec3& p : plc.points) box.add(p);
+  const auto first = static_cast<VertexIndex>(plc.points.size());
+  constexpr double margin = 1000;  // m
+  for (unsigned corner = 0; corner < 8; ++corner)
+    plc.points.push_back({corner & 1u ? box.max.x + margin : box.min.x - margin,
+                          corner & 2u ? box.max.y + margin : box.min.y - margin,
+                          corner & 4u ? box.max.z + margin : box.min.z - margin});
+  const std::array<std::array<VertexIndex, 4>, 6> sides{
+      {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}};
+  for (const auto& [a, b, c, d] : sides) {
+    plc.add_triangle({first + a, first + b, first + c});
+    plc.add_triangle({first + a, first + c, first + d});
+  }
+  return plc;
+}
+
+void minimise(const PiecewiseLinearComplex& plc, const Arguments& a, const std::string& path) {
+  const auto needs_more_attempts = [&](const PiecewiseLinearComplex& smaller) {
+    unsigned n_ended = 0;
+    const CorpusRun result = run_and_judge(in_box(smaller), mode_of(a), a.seconds, watch_of(n_ended, false));
+    return result.ok() && n_ended > 0;
+  };
+  const PiecewiseLinearComplex small = minimised_while(plc, needs_more_attempts);
+  write_poly(in_box(small), path);
+  std::printf("%zu facets left: %s\n", small.n_facets(), path.c_str());
+}
+
 Outcome run(unsigned seed, const Arguments& a) {
   StructuralModel model;
   try {
@@ -94,8 +128,11 @@ Outcome run(unsigned seed, const Arguments& a) {
               out.added_percent, s.facets_not_recovered.size(), n_ended, result.cpu_seconds,
               result.ok() ? "ok" : result.trouble.c_str());
   std::fflush(stdout);
-  if (!result.ok() && !a.save.empty())
-    write_poly(model.plc, a.save + "/structural_" + std::to_string(a.family) + "_" + std::to_string(seed) + ".poly");
+  const std::string path = a.save + "/structural_" + std::to_string(a.family) + "_" + std::to_string(seed) + ".poly";
+  if (a.minimise && n_ended > 0)
+    minimise(model.plc, a, path);
+  else if (!result.ok() && !a.save.empty())
+    write_poly(model.plc, path);
   return out;
 }
 

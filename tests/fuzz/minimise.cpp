@@ -108,18 +108,15 @@ std::string outcome_of(const PiecewiseLinearComplex& plc, const TetrahedralizeOp
 
 std::string kind_of(const std::string& outcome) { return outcome.substr(0, outcome.find(':')); }
 
-PiecewiseLinearComplex minimised(PiecewiseLinearComplex plc, const TetrahedralizeOptions& options, double time_limit,
-                                 int budget) {
-  const std::string kind = kind_of(outcome_of(plc, options, time_limit));
+PiecewiseLinearComplex minimised_while(PiecewiseLinearComplex plc,
+                                       const std::function<bool(const PiecewiseLinearComplex&)>& is_kept, int budget) {
   for (std::size_t chunk = (n_items(plc) + 1) / 2; chunk > 0; chunk /= 2) {
     bool shrank = true;
     while (shrank) {
       shrank = false;
       for (std::size_t first = 0; first < n_items(plc) && budget > 0; --budget) {
         PiecewiseLinearComplex smaller = without_items(plc, first, std::min(first + chunk, n_items(plc)));
-        const std::string outcome = n_items(smaller) == 0 ? "" : outcome_of(smaller, options, time_limit);
-        const bool open = outcome.find("enclose") != std::string::npos;
-        if (!outcome.empty() && !open && kind_of(outcome) == kind) {
+        if (n_items(smaller) > 0 && is_kept(smaller)) {
           plc = std::move(smaller);
           shrank = true;
         } else {
@@ -130,6 +127,17 @@ PiecewiseLinearComplex minimised(PiecewiseLinearComplex plc, const Tetrahedraliz
     }
   }
   return plc;
+}
+
+PiecewiseLinearComplex minimised(PiecewiseLinearComplex plc, const TetrahedralizeOptions& options, double time_limit,
+                                 int budget) {
+  const std::string kind = kind_of(outcome_of(plc, options, time_limit));
+  const auto fails_alike = [&](const PiecewiseLinearComplex& smaller) {
+    const std::string outcome = outcome_of(smaller, options, time_limit);
+    const bool open = outcome.find("enclose") != std::string::npos;
+    return !outcome.empty() && !open && kind_of(outcome) == kind;
+  };
+  return minimised_while(std::move(plc), fails_alike, budget);
 }
 
 }  // namespace geomesh::test

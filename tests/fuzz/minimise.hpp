@@ -3,6 +3,7 @@
 /// One model in a process of its own, and models made smaller while they still fail.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "geomesh/core/plc.hpp"
@@ -17,8 +18,13 @@ std::string outcome_of(const PiecewiseLinearComplex& plc, const TetrahedralizeOp
 /// The word before the first colon: failures of one kind are taken as the same failure.
 std::string kind_of(const std::string& outcome);
 
-/// Deletes facets, segments and isolated points, by halves and then one by one, as long as the failure stays of the
-/// same kind; drops unused points. At most `budget` runs.
+/// Deletes facets, segments and isolated points, by halves and then one by one, as long as `is_kept` holds for what is
+/// left; drops unused points. At most `budget` questions.
+PiecewiseLinearComplex minimised_while(PiecewiseLinearComplex plc,
+                                       const std::function<bool(const PiecewiseLinearComplex&)>& is_kept,
+                                       int budget = 1500);
+
+/// The same, as long as the failure stays of the same kind.
 PiecewiseLinearComplex minimised(PiecewiseLinearComplex plc, const TetrahedralizeOptions& options, double time_limit,
                                  int budget = 1500);
 

@@ -117,6 +117,16 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   return false;
 }
 
+/// Whether all have one coordinate in common: the sides of a box, and what lies in them. A rest is zero where the place
+/// is its nearest double.
+bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::all_of(v.begin(), v.end(),
+                    [&](VertexIndex w) { return points[w][i] == points[v[0]][i] && rest_of(w)[i] == 0; }))
+      return true;
+  return false;
+}
+
 // The nearest double and the rounded rest give a coordinate within 2^-105 of itself. So a difference of two of them is
 // off by 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that of filters.hpp, trebled
 // for the first, and six products with one factor that wrong for the second. The second filter works with about 2^-104;
@@ -141,6 +151,7 @@ Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<Verte
   const double det = determinant(u), error = 3 * filter::orient3d_factor * product + by_rests;
   if (det < -error) return Sign::positive;
   if (det > error) return Sign::negative;
+  if (are_in_plane_across_axis(points, v)) return Sign::zero;
   std::array<std::array<DoubleDouble, 3>, 3> w;
   const Vec3 rest = rest_of(v[3]);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -55,6 +55,7 @@ class ExactPlaces {
     ExactPlace place;
     Vec3 rest;  ///< place - nearest double, rounded
   };
+  bool are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
   Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
 

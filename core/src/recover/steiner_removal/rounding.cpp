@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/sort_unique.hpp"
+#include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
@@ -139,6 +141,49 @@ std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   return out;
 }
 
+/// Places near a star where there may be more room than in it: the middles of the cells about it that nothing locked
+/// parts from it.
+std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star, VertexIndex x) {
+  std::vector<CellIndex> cells;
+  for (const CellIndex c : star) {
+    const FaceRef link(c, mesh.cells().index_of(c, x));
+    const CellIndex beyond = mesh.cells().mirror(link).cell();
+    if (!mesh.is_locked(link) && !mesh.cells().is_ghost(beyond)) cells.push_back(beyond);
+  }
+  sort_unique(cells);
+  std::vector<Vec3> out;
+  for (const CellIndex c : cells) {
+    Vec3 sum;
+    for (const VertexIndex v : mesh.cells().vertices(c)) sum = sum + mesh.point(v);
+    out.push_back(0.25 * sum);
+  }
+  return out;
+}
+
+/// Puts a double near the star of an inner point in its place; the star grows over what that does not see.
+bool round_elsewhere(Recovery& recovery, VertexIndex x) {
+  constexpr unsigned max_growths = 30;
+  ConstrainedMesh& mesh = recovery.mesh;
+  if (is_on_boundary(recovery, x)) return false;
+  std::vector<CellIndex> star;
+  mesh.star(x, star);
+  const Cavity cavity(recovery, star, x);
+  const VertexIndex y = mesh.add_point(mesh.point(x));
+  recovery.constraints.vertices.resize(mesh.points().size(), {VertexOrigin::inside, no_index});
+  for (const Vec3& place : places_about(mesh, star, x)) {
+    mesh.move_point(y, place);
+    Cavity trial = cavity;
+    const auto filling = trial.star_from(y, max_growths);
+    if (!filling) continue;
+    mesh.replace(trial.cells(), *filling);
+    mesh.forget(x);
+    return true;
+  }
+  mesh.drop_last_point();
+  recovery.constraints.vertices.pop_back();
+  return false;
+}
+
 }  // namespace
 
 std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
@@ -151,6 +196,7 @@ std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
       for (const VertexIndex v : left) centre(mesh, v);
     std::erase_if(left, [&](VertexIndex v) { return round_point(mesh, v); });
   }
+  std::erase_if(left, [&](VertexIndex v) { return round_elsewhere(recovery, v); });
   return left;
 }
 
