@@ -173,16 +173,6 @@ class EdgeRemoval {
 
   double least_shape() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
 
-  /// Whether the angles opposite the edge in its two faces sum to more than half a turn (and a little, so that ties
-  /// stay).
-  bool surface_asks(VertexIndex x, VertexIndex y) const {
-    const auto cosine = [&](VertexIndex v) {
-      const Vec3 d = mesh_.point(a_) - mesh_.point(v), e = mesh_.point(b_) - mesh_.point(v);
-      return dot(d, e) / (length(d) * length(e));
-    };
-    return cosine(x) + cosine(y) < -1e-3;
-  }
-
   /// As for stars: see cavity.hpp.
   bool adds_bad_cells() const {
     const double bad = mesh_.measure().bad();
@@ -217,7 +207,7 @@ class EdgeRemoval {
     const std::size_t s = faces_.at[0], t = faces_.at[1];
     const VertexIndex x = ring[s], y = ring[t];
     if (!closed_ && (s != 0 || t + 1 != ring.size())) return false;
-    if (for_surface_ && !surface_asks(x, y)) return false;
+    if (for_surface_ && !surface_asks_for_flip(mesh_, a_, b_, x, y)) return false;
     if (joined_on_surface(x, y)) return false;
     const std::vector<VertexIndex> side(ring.begin() + static_cast<std::ptrdiff_t>(s),
                                         ring.begin() + static_cast<std::ptrdiff_t>(t) + 1);
@@ -317,6 +307,14 @@ class EdgeRemoval {
 };
 
 }  // namespace
+
+bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b, VertexIndex x, VertexIndex y) {
+  const auto cosine = [&](VertexIndex v) {
+    const Vec3 d = mesh.point(a) - mesh.point(v), e = mesh.point(b) - mesh.point(v);
+    return dot(d, e) / (length(d) * length(e));
+  };
+  return cosine(x) + cosine(y) < -1e-3;
+}
 
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
   return EdgeRemoval(tools, a, b).attempt(c);

@@ -37,12 +37,14 @@ class Smoother {
   bool run_on_surface(double floor) {
     if (mesh_.kind(v_) != VertexKind::surface) return false;
     gather_star(mesh_, v_, work_.marks, cavity_);
-    problem_.set_link(mesh_, cavity_);
     const double needed = std::min(removed_shape(mesh_, cavity_), floor), before = worst_face(old_);
     const Vec3 centre = surface_centroid();
+    bool is_set = false;
     for (const double t : {1.0, 0.5}) {
       const Vec3 p = project(old_ + t * (centre - old_));
-      if (worst_face(p) > before * 1.001 && place(p, 0.9 * needed)) return true;
+      if (!(worst_face(p) > before * 1.001)) continue;
+      if (!std::exchange(is_set, true)) problem_.set_link(mesh_, cavity_);
+      if (place(p, 0.9 * needed)) return true;
     }
     return false;
   }

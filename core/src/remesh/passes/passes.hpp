@@ -33,9 +33,6 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
 /// Inserts points on faces larger than asked, front by front from curves and small faces.
 std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
-/// Makes faces of good shape within patches by exchanging edges and moving points, cells allowing.
-void regularize_surfaces(Toolbox& tools, const RunContext& context);
-
 /// Inserts points into cells larger than asked until there are none that admit one.
 std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 

@@ -3,6 +3,7 @@
 #include "remesh/operations/surface_repair.hpp"
 #include "remesh/passes/pass_runner.hpp"
 #include "remesh/passes/passes.hpp"
+#include "remesh/passes/surface_regularizer.hpp"
 #include "remesh/sizes/sizes.hpp"
 
 namespace geomesh::remesh {
@@ -16,10 +17,11 @@ class RefinePasses {
       : tools_(tools),
         most_(options.max_elements),
         context_(context),
-        runner_(tools.mesh, context, [] { return false; }) {}
+        runner_(tools.mesh, context, [] { return false; }),
+        regularizer_(tools) {}
 
-  void make_surfaces_regular() const {
-    run("surfaces made regular", [&] { regularize_surfaces(tools_, context_); });
+  void make_surfaces_regular() {
+    run("surfaces made regular", [&] { regularizer_.run(context_); });
   }
   void collapse_on_surfaces() const {
     run("short edges of surfaces taken out", [&] { collapse_short_edges(tools_, ShortEdges::on_surfaces, context_); });
@@ -60,12 +62,13 @@ class RefinePasses {
   std::size_t most_;  // cells
   const RunContext& context_;
   PassRunner runner_;
+  SurfaceRegularizer regularizer_;
 };
 
 }  // namespace
 
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
-  const RefinePasses passes(tools, options, context);
+  RefinePasses passes(tools, options, context);
   if (!sizes_surfaces(options)) {
     passes.flip();
     passes.fill_inside();

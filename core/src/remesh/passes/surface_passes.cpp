@@ -137,28 +137,6 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
   return EdgeSplitter(tools, which).run(max_cells, context);
 }
 
-void regularize_surfaces(Toolbox& tools, const RunContext& context) {
-  const double floor = refine_ratios.regular_floor;
-  DomainMesh& mesh = tools.mesh;
-  for (unsigned round = 0; round < refine_ratios.regular_rounds; ++round) {
-    context.check_cancelled();
-    std::size_t n = 0;
-    for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-      if (!mesh.is_live(c)) continue;
-      const Tetrahedron t = mesh.vertices(c);
-      for (const auto& e : edge_vertices) {
-        if (!on_constrained_face(mesh, c, e[0], e[1])) continue;
-        if (!flip_surface_edge(tools, c, t[e[0]], t[e[1]], floor)) continue;
-        ++n;
-        break;
-      }
-    }
-    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
-      if (mesh.kind(v) == VertexKind::surface && smooth_on_surface(tools, v, floor)) ++n;
-    if (n == 0) break;
-  }
-}
-
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context) {
   const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge);
   return collapse_edges(tools, edges, CollapseRule::coarsen, refine_ratios.collapse_floor, context);
