@@ -20,6 +20,7 @@
 #include "quality/measure/cell_quality.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
+#include "remesh/domain/star_links.hpp"
 
 namespace geomesh::remesh {
 
@@ -90,6 +91,10 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
   /// log k). Throws InternalError where the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
+  /// The same for cells of one component, none of whose faces inside is constrained, and the star of `apex`: a cell for
+  /// each face of their border, in this order, with the `shapes`, of which there may be more. O(k).
+  void replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
+                       std::span<const double> shapes, std::vector<CellIndex>& created);
   /// The vertex must be in no live cell.
   void remove_vertex(VertexIndex v);
 
@@ -209,6 +214,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   EdgeMap curves_;
 
   MeshJournal journal_;
+  StarLinks star_links_;
+  std::vector<FaceTag> border_tags_;  // scratch
 };
 
 }  // namespace geomesh::remesh

@@ -59,4 +59,11 @@ struct NewCell {
   static constexpr double unknown_shape = -1;
 };
 
+/// A face at the border of cells that go: (vertices, apex) is to be a positive cell.
+struct StarFace {
+  Triangle vertices;
+  FaceRef inner;  ///< as seen from the cell that goes
+  FaceRef outer;  ///< as seen from the cell that stays; invalid where there is none
+};
+
 }  // namespace geomesh::remesh

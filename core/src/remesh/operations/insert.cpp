@@ -12,26 +12,6 @@
 
 namespace geomesh::remesh {
 
-Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = b - a, v = c - a, w = d - a;
-  const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
-  const Vec3 offset = (0.5 / dot(u, vw)) * (dot(u, u) * vw + dot(v, v) * wu + dot(w, w) * uv);
-  return {a + offset, length(offset)};
-}
-
-Sphere circumsphere(const DomainMesh& mesh, CellIndex c) {
-  const Tetrahedron& t = mesh.vertices(c);
-  return circumsphere(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
-}
-
-std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
-  unsigned turn = 0;  // of the order of faces, so that the walk cannot cycle for long
-  const auto end = mesh.walk(
-      p, start, 1000, [&] { return turn++ & 3u; },
-      [&](FaceRef f) { return mesh.tag(f.cell(), f.face()).constrained(); });
-  return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
-}
-
 namespace {
 
 Triangle corners_of(const DomainMesh& mesh, FaceRef f) {
@@ -76,31 +56,14 @@ FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
   return {};
 }
 
-class Insertion {
+class SurfaceInsertion {
  public:
-  Insertion(Toolbox& tools, const Vec3& p) : tools_(tools), mesh_(tools.mesh), p_(p) {}
+  SurfaceInsertion(Toolbox& tools, const Vec3& p) : tools_(tools), mesh_(tools.mesh), p_(p) {}
 
-  std::optional<VertexIndex> attempt(CellIndex start, const InsertionRule& rule) {
-    const std::optional<CellIndex> home = locate(mesh_, p_, start);
-    if (!home) return std::nullopt;
-    for (const VertexIndex v : mesh_.vertices(*home))
-      if (squared_distance(mesh_.point(v), p_) < rule.spacing * rule.spacing) return std::nullopt;
-    bases_.assign(1, *home);
-    if (!find_cavity(rule.spheres, rule.spacing)) return std::nullopt;
-    const std::vector<double>& shapes = new_shapes();
-    if (rule.min_shape > 0 && !(*std::min_element(shapes.begin(), shapes.end()) > rule.min_shape)) return std::nullopt;
-    if (!keeps_constraints()) return std::nullopt;
-    const VertexIndex v = mesh_.add_vertex(p_, VertexKind::inside);
-    fill_with_star(mesh_, tools_.work.cavity, v, tools_.work, shapes);
-    ++tools_.statistics.points_inside;
-    return v;
-  }
-
-  std::optional<VertexIndex> attempt_on_surface(FaceRef start, const InsertionRule& rule) {
+  std::optional<VertexIndex> attempt(FaceRef start, const InsertionRule& rule) {
     const FaceRef home = locate_on_surface(mesh_, p_, start);
     if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
-    if (!find_cavity(rule.spheres, refine_ratios.surface_spacing_off * rule.spacing) || !keeps_constraints())
-      return std::nullopt;
+    if (!find_cavity(refine_ratios.surface_spacing_off * rule.spacing) || !keeps_constraints()) return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
     add_spokes(cavity);
     if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;
@@ -112,8 +75,8 @@ class Insertion {
   }
 
  private:
-  bool in_circumsphere(CellIndex c, const std::vector<Sphere>* spheres) const {
-    const Sphere s = spheres ? (*spheres)[c] : circumsphere(mesh_, c);
+  bool in_circumsphere(CellIndex c) const {
+    const Sphere s = circumsphere(mesh_, c);
     return squared_distance(s.centre, p_) < s.radius * s.radius;
   }
 
@@ -158,11 +121,11 @@ class Insertion {
 
   /// The cells whose circumsphere has p, less what p does not see, with no vertex nearer than `spacing`. A shape
   /// criterion in doubles decides which cells to take; what p sees is decided exactly. False where there is none.
-  bool find_cavity(const std::vector<Sphere>* spheres, double spacing) {
+  bool find_cavity(double spacing) {
     constexpr std::size_t most_cells = 400;
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f.cell(), f.face()).constrained(); };
     Cavity cavity(mesh_.topology(), tools_.work.marks, tools_.work.cells, bases_);
-    cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c, spheres); });
+    cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); });
     const auto is_opened_face = [&](FaceRef f) { return is_opened(f.cell(), f.face()); };
     if (!cavity.shrink(may_cross, is_opened_face, [&](FaceRef f) { return sees(f); }) || !keeps_spacing(spacing))
       return false;
@@ -219,15 +182,6 @@ class Insertion {
     return true;
   }
 
-  const std::vector<double>& new_shapes() {
-    LinkShapes& link = tools_.work.link;
-    link.clear(mesh_.measure().kernels());
-    for (const LinkFace& f : tools_.work.cavity.link)
-      link.add(mesh_.point(f.vertices[0]), mesh_.point(f.vertices[1]), mesh_.point(f.vertices[2]));
-    link.prepare();
-    return link.shapes(p_);
-  }
-
   bool on_link(VertexIndex a, VertexIndex b) const {
     for (const LinkFace& f : tools_.work.cavity.link) {
       const auto has = [&](VertexIndex v) { return f.vertices[0] == v || f.vertices[1] == v || f.vertices[2] == v; };
@@ -265,14 +219,10 @@ class Insertion {
 
 }  // namespace
 
-std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule) {
-  return Insertion(tools, p).attempt(start, rule);
-}
-
 std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule) {
   const FaceTag tag = tools.mesh.tag(start.cell(), start.face());
   if (tag.facet() == hull_facet) return std::nullopt;
-  return Insertion(tools, tools.guard.project_to_patch(tools.mesh.patch_of(tag), p)).attempt_on_surface(start, rule);
+  return SurfaceInsertion(tools, tools.guard.project_to_patch(tools.mesh.patch_of(tag), p)).attempt(start, rule);
 }
 
 }  // namespace geomesh::remesh

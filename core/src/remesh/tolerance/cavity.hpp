@@ -56,6 +56,7 @@ struct StarCavity {
 struct Workspace {
   EpochMarks marks;
   std::vector<CellIndex> cells, created;
+  std::vector<StarFace> star;
   std::vector<VertexIndex> ring;
   std::vector<NewCell> added;
   StarCavity cavity;
