@@ -67,8 +67,8 @@ ShapeTable measure_all(std::span<const Vec3> points, std::span<const Tetrahedron
   return table;
 }
 
-/// Statistics of the tetrahedra in `rows`, but for those of edges.
-ShapeStatistics summarize(const ShapeTable& table, std::span<const Index> rows) {
+/// Counts and sums of the tetrahedra in `rows`.
+ShapeStatistics count_shapes(const ShapeTable& table, std::span<const Index> rows) {
   ShapeStatistics out;
   if (rows.empty()) return out;
   out.n_tetrahedra = rows.size();
@@ -83,21 +83,32 @@ ShapeStatistics summarize(const ShapeTable& table, std::span<const Index> rows) 
   }
   out.share_below_10 = static_cast<double>(below_10) / static_cast<double>(rows.size());
   out.share_above_24_85 = static_cast<double>(above_24_85) / static_cast<double>(rows.size());
-  std::vector<double> values;
-  const auto of = [&](const std::vector<double>& measure) {
-    values.clear();
-    for (const Index t : rows) values.push_back(measure[t]);
-    return distribution(values);
-  };
-  out.min_dihedral = of(table.min_dihedral);
-  out.max_dihedral = of(table.max_dihedral);
-  out.radius_ratio = of(table.radius_ratio);
-  out.aspect = of(table.aspect);
-  out.mean_ratio = of(table.mean_ratio);
-  values.clear();
-  for (const Index t : rows) values.insert(values.end(), table.solid_angle[t].begin(), table.solid_angle[t].end());
-  out.solid_angle = distribution(values);
   return out;
+}
+
+/// A distribution of the statistics, with the values that it is of: one of five, or solid angles.
+struct Measure {
+  Distribution ShapeStatistics::*result;
+  std::vector<double> ShapeTable::*values;
+};
+constexpr std::array<Measure, 5> measures{{{&ShapeStatistics::min_dihedral, &ShapeTable::min_dihedral},
+                                           {&ShapeStatistics::max_dihedral, &ShapeTable::max_dihedral},
+                                           {&ShapeStatistics::radius_ratio, &ShapeTable::radius_ratio},
+                                           {&ShapeStatistics::aspect, &ShapeTable::aspect},
+                                           {&ShapeStatistics::mean_ratio, &ShapeTable::mean_ratio}}};
+
+Distribution distribution_of(const std::vector<double>& measure, std::span<const Index> rows) {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const Index t : rows) values.push_back(measure[t]);
+  return distribution(values);
+}
+
+Distribution solid_angles(const ShapeTable& table, std::span<const Index> rows) {
+  std::vector<double> values;
+  values.reserve(4 * rows.size());
+  for (const Index t : rows) values.insert(values.end(), table.solid_angle[t].begin(), table.solid_angle[t].end());
+  return distribution(values);
 }
 
 /// Rows of tetrahedra by group, each in ascending order; the first list is that of all.
@@ -108,18 +119,36 @@ std::vector<std::vector<Index>> rows_by_group(std::span<const Index> group, std:
   return rows;
 }
 
-/// Of the whole, then of each group.
-std::vector<ShapeStatistics> summarize_all(const ShapeTable& table, std::span<const Vec3> points,
+/// Of the whole, then of each group: one task a group and kind of statistics, the largest first.
+std::vector<ShapeStatistics> summarize_shapes(const ShapeTable& table, const CellParts& parts, unsigned threads) {
+  const std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
+  const std::size_t n = rows.size();
+  std::vector<ShapeStatistics> out(n);
+  for_each_task(n, threads, [&](std::size_t k) { out[k] = count_shapes(table, rows[k]); });
+  for_each_task(n, threads, [&](std::size_t k) { out[k].solid_angle = solid_angles(table, rows[k]); });
+  for_each_task(n * measures.size(), threads, [&](std::size_t k) {
+    const auto& [result, values] = measures[k % measures.size()];
+    out[k / measures.size()].*result = distribution_of(table.*values, rows[k / measures.size()]);
+  });
+  return out;
+}
+
+/// Of the whole, then of each group. Edges come first: their tables are gone when those of shapes are made.
+std::vector<ShapeStatistics> summarize_all(ShapeTable& table, std::span<const Vec3> points,
                                            std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
                                            const SizeField* size, unsigned threads) {
-  const std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
   std::vector<EdgeLengths> edges = measure_edges(points, tetrahedra, parts, size, threads);
-  std::vector<ShapeStatistics> out(rows.size());
-  for_each_task(rows.size(), threads, [&](std::size_t k) {
-    out[k] = summarize(table, rows[k]);
-    out[k].edge_length = distribution(edges[k].length);
-    out[k].edge_size_histogram = edges[k].by_size;
+  std::vector<Distribution> edge_length(edges.size());
+  for_each_task(edges.size(), threads, [&](std::size_t k) {
+    edge_length[k] = distribution(edges[k].length);
+    edges[k].length = {};
   });
+  table = measure_all(points, tetrahedra, threads);
+  std::vector<ShapeStatistics> out = summarize_shapes(table, parts, threads);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k].edge_length = edge_length[k];
+    out[k].edge_size_histogram = edges[k].by_size;
+  }
   return out;
 }
 
@@ -128,9 +157,8 @@ std::vector<ShapeStatistics> summarize_all(const ShapeTable& table, std::span<co
 ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
   const unsigned threads = thread_count(0);
   const std::vector<Index> component(tetrahedra.size(), no_index), group(tetrahedra.size(), 0);
-  return summarize_all(measure_all(points, tetrahedra, threads), points, tetrahedra, {component, group, 1}, nullptr,
-                       threads)
-      .front();
+  ShapeTable table(0);
+  return summarize_all(table, points, tetrahedra, {component, group, 1}, nullptr, threads).front();
 }
 
 namespace {
@@ -167,7 +195,7 @@ MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const Constrained
                             const QualityOptions& options) {
   MeshQuality q;
   const unsigned threads = thread_count(options.threads);
-  const ShapeTable shapes = measure_all(mesh.points, mesh.tetrahedra, threads);
+  ShapeTable shapes(0);
   const CellParts parts = options.group.empty() ? CellParts{mesh.component, mesh.component, mesh.n_components}
                                                 : CellParts{mesh.component, options.group, options.n_groups};
   q.per_component = summarize_all(shapes, mesh.points, mesh.tetrahedra, parts, options.size, threads);

@@ -134,13 +134,14 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
 }
 
 /// `core` has the tetrahedra of `mesh`, in the same order.
-SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const SizeField* size) {
+SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const SizeField* size,
+                            unsigned threads) {
   std::vector<double> velocity(mesh.regions.size(), 0);
   for (const RegionAttribute& a : mesh.attributes)
     if (a.name == velocity_attribute)
       for (std::size_t r = 0; r < std::min(velocity.size(), a.by_region.size()); ++r)
         if (a.by_region[r] > 0) velocity[r] = a.by_region[r];
-  MeshForSolver judged{mesh.points, mesh.tetrahedra, {}, {}};
+  MeshForSolver judged{mesh.points, mesh.tetrahedra, {}, {}, threads};
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
   if (size) judged.size = [&](std::size_t t, const Vec3& p) { return size->at(p, core.component[t]); };
   return judge_for_solvers(judged);
@@ -219,7 +220,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     set_volumes_of_input(mesh, core, volumes_of_input);
     if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
-    report.solver = judge_solvers(core, mesh, size);
+    report.solver = judge_solvers(core, mesh, size, recorder.context().threads);
     if (model.options.recover.mode == MeshMode::conforming)
       report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   }

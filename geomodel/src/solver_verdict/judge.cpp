@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Declared in geomesh/geomodel/solver_verdict.hpp.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "geomesh/core/quality.hpp"
 #include "geomesh/geomodel/solver_verdict.hpp"
+#include "verify/chunks.hpp"
 
 namespace geomesh::geomodel {
 
@@ -22,8 +22,10 @@ double volume(const std::array<Vec3, 4>& p) { return dot(cross(p[1] - p[0], p[2]
 
 double with_16_digits(double x) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.15e", x);
-  return std::strtod(text, nullptr);
+  const auto written = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific, 15);
+  double read = x;
+  std::from_chars(text, written.ptr, read);
+  return read;
 }
 
 double greatest_face_area(const std::array<Vec3, 4>& p) {
@@ -49,28 +51,58 @@ Edge shortest_edge(const std::array<Vec3, 4>& p) {
   return shortest;
 }
 
+/// What is told of each element, but for time steps, which are told of all together.
+struct Tally {
+  Tally() { v.least_volume = v.least_volume_16_digits = v.least_edge = v.min_dihedral = infinity; }
+  SolverVerdict v;
+  double least_over_size = infinity;
+
+  /// Of elements that come later.
+  void join(const Tally& o) {
+    if (o.v.least_volume < v.least_volume) v.flattest = o.v.flattest;
+    if (o.v.min_dihedral < v.min_dihedral) v.sharpest = o.v.sharpest;
+    v.least_volume = std::min(v.least_volume, o.v.least_volume);
+    v.least_volume_16_digits = std::min(v.least_volume_16_digits, o.v.least_volume_16_digits);
+    v.least_edge = std::min(v.least_edge, o.v.least_edge);
+    v.min_dihedral = std::min(v.min_dihedral, o.v.min_dihedral);
+    v.max_dihedral = std::max(v.max_dihedral, o.v.max_dihedral);
+    v.n_not_positive += o.v.n_not_positive;
+    v.n_implicit += o.v.n_implicit;
+    v.n_iterative += o.v.n_iterative;
+    v.n_flux += o.v.n_flux;
+    v.has_velocities |= o.v.has_velocities;
+    least_over_size = std::min(least_over_size, o.least_over_size);
+  }
+};
+
 class Judge {
  public:
-  Judge(const MeshForSolver& mesh, const SolverLimits& limits) : mesh_(mesh), limits_(limits) {}
+  Judge(const MeshForSolver& mesh, const SolverLimits& limits)
+      : mesh_(mesh), limits_(limits), rounded_(mesh.points.size()), step_(mesh.tetrahedra.size()) {}
 
   SolverVerdict run() {
-    v_.n_tetrahedra = mesh_.tetrahedra.size();
-    if (v_.n_tetrahedra == 0) return v_;
-    v_.least_volume = v_.least_volume_16_digits = v_.least_edge = v_.min_dihedral = least_over_size_ = infinity;
-    round_points();
-    for (std::size_t t = 0; t < v_.n_tetrahedra; ++t) look_at(t);
-    v_.least_edge_over_size = least_over_size_ < infinity ? least_over_size_ : 0;
-    v_.least_edge_over_diagonal = v_.least_edge / diagonal();
-    judge_steps();
-    return v_;
+    if (mesh_.tetrahedra.empty()) return {};
+    Chunks(mesh_.points.size()).for_each(mesh_.threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vec3& p = mesh_.points[i];
+        rounded_[i] = {with_16_digits(p.x), with_16_digits(p.y), with_16_digits(p.z)};
+      }
+    });
+    const Chunks chunks(mesh_.tetrahedra.size());
+    std::vector<Tally> tallies(chunks.size());
+    chunks.for_each(mesh_.threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) look_at(t, tallies[k]);
+    });
+    Tally all;
+    for (const Tally& t : tallies) all.join(t);
+    all.v.n_tetrahedra = mesh_.tetrahedra.size();
+    all.v.least_edge_over_size = all.least_over_size < infinity ? all.least_over_size : 0;
+    all.v.least_edge_over_diagonal = all.v.least_edge / diagonal();
+    judge_steps(all.v);
+    return all.v;
   }
 
  private:
-  void round_points() {
-    for (const Vec3& p : mesh_.points)
-      rounded_.push_back({with_16_digits(p.x), with_16_digits(p.y), with_16_digits(p.z)});
-  }
-
   double diagonal() const {
     Box3 box;
     for (const Vec3& p : mesh_.points) box.add(p);
@@ -82,62 +114,64 @@ class Judge {
     return {points[v[0]], points[v[1]], points[v[2]], points[v[3]]};
   }
 
-  void look_at(std::size_t t) {
+  void look_at(std::size_t t, Tally& tally) {
     const std::array<Vec3, 4> p = corners(mesh_.points, t);
     const TetrahedronShape shape = tetrahedron_shape(p[0], p[1], p[2], p[3]);
-    const double cube = std::pow(shape.longest_edge, 3), as_is = volume(p) / cube,
+    const double cube = shape.longest_edge * shape.longest_edge * shape.longest_edge, as_is = volume(p) / cube,
                  as_written = volume(corners(rounded_, t)) / cube;
-    v_.n_not_positive += !(std::min(as_is, as_written) > 0);
-    if (as_is < v_.least_volume) v_.flattest = {t, centroid(p)};
-    v_.least_volume = std::min(v_.least_volume, as_is);
-    v_.least_volume_16_digits = std::min(v_.least_volume_16_digits, as_written);
-    look_at_angles(t, shape, std::min(as_is, as_written));
-    look_at_edges(t, p);
-    step_.push_back(3 * std::max(volume(p), 0.0) / greatest_face_area(p) / velocity(t));
+    SolverVerdict& v = tally.v;
+    v.n_not_positive += !(std::min(as_is, as_written) > 0);
+    if (as_is < v.least_volume) v.flattest = {t, centroid(p)};
+    v.least_volume = std::min(v.least_volume, as_is);
+    v.least_volume_16_digits = std::min(v.least_volume_16_digits, as_written);
+    look_at_angles(t, shape, std::min(as_is, as_written), v);
+    look_at_edges(t, p, tally);
+    step_[t] = 3 * std::max(volume(p), 0.0) / greatest_face_area(p) / velocity(t, v);
   }
 
-  void look_at_angles(std::size_t t, const TetrahedronShape& s, double least_volume) {
-    if (s.min_dihedral < v_.min_dihedral) v_.sharpest = {t, centroid(corners(mesh_.points, t))};
-    v_.min_dihedral = std::min(v_.min_dihedral, s.min_dihedral);
-    v_.max_dihedral = std::max(v_.max_dihedral, s.max_dihedral);
-    v_.n_implicit += !(least_volume >= limits_.least_volume) || s.min_dihedral < limits_.least_implicit_angle ||
-                     s.max_dihedral > limits_.most_implicit_angle;
-    v_.n_iterative += s.min_dihedral < limits_.least_iterative_angle || s.max_dihedral > limits_.most_iterative_angle;
-    v_.n_flux += s.max_dihedral > limits_.most_flux_angle;
+  void look_at_angles(std::size_t t, const TetrahedronShape& s, double least_volume, SolverVerdict& v) const {
+    if (s.min_dihedral < v.min_dihedral) v.sharpest = {t, centroid(corners(mesh_.points, t))};
+    v.min_dihedral = std::min(v.min_dihedral, s.min_dihedral);
+    v.max_dihedral = std::max(v.max_dihedral, s.max_dihedral);
+    v.n_implicit += !(least_volume >= limits_.least_volume) || s.min_dihedral < limits_.least_implicit_angle ||
+                    s.max_dihedral > limits_.most_implicit_angle;
+    v.n_iterative += s.min_dihedral < limits_.least_iterative_angle || s.max_dihedral > limits_.most_iterative_angle;
+    v.n_flux += s.max_dihedral > limits_.most_flux_angle;
   }
 
-  void look_at_edges(std::size_t t, const std::array<Vec3, 4>& p) {
+  void look_at_edges(std::size_t t, const std::array<Vec3, 4>& p, Tally& tally) const {
     const Edge edge = shortest_edge(p);
-    v_.least_edge = std::min(v_.least_edge, edge.length);
-    if (mesh_.size) least_over_size_ = std::min(least_over_size_, edge.length / mesh_.size(t, edge.middle));
+    tally.v.least_edge = std::min(tally.v.least_edge, edge.length);
+    if (mesh_.size) tally.least_over_size = std::min(tally.least_over_size, edge.length / mesh_.size(t, edge.middle));
   }
 
   /// 1 where it is not known.
-  double velocity(std::size_t t) {
+  double velocity(std::size_t t, SolverVerdict& verdict) const {
     const double v = mesh_.velocity ? mesh_.velocity(t) : 0;
-    v_.has_velocities |= v > 0;
+    verdict.has_velocities |= v > 0;
     return v > 0 ? v : 1;
   }
 
-  void judge_steps() {
+  void judge_steps(SolverVerdict& v) {
     constexpr std::size_t n_left_out = 10;
     const auto least = std::min_element(step_.begin(), step_.end());
-    v_.smallest_step.tetrahedron = static_cast<std::size_t>(least - step_.begin());
-    v_.smallest_step.place = centroid(corners(mesh_.points, v_.smallest_step.tetrahedron));
-    std::vector<double> sorted = step_;
-    std::sort(sorted.begin(), sorted.end());
-    v_.time_step = sorted.front();
-    v_.time_step_without_worst_ten = sorted[std::min(n_left_out, sorted.size() - 1)];
-    v_.median_time_step = sorted[sorted.size() / 2];
-    for (const double s : sorted) v_.n_explicit += s < limits_.least_step * v_.median_time_step;
+    v.smallest_step.tetrahedron = static_cast<std::size_t>(least - step_.begin());
+    v.smallest_step.place = centroid(corners(mesh_.points, v.smallest_step.tetrahedron));
+    const auto nth = [&](std::size_t n) {
+      const auto at = step_.begin() + static_cast<std::ptrdiff_t>(n);
+      std::nth_element(step_.begin(), at, step_.end());
+      return *at;
+    };
+    v.time_step = *least;
+    v.time_step_without_worst_ten = nth(std::min(n_left_out, step_.size() - 1));
+    v.median_time_step = nth(step_.size() / 2);
+    for (const double s : step_) v.n_explicit += s < limits_.least_step * v.median_time_step;
   }
 
   const MeshForSolver& mesh_;
   const SolverLimits& limits_;
-  SolverVerdict v_;
   std::vector<Vec3> rounded_;
-  std::vector<double> step_;
-  double least_over_size_ = 0;
+  std::vector<double> step_;  // by element; in judge_steps in another order
 };
 
 }  // namespace

@@ -11,13 +11,8 @@ namespace geomesh {
 
 namespace {
 
-/// Solid angle at the apex of three edge vectors (Van Oosterom and Strackee 1983), as spherical excess in degrees.
-double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double la = length(a), lb = length(b), lc = length(c);
-  const double numerator = std::abs(dot(a, cross(b, c)));
-  const double denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
-  return 2 * std::atan2(numerator, denominator) * degrees_per_radian;
-}
+/// The edges at each vertex, in the order of edge_vertices.
+constexpr std::array<std::array<std::uint8_t, 3>, 4> edges_at{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
 
 }  // namespace
 
@@ -53,8 +48,9 @@ TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, 
   }
   if (!(det > 0)) return s;
   for (unsigned i = 0; i < 4; ++i) {
-    const auto& f = face_vertices[i];
-    s.solid_angle[i] = solid_angle(p[f[0]] - p[i], p[f[1]] - p[i], p[f[2]] - p[i]);
+    // Girard: the excess of the angles of a spherical triangle, which are the dihedral angles at the three edges.
+    const auto& [e, f, g] = edges_at[i];
+    s.solid_angle[i] = std::max(0.0, s.dihedral[e] + s.dihedral[f] + s.dihedral[g] - 180);
   }
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double circumradius =

@@ -57,9 +57,10 @@ struct MeshForSolver {
   std::function<double(std::size_t)> velocity;
   /// Edge length asked in a tetrahedron at a place; empty: not known.
   std::function<double(std::size_t, const Vec3&)> size;
+  unsigned threads = 0;  ///< 0: all cores. Both functions are asked by all of them at once; the verdict is the same
 };
 
-/// O(n log n).
+/// O(n).
 SolverVerdict judge_for_solvers(const MeshForSolver& mesh, const SolverLimits& limits = {});
 
 /// The attribute that holds a unit's velocity of compressional waves, in the mesh's unit of length a second.
