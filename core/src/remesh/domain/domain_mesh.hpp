@@ -46,6 +46,8 @@ struct DomainAttributes {
   std::vector<double> shape;
 };
 
+struct MeshPart;
+
 class DomainMesh : public EditableMesh<DomainAttributes> {
  public:
   // Vertices.
@@ -97,6 +99,16 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
                        std::span<const double> shapes, std::vector<CellIndex>& created);
   /// The vertex must be in no live cell.
   void remove_vertex(VertexIndex v);
+
+  /// @name Components on their own
+  /// What changes inside of components alone can so be done in all of them at once.
+  /// @{
+  /// The components that have cells, in ascending order. This mesh is then without cells. O(n).
+  std::vector<MeshPart> take_apart();
+  /// Takes the parts in again, in their order: their cells, and the vertices that they did not begin with. Faces to
+  /// other components must be as they were. O(n), and n log n in such faces.
+  void put_together(std::vector<MeshPart> parts);
+  /// @}
 
   /// Renumbers the cells along a curve that fills space, so that near ones are near in memory. No slot is free after
   /// it. O(n log n).
@@ -188,6 +200,10 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::string validate() const;
 
  private:
+  void fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
+                 std::vector<VertexIndex>& row, MeshPart& part) const;
+  void append_cells(const DomainMesh& part, const std::vector<VertexIndex>& row,
+                    std::vector<std::pair<FaceKey, FaceRef>>& open);
   void note_vertex(VertexIndex v) {
     if (journal_.is_open() && journal_.is_new_vertex(v))
       journal_.save(SavedVertex{v, points_[v], kinds_[v], supports_[v], cell_of_[v], changed_[v]});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "common/parallel.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/surface_repair.hpp"
 
@@ -14,7 +15,7 @@ class DelaunayFlipper {
   explicit DelaunayFlipper(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {}
 
   std::size_t run(const RunContext& context) {
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) push(c);
+    push_all(thread_count(context.threads));
     std::size_t n = 0;
     for (std::size_t k = 0; k < stack_.size(); ++k) {
       if (k % 4096 == 0) context.check_cancelled();
@@ -34,18 +35,37 @@ class DelaunayFlipper {
     if (mesh_.is_live(c)) stack_.push_back({c, mesh_.vertices(c)});
   }
 
-  bool flip_one_of(CellIndex c) {
+  /// Cells with a face that is not locally Delaunay: looked for on all cores, since mostly there are few.
+  void push_all(unsigned threads) {
+    constexpr std::size_t chunk = 16384;
+    std::vector<std::vector<CellIndex>> asked((mesh_.n_slots() + chunk - 1) / chunk);
+    for_each_task(asked.size(), threads, [&](std::size_t k) {
+      const auto end = static_cast<CellIndex>(std::min<std::size_t>(mesh_.n_slots(), (k + 1) * chunk));
+      for (auto c = static_cast<CellIndex>(k * chunk); c < end; ++c)
+        if (mesh_.is_live(c) && any_face_to_flip(c, [](unsigned, FaceRef, VertexIndex) { return true; }))
+          asked[k].push_back(c);
+    });
+    for (const std::vector<CellIndex>& cells : asked)
+      for (const CellIndex c : cells) push(c);
+  }
+
+  /// Whether flip(i, neighbour, its apex) holds for a face i that is not locally Delaunay; the first one that it does.
+  template <class Flip>
+  bool any_face_to_flip(CellIndex c, const Flip& flip) const {
     const Sphere s = circumsphere(mesh_, c);
+    const double r2 = s.radius * s.radius * (1 - 1e-9);
     for (unsigned i = 0; i < 4; ++i) {
       if (mesh_.tag(c, i).constrained()) continue;
       const FaceRef n = mesh_.topology().neighbor(c, i);
       const VertexIndex apex = mesh_.vertices(n.cell())[n.face()];
-      const double r2 = s.radius * s.radius;
-      if (squared_distance(s.centre, mesh_.point(apex)) < r2 * (1 - 1e-9) &&
-          (flip23(c, i, n, apex) || flip32(c, i, apex)))
-        return true;
+      if (squared_distance(s.centre, mesh_.point(apex)) < r2 && flip(i, n, apex)) return true;
     }
     return false;
+  }
+
+  bool flip_one_of(CellIndex c) {
+    return any_face_to_flip(
+        c, [&](unsigned i, FaceRef n, VertexIndex apex) { return flip23(c, i, n, apex) || flip32(c, i, apex); });
   }
 
   bool flip23(CellIndex c, unsigned i, FaceRef n, VertexIndex bottom) {

@@ -53,13 +53,13 @@ bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 /// surfaces that have just been split and whose neighbourhood is still to be filled.
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 
-/// Whether that criterion asks for it: the angles at x and y, opposite the edge in its two faces, sum to more than half
-/// a turn, and a little, so that ties stay.
+/// Whether that criterion asks for it: the angles at x and y, opposite the edge in its faces, sum to more than half a
+/// turn. A little more is asked, so that ties stay.
 bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b, VertexIndex x, VertexIndex y);
 
 /// Moves a vertex within its patch to the centroid of its faces where their worst shape (4 sqrt 3 area / sum of squared
-/// sides) rises. No cell about it may fall below `floor` and what it was.
-bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor);
+/// sides) rises. No cell about it may fall below `floor` and what it was. Beside others as smooth_beside_others.
+bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work);
 
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite:
 /// the 2-3 flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.

@@ -28,6 +28,9 @@ struct RefineRatios {
   double collapse_floor = 0.05;      ///< shape that a contraction may fall to where it was better
   double regular_floor = 1e-3;       ///< shape that flips and moves on surfaces may fall to, as `surface_shape`
   unsigned regular_rounds = 4;       ///< of flips and moves on surfaces; the fourth changes one face in a hundred
+  /// Factor of the worst face about a vertex, > 1, that is worth its move. At 1.01, with good faces left alone, a tenth
+  /// of refinement is saved, and six times as many cells end below 24.85 degrees.
+  double regular_rise = 1.001;
   /// Share of all cells, 0..1. A front that slows with so many large cells left stands before cells far from Delaunay.
   double many_stuck = 0.15;
   std::size_t slow_front = 20;   ///< large cells for one point of a round from which a front counts as slow

@@ -5,6 +5,7 @@
 
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
+#include "remesh/operations/refine_ratios.hpp"
 
 namespace geomesh::remesh {
 
@@ -42,7 +43,7 @@ class Smoother {
     bool is_set = false;
     for (const double t : {1.0, 0.5}) {
       const Vec3 p = project(old_ + t * (centre - old_));
-      if (!(worst_face(p) > before * 1.001)) continue;
+      if (!(worst_face(p) > before * refine_ratios.regular_rise)) continue;
       if (!std::exchange(is_set, true)) problem_.set_link(mesh_, cavity_);
       if (place(p, 0.9 * needed)) return true;
     }
@@ -186,19 +187,16 @@ class Smoother {
       ends_{};  // the vertices before and after on the curve; in on_input_edge the ends of the input edge
 };
 
-bool counted(Toolbox& tools, bool moved) {
-  tools.statistics.smoothing_moves += moved;
-  return moved;
-}
-
 }  // namespace
 
-bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor) {
-  return counted(tools, Smoother(tools, v, tools.work).run_on_surface(floor));
+bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work) {
+  return Smoother(tools, v, work).run_on_surface(floor);
 }
 
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) {
-  return counted(tools, Smoother(tools, v, tools.work).run(rule));
+  const bool moved = Smoother(tools, v, tools.work).run(rule);
+  tools.statistics.smoothing_moves += moved;
+  return moved;
 }
 
 bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {

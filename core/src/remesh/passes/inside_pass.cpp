@@ -23,6 +23,7 @@ class InsideRefiner {
   InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
 
   std::size_t run(const RunContext& context) {
+    mesh_.sort_cells();
     std::vector<CellIndex> large = measure_all();
     std::size_t total = 0;
     bool is_flipped = false;
@@ -79,10 +80,15 @@ class InsideRefiner {
   }
   bool is_large(CellIndex c) const { return large_[c]; }
 
-  /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception.
+  /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception. By
+  /// classes of sizes, and within a class by slots: those of cells that were made one after the other are near in
+  /// space.
   void order_by_size(std::vector<CellIndex>& cells) {
-    std::vector<std::pair<double, CellIndex>> keyed;
-    for (const CellIndex c : cells) keyed.push_back({tools_.size_of_cell(c), c});
+    constexpr double classes_a_doubling = 4;
+    std::vector<std::pair<int, CellIndex>> keyed;
+    keyed.reserve(cells.size());
+    for (const CellIndex c : cells)
+      keyed.push_back({static_cast<int>(std::floor(classes_a_doubling * std::log2(tools_.size_of_cell(c)))), c});
     std::sort(keyed.begin(), keyed.end());
     for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = keyed[k].second;
   }
@@ -111,10 +117,7 @@ class InsideRefiner {
       ++n;
       for (const CellIndex made : tools_.work.created) measure(made);
       changes_.note(mesh_, tools_.work.created);
-      if (mesh_.n_cells() > max_cells_)
-        throw Error(ErrorKind::cannot_mesh,
-                    "refinement reached the limit of " + std::to_string(max_cells_) +
-                        " elements before the asked sizes; ask for larger sizes or raise the limit");
+      if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
       next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
     }
     std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });

@@ -8,6 +8,9 @@
 
 namespace geomesh::remesh {
 
+/// Where a pass that adds points would go beyond the most cells allowed: throws Error{cannot_mesh}.
+[[noreturn]] void throw_too_many_cells(std::size_t max_cells);
+
 /// The schedule of refinement: all passes below.
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context);
 
@@ -35,5 +38,8 @@ std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunCont
 
 /// Inserts points into cells larger than asked until there are none that admit one.
 std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
+
+/// The same in all components at once, on all cores, with the same result whatever their number.
+std::size_t refine_components_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
 }  // namespace geomesh::remesh

@@ -44,8 +44,11 @@ class RefinePasses {
   void fill_surfaces() const {
     run("points put on surfaces", [&] { refine_surfaces(tools_, most_, context_); });
   }
+  void fill_components() const {
+    run("points put inside", [&] { refine_components_inside(tools_, most_, context_); });
+  }
   void fill_inside() const {
-    run("points put inside", [&] { refine_inside(tools_, most_, context_); });
+    run("points put inside where there is room", [&] { refine_inside(tools_, most_, context_); });
   }
 
  private:
@@ -71,7 +74,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   RefinePasses passes(tools, options, context);
   if (!sizes_surfaces(options)) {
     passes.flip();
-    passes.fill_inside();
+    passes.fill_components();
     passes.collapse_inside();
     return;
   }
@@ -82,16 +85,15 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   passes.fill_surfaces();
   const std::size_t n_split = passes.split_surfaces();
   passes.flip();
-  passes.fill_inside();
-  passes.flip();
+  passes.fill_components();
   // Bisected faces are of poor shape. Their neighbourhood is loose enough to mend them only once it is filled.
   if (n_split > 0) {
     passes.make_surfaces_regular();
     passes.collapse_on_surfaces();
     passes.make_surfaces_regular();
-    passes.flip();
-    passes.fill_inside();
   }
+  passes.flip();
+  passes.fill_inside();
   passes.collapse_inside();
 }
 

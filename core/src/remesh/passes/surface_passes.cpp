@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "common/epoch_marks.hpp"
@@ -35,12 +36,6 @@ CellIndex cell_with_edge(const DomainMesh& mesh, EpochMarks& marks, std::vector<
   return no_cell;
 }
 
-void check_limit(const DomainMesh& mesh, std::size_t max_cells) {
-  if (mesh.n_cells() <= max_cells) return;
-  throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells) +
-                                          " elements before the asked sizes; ask for larger sizes or raise the limit");
-}
-
 class EdgeSplitter {
  public:
   EdgeSplitter(Toolbox& tools, LongEdges which) : tools_(tools), mesh_(tools.mesh), which_(which) {}
@@ -58,7 +53,7 @@ class EdgeSplitter {
       const auto v = split_edge(tools_, c, e.a, e.b);
       if (!v) continue;
       ++n;
-      check_limit(mesh_, max_cells);
+      if (mesh_.n_cells() > max_cells) throw_too_many_cells(max_cells);
       const std::vector<CellIndex> created = tools_.work.created;
       for (const CellIndex k : created) push_edges(k, *v);
     }
@@ -104,8 +99,8 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double r
       const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
       const bool inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
       if (inside != (which == ShortEdges::inside)) continue;
-      const double share = distance(mesh.point(a), mesh.point(b)) / tools.size_of_edge(a, b);
-      if (share < ratio) edges.push_back({share, a, b});
+      const double size = tools.size_of_edge(a, b), squared = squared_distance(mesh.point(a), mesh.point(b));
+      if (squared < ratio * ratio * size * size) edges.push_back({std::sqrt(squared) / size, a, b});
     }
   }
   const auto key = [](const MeasuredEdge& e) { return std::tuple(e.ratio, e.a, e.b); };
@@ -132,6 +127,11 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
 }
 
 }  // namespace
+
+void throw_too_many_cells(std::size_t max_cells) {
+  throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells) +
+                                          " elements before the asked sizes; ask for larger sizes or raise the limit");
+}
 
 std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_cells, const RunContext& context) {
   return EdgeSplitter(tools, which).run(max_cells, context);

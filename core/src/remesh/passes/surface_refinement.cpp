@@ -101,10 +101,7 @@ class SurfaceRefiner {
       }
       ++n;
       changes_.note(mesh_, tools_.work.created);
-      if (mesh_.n_cells() > max_cells_)
-        throw Error(ErrorKind::cannot_mesh,
-                    "refinement reached the limit of " + std::to_string(max_cells_) +
-                        " elements before the asked sizes; ask for larger sizes or raise the limit");
+      if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
       for (const CellIndex c : tools_.work.created) append_large(c, next);
     }
     std::erase_if(next, [&](const SurfaceItem& s) { return !is_current(s); });

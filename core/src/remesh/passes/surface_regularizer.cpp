@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/passes/surface_regularizer.hpp"
 
-#include <algorithm>
+#include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
+#include <atomic>
+
+#include "common/parallel.hpp"
 #include "remesh/operations/refine_ratios.hpp"
+#include "remesh/passes/vertex_blocks.hpp"
 
 namespace geomesh::remesh {
 
@@ -15,15 +20,33 @@ void SurfaceRegularizer::run(const RunContext& context) {
     std::size_t n = 0;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
       if (mesh_.kind(v) <= VertexKind::surface && flips_in_vain_[v] < mesh_.changed_at(v)) n += flip_about(v);
-    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
-      if (mesh_.kind(v) != VertexKind::surface || moves_in_vain_[v] >= mesh_.changed_at(v)) continue;
-      if (smooth_on_surface(tools_, v, refine_ratios.regular_floor))
-        ++n;
-      else
-        moves_in_vain_[v] = mesh_.tick();
-    }
+    n += move_all(context.threads);
     if (n == 0) break;
   }
+}
+
+/// A vertex that stays is not tried again before something about it changes after this call.
+std::size_t SurfaceRegularizer::move_all(unsigned threads) {
+  std::vector<VertexIndex> asked;
+  for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
+    if (mesh_.kind(v) == VertexKind::surface && moves_in_vain_[v] < mesh_.changed_at(v)) asked.push_back(v);
+  const VertexBlocks blocks(mesh_, std::move(asked));
+  const std::uint64_t before = mesh_.tick();
+  std::atomic<std::size_t> n_moved = 0;
+  tbb::enumerable_thread_specific<Workspace> scratch;
+  const auto move = [&](const std::vector<VertexIndex>& vertices) {
+    std::size_t n = 0;
+    for (const VertexIndex v : vertices)
+      if (smooth_on_surface(tools_, v, refine_ratios.regular_floor, scratch.local()))
+        ++n;
+      else
+        moves_in_vain_[v] = before;
+    n_moved += n;
+  };
+  for_each_task(blocks.parts().size(), thread_count(threads), [&](std::size_t k) { move(blocks.parts()[k]); });
+  move(blocks.between());
+  tools_.statistics.smoothing_moves += n_moved;
+  return n_moved;
 }
 
 /// Edges to greater vertices, so that each is looked at once.

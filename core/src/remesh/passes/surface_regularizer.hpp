@@ -17,7 +17,8 @@ class SurfaceRegularizer {
  public:
   explicit SurfaceRegularizer(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {}
 
-  /// O(vertices of the mesh), and the stars of those on surfaces that have changed.
+  /// Moves on all cores, with the same result whatever their number. O(vertices of the mesh), and the stars of those on
+  /// surfaces that have changed.
   void run(const RunContext& context);
 
  private:
@@ -29,6 +30,7 @@ class SurfaceRegularizer {
     unsigned n_faces;
   };
   std::size_t flip_about(VertexIndex v);
+  std::size_t move_all(unsigned threads);
   void collect_edges(VertexIndex v);
   void add_edge(VertexIndex to, VertexIndex apex, CellIndex cell);
   bool is_asked(VertexIndex v, const SurfaceEdge& e) const;
