@@ -6,6 +6,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/sheets.hpp"
+#include "naming/sums.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
