@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "ensemble_command.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/info.hpp"
@@ -119,6 +120,8 @@ int run_command(const InitCommand& command, const RunContext&, Verbosity verbosi
 int run_command(const PictureCommand& command, const RunContext& context, Verbosity) {
   return draw_picture(command, context);
 }
+
+int run_command(const EnsembleCommand& command, const RunContext&, Verbosity) { run_ensemble(command); }
 
 }  // namespace
 

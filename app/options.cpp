@@ -26,6 +26,7 @@ const char* const overview = R"(geomesh: tetrahedral meshes of earth models, fro
   geomesh info FILE                  what a file holds, and what is wrong with it
   geomesh init DIR                   a commented project that runs as it is
   geomesh picture MESH -o NAME.png   a picture of a mesh, or of a project's
+  geomesh ensemble STUDY.yaml        many realisations of a project whose surfaces are uncertain
 
 Each has its own help: geomesh mesh --help, or geomesh --help-project for the first.
 Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad input data or faults found by check,
@@ -388,6 +389,37 @@ CommandLine parse_picture(int argc, const char* const* argv) {
   return line;
 }
 
+CommandLine parse_ensemble(int argc, const char* const* argv) {
+  CLI::App app("Mesh many realisations of a project whose surfaces are uncertain, and sum them up.",
+               "geomesh ensemble");
+  std::string study, directory, only, help;
+  unsigned jobs = 0, per_task = 0, missing = 0;
+  bool collect = false, slurm = false, retry = false, quiet = false;
+  app.add_option("STUDY", study, "The study file (docs/ensemble.md)")->required();
+  app.add_option("-o", directory, "Output folder (default: the study's output)")->type_name("DIR");
+  app.add_option("--jobs", jobs, "Realisations at a time (default: one a core)")->check(CLI::Range(1u, 4096u));
+  app.add_option("--only", only, "Make these realisations alone and no summary: 17, 1-100, or 3,5,9-12")
+      ->type_name("INDICES");
+  app.add_option("--missing", missing, "Print the realisations that are not there yet, N a line, for GNU parallel")
+      ->check(CLI::Range(1u, 1000000u))
+      ->type_name("N");
+  app.add_flag("--collect", collect, "Make tables, grids and the page from what is there, and no realisation");
+  app.add_flag("--slurm", slurm, "Write the scripts of a Slurm array and run nothing");
+  app.add_option("--per-task", per_task, "Realisations of one task of the array (default: at most 1,000 tasks)")
+      ->check(CLI::Range(1u, 1000000u))
+      ->type_name("N");
+  app.add_flag("--retry-failed", retry, "Make failed realisations again");
+  app.add_flag("--quiet", quiet, "Print warnings and errors only");
+  CommandLine line;
+  if (parse(app, argc, argv, help)) {
+    line.command = Help{help};
+    return line;
+  }
+  check_file_exists(study);
+  line.command = EnsembleCommand{{argv + 1, argv + argc}};
+  return line;
+}
+
 using Commands = std::map<std::string, std::function<CommandLine(int, const char* const*)>>;
 
 /// The first word is a project, unless it is nearly a command and no file.
@@ -405,7 +437,7 @@ void check_is_no_misspelt_command(const std::string& word, const Commands& comma
 CommandLine parse_command_line(int argc, const char* const* argv) {
   static const Commands commands{{"mesh", parse_mesh},       {"delaunay", parse_delaunay}, {"check", parse_check},
                                  {"convert", parse_convert}, {"info", parse_info},         {"init", parse_init},
-                                 {"picture", parse_picture}};
+                                 {"picture", parse_picture}, {"ensemble", parse_ensemble}};
   CommandLine line;
   if (argc < 2) usage_error(std::string("what should be meshed?\n\n") + overview);
   const std::string first = argv[1];

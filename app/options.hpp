@@ -53,9 +53,14 @@ struct PictureCommand {
   std::vector<std::string> arguments;
 };
 
+/// A study of many realisations; the words are checked, and handed on as they are.
+struct EnsembleCommand {
+  std::vector<std::string> arguments;
+};
+
 struct CommandLine {
   std::variant<Help, ProjectCommand, geomodel::MeshRequest, geomodel::DelaunayRequest, CheckCommand, ConvertCommand,
-               InfoCommand, InitCommand, PictureCommand>
+               InfoCommand, InitCommand, PictureCommand, EnsembleCommand>
       command;
   unsigned threads = 0;
   Verbosity verbosity = Verbosity::normal;

@@ -2,7 +2,14 @@ from typing import Any, Dict, List, Optional, Tuple
 import numpy
 import numpy.typing as npt
 
-class Given: ...
+class Given:
+    surfaces: List[Tuple[str, npt.NDArray[numpy.float64], npt.NDArray[numpy.uint32]]]
+    point_sets: List[Tuple[str, npt.NDArray[numpy.float64]]]
+    polylines: List[Tuple[str, npt.NDArray[numpy.float64]]]
+    z_is_named: bool
+    def moved(self, kind: str, row: int, points: npt.NDArray[numpy.float64]) -> "Given": ...
+
+def read_given(file: str) -> Given: ...
 
 class JobResult:
     points: npt.NDArray[numpy.float64]

@@ -9,6 +9,7 @@
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "given_type.hpp"
 #include "job.hpp"
 #include "model_mesh_type.hpp"
 
@@ -17,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace geomodel;
-
-/// Contents of an input: made once, shared with the project.
-struct Given {
-  std::shared_ptr<const FileContents> contents;
-};
-
-Given share(FileContents&& contents) { return {std::make_shared<const FileContents>(std::move(contents))}; }
 
 std::vector<Vec3> copied(const PointArray& points, const char* what) {
   const std::span<const Vec3> rows = as_points(points, what);
@@ -140,7 +134,7 @@ PYBIND11_MODULE(_geomodel, module) {
   using namespace geomesh::python;
   module.doc() = "Projects and named meshes; use it through geomesh.";
   register_errors(&add_items);
-  py::class_<Given>(module, "Given");
+  define_given(module);
   define_model_mesh(module);
   module.def("surface", &surface);
   module.def("point_set", &point_set);

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A value of the study file: a number, a parameter's name, or a distribution."""
+from . import reader
+from .draws import Fixed, Lognormal, Normal, Pick, Reference, Triangular, Uniform
+
+_KINDS = ("normal", "uniform", "triangular", "lognormal", "pick")
+
+
+def read_value(entry, parameters):
+    """The distribution of an entry; Fixed(0) and a mistake where there is none."""
+    if entry.is_map():
+        return _distribution(entry)
+    if entry.is_list():
+        entry.mistake("a number, a parameter or a distribution was expected, such as {normal: [0, 20]}")
+        return Fixed(0.0)
+    number = reader.as_number(entry.node)
+    if number is not None:
+        return Fixed(number)
+    word = entry.text()
+    if word in parameters:
+        return Reference(word)
+    entry.mistake("%r is no number and no parameter%s" % (word, reader.meant(word, list(parameters))))
+    return Fixed(0.0)
+
+
+def _distribution(entry):
+    found = dict(entry.items(_KINDS + ("within", "weights"), "distribution"))
+    kinds = [kind for kind in _KINDS if kind in found]
+    if len(kinds) != 1:
+        entry.mistake("one distribution was expected: %s" % ", ".join(_KINDS))
+        return Fixed(0.0)
+    kind = kinds[0]
+    for extra, owner in (("within", "normal"), ("weights", "pick")):
+        if extra in found and kind != owner:
+            found[extra].mistake("goes with `%s` alone" % owner)
+    return {"normal": _normal, "uniform": _uniform, "triangular": _triangular, "lognormal": _lognormal, "pick": _pick}[kind](found)
+
+
+def _uniform(found):
+    bounds = found["uniform"].numbers(2)
+    if bounds is None or bounds[0] > bounds[1]:
+        if bounds:
+            found["uniform"].mistake("[least, largest] was expected")
+        return Fixed(0.0)
+    return Uniform(*bounds)
+
+
+def _normal(found):
+    values = found["normal"].numbers(2)
+    bounds = found["within"].numbers(2) if "within" in found else None
+    if values is None or values[1] < 0:
+        if values:
+            found["normal"].mistake("[mean, standard deviation] was expected, the second not negative")
+        return Fixed(0.0)
+    if bounds is None:
+        return Normal(*values)
+    if not bounds[0] <= bounds[1] or Normal(*values).at(0.5) + 8 * values[1] < bounds[0] or values[0] - 8 * values[1] > bounds[1]:
+        found["within"].mistake("[least, largest] was expected, within 8 standard deviations of the mean")
+        return Fixed(0.0)
+    return Normal(*values, *bounds)
+
+
+def _lognormal(found):
+    values = found["lognormal"].numbers(2)
+    if values is None or values[0] <= 0 or values[1] < 0:
+        if values:
+            found["lognormal"].mistake("[median, standard deviation of the logarithm] was expected, the median positive")
+        return Fixed(0.0)
+    return Lognormal(*values)
+
+
+def _triangular(found):
+    values = found["triangular"].numbers(3)
+    if values is None or not values[0] <= values[1] <= values[2] or values[0] == values[2]:
+        if values:
+            found["triangular"].mistake("[least, most likely, largest] was expected")
+        return Fixed(0.0)
+    return Triangular(*values)
+
+
+def _pick(found):
+    if not found["pick"].is_list() or not found["pick"].node.value:
+        found["pick"].mistake("a list was expected")
+        return Fixed(0.0)
+    values = tuple(entry.plain() for entry in found["pick"].elements())
+    weights = (1.0,) * len(values)
+    if "weights" in found:
+        given = found["weights"].numbers(len(values))
+        if given is None or min(given) < 0 or sum(given) <= 0:
+            if given:
+                found["weights"].mistake("weights may not be negative, and one is positive")
+            return Pick(values, weights)
+        weights = tuple(given)
+    return Pick(values, weights)

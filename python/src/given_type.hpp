@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The type Given of the module: contents of one input, made from arrays or read from a file.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <utility>
+
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::python {
+
+namespace py = pybind11;
+
+/// Contents of an input: made once, shared with every project that takes it.
+struct Given {
+  std::shared_ptr<const geomodel::FileContents> contents;
+};
+
+inline Given share(geomodel::FileContents&& contents) {
+  return {std::make_shared<const geomodel::FileContents>(std::move(contents))};
+}
+
+void define_given(py::module_& module);
+
+}  // namespace geomesh::python
