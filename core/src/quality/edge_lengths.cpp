@@ -61,6 +61,7 @@ class EdgeBlock {
       const auto stop = uses_.begin() + static_cast<std::ptrdiff_t>(first_[row + 1]);
       std::sort(begin, stop);
       const auto last = std::unique(begin, stop);
+      size_here_ = {no_index, 0};
       for (auto edge = begin, next = edge; edge != last; edge = next) {
         next = std::find_if(edge, last, [&](const Use& u) { return u.upper != edge->upper; });
         measure_edge(static_cast<VertexIndex>(begin_ + row), std::span<const Use>(edge, next));
@@ -82,15 +83,26 @@ class EdgeBlock {
       const Index group = uses[i].group;
       double asked = std::numeric_limits<double>::infinity();
       for (; i < uses.size() && uses[i].group == group; ++i)
-        if (size_) asked = std::min(asked, size_->at(0.5 * (a + b), uses[i].component));
+        if (size_) asked = std::min(asked, size_at(0.5 * (a + b), uses[i].component, a));
       add(1 + group, asked);
       least = std::min(least, asked);
     }
     add(0, least);
   }
 
+  /// Sooner by the size at the lower vertex, which all edges at hand share.
+  double size_at(const Vec3& p, Index component, const Vec3& lower) {
+    if (size_here_.component != component || !(size_here_.size > 0))
+      size_here_ = {component, size_->at(lower, component)};
+    return size_->at_beside(p, component, lower, size_here_.size);
+  }
+
   std::span<const Vec3> points_;
   const SizeField* size_;
+  struct {
+    Index component;
+    double size;  ///< 0: not known
+  } size_here_{no_index, 0};
   std::size_t begin_;
   std::vector<std::size_t> first_;  // by lower vertex, in uses_
   std::vector<Use> uses_;
@@ -102,7 +114,8 @@ class EdgeBlock {
 std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                                        const CellParts& parts, const SizeField* size, unsigned threads) {
   std::array<std::vector<EdgeLengths>, n_blocks> blocks;
-  for_each_task(n_blocks, thread_count(threads), [&](std::size_t k) {
+  const bool asks_caller = size && size->limits().background;  // who is asked on one thread alone
+  for_each_task(n_blocks, asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     const std::size_t begin = points.size() * k / n_blocks, end = points.size() * (k + 1) / n_blocks;
     blocks[k] = EdgeBlock(points, tetrahedra, parts, size, begin, end).measure();
   });

@@ -141,8 +141,10 @@ SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const Mod
     if (a.name == velocity_attribute)
       for (std::size_t r = 0; r < std::min(velocity.size(), a.by_region.size()); ++r)
         if (a.by_region[r] > 0) velocity[r] = a.by_region[r];
-  MeshForSolver judged{mesh.points, mesh.tetrahedra, {}, {}, threads};
+  MeshForSolver judged{.points = mesh.points, .tetrahedra = mesh.tetrahedra, .threads = threads};
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
+  if (size && size->limits().background) judged.threads = 1;  // it is asked on one thread alone
+  if (size) judged.largest_size = std::min(size->limits().global, size->limits().max_size);
   if (size) judged.size = [&](std::size_t t, const Vec3& p) { return size->at(p, core.component[t]); };
   return judge_for_solvers(judged);
 }

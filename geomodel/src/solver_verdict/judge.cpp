@@ -142,7 +142,8 @@ class Judge {
   void look_at_edges(std::size_t t, const std::array<Vec3, 4>& p, Tally& tally) const {
     const Edge edge = shortest_edge(p);
     tally.v.least_edge = std::min(tally.v.least_edge, edge.length);
-    if (mesh_.size) tally.least_over_size = std::min(tally.least_over_size, edge.length / mesh_.size(t, edge.middle));
+    if (mesh_.size && edge.length < tally.least_over_size * mesh_.largest_size)
+      tally.least_over_size = std::min(tally.least_over_size, edge.length / mesh_.size(t, edge.middle));
   }
 
   /// 1 where it is not known.

@@ -1,122 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <limits>
 
 #include "common/geometry.hpp"
-#include "mesh/edge_shell.hpp"
-#include "remesh/operations/improve.hpp"
+#include "remesh/operations/polygon_triangulation.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
-
-constexpr std::size_t max_ring =
-    12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
-
-/// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these
-/// two share the angle of one cell that goes, so that one has half of it at most: that rules out most rings before any
-/// shape is asked for.
-class PolygonTriangulation {
- public:
-  /// `is_whole_ring`: the side from the last vertex to the first is one of the ring too.
-  PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon,
-                       bool is_whole_ring)
-      : mesh_(mesh),
-        measure_(mesh.measure()),
-        a_(a),
-        b_(b),
-        p_(polygon),
-        n_(polygon.size()),
-        n_sides_(n_ < 3          ? 0
-                 : is_whole_ring ? n_
-                                 : n_ - 1) {}
-
-  /// Worst shape of the best triangulation, or something not above `enough`.
-  double solve(double enough) {
-    for (std::size_t i = 0; i < n_sides_; ++i)
-      if (bound_at_side(i) <= enough) return enough;
-    return triangulate(1, enough, [&](const Shell::Span& s, double left, double right) {
-      const double rest = std::min(left, right);
-      return rest <= s.best ? rest : std::min(rest, triangle_shape(s.i, s.k, s.j, s.best));
-    });
-  }
-
-  /// Largest sum of worths, each less the mean, of a triangulation that the goal allows where the worst was `before`;
-  /// minus infinity where there is none, or none above `needed`.
-  double solve(const MeanGoal& goal, double before, double needed) {
-    const double floor = goal.least_after(before), mean = goal.mean;
-    constexpr double none = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < n_sides_; ++i) bound_[i] = bound_at_side(i);
-    const double most = triangulate(0, none, [&](const Shell::Span& s, double left, double right) {
-      return left + right + 2 * bound_of_triangle(s.i, s.k, s.j) - 2 * mean;
-    });
-    if (most <= needed) return none;
-    return triangulate(0, none, [&](const Shell::Span& s, double left, double right) {
-      const double rest = left + right - 2 * mean;
-      if (!(rest + 2 * bound_of_triangle(s.i, s.k, s.j) > s.best)) return none;
-      const auto [upper, lower] = shapes_on(s.i, s.k, s.j);
-      return upper > floor && lower > floor ? rest + measure_.worth(upper) + measure_.worth(lower) : none;
-    });
-  }
-
-  void append_cells(Index component, std::vector<NewCell>& cells) const {
-    shell_.for_each_triangle([&](std::size_t i, std::size_t k, std::size_t j) {
-      cells.push_back({{p_[i], p_[k], p_[j], b_}, component, {}});
-      cells.push_back({{p_[j], p_[k], p_[i], a_}, component, {}});
-    });
-  }
-
- private:
-  using Shell = EdgeShell<double, max_ring + 1>;
-
-  /// A side of the polygon counts `of_edge`; what is not above `least` does not count. value(span, left, right): as
-  /// EdgeShell says.
-  template <class SpanValue>
-  double triangulate(double of_edge, double least, const SpanValue& span_value) {
-    struct Goal {
-      double of_edge, least;
-      const SpanValue& span_value;
-      double edge() const { return of_edge; }
-      double none() const { return least; }
-      static constexpr bool allows(std::size_t, std::size_t) { return true; }
-      static constexpr bool is_enough(double) { return false; }
-      double value(const Shell::Span& s, double left, double right) const { return span_value(s, left, right); }
-    };
-    return shell_.triangulate(n_, Goal{of_edge, least, span_value});
-  }
-
-  /// The worse of the two cells over a side of the ring is no better, nor is half of what both sum to.
-  double bound_at_side(std::size_t i) const {
-    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
-    return measure_.most_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);
-  }
-  double bound_of_triangle(std::size_t i, std::size_t k, std::size_t j) const {
-    double bound = measure_.largest();
-    if (k == i + 1) bound = std::min(bound, bound_[i]);
-    if (j == k + 1) bound = std::min(bound, bound_[k]);
-    if (i == 0 && j + 1 == n_ && n_sides_ == n_) bound = std::min(bound, bound_[j]);
-    return bound;
-  }
-
-  std::array<double, 2> shapes_on(std::size_t i, std::size_t j, std::size_t k) const {
-    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
-    return {measure_.shape(x, y, z, mesh_.point(b_)), measure_.shape(z, y, x, mesh_.point(a_))};
-  }
-
-  double triangle_shape(std::size_t i, std::size_t j, std::size_t k, double enough) const {
-    const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[j]), &z = mesh_.point(p_[k]);
-    const double upper = measure_.shape(x, y, z, mesh_.point(b_));
-    return upper <= enough ? upper : std::min(upper, measure_.shape(z, y, x, mesh_.point(a_)));
-  }
-
-  const DomainMesh& mesh_;
-  const CellQuality& measure_;
-  VertexIndex a_, b_;
-  const std::vector<VertexIndex>& p_;
-  std::size_t n_, n_sides_;
-  double bound_[max_ring + 1];
-  Shell shell_;
-};
 
 class EdgeRemoval {
  public:

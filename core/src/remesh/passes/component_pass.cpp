@@ -49,7 +49,8 @@ class ComponentRefiner {
   std::size_t run() {
     const std::vector<std::size_t> order = largest_first();
     std::atomic<std::size_t> next = 0;
-    const unsigned threads = thread_count(context_.threads);
+    const bool asks_caller = tools_.size.limits().background != nullptr;  // who is asked on one thread alone
+    const unsigned threads = asks_caller ? 1 : thread_count(context_.threads);
     for_each_task(std::min<std::size_t>(threads, order.size()), threads, [&](std::size_t) {
       for (std::size_t k; (k = next++) < order.size();) refine(works_[order[k]]);
     });

@@ -39,7 +39,8 @@ std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunCont
 /// Inserts points into cells larger than asked until there are none that admit one.
 std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
-/// The same in all components at once, on all cores, with the same result whatever their number.
+/// The same in all components at once, on all cores, with the same result whatever their number. On one where sizes are
+/// a function of the caller.
 std::size_t refine_components_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
 }  // namespace geomesh::remesh

@@ -86,14 +86,15 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   const std::size_t n_split = passes.split_surfaces();
   passes.flip();
   passes.fill_components();
+  passes.flip();
   // Bisected faces are of poor shape. Their neighbourhood is loose enough to mend them only once it is filled.
   if (n_split > 0) {
     passes.make_surfaces_regular();
     passes.collapse_on_surfaces();
     passes.make_surfaces_regular();
+    passes.flip();
+    passes.fill_inside();
   }
-  passes.flip();
-  passes.fill_inside();
   passes.collapse_inside();
 }
 

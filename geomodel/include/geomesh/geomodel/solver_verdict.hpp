@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,6 +58,8 @@ struct MeshForSolver {
   std::function<double(std::size_t)> velocity;
   /// Edge length asked in a tetrahedron at a place; empty: not known.
   std::function<double(std::size_t, const Vec3&)> size;
+  /// No size asked anywhere is larger: sizes need not be looked up where edges are not that short.
+  double largest_size = std::numeric_limits<double>::infinity();
   unsigned threads = 0;  ///< 0: all cores. Both functions are asked by all of them at once; the verdict is the same
 };
 
