@@ -34,6 +34,18 @@ class Progress(ProgramTest):
         for event in counts:
             self.assertGreaterEqual(event["total"], event["done"])
 
+    def test_writing_tells_how_many_of_its_formats_are_done(self):
+        project = self.copy_of_sample("faulted-layers", "{size: 200}")
+        with open(project) as file:
+            text = file.read().replace("formats: [vtu]", "formats: [vtu, msh, inp, exodus]")
+        with open(project, "w") as file:
+            file.write(text)
+        events, _ = self.events(project, "-o", self.path("out"), "--threads", "1")
+        for stage in ("verify", "write"):
+            counts = [(e["done"], e["total"]) for e in events if e["event"] == "progress" and e["stage"] == stage]
+            self.assertEqual(counts, sorted(counts), stage)
+            self.assertTrue(all(done <= total and total > 0 for done, total in counts), counts)
+
     def test_on_a_terminal_the_running_stage_is_redrawn_and_the_finished_one_stays(self):
         leader, follower = pty.openpty()
         child = subprocess.Popen([PROGRAM, self.sample("layer-cake"), "-o", self.path("out")], stdout=subprocess.DEVNULL, stderr=follower)

@@ -30,7 +30,11 @@ class Tutorials(ProgramTest):
         with open(os.path.join(SOURCE, "mkdocs.yml"), encoding="utf-8") as file:
             pages = re.findall(r": ([a-z0-9/-]+\.md)$", file.read(), re.M)
         self.assertGreater(len(pages), 15)
-        self.assertEqual([page for page in pages if not os.path.exists(os.path.join(SOURCE, "docs", page))], [])
+        def source(page):  # app.site makes the pages of reference/ and those of notebooks
+            return page.replace(".md", ".ipynb") if page == "tutorials/gempy-arrays.md" else page
+
+        written = [source(page) for page in pages if not page.startswith("reference/")]
+        self.assertEqual([page for page in written if not os.path.exists(os.path.join(SOURCE, "docs", page))], [])
 
     def test_the_first_mesh_passes_the_check_and_has_its_picture(self):
         if not shutil.which("xvfb-run") and not os.environ.get("DISPLAY"):

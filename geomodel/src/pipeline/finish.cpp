@@ -204,6 +204,10 @@ void make_output_folder(const OutputPlan& plan) {
   if (!plan.stem.parent_path().empty()) std::filesystem::create_directories(plan.stem.parent_path());
 }
 
+/// What of the stage `verify` is done once the mesh has been named and verified, and once its shapes have been
+/// measured.
+constexpr double verified_share = 0.65, measured_share = 0.9;
+
 JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder) {
   JobResult result;
   Report report = begin_report(model);
@@ -218,10 +222,17 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   ModelMesh mesh;
   {
     StageScope stage(recorder.context(), "verify");
+    const std::size_t n = core.tetrahedra.size();
+    const auto tell_share = [&](double share) {
+      recorder.context().report(static_cast<std::size_t>(share * static_cast<double>(n)), n);
+    };
+    tell_share(0);
     mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
     set_volumes_of_input(mesh, core, volumes_of_input);
     if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
+    tell_share(verified_share);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
+    tell_share(measured_share);
     report.solver = judge_solvers(core, mesh, size, recorder.context().threads);
     if (model.options.recover.mode == MeshMode::conforming)
       report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
@@ -233,7 +244,10 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   {
     StageScope stage(recorder.context(), "write");
     make_output_folder(plan);
+    std::size_t n_formats_done = 0;
     for (const std::string& format : plan.formats) {
+      recorder.context().report(mesh.tetrahedra.size() * n_formats_done++,
+                                mesh.tetrahedra.size() * plan.formats.size());
       if (format == "html") continue;  // the report as a page: written with the report
       for (auto& file : write_format(mesh, format, plan.stem, plan.options)) result.files.push_back(std::move(file));
     }
