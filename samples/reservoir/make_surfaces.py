@@ -48,8 +48,8 @@ FAULTS
 column: [overburden, top_reservoir, upper, top_middle, middle, top_lower, lower, base_reservoir, underburden]
 wells:
 WELLS
-rules: {min_thickness: 2}
-mesh: {size: {global: OUTER, units: {upper: SIZE, middle: SIZE, lower: SIZE}, input_edges: false, gap_layers: none}, honour: tolerance, tolerance: 2, quality: fast}
+rules: {min_thickness: THICKNESS}
+mesh: {size: {global: OUTER, units: {upper: SIZE, middle: SIZE, lower: SIZE}, input_edges: false, gap_layers: none}, honour: tolerance, tolerance: THICKNESS, quality: fast}
 output: {directory: out, formats: [vtu]}
 """
 
@@ -118,8 +118,9 @@ def fault_surface(fault, n_along, n_down):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--columns", type=int, default=36)
-    parser.add_argument("--size", type=float, default=1000)
+    parser.add_argument("--size", type=float, default=400)
     parser.add_argument("--outer", type=float, default=2000)
+    parser.add_argument("--thickness", type=float, default=4, help="least thickness of a unit, and tolerance, in m")
     parser.add_argument("--output", default=HERE)
     arguments = parser.parse_args()
     folder = os.path.join(arguments.output, "surfaces")
@@ -139,6 +140,7 @@ def main():
     centre = "%.3f, %.3f" % to_map(WIDTH / 2, LENGTH / 2)
     text = PROJECT.replace("CENTRE", centre).replace("FAULTS", faults).replace("WELLS", wells)
     text = text.replace("OUTER", "%g" % arguments.outer).replace("SIZE", "%g" % arguments.size)
+    text = text.replace("THICKNESS", "%g" % arguments.thickness)
     with open(os.path.join(arguments.output, "project.yaml"), "w", newline="\n") as file:
         file.write(text)
 

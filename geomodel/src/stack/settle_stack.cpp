@@ -6,21 +6,25 @@
 
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
+#include "stack/closing_rows.hpp"
 #include "stack/map/map_frame.hpp"
 #include "stack/settled_report.hpp"
 #include "stack/sheet_approximation.hpp"
 #include "stack/single_valued.hpp"
+#include "stack/thickness_sizes.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 constexpr double lattice_of_size = 2;
-constexpr double area_of_size = 0.43;     // of a triangle with sides of the size, over its square
-constexpr double many_triangles = 4;      // times those that the size asks for
-constexpr double few_samples = 0.01;      // share of those in the wrong order that nothing is settled for
-constexpr double gap_of_thickness = 0.5;  // least thickness of a unit at points that do not share a surface
-constexpr double room_of_thickness = 2;   // at pinch-out lines
-constexpr double margin_of_size = 0.25;   // about an outline that is no box along the axes
+constexpr double area_of_size = 0.43;            // of a triangle with sides of the size, over its square
+constexpr double many_triangles = 4;             // times those that the size asks for
+constexpr double few_samples = 0.01;             // share of those in the wrong order that nothing is settled for
+constexpr double thickness_of_size = 1.0 / 150;  // least thickness where none is given, or half of the tolerance
+constexpr double room_of_thickness = 2;          // at pinch-out lines
+constexpr double row_of_thickness = 12;          // over which a unit closes: at 5 degrees
+constexpr double edge_of_thickness = 24;         // edges in a unit are at most so long
+constexpr double margin_of_size = 0.25;          // about an outline that is no box along the axes
 
 /// The stack's horizons, youngest first.
 struct Stack {
@@ -157,8 +161,8 @@ class Group {
                                " has more than one height over a place of the map");
         return false;
       }
-    const double thickness = rules_.min_thickness > 0 ? rules_.min_thickness : stack_share * rules_.stack.tolerance;
-    const SheetOptions options{stack_.keepers, stack_share * rules_.stack.tolerance, gap_of_thickness * thickness,
+    const double thickness = least_thickness();
+    const SheetOptions options{stack_.keepers, stack_share * rules_.stack.tolerance, thickness,
                                room_of_thickness * thickness};
     const std::vector<ThinArea> areas = find_thin_areas(samples, layout_.bounds, stack_.keepers, {size, thickness});
     const bool is_thin = std::any_of(areas.begin(), areas.end(), [](const ThinArea& a) { return a.any(); });
@@ -166,9 +170,11 @@ class Group {
     if (!is_wanted && !has_many_triangles(horizons_, layout_.bounds, size)) return false;
     for (const ThinArea& area : areas)
       layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
-    const MapSheets sheets = approximate_sheets(samples, layout_, areas, options);
+    MapSheets sheets = approximate_sheets(samples, layout_, areas, options);
+    close_units(sheets, options, row_of_thickness * thickness);
     told_ = describe_settled(sheets, samples, areas, layout_.bounds, options);
     told_.min_thickness = thickness;
+    ask_for_sizes(sheets, thickness);
     replace_horizons(sheets, samples);
     return true;
   }
@@ -189,6 +195,19 @@ class Group {
       if (static_cast<double>(n) > few_samples * static_cast<double>(samples.size())) return true;
     }
     return false;
+  }
+
+  double least_thickness() const {
+    if (rules_.min_thickness > 0) return rules_.min_thickness;
+    return std::max(stack_share * rules_.stack.tolerance, thickness_of_size * rules_.stack.size);
+  }
+
+  void ask_for_sizes(const MapSheets& sheets, double thickness) {
+    told_.sizes = sizes_of_thickness(sheets, layout_.bounds, {rules_.stack.size, thickness, edge_of_thickness});
+    for (SizeSource& source : told_.sizes) {
+      const Vec2 place = frame_.to_model(Vec2{source.point.x, source.point.y});
+      source.point = {place.x, place.y, source.point.z};
+    }
   }
 
   void replace_horizons(const MapSheets& sheets, const MapSamples& samples) {

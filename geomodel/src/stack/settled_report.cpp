@@ -6,7 +6,7 @@
 
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
-#include "rules/planar/map_locator.hpp"
+#include "stack/sheet_locator.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -20,37 +20,6 @@ double area_of(const MapSheets& sheets, const Triangle& t) {
 
 bool is_there(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
   return std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return std::isnan(sheets.height(v, horizon)); });
-}
-
-/// Finds the sheets' triangle over a place.
-class SheetLocator {
- public:
-  explicit SheetLocator(const MapSheets& sheets) : surface_(flat(sheets)), locator_(surface_) {}
-  Index find(const Vec2& p) const { return locator_.find(p).triangle; }
-
- private:
-  static TriangulatedSurface flat(const MapSheets& sheets) {
-    TriangulatedSurface s;
-    for (const Vec2& p : sheets.points) s.points.push_back({p.x, p.y, 0});
-    s.triangles = sheets.triangles;
-    return s;
-  }
-  TriangulatedSurface surface_;
-  MapLocator locator_;
-};
-
-std::array<double, 3> weights(const MapSheets& sheets, Index triangle, const Vec2& p) {
-  const Triangle& t = sheets.triangles[triangle];
-  const Vec2 &a = sheets.points[t[0]], &b = sheets.points[t[1]], &c = sheets.points[t[2]];
-  const double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - a.x, wy = c.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const double det = ux * wy - uy * wx, wb = (px * wy - py * wx) / det, wc = (ux * py - uy * px) / det;
-  return {1 - wb - wc, wb, wc};
-}
-
-double height_at(const MapSheets& sheets, Index triangle, const std::array<double, 3>& w, std::size_t horizon) {
-  const Triangle& t = sheets.triangles[triangle];
-  return w[0] * sheets.height(t[0], horizon) + w[1] * sheets.height(t[1], horizon) +
-         w[2] * sheets.height(t[2], horizon);
 }
 
 /// Areas and volumes from the triangles alone.
@@ -85,11 +54,10 @@ void measure_moves(const MapSheets& sheets, const MapSamples& samples, const She
   std::vector<double> sum(sheets.n_horizons, 0);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const Vec2 p = samples.place(s);
-    const Index t = locator.find(p);
-    if (t == no_index) continue;
-    const std::array<double, 3> w = weights(sheets, t, p);
+    const SheetLocator::Place at = locator.find(p);
+    if (at.triangle == no_index) continue;
     for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
-      const double given = samples.heights(s)[k], move = std::abs(height_at(sheets, t, w, k) - given);
+      const double given = samples.heights(s)[k], move = std::abs(locator.height(at, k) - given);
       if (std::isnan(move)) continue;
       SettledHorizon& told = stack.horizons[k];
       ++n[k];
@@ -124,13 +92,10 @@ void draw_maps(const MapSheets& sheets, const SheetLocator& locator, const MapBo
     for (std::size_t i = 0; i < maps.n_columns; ++i) {
       const Vec2 p{maps.origin.x + maps.step * static_cast<double>(i),
                    maps.origin.y + maps.step * static_cast<double>(j)};
-      const Index t = locator.find(p);
+      const SheetLocator::Place at = locator.find(p);
       for (std::size_t k = 0; k < maps.values.size(); ++k) {
         double thickness = std::nan("");
-        if (t != no_index) {
-          const std::array<double, 3> w = weights(sheets, t, p);
-          thickness = height_at(sheets, t, w, k) - height_at(sheets, t, w, k + 1);
-        }
+        if (at.triangle != no_index) thickness = locator.height(at, k) - locator.height(at, k + 1);
         maps.values[k].push_back(thickness);
       }
     }
@@ -172,6 +137,12 @@ std::vector<std::string> notes_of(const SettledStack& stack) {
       notes.push_back("unit " + u.name + " is thinner than " + to_text(stack.min_thickness) +
                       " m, and left out, over an area of " + to_text(u.area_merged) + "; it is there over an area of " +
                       to_text(u.area) + ", " + to_text(u.mean_thickness) + " m thick in the mean");
+  if (!stack.sizes.empty()) {
+    const auto shorter = [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; };
+    notes.push_back("thin units of the stack ask for edges down to " +
+                    to_text(std::min_element(stack.sizes.begin(), stack.sizes.end(), shorter)->size) +
+                    " m (rules.min_thickness sets how thin a unit can be)");
+  }
   return notes;
 }
 

@@ -121,7 +121,7 @@ class Approximation {
       const std::span<const double> given = samples_.heights(s);
       const std::span<double> target(targets_.data() + s * n_, n_);
       std::copy(given.begin(), given.end(), target.begin());
-      settle_column(target, merged(cell), options_.keepers, 0);
+      settle_column(target, merged(cell), options_.keepers, options_.gap);
     }
   }
 
@@ -273,7 +273,7 @@ class Approximation {
       const double most = allowed(giving_way(cell), k) * (1 + 1e-9);
       if (!(std::abs(z - (p.z + t * (q.z - p.z))) > most)) return;
       samples_.heights_at(x, exact_);
-      settle_column(exact_, merged(cell), options_.keepers, 0);
+      settle_column(exact_, merged(cell), options_.keepers, options_.gap);
       if (std::abs(z - exact_[k]) > most) off.push_back(x);
     });
   }

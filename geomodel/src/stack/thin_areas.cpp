@@ -10,7 +10,7 @@ namespace {
 constexpr double cells_a_size = 4;
 constexpr double most_cells = 1e6;
 constexpr int smoothing_passes = 4;
-constexpr double least_squares = 10;      // area of an island, in squares of the size
+constexpr double least_squares = 2;       // area of an island, in squares of the size
 constexpr double surely_thin = 0.75;      // of the least thickness
 constexpr double surely_thick = 1.5;      // of the least thickness
 constexpr double kept_however_small = 3;  // of the least thickness

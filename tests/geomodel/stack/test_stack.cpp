@@ -219,6 +219,48 @@ TEST_CASE("settling a stack makes no edges much shorter than the data's points a
   CHECK(shortest > 15);  // points are 100 m apart
 }
 
+TEST_CASE("a unit that thins out at a fraction of a degree ends steeply in a settled stack, and is nowhere thinner",
+          "[stack]") {
+  const auto flat = [](double x, double y) { return upper(x, y) - std::max(0.0, 0.008 * (6000 - x)); };
+  const BuiltSurfaces built = build_surfaces(
+      {grid("top", 111, upper, 1, 1), grid("mid", 111, flat, 1, 2), grid("base", 111, lower, 1, 3)}, stack_rules());
+  REQUIRE(built.stack.settled);
+  const TriangulatedSurface &top = built.surfaces[0], &mid = built.surfaces[1];
+  const double least = built.stack.min_thickness;
+  std::size_t n_closing = 0;
+  for (const Triangle& t : top.triangles) {
+    std::array<double, 3> thick{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      thick[i] = top.points[t[i]].z - mid.points[t[i]].z;
+      REQUIRE((thick[i] == 0 || thick[i] >= least * (1 - 1e-9)));
+    }
+    const auto [thinnest, thickest] = std::minmax_element(thick.begin(), thick.end());
+    if (*thinnest != 0 || *thickest == 0) continue;
+    ++n_closing;
+    const auto in_map = [&](std::size_t i) {
+      return Vec2{top.points[t[i]].x - top.points[t[0]].x, top.points[t[i]].y - top.points[t[0]].y};
+    };
+    const Vec2 u = in_map(1), w = in_map(2);
+    const double du = thick[1] - thick[0], dw = thick[2] - thick[0], det = u.x * w.y - u.y * w.x;
+    REQUIRE(std::hypot(du * w.y - dw * u.y, dw * u.x - du * w.x) / det > 1.0 / 13);  // the grids open by 0.008
+  }
+  CHECK(n_closing > 20);
+}
+
+TEST_CASE("thin units of a settled stack ask for edges that are not long against their thickness", "[stack]") {
+  const auto flat = [](double x, double y) { return upper(x, y) - std::max(0.0, 0.008 * (6000 - x)); };
+  const BuiltSurfaces built = build_surfaces(
+      {grid("top", 111, upper, 1, 1), grid("mid", 111, flat, 1, 2), grid("base", 111, lower, 1, 3)}, stack_rules());
+  REQUIRE(built.stack.settled);
+  REQUIRE(!built.stack.sizes.empty());
+  for (const SizeSource& s : built.stack.sizes) {
+    REQUIRE(s.size >= 24 * built.stack.min_thickness * (1 - 1e-9));
+    REQUIRE(s.size < stack_rules().stack.size);
+    REQUIRE(s.point.x < 6000);  // nothing beyond the pinch-out line, and nothing where 24 times the thickness is more
+    REQUIRE(s.point.x > 2500);
+  }
+}
+
 TEST_CASE("the volume between settled horizons is that of the data", "[stack]") {
   const BuiltSurfaces built = build_surfaces(noisy_stack(4), stack_rules());
   REQUIRE(built.stack.settled);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/core/size_field.hpp"
 
 namespace geomesh::geomodel {
 
@@ -24,6 +25,10 @@ struct StackRules {
 
 /// Part of the tolerance that settling and thinning out may use; what remeshes the surfaces keeps within the rest.
 inline constexpr double stack_share = 0.5;
+
+/// Share of the size asked at a place by which surfaces of a settled stack may be off there at most: where a thin unit
+/// asks for the size, about a quarter of its thickness.
+inline constexpr double stack_tolerance_of_size = 0.02;
 
 /// One horizon of the stack. Areas in the map, m2; lengths along the vertical, m.
 struct SettledHorizon {
@@ -62,6 +67,7 @@ struct SettledStack {
   std::vector<SettledHorizon> horizons;  ///< youngest first
   std::vector<SettledUnit> units;
   ThicknessMaps maps;
+  std::vector<SizeSource> sizes;  ///< that thin units ask for
 };
 
 }  // namespace geomesh::geomodel

@@ -124,6 +124,15 @@ void name_by_unit_and_block(PreparedModel& model) {
   model.naming.merge_small = true;
 }
 
+/// Surfaces of thin units are held more closely, and get the sizes that the thickness asks for.
+void ask_of_thin_units(PreparedModel& model) {
+  if (model.stack.sizes.empty()) return;
+  RefinementSettings& r = model.refinement;
+  r.tolerance_share = std::min(r.tolerance_share > 0 ? r.tolerance_share : 1, stack_tolerance_of_size);
+  std::vector<SizeSource>& sources = r.size.base.sources;
+  sources.insert(sources.end(), model.stack.sizes.begin(), model.stack.sizes.end());
+}
+
 }  // namespace
 
 void build(PreparedModel& model, const RunContext& context) {
@@ -136,6 +145,7 @@ void build(PreparedModel& model, const RunContext& context) {
     for (std::string& text : notes_of(model.stack)) note(model.notes, context, std::move(text));
     model.refinement.tolerance *= 1 - stack_share;  // settling may have used the rest
     model.refinement.tolerance_share *= 1 - stack_share;
+    ask_of_thin_units(model);
     name_by_unit_and_block(model);
   }
   for (std::string& text : built.notes) note(model.notes, context, std::move(text));

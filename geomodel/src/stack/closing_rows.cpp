@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stack/closing_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr double most_of_edge = 0.5;  // an edge is cut no further from the pinch-out line than here
+
+using Edge = std::pair<VertexIndex, VertexIndex>;  // the lesser first
+
+Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// The row of triangles along the pinch-out lines of one pair of neighbours.
+class ClosingRow {
+ public:
+  ClosingRow(MapSheets& sheets, const SheetOptions& options, double width, std::size_t pair)
+      : sheets_(sheets), options_(options), width_(width), bit_(MergedPairs{1} << pair) {}
+
+  void cut() {
+    mark_lines();
+    join_pairs_of_edges();
+    const std::size_t n = sheets_.triangles.size();
+    for (std::size_t f = 0; f < n; ++f)
+      if (!(sheets_.merged[f] & bit_)) cut(f);
+  }
+
+ private:
+  void mark_lines() {
+    on_line_.assign(sheets_.points.size(), false);
+    for (std::size_t f = 0; f < sheets_.triangles.size(); ++f)
+      if (sheets_.merged[f] & bit_)
+        for (const VertexIndex v : sheets_.triangles[f]) on_line_[v] = true;
+  }
+
+  bool is_cut(VertexIndex a, VertexIndex b) const { return on_line_[a] != on_line_[b]; }
+
+  /// Pairs that are merged beside an edge are so at its cut.
+  void join_pairs_of_edges() {
+    for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
+      const Triangle& t = sheets_.triangles[f];
+      for (std::size_t i = 0; i < 3; ++i)
+        if (is_cut(t[i], t[(i + 1) % 3])) merged_beside_[edge_of(t[i], t[(i + 1) % 3])] |= sheets_.merged[f];
+    }
+  }
+
+  VertexIndex cut_of(VertexIndex a, VertexIndex b) {
+    const Edge edge = edge_of(a, b);
+    if (const auto at = cuts_.find(edge); at != cuts_.end()) return at->second;
+    const VertexIndex from = on_line_[a] ? a : b, to = on_line_[a] ? b : a;
+    const Vec2 p = sheets_.points[from], q = sheets_.points[to];
+    const double t = std::min(most_of_edge, width_ / std::hypot(q.x - p.x, q.y - p.y));
+    const auto v = static_cast<VertexIndex>(sheets_.points.size());
+    sheets_.points.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+    for (std::size_t k = 0; k < sheets_.n_horizons; ++k)
+      sheets_.heights.push_back((1 - t) * sheets_.height(from, k) + t * sheets_.height(to, k));
+    const std::span<double> heights(sheets_.heights.data() + v * sheets_.n_horizons, sheets_.n_horizons);
+    settle_column(heights, merged_beside_.at(edge), options_.keepers, options_.gap);
+    cuts_.emplace(edge, v);
+    return v;
+  }
+
+  /// A triangle with one or two vertices on the line is cut across two sides, which meet in its lone vertex.
+  void cut(std::size_t f) {
+    const Triangle t = sheets_.triangles[f];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexIndex lone = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+      if (!is_cut(lone, b) || !is_cut(lone, c)) continue;
+      const VertexIndex to_b = cut_of(lone, b), to_c = cut_of(lone, c);
+      sheets_.triangles[f] = {lone, to_b, to_c};
+      if (distance(to_b, c) < distance(b, to_c)) {
+        add({to_b, b, c}, f);
+        add({to_b, c, to_c}, f);
+      } else {
+        add({to_b, b, to_c}, f);
+        add({b, c, to_c}, f);
+      }
+      return;
+    }
+  }
+
+  void add(const Triangle& t, std::size_t like) {
+    sheets_.triangles.push_back(t);
+    sheets_.merged.push_back(sheets_.merged[like]);
+  }
+
+  double distance(VertexIndex a, VertexIndex b) const {
+    return std::hypot(sheets_.points[a].x - sheets_.points[b].x, sheets_.points[a].y - sheets_.points[b].y);
+  }
+
+  MapSheets& sheets_;
+  const SheetOptions& options_;
+  double width_;
+  MergedPairs bit_;
+  std::vector<bool> on_line_;  // points before the cut; every edge that is cut has its ends among them
+  std::map<Edge, MergedPairs> merged_beside_;
+  std::map<Edge, VertexIndex> cuts_;
+};
+
+}  // namespace
+
+void close_units(MapSheets& sheets, const SheetOptions& options, double width) {
+  for (std::size_t pair = 0; pair + 1 < sheets.n_horizons; ++pair) ClosingRow(sheets, options, width, pair).cut();
+}
+
+}  // namespace geomesh::geomodel

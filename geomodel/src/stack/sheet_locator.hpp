@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Finds the triangle of settled sheets over a place of the map, and heights on it.
+#pragma once
+
+#include "rules/planar/map_locator.hpp"
+#include "stack/sheet_approximation.hpp"
+
+namespace geomesh::geomodel {
+
+class SheetLocator {
+ public:
+  /// The sheets outlive it.
+  explicit SheetLocator(const MapSheets& sheets);
+
+  struct Place {
+    Index triangle = no_index;  ///< no_index: beside the sheets
+    std::array<double, 3> weights{};
+  };
+  Place find(const Vec2& p) const;
+  /// NaN where the horizon is not there.
+  double height(const Place& at, std::size_t horizon) const;
+
+ private:
+  const MapSheets& sheets_;
+  TriangulatedSurface surface_;
+  MapLocator locator_;
+};
+
+}  // namespace geomesh::geomodel
