@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "recover/model/messages.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/steiner_removal/rounding.hpp"
 
 namespace geomesh {
@@ -18,9 +19,6 @@ using recover::StartTriangulation;
 
 namespace {
 
-/// No Steiner point that is rounded comes nearer to another of its segment.
-constexpr double least_spacing_ulps = 64;
-
 double ulp_of_largest(const std::vector<Vec3>& points) {
   double largest = 0;
   for (const Vec3& p : points)
@@ -31,7 +29,7 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
 /// Steiner points that are left become doubles. What no double does for goes off segments and facets first, where
 /// stars are larger. Throws Error{cannot_mesh} where that does not help.
 void round_steiner_points(Recovery& recovery) {
-  constexpr unsigned max_rounds = 3;
+  constexpr unsigned max_rounds = recover::recovery_budget.rounding_runs;
   for (unsigned round = 0; round < max_rounds; ++round) {
     const std::vector<VertexIndex> left = recover::round_exact_points(recovery);
     if (left.empty()) return;
@@ -55,7 +53,7 @@ RecoveryRun::RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& na
       options_(options),
       context_(context),
       conform_(conform),
-      least_spacing_(least_spacing_ulps * ulp_of_largest(plc.points)) {}
+      least_spacing_(recover::recovery_budget.least_spacing_ulps * ulp_of_largest(plc.points)) {}
 
 void RecoveryRun::triangulate() { first_start_ = start(attempt_of(0, hard_parts_)); }
 

@@ -6,6 +6,7 @@
 
 #include "common/sort_unique.hpp"
 #include "recover/model/messages.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -28,7 +29,7 @@ std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing
 
 std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const CrossingsOnLine& on, std::size_t i,
                                            const Vec3& x) {
-  constexpr double near = 1e-7;  // of the subsegment
+  constexpr double near = recovery_budget.near_crossing;
   std::vector<CellIndex> out;
   EdgeRing ring;
   for (std::size_t k = 0; k < on.line.crossings.size(); ++k) {

@@ -13,6 +13,7 @@
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/edge_removal.hpp"
 #include "recover/operations/star_insertion.hpp"
@@ -84,7 +85,7 @@ class FacetRecovery {
   }
 
   void by_points() {
-    for (unsigned depth = 2; !by_flips(depth); depth = 1) {
+    for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
       if (trace.status == FacetTrace::Status::unclear || !split_one(trace))
         fail_facet_not_recovered(recovery_, subfacet_);
@@ -271,11 +272,11 @@ void recover_facets(Recovery& recovery) {
   }
   recovery.statistics.missing_facets_initial = std::max(recovery.statistics.missing_facets_initial, missing.size());
   recovery.statistics.facets_reinserted += missing.size();
-  for (unsigned depth : {0u, 1u, 2u, 3u}) {
+  for (unsigned depth = 0; depth <= recovery_budget.facet_depth; ++depth) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index f) {
       return FacetRecovery(recovery, f).by_flips(depth) ||
-             (depth > 0 && FacetRecovery(recovery, f).by_cavity(200 * depth));
+             (depth > 0 && FacetRecovery(recovery, f).by_cavity(recovery_budget.filling_nodes * depth));
     });
   }
   for (Index f : missing) recovery.hard_facets.push_back(constraints.subfacets[f].facet);

@@ -10,6 +10,7 @@
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/star_insertion.hpp"
 
@@ -49,9 +50,6 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   return false;
 }
 
-/// Parts of a subsegment next to its ends are left alone, so that points do not crowd.
-constexpr double least_part = 1e-6;
-
 /// A point on the missing subsegment where the line crosses the mesh, as far from other vertices as can be.
 VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
@@ -72,7 +70,7 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const double t = on.parameters[i];
     places.push_back(on_segment(pa, pb, t));
-    if (t > least_part && t < 1 - least_part && !is_crowded(places[i]))
+    if (t > recovery_budget.least_part && t < 1 - recovery_budget.least_part && !is_crowded(places[i]))
       order.emplace_back(-clearance(mesh, crossings[i], places[i], pa, pb), i);
   }
   std::sort(order.begin(), order.end());
@@ -100,16 +98,16 @@ std::size_t n_crossings(ConstrainedMesh& mesh, const Subsegment& s) {
 
 /// More points than this on one subsegment only crowd: each removes a crossing, but flips that gave way to it may have
 /// made others.
-std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) { return 100 + 4 * n_crossings(mesh, s); }
+std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
+  return recovery_budget.points_on_subsegment + recovery_budget.points_on_crossing * n_crossings(mesh, s);
+}
 
 /// Deep flips may bring back what points have removed, so beyond a few halvings points alone step on, which ends. And
 /// lines that cross much they clear hardly ever, at ten times the cost.
 bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, unsigned halvings) {
-  constexpr std::size_t max_crossings = 20;
-  constexpr unsigned few = 6, many = 12;
-  if (halvings >= many) return false;
-  const unsigned deepest = n_crossings(recovery.mesh, s) > max_crossings ? 1 : 2;
-  return recover_segment_by_flips(recovery, s.a, s.b, halvings < few ? deepest : 0);
+  if (halvings >= recovery_budget.halvings_flipped) return false;
+  const unsigned deepest = n_crossings(recovery.mesh, s) > recovery_budget.crossings_flipped ? 1 : 2;
+  return recover_segment_by_flips(recovery, s.a, s.b, halvings < recovery_budget.halvings_deep ? deepest : 0);
 }
 
 /// Throws Error{cannot_mesh} where no point can be placed or `most_points` do not suffice.
@@ -165,7 +163,7 @@ void recover_segments(Recovery& recovery) {
     std::erase_if(missing, [&](Index s) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
       return recover_segment_by_flips(recovery, a, b, depth) ||
-             (depth > 0 && recover_segment_by_cavity(recovery, a, b, {200 * depth}));
+             (depth > 0 && recover_segment_by_cavity(recovery, a, b, {recovery_budget.filling_nodes * depth}));
     });
   }
   for (Index s : missing) {

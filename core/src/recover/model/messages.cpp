@@ -158,7 +158,8 @@ void fail_rounding(const Recovery& recovery, const std::vector<VertexIndex>& poi
 }
 
 void Recovery::count_added_point() {
-  const double expected = 300 + expected_points_per_vertex * static_cast<double>(input_vertex.size());
+  const double expected =
+      recovery_budget.doubtful_points + expected_points_per_vertex * static_cast<double>(input_vertex.size());
   if (++n_points_added == static_cast<std::size_t>(expected)) refuse_crossings();
 }
 

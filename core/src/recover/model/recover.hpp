@@ -13,6 +13,7 @@
 #include "plc/model_names.hpp"
 #include "recover/model/constrained_mesh.hpp"
 #include "recover/model/constraints.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -28,7 +29,8 @@ struct Recovery {
   const ModelNames& names;  ///< for the words of messages; their data name the items of `plc`
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
-  double expected_points_per_vertex = 0.25;  ///< more of them, and 300, cast doubt on the model
+  double expected_points_per_vertex =
+      recovery_budget.doubtful_points_per_vertex;  ///< more of them, and 300, cast doubt on the model
   std::vector<Index> hard_segments{},
       hard_facets{};  ///< model segments and facets that flips and cavities did not recover
   /// No point is added on a segment nearer to another of its points: 64 ulps of the largest coordinate. What would need
@@ -72,9 +74,14 @@ void remove_added_points(Recovery& recovery, BoundaryPoints boundary);
 /// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(const Recovery& recovery);
 
-/// Takes one added point off its segment or facet (boundary_points_inward.cpp), `by_regions` with cells about its star
-/// too. False: nothing has changed.
-bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions = false);
+/// What is filled again where an added point goes.
+enum class RefilledCells {
+  star,               ///< its own cells, and what a point moved inside does not see from there
+  region_about_star,  ///< cells about them too
+};
+
+/// Takes one added point off its segment or facet (boundary_points_inward.cpp). False: nothing has changed.
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
 /// Counts declared subfacets that are not in the mesh.
 std::size_t count_missing_subfacets(Recovery& recovery);
