@@ -56,12 +56,15 @@ double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, 
   return out;
 }
 
-void refuse_crossed_segments(const Recovery& recovery, Index s, const LineCrossings& line) {
+bool ends_at_crossed_segment(Recovery& recovery, Index s, const LineCrossings& line) {
   for (const Crossing& c : line.crossings) {
     if (c.kind != CrossingKind::edge) continue;
     const Index other = recovery.constraints.subsegment_of(c.v[0], c.v[1]);
-    if (other != no_index) fail_segments_cross(recovery, s, other);
+    if (other == no_index) continue;
+    recovery.end(error_of_segments_cross(recovery, s, other));
+    return true;
   }
+  return false;
 }
 
 }  // namespace geomesh::recover

@@ -30,7 +30,7 @@ class SegmentStep {
         a_(recovery.constraints.subsegments[subsegment].a),
         b_(recovery.constraints.subsegments[subsegment].b) {
     walk_line(mesh_, a_, b_, on_.line);
-    refuse_crossed_segments(recovery, subsegment, on_.line);
+    if (ends_at_crossed_segment(recovery, subsegment, on_.line)) return;
     const Vec3 along = mesh_.offset(a_, b_);
     on_.length = std::sqrt(dot(along, along));
     for (const Crossing& c : on_.line.crossings)
@@ -39,6 +39,7 @@ class SegmentStep {
 
   VertexIndex run() {
     VertexIndex x = no_vertex;
+    if (recovery_.has_ended()) return x;
     const Vec3 &pa = mesh_.point(a_), &pb = mesh_.point(b_);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < on_.line.crossings.size(); ++i)

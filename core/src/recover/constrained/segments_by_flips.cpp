@@ -43,10 +43,16 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
     const Crossing crossing = first_crossing(recovery.mesh, a, b);
     if (crossing.kind == CrossingKind::edge_present) return true;
     const Index s = recovery.constraints.subsegment_of(a, b);
-    if (crossing.kind == CrossingKind::vertex) fail_vertex_on_segment(recovery, crossing.v[0], s);
+    if (crossing.kind == CrossingKind::vertex) {
+      recovery.end(error_of_vertex_on_segment(recovery, crossing.v[0], s));
+      return false;
+    }
     if (crossing.kind == CrossingKind::edge) {
       const Index other = recovery.constraints.subsegment_of(crossing.v[0], crossing.v[1]);
-      if (other != no_index) fail_segments_cross(recovery, s, other);
+      if (other != no_index) {
+        recovery.end(error_of_segments_cross(recovery, s, other));
+        return false;
+      }
     }
     if (remove_crossed(recovery, remover, crossing, depth)) {
       failures = 0;
@@ -119,7 +125,8 @@ class CrossingReduction {
 }  // namespace
 
 bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
-  return recover_from_ends(recovery, a, b, depth) || (depth > 1 && CrossingReduction(recovery, a, b, depth).run());
+  return recover_from_ends(recovery, a, b, depth) ||
+         (depth > 1 && !recovery.has_ended() && CrossingReduction(recovery, a, b, depth).run());
 }
 
 }  // namespace geomesh::recover

@@ -59,7 +59,7 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   const std::vector<Crossing>& crossings = on.line.crossings;
   walk_line(mesh, a, b, on.line);
   on.length = std::sqrt(dot(pb - pa, pb - pa));
-  refuse_crossed_segments(recovery, s, on.line);
+  if (ends_at_crossed_segment(recovery, s, on.line)) return no_vertex;
   const auto is_crowded = [&](const Vec3& p) {
     const double least = recovery.least_spacing * recovery.least_spacing;
     return dot(p - pa, p - pa) < least || dot(p - pb, p - pb) < least;
@@ -110,7 +110,7 @@ bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, unsigned h
   return recover_segment_by_flips(recovery, s.a, s.b, halvings < recovery_budget.halvings_deep ? deepest : 0);
 }
 
-/// Throws Error{cannot_mesh} where no point can be placed or `most_points` do not suffice.
+/// The attempt ends where no point can be placed or `most_points` do not suffice.
 void recover_by_points(Recovery& recovery, Missing first) {
   ConstrainedMesh& mesh = recovery.mesh;
   Constraints& constraints = recovery.constraints;
@@ -123,10 +123,14 @@ void recover_by_points(Recovery& recovery, Missing first) {
     if (!constraints.subsegments[item.subsegment].live) continue;
     const Subsegment s = constraints.subsegments[item.subsegment];
     if (mesh.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery, s, item.halvings)) continue;
+    if (recovery.has_ended()) return;
     const VertexIndex x = recovery.has_exact_points ? step_along_segment(recovery, item.subsegment)
                                                     : insert_on_segment(recovery, item.subsegment);
-    if (x == no_vertex || points_left-- == 0) fail_segment_not_recovered(recovery, item.subsegment);
-    recovery.count_added_point();
+    if (x == no_vertex || points_left-- == 0)
+      recovery.end(error_of_segment_not_recovered(recovery, item.subsegment));
+    else
+      recovery.count_added_point();
+    if (recovery.has_ended()) return;
     const bool inside_facet = s.segment == no_index;
     constraints.vertices.resize(mesh.points().size());
     constraints.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment,
@@ -162,10 +166,13 @@ void recover_segments(Recovery& recovery) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
-      return recover_segment_by_flips(recovery, a, b, depth) ||
-             (depth > 0 && recover_segment_by_cavity(recovery, a, b, {recovery_budget.filling_nodes * depth}));
+      return !recovery.has_ended() &&
+             (recover_segment_by_flips(recovery, a, b, depth) ||
+              (depth > 0 && !recovery.has_ended() &&
+               recover_segment_by_cavity(recovery, a, b, {recovery_budget.filling_nodes * depth})));
     });
   }
+  if (recovery.has_ended()) return;
   for (Index s : missing) {
     const Subsegment& hard = constraints.subsegments[s];
     if (hard.segment == no_index) {
@@ -177,6 +184,7 @@ void recover_segments(Recovery& recovery) {
   for (Index s : missing) {
     recovery.context.check_cancelled();
     recover_by_points(recovery, {s, 0});
+    if (recovery.has_ended()) return;
   }
   recovery.statistics.edges_reinserted += n_missing_before;
 }

@@ -95,7 +95,7 @@ std::vector<VertexIndex> segment_neighbors(Recovery& recovery, VertexIndex x) {
   return ends;
 }
 
-void require_untouched_boundary(const Recovery& recovery) {
+void require_untouched_boundary(Recovery& recovery) {
   for (VertexIndex x = first_added(recovery); x < recovery.mesh.points().size(); ++x) {
     if (!is_on_boundary(recovery, x)) continue;
     const VertexRecord& r = recovery.constraints.vertices[x];
@@ -107,11 +107,11 @@ void require_untouched_boundary(const Recovery& recovery) {
     if (on_segment && recovery.constraints.segments[r.owner].row != no_index)
       context.segments = {recovery.constraints.segments[r.owner].row};
     const ModelSegment segment = on_segment ? recovery.constraints.segments[r.owner] : ModelSegment{};
-    throw Error(ErrorKind::cannot_mesh,
-                (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b)
-                            : "facet " + std::to_string(recovery.names.facet[r.owner])) +
-                    " cannot be kept free of added points: mesh it without preserve_boundary",
-                std::move(context));
+    return recovery.end(Error(ErrorKind::cannot_mesh,
+                              (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b)
+                                          : "facet " + std::to_string(recovery.names.facet[r.owner])) +
+                                  " cannot be kept free of added points: mesh it without preserve_boundary",
+                              std::move(context)));
   }
 }
 
