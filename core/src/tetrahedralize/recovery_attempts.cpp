@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "recover/model/recovery_budget.hpp"
+
 namespace geomesh {
 
 const char* Attempt::difference() const {
@@ -19,16 +21,9 @@ Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
   return out;
 }
 
-namespace {
-
-/// Models an ulp thick took up to 5 on what was tried; more would only put off a refusal.
-constexpr unsigned attempts_at_most = 12;
-
-}  // namespace
-
 unsigned most_attempts(const RecoverOptions& options) {
   if (options.mode == MeshMode::conforming) return 1;  // constrained mode follows
-  return std::min(options.max_attempts, attempts_at_most);
+  return std::min(options.max_attempts, recover::recovery_budget.attempts);
 }
 
 }  // namespace geomesh

@@ -2,10 +2,13 @@
 #include "tetrahedralize/recovery_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "recover/model/messages.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/steiner_removal/rounding.hpp"
 
 namespace geomesh {
@@ -18,9 +21,6 @@ using recover::StartTriangulation;
 
 namespace {
 
-/// No Steiner point that is rounded comes nearer to another of its segment.
-constexpr double least_spacing_ulps = 64;
-
 double ulp_of_largest(const std::vector<Vec3>& points) {
   double largest = 0;
   for (const Vec3& p : points)
@@ -29,13 +29,13 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
 }
 
 /// Steiner points that are left become doubles. What no double does for goes off segments and facets first, where
-/// stars are larger. Throws Error{cannot_mesh} where that does not help.
+/// stars are larger. The attempt ends where that does not help.
 void round_steiner_points(Recovery& recovery) {
-  constexpr unsigned max_rounds = 3;
+  constexpr unsigned max_rounds = recover::recovery_budget.rounding_runs;
   for (unsigned round = 0; round < max_rounds; ++round) {
     const std::vector<VertexIndex> left = recover::round_exact_points(recovery);
     if (left.empty()) return;
-    if (round + 1 == max_rounds) recover::fail_rounding(recovery, left);
+    if (round + 1 == max_rounds) return recovery.end(recover::error_of_rounding(recovery, left));
     recover::remove_added_points(recovery, BoundaryPoints::must_go);
   }
 }
@@ -55,7 +55,7 @@ RecoveryRun::RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& na
       options_(options),
       context_(context),
       conform_(conform),
-      least_spacing_(least_spacing_ulps * ulp_of_largest(plc.points)) {}
+      least_spacing_(recover::recovery_budget.least_spacing_ulps * ulp_of_largest(plc.points)) {}
 
 void RecoveryRun::triangulate() { first_start_ = start(attempt_of(0, hard_parts_)); }
 
@@ -90,7 +90,8 @@ RecoveryOutcome RecoveryRun::recover() {
     recovery.attempt = number;
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
     recovery.least_spacing = least_spacing_;
-    std::optional<Error> dead_end = recover_in(attempt, recovery);
+    recover_stages(attempt, recovery);
+    std::optional<Error>& dead_end = recovery.dead_end;
     if (!dead_end) return {std::move(mesh), std::nullopt};
     context_.note(LogLevel::debug, "attempt " + std::to_string(number + 1) + " (" + attempt.difference() +
                                        ") ends: " + dead_end->what());
@@ -101,38 +102,40 @@ RecoveryOutcome RecoveryRun::recover() {
   }
 }
 
-/// The stages tell a dead end, and a model that is not valid, from deep inside; here these become results. All else
-/// (a cancelled run, a bug) goes on to the caller.
-std::optional<Error> RecoveryRun::recover_in(const Attempt& attempt, Recovery& recovery) {
-  try {
-    recover_stages(attempt, recovery);
-    return std::nullopt;
-  } catch (const Error& e) {
-    if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
-    return e;
-  }
-}
-
-/// Segments (3.1), facets (3.2), what is still missing (3.3), Steiner points taken out again.
+/// Segments (3.1), facets (3.2), what is still missing (3.3), Steiner points taken out again. Ends with the first stage
+/// that sets recovery.dead_end.
 void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   const RecoverOptions& options = options_.recover;
-  if (attempt.order == InsertionOrder::hard_parts_first) hard_parts_.run(recovery);
-  if (options.mode == MeshMode::conforming && !conform_(recovery, options, statistics_.facets_not_recovered))
-    throw Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add");
-  validate_stage(recovery);
-  recover::recover_segments(recovery);
-  validate_stage(recovery);
-  recover::recover_facets(recovery);
-  validate_stage(recovery);
   const BoundaryPoints boundary = options.preserve_boundary ? BoundaryPoints::must_go : BoundaryPoints::may_stay;
-  if (options.mode == MeshMode::constrained) recover::remove_added_points(recovery, boundary);
-  validate_stage(recovery);
-  if (recovery.has_exact_points) {
+  const auto begin = [&] {
+    if (attempt.order == InsertionOrder::hard_parts_first) hard_parts_.run(recovery);
+    if (options.mode == MeshMode::conforming && !conform_(recovery, options, statistics_.facets_not_recovered))
+      recovery.end(Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add"));
+  };
+  const auto remove_points = [&] {
+    if (options.mode == MeshMode::constrained) recover::remove_added_points(recovery, boundary);
+  };
+  const auto round_points = [&] {
+    if (!recovery.has_exact_points) return;
     round_steiner_points(recovery);
+    if (recovery.has_ended()) return;
     recover::remove_added_points(recovery, boundary);  // in places that rounding has moved
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
+  };
+  const auto check_boundary = [&] {
+    if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
+  };
+  const std::array<std::function<void()>, 6> stages{begin,
+                                                    [&] { recover::recover_segments(recovery); },
+                                                    [&] { recover::recover_facets(recovery); },
+                                                    remove_points,
+                                                    round_points,
+                                                    check_boundary};
+  for (const auto& stage : stages) {
+    stage();
+    if (recovery.has_ended()) return;
+    validate_stage(recovery);
   }
-  if (options.preserve_boundary) recover::require_untouched_boundary(recovery);
   recover::validate_recovered(recovery);
 }
 

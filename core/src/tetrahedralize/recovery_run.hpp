@@ -35,7 +35,6 @@ class RecoveryRun {
 
  private:
   recover::StartTriangulation start(const Attempt& attempt);
-  std::optional<Error> recover_in(const Attempt& attempt, recover::Recovery& recovery);
   void recover_stages(const Attempt& attempt, recover::Recovery& recovery);
   bool is_final(const Error& dead_end, const Attempt& attempt, const recover::Recovery& recovery) const;
 

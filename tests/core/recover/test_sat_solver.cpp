@@ -40,7 +40,10 @@ struct Formula {
   }
   SatSolver solver() const {
     SatSolver out;
-    for (unsigned v = 0; v < n_variables; ++v) out.new_variable(v % 3 == 0);
+    for (unsigned v = 0; v < n_variables; ++v) {
+      out.new_variable();
+      if (v % 3 == 0) out.prefer_yes(v);
+    }
     for (const auto& clause : clauses) out.add_clause(clause);
     for (std::size_t i = 0; i < choices.size(); ++i) out.add_choice(choices[i], flags[i]);
     return out;
@@ -54,7 +57,8 @@ Formula random_formula(std::mt19937& random) {
   for (unsigned c = 0; c < n_clauses; ++c) {
     std::vector<Literal> clause;
     for (unsigned k = 0, n = 1 + random() % 4; k < n; ++k)
-      clause.push_back(Literal(random() % out.n_variables, random() % 2 == 0));
+      clause.push_back(random() % 2 == 0 ? Literal::no(random() % out.n_variables)
+                                         : Literal::yes(random() % out.n_variables));
     if (clause.size() == 1 && random() % 4 != 0) continue;
     out.clauses.push_back(clause);
   }
@@ -74,7 +78,7 @@ Formula pigeons(unsigned n) {
   out.n_variables = n * (n + 1);
   for (unsigned pigeon = 0; pigeon <= n; ++pigeon) {
     out.clauses.emplace_back();
-    for (unsigned hole = 0; hole < n; ++hole) out.clauses.back().push_back(Literal(pigeon * n + hole, false));
+    for (unsigned hole = 0; hole < n; ++hole) out.clauses.back().push_back(Literal::yes(pigeon * n + hole));
   }
   for (unsigned hole = 0; hole < n; ++hole) {
     out.flags.push_back(SatSolver::no_variable);
@@ -119,7 +123,7 @@ TEST_CASE("an empty clause and contradicting units are unsatisfiable, no clause 
   CHECK(empty.solve(10) == Satisfiability::unsatisfiable);
   SatSolver units;
   units.new_variable();
-  const Literal yes(0, false), no(0, true);
+  const Literal yes = Literal::yes(0), no = Literal::no(0);
   units.add_clause({&yes, 1});
   units.add_clause({&no, 1});
   CHECK(units.solve(10) == Satisfiability::unsatisfiable);

@@ -61,7 +61,9 @@ class ConformingRecovery {
   /// Inserts, records what was lost. no_vertex where nothing could be inserted.
   VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
   bool is_edge_of_new_star(VertexIndex a, VertexIndex b) const;
-  bool is_within_budget() const { return n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_; }
+  bool is_within_budget() const {
+    return !recovery_.has_ended() && n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_;
+  }
   /// The budget of points in all begins anew.
   void renew_budget() { n_sharp_points_ = n_other_points_ = 0; }
   bool too_short(const Vec3& a, const Vec3& b) const;

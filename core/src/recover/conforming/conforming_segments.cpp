@@ -10,18 +10,15 @@
 #include "recover/conforming/conforming.hpp"
 #include "recover/model/crossing.hpp"
 #include "recover/model/presence.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
 namespace {
 
-/// Segments that meet at less than 60 degrees meet sharply.
-constexpr double sharp_cosine = 0.5;
-
 /// Whether the angle is smaller than that of this cosine, by more than rounding the directions may do.
 bool is_sharp(const Vec3& a, const Vec3& b, double cosine) {
-  constexpr double rounding = 1e-9;
-  return dot(a, b) > (cosine + rounding) * std::sqrt(dot(a, a) * dot(b, b));
+  return dot(a, b) > (cosine + recovery_budget.sharp_rounding) * std::sqrt(dot(a, a) * dot(b, b));
 }
 
 }  // namespace
@@ -31,10 +28,10 @@ ConformingRecovery::ConformingRecovery(Recovery& recovery, const RecoverOptions&
   double largest = 0;
   for (VertexIndex v = 0; v < mesh_.n_input(); ++v)
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(mesh_.point(v)[i]));
-  min_edge_ = std::ldexp(largest, -40);
-  max_sharp_points_ = 30 * mesh_.n_input() + 3000;
-  max_other_points_ = 30 * mesh_.n_input() + 100000;
-  recovery_.expected_points_per_vertex = 10;
+  min_edge_ = std::ldexp(largest, recovery_budget.least_edge);
+  max_sharp_points_ = recovery_budget.points_per_vertex * mesh_.n_input() + recovery_budget.sharp_points;
+  max_other_points_ = recovery_budget.points_per_vertex * mesh_.n_input() + recovery_budget.other_points;
+  recovery_.expected_points_per_vertex = recovery_budget.doubtful_points_per_vertex_conforming;
   mark_sharp_vertices();
   mark_sharp_facets();
   facet_queued_.assign(constraints_.subfacets.size(), 0);
@@ -74,7 +71,7 @@ void ConformingRecovery::mark_sharp_vertices() {
     for (std::size_t i = 0; i < joined[v].size() && !vertex_is_sharp_[v]; ++i)
       for (std::size_t j = 0; j < i && !vertex_is_sharp_[v]; ++j)
         vertex_is_sharp_[v] = is_sharp(mesh_.point(joined[v][i]) - mesh_.point(v),
-                                       mesh_.point(joined[v][j]) - mesh_.point(v), sharp_cosine);
+                                       mesh_.point(joined[v][j]) - mesh_.point(v), recovery_budget.sharp_cosine);
 }
 
 /// Those that meet another facet at less than 90 degrees, or have a sharp vertex.
@@ -195,7 +192,7 @@ double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexInd
   const ModelSegment& model = constraints_.segments[s.segment];
   const bool a_is_nearer_to_model_a = distance(mesh_.point(model.a), a) <= distance(mesh_.point(model.a), b);
   const double length = distance(a, b);
-  double place = -1, largest = sharp_cosine;
+  double place = -1, largest = recovery_budget.sharp_cosine;
   for (const VertexIndex end : {model.a, model.b}) {
     if (!is_on_segment_from(v, end)) continue;
     const Vec3& e = mesh_.point(end);

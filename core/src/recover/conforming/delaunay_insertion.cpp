@@ -65,12 +65,12 @@ void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, Dela
 
 std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start) {
   std::vector<CellIndex> cavity;
-  if (mark_conflicts(mesh, p, start, cavity)) mesh.mark_cavity(cavity, false);
+  if (mark_conflicts(mesh, p, start, cavity)) mesh.unmark_cavity(cavity);
   return cavity;
 }
 
 void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
-  mesh.mark_cavity(cavity, true);
+  mesh.mark_cavity(cavity);
   replace_marked(mesh, p, cavity, out);
 }
 

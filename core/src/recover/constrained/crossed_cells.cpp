@@ -6,6 +6,7 @@
 
 #include "common/sort_unique.hpp"
 #include "recover/model/messages.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -28,7 +29,7 @@ std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing
 
 std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const CrossingsOnLine& on, std::size_t i,
                                            const Vec3& x) {
-  constexpr double near = 1e-7;  // of the subsegment
+  constexpr double near = recovery_budget.near_crossing;
   std::vector<CellIndex> out;
   EdgeRing ring;
   for (std::size_t k = 0; k < on.line.crossings.size(); ++k) {
@@ -55,12 +56,15 @@ double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, 
   return out;
 }
 
-void refuse_crossed_segments(const Recovery& recovery, Index s, const LineCrossings& line) {
+bool ends_at_crossed_segment(Recovery& recovery, Index s, const LineCrossings& line) {
   for (const Crossing& c : line.crossings) {
     if (c.kind != CrossingKind::edge) continue;
     const Index other = recovery.constraints.subsegment_of(c.v[0], c.v[1]);
-    if (other != no_index) fail_segments_cross(recovery, s, other);
+    if (other == no_index) continue;
+    recovery.end(error_of_segments_cross(recovery, s, other));
+    return true;
   }
+  return false;
 }
 
 }  // namespace geomesh::recover

@@ -28,7 +28,7 @@ std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const Cr
 /// Square of the distance to the nearest of the segment's ends and of the vertices of the simplex crossed.
 double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, const Vec3& a, const Vec3& b);
 
-/// Throws Error{invalid_input} where another segment is crossed.
-void refuse_crossed_segments(const Recovery& recovery, Index subsegment, const LineCrossings& line);
+/// Ends the attempt where another segment is crossed. True: it has.
+bool ends_at_crossed_segment(Recovery& recovery, Index subsegment, const LineCrossings& line);
 
 }  // namespace geomesh::recover

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "recover/constrained/crossed_cells.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/exact_points.hpp"
 #include "recover/operations/star_insertion.hpp"
 
@@ -29,27 +30,29 @@ class SegmentStep {
         a_(recovery.constraints.subsegments[subsegment].a),
         b_(recovery.constraints.subsegments[subsegment].b) {
     walk_line(mesh_, a_, b_, on_.line);
-    refuse_crossed_segments(recovery, subsegment, on_.line);
+    if (ends_at_crossed_segment(recovery, subsegment, on_.line)) return;
     const Vec3 along = mesh_.offset(a_, b_);
     on_.length = std::sqrt(dot(along, along));
-    for (const Crossing& c : on_.line.crossings) on_.parameters.push_back(parameter_of(c, 0x1p-20).estimate());
+    for (const Crossing& c : on_.line.crossings)
+      on_.parameters.push_back(parameter_of(c, recovery_budget.parameter_error_of_order).estimate());
   }
 
   VertexIndex run() {
     VertexIndex x = no_vertex;
+    if (recovery_.has_ended()) return x;
     const Vec3 &pa = mesh_.point(a_), &pb = mesh_.point(b_);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < on_.line.crossings.size(); ++i)
       order.emplace_back(-clearance(mesh_, on_.line.crossings[i], rounded(on_.parameters[i]), pa, pb), i);
     std::sort(order.begin(), order.end());
     for (const auto& [negative_clearance, i] : order) {
-      const ExactPlace place = place_at(i, parameter_errors[0]);
+      const ExactPlace place = place_at(i, recovery_budget.parameter_errors[0]);
       if (try_place(recovery_, place, cells_near_crossing(mesh_, on_, i, place.nearest()), x) ||
           try_place(recovery_, place, crossed_cells(mesh_, on_.line.crossings[i]), x))
         return x;
     }
     for (std::size_t i = 0; i < on_.line.crossings.size(); ++i)
-      for (const double error : parameter_errors)
+      for (const double error : recovery_budget.parameter_errors)
         if (try_place(recovery_, place_at(i, error), crossed_cells(mesh_, on_.line.crossings[i]), x)) return x;
     return no_vertex;
   }
@@ -85,7 +88,7 @@ VertexIndex step_onto_plane(Recovery& recovery, const Triangle& plane, VertexInd
   const CellIndex cell = recovery.mesh.find_edge(below, above);
   if (cell == no_cell || !recovery.mesh.ring(cell, below, above, ring)) return no_vertex;
   VertexIndex x = no_vertex;
-  for (const double error : parameter_errors)
+  for (const double error : recovery_budget.parameter_errors)
     if (try_place(recovery, place_in_plane(recovery.mesh, plane, below, above, error), ring.cells, x)) return x;
   return no_vertex;
 }

@@ -13,6 +13,7 @@
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/edge_removal.hpp"
 #include "recover/operations/star_insertion.hpp"
@@ -84,10 +85,11 @@ class FacetRecovery {
   }
 
   void by_points() {
-    for (unsigned depth = 2; !by_flips(depth); depth = 1) {
+    for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
       if (trace.status == FacetTrace::Status::unclear || !split_one(trace))
-        fail_facet_not_recovered(recovery_, subfacet_);
+        recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
+      if (recovery_.has_ended()) return;
     }
   }
 
@@ -101,13 +103,13 @@ class FacetRecovery {
   FacetTrace checked_trace() {
     FacetTrace trace = trace_facet(mesh_, sides_, border_);
     if (trace.status == FacetTrace::Status::touched) {
-      if (holds(trace.culprit)) fail_vertex_on_facet(recovery_, trace.culprit, subfacet_);
+      if (holds(trace.culprit)) recovery_.end(error_of_vertex_on_facet(recovery_, trace.culprit, subfacet_));
       trace.status = FacetTrace::Status::unclear;
     }
     for (const PiercingEdge& e : trace.piercing) {
       const Index s = recovery_.constraints.subsegment_of(e.below, e.above);
       if (s == no_index) continue;
-      if (is_passed_by(e)) fail_segment_pierces_facet(recovery_, s, subfacet_);
+      if (is_passed_by(e)) recovery_.end(error_of_segment_pierces_facet(recovery_, s, subfacet_));
       trace.status = FacetTrace::Status::unclear;
     }
     return trace;
@@ -203,7 +205,8 @@ class FacetRecovery {
     if (!is_plain_) {
       // A face of another facet: rounding has folded two that meet at a very small angle onto each other.
       for (const Triangle& t : trace.faces)
-        if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index) fail_facet_not_recovered(recovery_, subfacet_);
+        if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index)
+          return recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
       for (std::size_t i = 0; i < trace.faces.size(); ++i)
         constraints.subfacets[constraints.add_subfacet(trace.faces[i], facet)].seen_in = trace.cells[i];
       constraints.remove_subfacet(subfacet_);
@@ -260,6 +263,7 @@ void recover_facets(Recovery& recovery) {
     if (!constraints.subfacets[f].live || !has_all_vertices(recovery, f)) continue;
     if (constraints.is_piece(f)) {
       if (!FacetRecovery(recovery, f).as_it_is()) missing.push_back(f);
+      if (recovery.has_ended()) return;
       continue;
     }
     const FaceRef face = face_of_subfacet(recovery.mesh, constraints, f);
@@ -271,17 +275,20 @@ void recover_facets(Recovery& recovery) {
   }
   recovery.statistics.missing_facets_initial = std::max(recovery.statistics.missing_facets_initial, missing.size());
   recovery.statistics.facets_reinserted += missing.size();
-  for (unsigned depth : {0u, 1u, 2u, 3u}) {
+  for (unsigned depth = 0; depth <= recovery_budget.facet_depth; ++depth) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index f) {
-      return FacetRecovery(recovery, f).by_flips(depth) ||
-             (depth > 0 && FacetRecovery(recovery, f).by_cavity(200 * depth));
+      return !recovery.has_ended() && (FacetRecovery(recovery, f).by_flips(depth) ||
+                                       (depth > 0 && !recovery.has_ended() &&
+                                        FacetRecovery(recovery, f).by_cavity(recovery_budget.filling_nodes * depth)));
     });
   }
+  if (recovery.has_ended()) return;
   for (Index f : missing) recovery.hard_facets.push_back(constraints.subfacets[f].facet);
   for (Index f : missing) {
     recovery.context.check_cancelled();
     FacetRecovery(recovery, f).by_points();
+    if (recovery.has_ended()) return;
   }
 }
 

@@ -5,20 +5,19 @@
 #include "recover/model/crossing.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/edge_removal.hpp"
 
 namespace geomesh::recover {
 
 namespace {
 
-/// Edges that one removal may try: most removals that succeed do so early.
-constexpr unsigned budget(unsigned depth) { return depth == 0 ? 1 : depth == 1 ? 40 : depth == 2 ? 160 : 600; }
-
 /// Removes the simplex crossed, or a neighbour that stands in the way of its removal.
 bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& crossing, unsigned depth) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (crossing.kind == CrossingKind::edge)
-    return remover.remove(crossing.v[0], crossing.v[1], depth, nullptr, budget(depth), crossing.cell);
+    return remover.remove(crossing.v[0], crossing.v[1], depth, nullptr, recovery_budget.edges_by_depth[depth],
+                          crossing.cell);
   if (remover.flip_face(crossing.face)) return true;
   const FaceRef beyond = mesh.cells().mirror(crossing.face);
   const VertexIndex a = mesh.cells().vertex(crossing.cell, crossing.face.face());
@@ -27,7 +26,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
   for (unsigned k = 0; k < 3; ++k) {
     const VertexIndex p = v[k], q = v[(k + 1) % 3];
     if (mesh.orient(p, q, d, a) == Sign::positive) continue;
-    if (remover.remove(p, q, depth, nullptr, budget(depth), crossing.cell)) return true;
+    if (remover.remove(p, q, depth, nullptr, recovery_budget.edges_by_depth[depth], crossing.cell)) return true;
   }
   return false;
 }
@@ -40,15 +39,20 @@ namespace {
 bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
   EdgeRemover remover(recovery.mesh, recovery.constraints);
   unsigned failures = 0;
-  const unsigned max_flips = 200;
-  for (unsigned step = 0; step < max_flips && failures < 2; ++step) {
+  for (unsigned step = 0; step < recovery_budget.flips_of_segment && failures < 2; ++step) {
     const Crossing crossing = first_crossing(recovery.mesh, a, b);
     if (crossing.kind == CrossingKind::edge_present) return true;
     const Index s = recovery.constraints.subsegment_of(a, b);
-    if (crossing.kind == CrossingKind::vertex) fail_vertex_on_segment(recovery, crossing.v[0], s);
+    if (crossing.kind == CrossingKind::vertex) {
+      recovery.end(error_of_vertex_on_segment(recovery, crossing.v[0], s));
+      return false;
+    }
     if (crossing.kind == CrossingKind::edge) {
       const Index other = recovery.constraints.subsegment_of(crossing.v[0], crossing.v[1]);
-      if (other != no_index) fail_segments_cross(recovery, s, other);
+      if (other != no_index) {
+        recovery.end(error_of_segments_cross(recovery, s, other));
+        return false;
+      }
     }
     if (remove_crossed(recovery, remover, crossing, depth)) {
       failures = 0;
@@ -74,7 +78,7 @@ class CrossingReduction {
 
   bool run() {
     const std::size_t mark = mesh_.mark();
-    unsigned sideways = 3;
+    unsigned sideways = recovery_budget.sideways_flips;
     while (walk_line(mesh_, a_, b_, line_)) {
       if (step(false)) continue;
       if (sideways == 0 || !step(true)) break;
@@ -121,7 +125,8 @@ class CrossingReduction {
 }  // namespace
 
 bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
-  return recover_from_ends(recovery, a, b, depth) || (depth > 1 && CrossingReduction(recovery, a, b, depth).run());
+  return recover_from_ends(recovery, a, b, depth) ||
+         (depth > 1 && !recovery.has_ended() && CrossingReduction(recovery, a, b, depth).run());
 }
 
 }  // namespace geomesh::recover

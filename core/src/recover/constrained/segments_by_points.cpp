@@ -10,6 +10,7 @@
 #include "recover/model/messages.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/star_insertion.hpp"
 
@@ -49,9 +50,6 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   return false;
 }
 
-/// Parts of a subsegment next to its ends are left alone, so that points do not crowd.
-constexpr double least_part = 1e-6;
-
 /// A point on the missing subsegment where the line crosses the mesh, as far from other vertices as can be.
 VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
@@ -61,7 +59,7 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   const std::vector<Crossing>& crossings = on.line.crossings;
   walk_line(mesh, a, b, on.line);
   on.length = std::sqrt(dot(pb - pa, pb - pa));
-  refuse_crossed_segments(recovery, s, on.line);
+  if (ends_at_crossed_segment(recovery, s, on.line)) return no_vertex;
   const auto is_crowded = [&](const Vec3& p) {
     const double least = recovery.least_spacing * recovery.least_spacing;
     return dot(p - pa, p - pa) < least || dot(p - pb, p - pb) < least;
@@ -72,7 +70,7 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const double t = on.parameters[i];
     places.push_back(on_segment(pa, pb, t));
-    if (t > least_part && t < 1 - least_part && !is_crowded(places[i]))
+    if (t > recovery_budget.least_part && t < 1 - recovery_budget.least_part && !is_crowded(places[i]))
       order.emplace_back(-clearance(mesh, crossings[i], places[i], pa, pb), i);
   }
   std::sort(order.begin(), order.end());
@@ -100,19 +98,19 @@ std::size_t n_crossings(ConstrainedMesh& mesh, const Subsegment& s) {
 
 /// More points than this on one subsegment only crowd: each removes a crossing, but flips that gave way to it may have
 /// made others.
-std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) { return 100 + 4 * n_crossings(mesh, s); }
+std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
+  return recovery_budget.points_on_subsegment + recovery_budget.points_on_crossing * n_crossings(mesh, s);
+}
 
 /// Deep flips may bring back what points have removed, so beyond a few halvings points alone step on, which ends. And
 /// lines that cross much they clear hardly ever, at ten times the cost.
 bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, unsigned halvings) {
-  constexpr std::size_t max_crossings = 20;
-  constexpr unsigned few = 6, many = 12;
-  if (halvings >= many) return false;
-  const unsigned deepest = n_crossings(recovery.mesh, s) > max_crossings ? 1 : 2;
-  return recover_segment_by_flips(recovery, s.a, s.b, halvings < few ? deepest : 0);
+  if (halvings >= recovery_budget.halvings_flipped) return false;
+  const unsigned deepest = n_crossings(recovery.mesh, s) > recovery_budget.crossings_flipped ? 1 : 2;
+  return recover_segment_by_flips(recovery, s.a, s.b, halvings < recovery_budget.halvings_deep ? deepest : 0);
 }
 
-/// Throws Error{cannot_mesh} where no point can be placed or `most_points` do not suffice.
+/// The attempt ends where no point can be placed or `most_points` do not suffice.
 void recover_by_points(Recovery& recovery, Missing first) {
   ConstrainedMesh& mesh = recovery.mesh;
   Constraints& constraints = recovery.constraints;
@@ -125,10 +123,14 @@ void recover_by_points(Recovery& recovery, Missing first) {
     if (!constraints.subsegments[item.subsegment].live) continue;
     const Subsegment s = constraints.subsegments[item.subsegment];
     if (mesh.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery, s, item.halvings)) continue;
+    if (recovery.has_ended()) return;
     const VertexIndex x = recovery.has_exact_points ? step_along_segment(recovery, item.subsegment)
                                                     : insert_on_segment(recovery, item.subsegment);
-    if (x == no_vertex || points_left-- == 0) fail_segment_not_recovered(recovery, item.subsegment);
-    recovery.count_added_point();
+    if (x == no_vertex || points_left-- == 0)
+      recovery.end(error_of_segment_not_recovered(recovery, item.subsegment));
+    else
+      recovery.count_added_point();
+    if (recovery.has_ended()) return;
     const bool inside_facet = s.segment == no_index;
     constraints.vertices.resize(mesh.points().size());
     constraints.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment,
@@ -164,10 +166,13 @@ void recover_segments(Recovery& recovery) {
     recovery.context.check_cancelled();
     std::erase_if(missing, [&](Index s) {
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
-      return recover_segment_by_flips(recovery, a, b, depth) ||
-             (depth > 0 && recover_segment_by_cavity(recovery, a, b, {200 * depth}));
+      return !recovery.has_ended() &&
+             (recover_segment_by_flips(recovery, a, b, depth) ||
+              (depth > 0 && !recovery.has_ended() &&
+               recover_segment_by_cavity(recovery, a, b, {recovery_budget.filling_nodes * depth})));
     });
   }
+  if (recovery.has_ended()) return;
   for (Index s : missing) {
     const Subsegment& hard = constraints.subsegments[s];
     if (hard.segment == no_index) {
@@ -179,6 +184,7 @@ void recover_segments(Recovery& recovery) {
   for (Index s : missing) {
     recovery.context.check_cancelled();
     recover_by_points(recovery, {s, 0});
+    if (recovery.has_ended()) return;
   }
   recovery.statistics.edges_reinserted += n_missing_before;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/sort_unique.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -64,7 +65,7 @@ CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
   // it.
   CellIndex c = cell_of_[a];
   Random random = walk_choices(a, b);
-  for (unsigned step = 0; step < 24; ++step) {
+  for (unsigned step = 0; step < recovery_budget.star_walk; ++step) {
     if (mesh_.has_vertex(c, b)) return c;
     if (mesh_.is_ghost(c)) break;
     const unsigned exit = exit_towards(c, a, b, random);

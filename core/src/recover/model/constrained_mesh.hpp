@@ -145,10 +145,12 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
-  /// Takes these marks off, or puts them on the same cells again.
-  void mark_cavity(std::span<const CellIndex> cavity, bool marked) {
-    for (const CellIndex c : cavity)
-      mesh_.flags(c) = static_cast<std::uint8_t>(marked ? mesh_.flags(c) | region_flag : mesh_.flags(c) & ~region_flag);
+  /// Puts these marks on the same cells again, or takes them off.
+  void mark_cavity(std::span<const CellIndex> cavity) {
+    for (const CellIndex c : cavity) mesh_.flags(c) |= region_flag;
+  }
+  void unmark_cavity(std::span<const CellIndex> cavity) {
+    for (const CellIndex c : cavity) mesh_.flags(c) &= static_cast<std::uint8_t>(~region_flag);
   }
   bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & region_flag; }
   /// Replaces a cavity from find_cavity by the cells that join its boundary with x. Cells are linked by turning about

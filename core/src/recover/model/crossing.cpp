@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recover/model/crossing.hpp"
 
+#include "recover/model/recovery_budget.hpp"
+
 namespace geomesh::recover {
 
 namespace {
@@ -32,7 +34,7 @@ Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b) {
   const TetMesh& cells = mesh.cells();
   CellIndex c = mesh.cell_of(a);
   Random random = walk_choices(a, b);
-  for (unsigned step = 0; step < 24 && !cells.is_ghost(c); ++step) {
+  for (unsigned step = 0; step < recovery_budget.star_walk && !cells.is_ghost(c); ++step) {
     if (cells.has_vertex(c, b)) {
       out.cell = c;
       return out;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "recover/model/crossing.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -17,7 +18,7 @@ class LineWalk {
     Crossing at = first_crossing(mesh_, a_, b_);
     if (at.kind == CrossingKind::edge_present) return false;
     add(at.cell);
-    for (std::size_t step = 0; step < 400; ++step) {
+    for (std::size_t step = 0; step < recovery_budget.line_walk; ++step) {
       if (at.kind == CrossingKind::vertex) return false;
       out_.crossings.push_back(at);
       const bool ok = at.kind == CrossingKind::face ? leave_face(at) : leave_edge(at);

@@ -85,88 +85,86 @@ std::vector<Index> facets_of_subsegment(const Recovery& recovery, Index subsegme
   return join(std::move(out), {});
 }
 
-void fail_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment) {
+Error error_of_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment) {
   const Subsegment& s = recovery.constraints.subsegments[subsegment];
   const ErrorKind kind = kind_for(recovery, {v, s.a, s.b});
   const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
-  throw Error(kind,
-              describe_vertex(recovery, v) + " lies on the segment " + describe_edge(recovery, s.a, s.b) +
-                  (facets.empty() ? "" : " of " + list(recovery, facets)) + " without being declared part of it" +
-                  advice(kind),
-              context_of(recovery, facets, {v, s.a, s.b}));
+  return Error(kind,
+               describe_vertex(recovery, v) + " lies on the segment " + describe_edge(recovery, s.a, s.b) +
+                   (facets.empty() ? "" : " of " + list(recovery, facets)) + " without being declared part of it" +
+                   advice(kind),
+               context_of(recovery, facets, {v, s.a, s.b}));
 }
 
-void fail_segments_cross(const Recovery& recovery, Index si, Index ti) {
+Error error_of_segments_cross(const Recovery& recovery, Index si, Index ti) {
   const Subsegment& s = recovery.constraints.subsegments[si];
   const Subsegment& t = recovery.constraints.subsegments[ti];
   const ErrorKind kind = kind_for(recovery, {s.a, s.b, t.a, t.b});
   const std::vector<Index> facets = join(facets_of_subsegment(recovery, si), facets_of_subsegment(recovery, ti));
-  throw Error(kind,
-              "the segments " + describe_edge(recovery, s.a, s.b) + " and " + describe_edge(recovery, t.a, t.b) +
-                  " cross" + (facets.empty() ? "" : " (" + list(recovery, facets) + ")") + advice(kind),
-              context_of(recovery, facets, {s.a, s.b, t.a, t.b}));
+  return Error(kind,
+               "the segments " + describe_edge(recovery, s.a, s.b) + " and " + describe_edge(recovery, t.a, t.b) +
+                   " cross" + (facets.empty() ? "" : " (" + list(recovery, facets) + ")") + advice(kind),
+               context_of(recovery, facets, {s.a, s.b, t.a, t.b}));
 }
 
-void fail_vertex_on_facet(const Recovery& recovery, VertexIndex v, Index subfacet) {
+Error error_of_vertex_on_facet(const Recovery& recovery, VertexIndex v, Index subfacet) {
   const Subfacet& f = recovery.constraints.subfacets[subfacet];
   const ErrorKind kind = kind_for(recovery, {v, f.vertices[0], f.vertices[1], f.vertices[2]});
-  throw Error(kind,
-              describe_vertex(recovery, v) + " lies inside " + describe_subfacet(recovery, subfacet) +
-                  " without being declared part of it" + advice(kind),
-              context_of(recovery, {f.facet}, {v, f.vertices[0], f.vertices[1], f.vertices[2]}));
+  return Error(kind,
+               describe_vertex(recovery, v) + " lies inside " + describe_subfacet(recovery, subfacet) +
+                   " without being declared part of it" + advice(kind),
+               context_of(recovery, {f.facet}, {v, f.vertices[0], f.vertices[1], f.vertices[2]}));
 }
 
-void fail_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet) {
+Error error_of_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet) {
   const Subfacet& f = recovery.constraints.subfacets[subfacet];
   const Subsegment& s = recovery.constraints.subsegments[subsegment];
   const ErrorKind kind = kind_for(recovery, {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]});
   const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
-  throw Error(kind,
-              "the segment " + describe_edge(recovery, s.a, s.b) +
-                  (facets.empty() ? "" : " of " + list(recovery, facets)) + " pierces " +
-                  describe_subfacet(recovery, subfacet) + advice(kind),
-              context_of(recovery, join({f.facet}, facets), {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]}));
+  return Error(kind,
+               "the segment " + describe_edge(recovery, s.a, s.b) +
+                   (facets.empty() ? "" : " of " + list(recovery, facets)) + " pierces " +
+                   describe_subfacet(recovery, subfacet) + advice(kind),
+               context_of(recovery, join({f.facet}, facets), {s.a, s.b, f.vertices[0], f.vertices[1], f.vertices[2]}));
 }
 
-void fail_segment_not_recovered(const Recovery& recovery, Index subsegment) {
+Error error_of_segment_not_recovered(const Recovery& recovery, Index subsegment) {
   const Subsegment& s = recovery.constraints.subsegments[subsegment];
   const std::vector<Index> facets = facets_of_subsegment(recovery, subsegment);
-  throw Error(ErrorKind::cannot_mesh,
-              "the segment " + describe_edge(recovery, s.a, s.b) +
-                  (facets.empty() ? "" : " of " + list(recovery, facets)) +
-                  " cannot be recovered: no double near it makes positive cells" + advice(ErrorKind::cannot_mesh),
-              context_of(recovery, facets, {s.a, s.b}));
+  return Error(ErrorKind::cannot_mesh,
+               "the segment " + describe_edge(recovery, s.a, s.b) +
+                   (facets.empty() ? "" : " of " + list(recovery, facets)) +
+                   " cannot be recovered: no double near it makes positive cells" + advice(ErrorKind::cannot_mesh),
+               context_of(recovery, facets, {s.a, s.b}));
 }
 
-void fail_facet_not_recovered(const Recovery& recovery, Index subfacet) {
+Error error_of_facet_not_recovered(const Recovery& recovery, Index subfacet) {
   const Subfacet& f = recovery.constraints.subfacets[subfacet];
-  throw Error(ErrorKind::cannot_mesh,
-              describe_subfacet(recovery, subfacet) + " cannot be recovered: no double near it makes positive cells" +
-                  advice(ErrorKind::cannot_mesh),
-              context_of(recovery, {f.facet}, {f.vertices[0], f.vertices[1], f.vertices[2]}));
+  return Error(ErrorKind::cannot_mesh,
+               describe_subfacet(recovery, subfacet) + " cannot be recovered: no double near it makes positive cells" +
+                   advice(ErrorKind::cannot_mesh),
+               context_of(recovery, {f.facet}, {f.vertices[0], f.vertices[1], f.vertices[2]}));
 }
 
-void fail_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points) {
+Error error_of_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points) {
   const VertexIndex x = points.front();
   const VertexRecord& record = recovery.constraints.vertices[x];
   std::vector<Index> facets;
   if (record.origin == VertexOrigin::on_facet) facets.push_back(record.owner);
-  throw Error(ErrorKind::cannot_mesh,
-              std::to_string(points.size()) + " Steiner points, the first " + describe_vertex(recovery, x) +
-                  ", have no double near them that leaves all cells positive" + advice(ErrorKind::cannot_mesh),
-              context_of(recovery, std::move(facets), {x}));
+  return Error(ErrorKind::cannot_mesh,
+               std::to_string(points.size()) + " Steiner points, the first " + describe_vertex(recovery, x) +
+                   ", have no double near them that leaves all cells positive" + advice(ErrorKind::cannot_mesh),
+               context_of(recovery, std::move(facets), {x}));
 }
 
 void Recovery::count_added_point() {
-  const double expected = 300 + expected_points_per_vertex * static_cast<double>(input_vertex.size());
-  if (++n_points_added == static_cast<std::size_t>(expected)) refuse_crossings();
+  const double expected =
+      recovery_budget.doubtful_points + expected_points_per_vertex * static_cast<double>(input_vertex.size());
+  if (++n_points_added != static_cast<std::size_t>(expected)) return;
+  if (std::optional<Error> crossing = describe_crossing()) end(std::move(*crossing));
 }
 
 bool Recovery::has_crossings() const { return crossings.first().has_value(); }
-
-void Recovery::refuse_crossings() const {
-  if (const std::optional<Error> error = describe_crossing()) throw *error;
-}
 
 std::optional<Error> Recovery::describe_crossing() const {
   const auto& crossing = crossings.first();

@@ -20,14 +20,14 @@ std::vector<Index> facets_of_subsegment(const Recovery& recovery, Index subsegme
 /// All of these vertices are of the input, so that a contradiction among them is the input's.
 bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vertices);
 
-[[noreturn]] void fail_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment);
-[[noreturn]] void fail_segments_cross(const Recovery& recovery, Index s, Index t);
-[[noreturn]] void fail_vertex_on_facet(const Recovery& recovery, VertexIndex v, Index subfacet);
-[[noreturn]] void fail_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet);
-[[noreturn]] void fail_segment_not_recovered(const Recovery& recovery, Index subsegment);
-[[noreturn]] void fail_facet_not_recovered(const Recovery& recovery, Index subfacet);
+Error error_of_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment);
+Error error_of_segments_cross(const Recovery& recovery, Index s, Index t);
+Error error_of_vertex_on_facet(const Recovery& recovery, VertexIndex v, Index subfacet);
+Error error_of_segment_pierces_facet(const Recovery& recovery, Index subsegment, Index subfacet);
+Error error_of_segment_not_recovered(const Recovery& recovery, Index subsegment);
+Error error_of_facet_not_recovered(const Recovery& recovery, Index subfacet);
 
 /// Steiner points that no double near them does for.
-[[noreturn]] void fail_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points);
+Error error_of_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points);
 
 }  // namespace geomesh::recover

@@ -13,6 +13,7 @@
 #include "plc/model_names.hpp"
 #include "recover/model/constrained_mesh.hpp"
 #include "recover/model/constraints.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -28,7 +29,8 @@ struct Recovery {
   const ModelNames& names;  ///< for the words of messages; their data name the items of `plc`
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
-  double expected_points_per_vertex = 0.25;  ///< more of them, and 300, cast doubt on the model
+  double expected_points_per_vertex =
+      recovery_budget.doubtful_points_per_vertex;  ///< more of them, and 300, cast doubt on the model
   std::vector<Index> hard_segments{},
       hard_facets{};  ///< model segments and facets that flips and cavities did not recover
   /// No point is added on a segment nearer to another of its points: 64 ulps of the largest coordinate. What would need
@@ -37,18 +39,24 @@ struct Recovery {
   bool has_exact_points = false;  ///< Steiner points are held exactly (exact_places.hpp) and rounded at the end
   unsigned attempt = 0;           ///< another attempt works in another order and puts points elsewhere
 
+  /// Why this attempt cannot go on. Where a stage sets it, that stage and those after it return at once.
+  std::optional<Error> dead_end{};
+  bool has_ended() const { return dead_end.has_value(); }
+  /// The first reason counts.
+  void end(Error why) {
+    if (!dead_end) dead_end = std::move(why);
+  }
+
   /// Call for each point that flips could not spare. Facets that cross need points without end, so after as many as a
-  /// valid model hardly ever takes the model is searched for crossings. Throws Error{invalid_input} with both items.
+  /// valid model hardly ever takes the model is searched for crossings. Where there is one the attempt ends.
   void count_added_point();
-  /// Searches the model for crossings; throws as above where there is one.
-  void refuse_crossings() const;
-  /// That error, where there is a crossing.
+  /// Error{invalid_input} with both items, where there is a crossing.
   std::optional<Error> describe_crossing() const;
   bool has_crossings() const;
 };
 
 /// Every live subsegment is an edge of the mesh afterwards: flips first (segments_by_flips.cpp), then points on
-/// segments (segments_by_points.cpp). Throws Error{invalid_input} where a vertex lies on a segment or two segments
+/// segments (segments_by_points.cpp). The attempt ends where a vertex lies on a segment or two segments
 /// cross.
 void recover_segments(Recovery& recovery);
 
@@ -56,8 +64,7 @@ void recover_segments(Recovery& recovery);
 bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth);
 
 /// Every live subfacet is a locked face of the mesh afterwards; all subsegments are present before and after. Flips
-/// first, then points where mesh edges pierce the facet. Throws Error{invalid_input} where a segment or a vertex
-/// pierces a facet.
+/// first, then points where mesh edges pierce the facet. The attempt ends where a segment or a vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
 /// Steiner points on segments and facets.
@@ -69,12 +76,17 @@ enum class BoundaryPoints {
 /// Takes Steiner points away again, or off segments and facets into the regions, where the mesh allows it.
 void remove_added_points(Recovery& recovery, BoundaryPoints boundary);
 
-/// Throws Error{cannot_mesh} where an added point is left on a segment or facet (preserve_boundary).
-void require_untouched_boundary(const Recovery& recovery);
+/// The attempt ends where an added point is left on a segment or facet (preserve_boundary).
+void require_untouched_boundary(Recovery& recovery);
 
-/// Takes one added point off its segment or facet (boundary_points_inward.cpp), `by_regions` with cells about its star
-/// too. False: nothing has changed.
-bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions = false);
+/// What is filled again where an added point goes.
+enum class RefilledCells {
+  star,               ///< its own cells, and what a point moved inside does not see from there
+  region_about_star,  ///< cells about them too
+};
+
+/// Takes one added point off its segment or facet (boundary_points_inward.cpp). False: nothing has changed.
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
 /// Counts declared subfacets that are not in the mesh.
 std::size_t count_missing_subfacets(Recovery& recovery);

@@ -6,14 +6,15 @@
 #pragma once
 
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/polyhedron_filling.hpp"
 
 namespace geomesh::recover {
 
 /// How hard a cavity is tried.
 struct CavityEffort {
-  std::size_t max_nodes = 200;
-  std::size_t max_faces = 90;
+  std::size_t max_nodes = recovery_budget.filling_nodes;
+  std::size_t max_faces = recovery_budget.filling_faces;
 };
 
 /// Cells to be emptied, with their boundary. No vertex but those dropped, no subsegment and no locked face lies inside.

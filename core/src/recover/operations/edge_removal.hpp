@@ -8,6 +8,7 @@
 
 #include "recover/model/constrained_mesh.hpp"
 #include "recover/model/constraints.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -31,7 +32,7 @@ class EdgeRemover {
   /// 2-3 flip of a face: false where it is locked or a new cell would not be positive.
   bool flip_face(FaceRef f);
 
-  static constexpr std::size_t max_ring = 24;
+  static constexpr std::size_t max_ring = recovery_budget.ring;
 
  private:
   bool remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear);

@@ -4,14 +4,9 @@
 /// in exact arithmetic what holds at a crossing strictly holds at some dyadic parameter near it.
 #pragma once
 
-#include <array>
-
 #include "recover/model/constrained_mesh.hpp"
 
 namespace geomesh::recover {
-
-/// Parts of itself and of its distance from the ends by which a parameter may be off, one after the other, each a try.
-inline constexpr std::array<double, 4> parameter_errors{0x1p-50, 0x1p-75, 0x1p-100, 0x1p-150};
 
 /// From a (0) to b (1): where the line through them meets the plane of p, q, r. Both ends are not in that plane alike.
 exact::LongExpansion crossing_parameter(const ConstrainedMesh& mesh, VertexIndex a, VertexIndex b,

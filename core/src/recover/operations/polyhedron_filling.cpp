@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/sort_unique.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/side_masks.hpp"
 
 namespace geomesh::recover {
@@ -96,10 +97,9 @@ class Filler {
 
   /// The face with the fewest vertices that fit; a few faces are looked at.
   std::size_t hardest_face(Front& front) {
-    constexpr unsigned max_looks = 4;
     for (OpenFace& f : front) f.is_filtered = false;
     std::size_t best = 0;
-    for (unsigned look = 0; look < max_looks; ++look) {
+    for (unsigned look = 0; look < recovery_budget.filling_looks; ++look) {
       best = 0;
       for (std::size_t i = 1; i < front.size(); ++i)
         if (front[i].n_candidates < front[best].n_candidates) best = i;

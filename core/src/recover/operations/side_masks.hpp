@@ -108,23 +108,23 @@ class SideMasks {
       const filter::Estimate estimate = estimate_of(mesh_.point(vertices_[i]) - o);
       const Sign s =
           estimate.certain() ? estimate.sign() : mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]);
-      if (s != Sign::zero) put(i, j, k, l, s == Sign::positive);
+      if (s != Sign::zero) put(i, j, k, l, s);
     }
   }
   void decide_below_exactly(std::size_t j, std::size_t k, std::size_t l) {
     for (std::size_t i = 0; i < j; ++i)
       if (const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]); s != Sign::zero)
-        put(i, j, k, l, s == Sign::positive);
+        put(i, j, k, l, s);
   }
   /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
-  void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, bool positive) {
-    const auto put_side = [&](std::size_t row, std::size_t v, bool above) {
-      (above ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
+  void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
+    const auto put_side = [&](std::size_t row, std::size_t v, Sign side) {
+      (side == Sign::positive ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
     };
-    put_side(row_of(i, j, k), l, positive);
-    put_side(row_of(i, j, l), k, !positive);
-    put_side(row_of(i, k, l), j, positive);
-    put_side(row_of(j, k, l), i, !positive);
+    put_side(row_of(i, j, k), l, sign);
+    put_side(row_of(i, j, l), k, -sign);
+    put_side(row_of(i, k, l), j, sign);
+    put_side(row_of(j, k, l), i, -sign);
   }
 
   const ConstrainedMesh& mesh_;

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "mesh/cavity.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
 namespace {
-
-constexpr std::size_t max_cavity = 400;
 
 bool contains(std::span<const CellIndex> cells, CellIndex c) {
   return std::find(cells.begin(), cells.end(), c) != cells.end();
@@ -77,7 +76,7 @@ bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, Verte
   Cavity cavity(mesh.cells(), mesh.marks(), cells, seeds);
   CellIndex grow = no_cell;
   while (!stellate(mesh, cavity, x, star, grow)) {
-    if (grow == no_cell || cells.size() >= max_cavity) return false;
+    if (grow == no_cell || cells.size() >= recovery_budget.star_cells) return false;
     cavity.add(grow);
   }
   if (!keeps_constraints(mesh, constraints, cells, star, split)) return false;
@@ -112,7 +111,7 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
   std::vector<CellIndex> cells;
   std::vector<Tetrahedron> star;
   Cavity cavity(topology, mesh.marks(), cells, about);
-  cavity.grow(max_cavity, may_cross, conflicts);
+  cavity.grow(recovery_budget.star_cells, may_cross, conflicts);
   for (std::size_t i = cells.size(); i-- > about.size();)
     if (spoils_star(mesh, cavity, cells[i], x)) {
       cavity.erase(i);

@@ -67,8 +67,9 @@ void insert_vertices(Recovery& recovery, const std::vector<VertexIndex>& vertice
     const VertexIndex v = vertices[i];
     const CellIndex at = locate_vertex(mesh, v, near);
     if (at == no_cell || !insert_beside_constraints(mesh, recovery.constraints, v, cells_about_vertex(mesh, v, at)))
-      throw Error(ErrorKind::cannot_mesh,
-                  describe_vertex(recovery, v) + " lies where rounding has put an added point or a face with one");
+      return recovery.end(
+          Error(ErrorKind::cannot_mesh,
+                describe_vertex(recovery, v) + " lies where rounding has put an added point or a face with one"));
     near = mesh.cell_of(v);
   }
 }
@@ -112,8 +113,9 @@ void HardPartsFirst::run(Recovery& recovery) const {
       if (stage_[v] == stage) next.push_back(v);
     if (next.empty()) continue;
     recover_segments(recovery);
-    recover_facets(recovery);
-    insert_vertices(recovery, next);
+    if (!recovery.has_ended()) recover_facets(recovery);
+    if (!recovery.has_ended()) insert_vertices(recovery, next);
+    if (recovery.has_ended()) return;
   }
 }
 

@@ -27,8 +27,8 @@ class HardPartsFirst {
   TetMesh triangulate(const std::vector<Vec3>& points, const DelaunayOptions& options, const RunContext& context) const;
 
   /// From that mesh: recovers what has all its vertices, inserts those of the next stage beside what is recovered, and
-  /// so on until all are in the mesh. What the last stage's vertices bring is left to recover. Throws as
-  /// recover_segments and recover_facets do, and Error{cannot_mesh} where rounding has put an added point in a vertex'
+  /// so on until all are in the mesh. What the last stage's vertices bring is left to recover. The
+  /// attempt ends as in recover_segments and recover_facets, and where rounding has put an added point in a vertex'
   /// way.
   void run(Recovery& recovery) const;
 

@@ -7,6 +7,7 @@
 
 #include "common/sort_unique.hpp"
 #include "recover/model/crossing.hpp"
+#include "recover/model/recovery_budget.hpp"
 
 namespace geomesh::recover {
 
@@ -72,12 +73,11 @@ void gather_about(ConstrainedMesh& mesh, const Subsegment& s, CellIndex cell, st
 
 ScaleForecast::ScaleForecast(ConstrainedMesh& mesh, const Constraints& constraints,
                              const std::vector<CellIndex>& seen_in) {
-  constexpr std::size_t most = 300;
   std::vector<Index> present, missing;
   for (Index s = 0; s < seen_in.size(); ++s) (seen_in[s] == no_cell ? missing : present).push_back(s);
   std::vector<VertexIndex> about;
   for (const std::vector<Index>* some : {&present, &missing}) {
-    const std::size_t n = std::min(most, some->size());
+    const std::size_t n = std::min(recovery_budget.forecast_sample, some->size());
     for (std::size_t i = 0; i < n; ++i) {
       const Index row = (*some)[i * some->size() / n];
       const Subsegment& s = constraints.subsegments[row];
@@ -106,13 +106,12 @@ bool ScaleForecast::is_delaunay(const Sample& sample, const Vec3& scale) {
   Vec3 u = cross(d, x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
   u = length / std::sqrt(dot(u, u)) * u;
   const Vec3 w = 1 / length * cross(d, u);
-  constexpr double far = 1e6;  // in half lengths of the subsegment
   std::vector<HalfPlane> planes;
   for (const Vec3& p : sample.about) {
     const Vec3 v = place(p) - o;
     planes.push_back({dot(v, u) / squared, dot(v, w) / squared, 0.5 * (dot(v, v) - squared) / squared});
   }
-  return have_common_point(planes, far);
+  return have_common_point(planes, recovery_budget.forecast_reach);
 }
 
 }  // namespace geomesh::recover

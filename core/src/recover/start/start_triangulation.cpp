@@ -7,6 +7,7 @@
 #include "mesh/sorted_cells.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/start/scale_forecast.hpp"
 
 namespace geomesh::recover {
@@ -73,14 +74,15 @@ class StartSearch {
   /// Improves `best` while a step of one axis saves a twentieth of what is missing. What the forecast gives no hope for
   /// is not triangulated.
   void climb(Candidate& best, std::array<int, 3> exponents) const {
+    constexpr std::size_t whole = recovery_budget.stretch_gain, rest = whole - 1;
     ScaleForecast forecast = forecast_from(best);
     for (const std::size_t axis : axes_by_extent()) {
-      for (int step = 0; step < 12; ++step) {
+      for (int step = 0; step < recovery_budget.stretch_steps; ++step) {
         std::array<int, 3> trial = exponents;
         ++trial[axis];
-        if (20 * forecast.n_missing(trial) > 19 * forecast.n_missing(exponents)) break;
+        if (whole * forecast.n_missing(trial) > rest * forecast.n_missing(exponents)) break;
         Candidate candidate = triangulate(trial);
-        if (20 * candidate.n_missing() > 19 * best.n_missing()) break;
+        if (whole * candidate.n_missing() > rest * best.n_missing()) break;
         exponents = trial;
         best = std::move(candidate);
         forecast = forecast_from(best);
@@ -144,8 +146,8 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const Mo
   out.tetrahedra = count_model_cells(best.cells, model.input_vertex.size());
   out.missing_edges = best.n_missing();
   out.missing_facets = count_missing_facets(best, out.points, plc, names, model, context);
-  if (frame == StartFrame::may_be_stretched && best.n_missing() > 20 &&
-      10 * best.n_missing() > model.constraints.subsegments.size())
+  if (frame == StartFrame::may_be_stretched && best.n_missing() > recovery_budget.few_missing &&
+      recovery_budget.stretch_from * best.n_missing() > model.constraints.subsegments.size())
     search.climb(best, {0, 0, 0});
   remember(best, model.constraints);
   out.mesh = std::move(best.cells);

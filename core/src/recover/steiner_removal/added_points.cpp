@@ -8,6 +8,7 @@
 #include "common/sort_unique.hpp"
 #include "recover/model/excerpt.hpp"
 #include "recover/model/messages.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/edge_removal.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
@@ -33,15 +34,14 @@ std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
 /// Tries `attempt` after the removal of each edge of the link of x; what fails is taken back.
 template <class Attempt>
 bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt) {
-  constexpr unsigned max_edges = 200;
   ConstrainedMesh& mesh = recovery.mesh;
   EdgeRemover remover(mesh, recovery.constraints);
   unsigned tried = 0;
   for (const auto& [u, w] : link_edges(recovery, x)) {
-    if (tried == max_edges) return false;
+    if (tried == recovery_budget.link_edges) return false;
     if (mesh.find_edge(u, w) == no_cell) continue;
     const std::size_t mark = mesh.mark();
-    if (remover.remove(u, w, 1, nullptr, 40)) {
+    if (remover.remove(u, w, 1, nullptr, recovery_budget.link_edge_effort)) {
       ++tried;
       if (attempt()) {
         mesh.keep();
@@ -57,7 +57,7 @@ bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt)
 void clear_chord(Recovery& recovery, VertexIndex x) {
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() == 2 && recovery.mesh.find_edge(ends[0], ends[1]) != no_cell)
-    EdgeRemover(recovery.mesh, recovery.constraints).remove(ends[0], ends[1], 2, nullptr, 200);
+    EdgeRemover(recovery.mesh, recovery.constraints).remove(ends[0], ends[1], 2, nullptr, recovery_budget.chord_effort);
 }
 
 bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
@@ -66,7 +66,7 @@ bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
   clear_chord(recovery, x);
   lower_degree(recovery, x);
   if (take_point_off_boundary(recovery, x)) return true;
-  return effort > 1 && (take_point_off_boundary(recovery, x, true) ||
+  return effort > 1 && (take_point_off_boundary(recovery, x, RefilledCells::region_about_star) ||
                         after_link_flips(recovery, x, [&] { return take_point_off_boundary(recovery, x); }));
 }
 
@@ -95,7 +95,7 @@ std::vector<VertexIndex> segment_neighbors(Recovery& recovery, VertexIndex x) {
   return ends;
 }
 
-void require_untouched_boundary(const Recovery& recovery) {
+void require_untouched_boundary(Recovery& recovery) {
   for (VertexIndex x = first_added(recovery); x < recovery.mesh.points().size(); ++x) {
     if (!is_on_boundary(recovery, x)) continue;
     const VertexRecord& r = recovery.constraints.vertices[x];
@@ -107,18 +107,18 @@ void require_untouched_boundary(const Recovery& recovery) {
     if (on_segment && recovery.constraints.segments[r.owner].row != no_index)
       context.segments = {recovery.constraints.segments[r.owner].row};
     const ModelSegment segment = on_segment ? recovery.constraints.segments[r.owner] : ModelSegment{};
-    throw Error(ErrorKind::cannot_mesh,
-                (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b)
-                            : "facet " + std::to_string(recovery.names.facet[r.owner])) +
-                    " cannot be kept free of added points: mesh it without preserve_boundary",
-                std::move(context));
+    return recovery.end(Error(ErrorKind::cannot_mesh,
+                              (on_segment ? "the segment " + describe_edge(recovery, segment.a, segment.b)
+                                          : "facet " + std::to_string(recovery.names.facet[r.owner])) +
+                                  " cannot be kept free of added points: mesh it without preserve_boundary",
+                              std::move(context)));
   }
 }
 
 void remove_added_points(Recovery& recovery, BoundaryPoints boundary) {
   if (recovery.mesh.points().size() == first_added(recovery)) return;
-  constexpr unsigned max_passes = 8, hardest = 2;
-  for (unsigned pass = 0; pass < max_passes; ++pass) {
+  constexpr unsigned hardest = recovery_budget.removal_effort;
+  for (unsigned pass = 0; pass < recovery_budget.removal_passes; ++pass) {
     bool changed = false;
     const unsigned effort = std::min(pass, hardest);
     const std::size_t left = take_points_off_boundary(

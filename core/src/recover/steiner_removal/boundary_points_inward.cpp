@@ -15,6 +15,7 @@
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
 #include "recover/model/recover.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/region_filling.hpp"
@@ -37,12 +38,12 @@ struct Sector {
 
 class PointRemoval {
  public:
-  PointRemoval(Recovery& recovery, VertexIndex x, bool by_regions)
+  PointRemoval(Recovery& recovery, VertexIndex x, RefilledCells refilled)
       : recovery_(recovery),
         mesh_(recovery.mesh),
         constraints_(recovery.constraints),
         x_(x),
-        by_regions_(by_regions),
+        refilled_(refilled),
         n_points_(recovery.mesh.points().size()) {}
 
   bool run() {
@@ -54,7 +55,7 @@ class PointRemoval {
     if (!found) return false;
     around_ = std::move(*found);
     if (has_foreign_chord() || repeats_subfacet()) return false;
-    if (!fill_sectors(3)) return false;
+    if (!fill_sectors(recovery_budget.sheets)) return false;
     commit();
     return true;
   }
@@ -124,7 +125,7 @@ class PointRemoval {
       return s.wraps_round() ? -dot(away_from_fans(s), across) / length(across) : -dot(inward, across) / length(across);
     };
     std::stable_sort(out.begin(), out.end(), [&](VertexIndex v, VertexIndex w) { return evenness(v) < evenness(w); });
-    if (out.size() > 6) out.resize(6);
+    if (out.size() > recovery_budget.sheet_apexes) out.resize(recovery_budget.sheet_apexes);
     return out;
   }
   bool is_on_fan(VertexIndex v) const {
@@ -219,18 +220,18 @@ class PointRemoval {
         if (fan && take(s, std::move(*fan), cavity.cells())) return true;
       }
     }
-    auto filling = cavity.fill({100});
+    auto filling = cavity.fill({recovery_budget.filling_nodes_sector});
     if (filling && take(s, std::move(*filling), cavity.cells())) return true;
-    if (by_regions_ && fill_by_region(s)) return true;
+    if (refilled_ == RefilledCells::region_about_star && fill_by_region(s)) return true;
     return !s.wraps_round() && fill_about_moved_point(s);
   }
   /// Without a point, with cells about the sector.
   bool fill_by_region(Sector& s) {
-    constexpr std::size_t max_vertices = 40, max_conflicts = 2000;
-    std::optional<Region> region = region_about(recovery_, s.cells, {&x_, 1}, max_vertices, grown_);
+    std::optional<Region> region =
+        region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
     if (!region) return false;
     for (const Triangle& t : sheets_of(s)) region->boundary.push_back(t);
-    auto filling = fill_region(mesh_, constraints_, *region, max_conflicts);
+    auto filling = fill_region(mesh_, constraints_, *region, recovery_budget.region_conflicts);
     return filling && take(s, std::move(*filling), region->cells);
   }
   bool take(Sector& s, std::vector<Tetrahedron>&& filling, const std::vector<CellIndex>& cells) {
@@ -264,9 +265,9 @@ class PointRemoval {
       for (VertexIndex v : t) reach = std::max(reach, std::fabs(dot(mesh_.offset(x_, v), direction)));
     const VertexIndex moved = mesh_.add_point(origin);
     constraints_.vertices.resize(mesh_.points().size(), {VertexOrigin::inside, no_index});
-    for (const unsigned max_growths : {0u, 12u}) {
+    for (const unsigned max_growths : {0u, recovery_budget.moved_growths}) {
       if (max_growths > 0 && !cavity.is_valid()) break;
-      const double least_part = mesh_.is_exact(x_) ? 1e-30 : 1e-15;
+      const double least_part = mesh_.is_exact(x_) ? recovery_budget.least_move_exact : recovery_budget.least_move;
       for (double step = reach / 2; step > reach * least_part; step /= max_growths == 0 ? 2 : 8) {
         move_beside(moved, step * direction);
         Cavity trial = cavity;
@@ -321,7 +322,7 @@ class PointRemoval {
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
   VertexIndex x_;
-  bool by_regions_;
+  RefilledCells refilled_;
   std::size_t n_points_;
   std::vector<CellIndex> star_;   ///< sorted
   std::vector<CellIndex> grown_;  ///< the star and the cells that sectors have grown over, sorted
@@ -331,8 +332,8 @@ class PointRemoval {
 
 }  // namespace
 
-bool take_point_off_boundary(Recovery& recovery, VertexIndex x, bool by_regions) {
-  return PointRemoval(recovery, x, by_regions).run();
+bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells) {
+  return PointRemoval(recovery, x, cells).run();
 }
 
 }  // namespace geomesh::recover

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/flood.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/edge_removal.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
@@ -31,7 +32,7 @@ bool empty_star(Recovery& recovery, VertexIndex x) {
 }
 
 bool remove_from_star(Recovery& recovery, VertexIndex x) {
-  for (unsigned round = 0; round < 8; ++round) {
+  for (unsigned round = 0; round < recovery_budget.star_rounds; ++round) {
     if (empty_star(recovery, x)) return true;
     if (!lower_degree(recovery, x)) break;
   }
@@ -39,13 +40,12 @@ bool remove_from_star(Recovery& recovery, VertexIndex x) {
 }
 
 bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_vertices) {
-  constexpr std::size_t max_conflicts = 2000;
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<CellIndex> star;
   mesh.star(x, star);
   const std::optional<Region> region = region_about(recovery, star, {&x, 1}, max_vertices);
   if (!region) return false;
-  const auto filling = fill_region(mesh, recovery.constraints, *region, max_conflicts);
+  const auto filling = fill_region(mesh, recovery.constraints, *region, recovery_budget.region_conflicts);
   if (!filling) return false;
   mesh.replace(region->cells, *filling);
   mesh.forget(x);
@@ -86,7 +86,8 @@ bool lower_degree(Recovery& recovery, VertexIndex x) {
   EdgeRemover remover(recovery.mesh, recovery.constraints);
   bool flipped = false;
   for (VertexIndex v : recovery.mesh.neighbors(x))
-    if (recovery.mesh.find_edge(x, v) != no_cell && remover.remove(x, v, 1, nullptr, 60)) flipped = true;
+    if (recovery.mesh.find_edge(x, v) != no_cell && remover.remove(x, v, 1, nullptr, recovery_budget.star_edges))
+      flipped = true;
   return flipped;
 }
 
@@ -94,7 +95,7 @@ void remove_inner_points(Recovery& recovery, InnerEffort effort) {
   std::vector<VertexIndex> points = inner_points(recovery);
   remove_each(recovery, points, [&](VertexIndex x) { return remove_from_star(recovery, x); });
   if (effort == InnerEffort::star) return;
-  for (std::size_t max_vertices : {20u, 28u, 40u})
+  for (const std::size_t max_vertices : recovery_budget.region_vertices)
     remove_each(recovery, points, [&](VertexIndex x) { return remove_from_region(recovery, x, max_vertices); });
 }
 

@@ -117,7 +117,7 @@ class RegionFiller {
       const VertexMask ends = bit(candidates_.local(s[0])) | bit(candidates_.local(s[1]));
       clause_.clear();
       for (std::uint32_t c = 0; c < candidates_.cells().size(); ++c)
-        if ((candidates_.cells()[c].mask() & ends) == ends) clause_.push_back(Literal(c, false));
+        if ((candidates_.cells()[c].mask() & ends) == ends) clause_.push_back(Literal::yes(c));
       if (clause_.empty()) return false;
       solver_.add_clause(clause_);
     }
@@ -132,11 +132,11 @@ class RegionFiller {
     }
     std::sort(kept.begin(), kept.end());
     for (std::uint32_t i = 0; i < candidates_.cells().size(); ++i)
-      if (contains(kept, candidates_.cells()[i].mask())) solver_.prefer(i, true);
+      if (contains(kept, candidates_.cells()[i].mask())) solver_.prefer_yes(i);
   }
   void state_boundary(std::uint32_t side) {
     clause_.clear();
-    for (const std::uint32_t c : candidates_.beside(side)) clause_.push_back(Literal(c, false));
+    for (const std::uint32_t c : candidates_.beside(side)) clause_.push_back(Literal::yes(c));
     solver_.add_clause(clause_);
     solver_.add_choice(candidates_.beside(side));
   }
@@ -144,8 +144,8 @@ class RegionFiller {
   void state_inner(std::uint32_t face) {
     const std::uint32_t is_face = solver_.new_variable();
     for (const std::uint32_t side : {2 * face, 2 * face + 1}) {
-      clause_.assign(1, Literal(is_face, true));
-      for (const std::uint32_t c : candidates_.beside(side)) clause_.push_back(Literal(c, false));
+      clause_.assign(1, Literal::no(is_face));
+      for (const std::uint32_t c : candidates_.beside(side)) clause_.push_back(Literal::yes(c));
       solver_.add_clause(clause_);
       solver_.add_choice(candidates_.beside(side), is_face);
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/sort_unique.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
@@ -44,12 +45,12 @@ class Star {
       return out;
     };
     const double start = least(0);
-    for (int i = 0; i < 60; ++i) {  // the least of linear functions is concave
+    for (int i = 0; i < recovery_budget.centring_steps; ++i) {  // the least of linear functions is concave
       const double p = low + (high - low) / 3, q = high - (high - low) / 3;
       (least(p) < least(q) ? low : high) = least(p) < least(q) ? p : q;
     }
     const double best = 0.5 * (low + high);
-    return least(best) > 1.01 * start ? best : 0;
+    return least(best) > recovery_budget.centring_gain * start ? best : 0;
   }
 
  private:
@@ -96,7 +97,8 @@ void centre(ConstrainedMesh& mesh, VertexIndex x) {
   for (const Freedom& f : freedoms(mesh, x)) {
     const Star star(mesh, x);
     const ExactPlace before = mesh.exact_places().of(x);
-    for (double step = star.best_step(f.direction), part = 1; step != 0 && part > 0.1; part /= 2) {
+    for (double step = star.best_step(f.direction), part = 1; step != 0 && part > recovery_budget.least_centring_part;
+         part /= 2) {
       ExactPlace place = place_moved(mesh, x, part * step * f.step);
       if (!place.is_safe()) continue;
       mesh.move_point(x, std::move(place));
@@ -111,7 +113,7 @@ bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
   const Star star(mesh, x);
   const ExactPlace exact = mesh.exact_places().of(x);
   const Vec3 near = exact.nearest();
-  for (const int ulps : {0, 1, 2})
+  for (int ulps = 0; ulps <= recovery_budget.ulps; ++ulps)
     for (int code = 0; code < (ulps == 0 ? 1 : 27); ++code) {
       Vec3 p = near;
       for (std::size_t i = 0, rest = static_cast<std::size_t>(code); i < 3; ++i, rest /= 3)
@@ -162,7 +164,6 @@ std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<Ce
 
 /// Puts a double near the star of an inner point in its place; the star grows over what that does not see.
 bool round_elsewhere(Recovery& recovery, VertexIndex x) {
-  constexpr unsigned max_growths = 30;
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;
   std::vector<CellIndex> star;
@@ -173,7 +174,7 @@ bool round_elsewhere(Recovery& recovery, VertexIndex x) {
   for (const Vec3& place : places_about(mesh, star, x)) {
     mesh.move_point(y, place);
     Cavity trial = cavity;
-    const auto filling = trial.star_from(y, max_growths);
+    const auto filling = trial.star_from(y, recovery_budget.rounding_growths);
     if (!filling) continue;
     mesh.replace(trial.cells(), *filling);
     mesh.forget(x);
@@ -189,10 +190,9 @@ bool round_elsewhere(Recovery& recovery, VertexIndex x) {
 std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> left = vertices_to_round(recovery);
-  constexpr unsigned max_rounds = 4, sweeps = 3;
-  for (unsigned round = 0; round < max_rounds && !left.empty(); ++round) {
+  for (unsigned round = 0; round < recovery_budget.rounding_rounds && !left.empty(); ++round) {
     recovery.context.check_cancelled();
-    for (unsigned sweep = 0; sweep < sweeps; ++sweep)
+    for (unsigned sweep = 0; sweep < recovery_budget.centring_sweeps; ++sweep)
       for (const VertexIndex v : left) centre(mesh, v);
     std::erase_if(left, [&](VertexIndex v) { return round_point(mesh, v); });
   }

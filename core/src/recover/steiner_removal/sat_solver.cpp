@@ -26,10 +26,10 @@ std::size_t luby(std::size_t i) {
 
 }  // namespace
 
-std::uint32_t SatSolver::new_variable(bool preferred) {
+std::uint32_t SatSolver::new_variable() {
   const std::uint32_t v = static_cast<std::uint32_t>(values_.size());
   values_.push_back(-1);
-  phase_.push_back(preferred ? 1 : 0);
+  phase_.push_back(0);
   level_of_.push_back(0);
   reason_.push_back(no_reason);
   activity_.push_back(0);
@@ -129,12 +129,12 @@ bool SatSolver::imply(Literal cause, Literal effect) {
 
 /// The variable has become true: all others of its choices are false, their flags true.
 bool SatSolver::propagate_choices(std::uint32_t variable) {
-  const Literal cause(variable, false);
+  const Literal cause = Literal::yes(variable);
   for (std::uint32_t o = first_choice_[variable]; o != no_occurrence; o = occurrences_[o].next) {
     const Choice& choice = choices_[occurrences_[o].choice];
     for (std::uint32_t k = choice.begin; k < choice.end; ++k)
-      if (chosen_[k] != variable && !imply(cause, Literal(chosen_[k], true))) return false;
-    if (choice.flag != no_variable && !imply(cause, Literal(choice.flag, false))) return false;
+      if (chosen_[k] != variable && !imply(cause, Literal::no(chosen_[k]))) return false;
+    if (choice.flag != no_variable && !imply(cause, Literal::yes(choice.flag))) return false;
   }
   return true;
 }
@@ -144,7 +144,7 @@ bool SatSolver::propagate_flag(std::uint32_t flag) {
   for (std::uint32_t o = first_flag_[flag]; o != no_occurrence; o = occurrences_[o].next) {
     const Choice& choice = choices_[occurrences_[o].choice];
     for (std::uint32_t k = choice.begin; k < choice.end; ++k)
-      if (!imply(Literal(flag, true), Literal(chosen_[k], true))) return false;
+      if (!imply(Literal::no(flag), Literal::no(chosen_[k]))) return false;
   }
   return true;
 }
@@ -274,7 +274,7 @@ bool SatSolver::decide() {
     }
     if (values_[v] >= 0) continue;
     level_begin_.push_back(static_cast<std::uint32_t>(trail_.size()));
-    assign(Literal(v, phase_[v] == 0), no_reason);
+    assign(phase_[v] == 0 ? Literal::no(v) : Literal::yes(v), no_reason);
     return true;
   }
   return false;

@@ -17,7 +17,8 @@ namespace geomesh::recover {
 class Literal {
  public:
   Literal() = default;
-  Literal(std::uint32_t variable, bool negated) : code_(2 * variable + (negated ? 1 : 0)) {}
+  static Literal yes(std::uint32_t variable) { return from_code(2 * variable); }
+  static Literal no(std::uint32_t variable) { return from_code(2 * variable + 1); }
   std::uint32_t variable() const { return code_ >> 1; }
   bool is_negated() const { return code_ & 1u; }
   std::uint32_t code() const { return code_; }
@@ -41,12 +42,12 @@ class SatSolver {
  public:
   static constexpr std::uint32_t no_variable = 0xFFFFFFFFu;
 
-  /// `preferred`: the value tried first. Variables are decided in the order of their making until conflicts say
+  /// Tried as no first (prefer_yes). Variables are decided in the order of their making until conflicts say
   /// otherwise.
-  std::uint32_t new_variable(bool preferred = false);
+  std::uint32_t new_variable();
   /// Makes room: for clauses and choices with that many literals in all each.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
-  void prefer(std::uint32_t variable, bool value) { phase_[variable] = value ? 1 : 0; }
+  void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
 
   /// At least one of `literals`. To be called before solve().

@@ -7,6 +7,7 @@
 
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
@@ -40,7 +41,8 @@ VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::arra
   const double reach = std::sqrt(std::min(dot(to_first, to_first), dot(to_last, to_last)));
   const VertexIndex y = mesh.add_point(origin);
   recovery.constraints.vertices.resize(mesh.points().size(), {VertexOrigin::inside, no_index});
-  for (double step = 0.25 * reach; step > 1e-12 * reach; step /= 4) {
+  for (double step = recovery_budget.sheet_point_reach * reach; step > recovery_budget.sheet_point_least * reach;
+       step /= 4) {
     const Vec3 off = step / length(d) * d;
     if (mesh.is_exact(x)) {
       mesh.move_point(y, place_beside(mesh, x, off));
@@ -57,7 +59,7 @@ VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::arra
     }
     sort_unique(seeds);
     Cavity cavity(recovery, seeds);
-    const auto star = seeds.empty() ? std::nullopt : cavity.star_from(y, 60);
+    const auto star = seeds.empty() ? std::nullopt : cavity.star_from(y, recovery_budget.sheet_point_growths);
     if (!star || !cavity.is_valid()) continue;
     mesh.replace(cavity.cells(), *star);
     return y;
