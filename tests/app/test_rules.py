@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rules of model building in whole projects of plane surfaces, where every volume is known; what a rule did is told, and the mesh passes
 `geomesh check` against the project."""
-from geomesh_program import BAD_INPUT, ProgramTest, box_surface, level, main, plane_ts, triangles_ts
+from geomesh_program import BAD_INPUT, USAGE, ProgramTest, box_surface, level, main, plane_ts, triangles_ts
 
 BOX = "box: {min: [0, 0, 0], max: [10, 10, 10]}\n"
 
@@ -334,6 +334,46 @@ rules: {trim_overshoot: 1}
 """)
         area = {surface["name"]: surface["area"] for surface in report["surfaces"]}
         self.assertAlmostEqual(area["f"], 95, delta=1e-9)
+
+
+class Dykes(RulesTest):
+    DYKE = """surfaces:
+  - {name: top, kind: horizon, file: top.ts}
+  - {name: f, kind: fault, file: f.ts}
+  - {name: dyke, kind: body, file: dyke.ts, thickness: 0.5%s}
+column: [upper, top, lower]
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.write("top.ts", level("top", 6))
+        self.write("f.ts", plane_ts("f", [(-1, 2, -1), (11, 3, -1), (11, 3, 11), (-1, 2, 11)]))
+
+    def test_a_dyke_through_the_box_cuts_horizons_and_faults_and_has_its_volume(self):
+        self.surface("dyke", [(4, -1), (5, 4), (5, 11)])
+        report, volumes = self.mesh(self.DYKE % "")
+        self.assertEqual(sorted(r["name"].split("__")[0] for r in report["regions"] if r["name"] != "dyke"), ["lower"] * 4 + ["upper"] * 4)
+        self.told(report, "notes", "body dyke", "thickness 0.5")
+        # Between two walls that are parallel to the sheet in each of its two parts; the bend's mitre is the same on both sides.
+        self.assertAlmostEqual(volumes["dyke"], 0.5 * 10 * (4 * 26 ** 0.5 / 5 + 6), delta=0.05)
+        self.assertAlmostEqual(sum(volumes.values()), 1000, delta=1e-9)
+        areas = {s["name"]: s["area"] for s in report["surfaces"]}
+        self.assertAlmostEqual(areas["top"], 100 - 10 * 0.5, delta=0.01)
+
+    def test_a_sill_ends_where_its_sheet_ends_or_goes_on_to_the_box(self):
+        self.write("dyke.ts", plane_ts("dyke", [(2, 2, 3), (8, 2, 3), (8, 8, 3), (2, 8, 3)]))
+        _, volumes = self.mesh(self.DYKE % "")
+        self.assertAlmostEqual(volumes["dyke__1"] + volumes["dyke__2"] if "dyke__1" in volumes else volumes["dyke"], 36 * 0.5, delta=1e-9)
+        _, volumes = self.mesh(self.DYKE % ", extend: flat")
+        self.assertAlmostEqual(volumes["dyke"], 50, delta=1e-9)
+
+    def test_what_is_no_sheet_with_a_thickness_is_refused(self):
+        self.surface("dyke", [(4, -1), (4.2, 5), (4, 11)])
+        self.assertIn("only a body has a thickness", self.mesh((self.DYKE % "").replace("kind: body", "kind: fault"), status=USAGE))
+        self.assertIn("above zero", self.mesh((self.DYKE % "").replace("0.5", "0"), status=USAGE))
+        self.surface("dyke", [(4, -1), (5, 5), (5.4, 5), (6.4, -1)])
+        self.assertIn("bends more tightly", self.mesh((self.DYKE % "").replace("0.5", "1.5"), status=BAD_INPUT))
+
 
 
 if __name__ == "__main__":

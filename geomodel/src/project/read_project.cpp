@@ -173,8 +173,10 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    const YamlMap map(value, {"name", "kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at",
-                              "object", "crs", "unit", "z_unit", "z", "z_datum", "gridding", "resample", "smooth"});
+    std::vector<std::string_view> keys{"name",   "kind", "file",    "object",   "crs",      "unit",
+                                       "z_unit", "z",    "z_datum", "gridding", "resample", "smooth"};
+    keys.insert(keys.end(), surface_rule_keys().begin(), surface_rule_keys().end());
+    const YamlMap map(value, keys);
     if (!map.is_map()) return;
     SurfaceSpec spec;
     spec.line = map.place().line;

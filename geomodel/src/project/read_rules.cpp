@@ -44,14 +44,25 @@ void read_extent(const YamlValue& value, SurfaceSpec& spec) {
 
 }  // namespace
 
+const std::vector<std::string_view>& surface_rule_keys() {
+  static const std::vector<std::string_view> keys{"cuts", "extend",   "fill_holes", "extent",
+                                                  "base", "throw_at", "thickness"};
+  return keys;
+}
+
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
+  if (const auto v = map.find("thickness")) {
+    read_measure(*v, spec.rules.thickness);
+    if (spec.kind != SurfaceKind::body) v->problem("only a body has a thickness: a dyke or sill, given as a sheet");
+    if (!(spec.rules.thickness > 0)) v->problem("a number above zero was expected");
+  }
   if (const auto v = map.find("extend")) {
     const auto word = v->choice({"none", "flat", "tangent", "nearest"});
     spec.rules.extend = word == "flat"      ? Extend::flat
                         : word == "tangent" ? Extend::tangent
                         : word == "nearest" ? Extend::nearest
                                             : Extend::none;
-    if (spec.kind == SurfaceKind::body && spec.rules.extend != Extend::none)
+    if (spec.kind == SurfaceKind::body && spec.rules.extend != Extend::none && spec.rules.thickness == 0)
       v->problem("a body is not extended: its open ends are closed beyond the box");
   }
   if (const auto v = map.find("fill_holes")) {

@@ -8,10 +8,13 @@
 
 namespace geomesh::geomodel {
 
+/// Keys of rules in an entry of `surfaces`.
+const std::vector<std::string_view>& surface_rule_keys();
+
 /// Key cuts: of bodies `all` or `none`; of faults `all` or a list of units.
 void read_cuts(const YamlValue& value, SurfaceSpec& spec);
 
-/// Keys extend, fill_holes, extent, base and throw_at of an entry of `surfaces`, whose name and kind are known.
+/// The other keys of surface_rule_keys(), of an entry whose name and kind are known.
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec);
 
 /// Key `rules`.

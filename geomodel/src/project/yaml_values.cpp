@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "project/read_rules.hpp"
 #include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
@@ -20,7 +21,8 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> ho
     {"rules",
      {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness",
       "thin_layers"}},
-    {"an entry of surfaces", {"kind", "file", "cuts", "extend", "fill_holes", "extent", "base", "throw_at"}},
+    {"an entry of surfaces", {"kind", "file"}},
+    {"an entry of surfaces", surface_rule_keys()},
     {"box", {"min", "max", "margin", "polygon", "azimuth", "center"}},
     {"mesh",
      {"mode", "refine", "size", "quality", "quality_measure", "preserve_boundary", "cluster_distance", "honour",

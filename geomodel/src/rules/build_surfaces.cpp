@@ -4,6 +4,7 @@
 #include "geomesh/core/error.hpp"
 #include "naming/sheets.hpp"
 #include "rules/column_order.hpp"
+#include "rules/dyke.hpp"
 #include "rules/extend.hpp"
 #include "rules/fault_ends.hpp"
 #include "rules/thin_layers.hpp"
@@ -38,6 +39,17 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box);
     }
+}
+
+/// A body is closed at the box, or made of a sheet.
+void build_body(TriangulatedSurface& body, const SurfaceRules& rule, const std::optional<Box3>& box,
+                const BuildLog& log) {
+  if (rule.thickness > 0) {
+    if (rule.extend != Extend::none) extend_to_box(body, rule.extend, *box, log);
+    thicken(body, rule.thickness, log);
+  } else if (rule.close_at_box && box && !is_closed(body)) {
+    close_body(body, *box, log);
+  }
 }
 
 /// The blocks of a horizon with throw, each continued on its own.
@@ -91,7 +103,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
     if (built.rows.first_only_parting[s] != no_index) continue;  // continued, and filled, above
     if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
     if (surface.kind == SurfaceKind::body) {
-      if (rule.close_at_box && rules.box && !is_closed(surface)) close_body(surface, *rules.box, log);
+      build_body(surface, rule, rules.box, log);
     } else if (!rule.throw_at.empty() && !surface.triangles.empty()) {
       built.rows.block_of_triangle[s] = build_blocks(surface, rule, built.surfaces, built.rows, *rules.box, log);
     } else if (rule.extend != Extend::none) {

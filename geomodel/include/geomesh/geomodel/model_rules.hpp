@@ -48,6 +48,8 @@ struct SurfaceRules {
   std::string stop_at;           ///< faults: a fault or horizon where the continuation ends (`extent: to_fault NAME`)
   bool close_at_box =
       true;  ///< bodies: close open ends (rooted salt) beyond the side of the box that each end is nearest to
+  /// Bodies: the surface is a sheet, and the body has two walls half of this (m) on either side of it; 0: no sheet.
+  double thickness = 0;
   BaseRule base = BaseRule::conformable;  ///< horizons of the column
   std::vector<std::string> cut_units;     ///< faults: units of the column that it cuts, one after the other; none: all
   /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own
