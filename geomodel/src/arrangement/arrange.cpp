@@ -84,7 +84,7 @@ class Arrangement {
   Complex first_round(const Contacts& contacts) {
     Arranged arranged = arrange_round(ingested_.complex, contacts, context_, result_.memory_bound);
     std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);
-    diagnose_crossings(ingested_.complex, contacts, arranged, surfaces_, bounds_, result_, crosses_itself);
+    diagnose_crossings({ingested_.complex, contacts, arranged}, surfaces_, bounds_, result_, crosses_itself);
     if (options_.crossings == ArrangementOptions::Crossings::refuse) refuse_crossings(result_, surfaces_);
     const ClipContext clip{arranged, surfaces_, result_};
     if (options_.box) clip_to_box(clip, *options_.box, polylines_);

@@ -1,40 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "common/union_find.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/info.hpp"
+#include "naming/sheets.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
 namespace {
-
-/// Row of the first point with equal coordinates, per point.
-std::vector<VertexIndex> merge_equal(const std::vector<Vec3>& points) {
-  std::vector<VertexIndex> order(points.size()), first(points.size());
-  std::iota(order.begin(), order.end(), VertexIndex{0});
-  std::sort(order.begin(), order.end(), [&](VertexIndex a, VertexIndex b) {
-    const int c = compare_lexicographic(points[a], points[b]);
-    return c != 0 ? c < 0 : a < b;
-  });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
-  return first;
-}
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), VertexIndex{0}); }
-  VertexIndex find(VertexIndex v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(VertexIndex a, VertexIndex b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<VertexIndex> parent_;
-};
 
 struct DirectedEdge {
   VertexIndex low, high;
@@ -42,7 +17,7 @@ struct DirectedEdge {
 };
 
 /// Number of different sets among the given vertices.
-std::size_t count_sets(DisjointSets& sets, std::vector<VertexIndex> vertices) {
+std::size_t count_sets(UnionFind& sets, std::vector<VertexIndex> vertices) {
   for (VertexIndex& v : vertices) v = sets.find(v);
   std::sort(vertices.begin(), vertices.end());
   return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
@@ -54,7 +29,7 @@ std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const s
   std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
     return std::tie(a.low, a.high, a.forward) < std::tie(b.low, b.high, b.forward);
   });
-  DisjointSets borders(points.size());
+  UnionFind borders(points.size());
   std::vector<VertexIndex> border_vertices;
   CompensatedSum length;
   bool odd = false;
@@ -66,7 +41,7 @@ std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const s
       if (info.n_border_edges++ == 0) info.border_place = middle;
       length.add(
           std::sqrt(dot(points[edges[i].high] - points[edges[i].low], points[edges[i].high] - points[edges[i].low])));
-      borders.join(edges[i].low, edges[i].high);
+      borders.unite(edges[i].low, edges[i].high);
       border_vertices.push_back(edges[i].low);
     } else if (j - i > 2) {
       if (info.n_non_manifold_edges++ == 0) info.non_manifold_place = middle;
@@ -88,12 +63,12 @@ SurfaceInfo measure_surface(const TriangulatedSurface& surface) {
   info.n_points = surface.points.size();
   info.n_triangles = surface.triangles.size();
   for (const Vec3& p : surface.points) info.bounds.add(p);
-  const std::vector<VertexIndex> first = merge_equal(surface.points);
+  const std::vector<VertexIndex> first = merge_equal_points(surface.points);
   for (VertexIndex v = 0; v < first.size(); ++v) info.n_distinct_points += first[v] == v;
 
   std::vector<DirectedEdge> edges;
   std::vector<Triangle> keys;
-  DisjointSets pieces(surface.points.size());
+  UnionFind pieces(surface.points.size());
   std::vector<VertexIndex> used;
   CompensatedSum area, volume;
   const Vec3 origin = surface.points.empty() ? Vec3{} : surface.points.front();
@@ -110,7 +85,7 @@ SurfaceInfo measure_surface(const TriangulatedSurface& surface) {
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexIndex v = key[i], w = key[(i + 1) % 3];
       edges.push_back({std::min(v, w), std::max(v, w), v < w});
-      pieces.join(v, w);
+      pieces.unite(v, w);
     }
     used.push_back(key[0]);
     std::sort(key.begin(), key.end());

@@ -41,7 +41,7 @@ output: {directory: out, formats: [vtu, html]}
 )";
 
 TriangulatedSurface folded_horizon(const std::string& name, double depth, double amplitude) {
-  return height_surface(name, -110.7, 10113.3, -93.9, 8107.1, 24, [=](double x, double y) {
+  return height_surface(name, {-110.7, 10113.3, -93.9, 8107.1, 24}, [=](double x, double y) {
     return -depth + amplitude * std::sin(x / 1700.3) * std::cos(y / 2100.7) + 0.01 * x;
   });
 }
@@ -86,7 +86,7 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
 ProjectTemplate salt_dome() {
   ProjectTemplate result = layers();
   // A stem that widens to a bulb: the flank under the bulb overhangs.
-  result.surfaces.push_back(revolved_surface("salt", 5103.7, 3907.3, -3507.9, -603.1, 24, 32, [](double t) {
+  result.surfaces.push_back(revolved_surface("salt", {5103.7, 3907.3, -3507.9, -603.1, 24, 32}, [](double t) {
     const double bulb = 1300.7 * std::sqrt(std::max(0.0, 1 - std::pow((t - 0.72) / 0.28, 2)));
     const double stem = 620.3 * std::min(1.0, 6 * t);
     return t <= 0.44 || t >= 1 ? stem * (t < 1) : std::max(bulb, t < 0.72 ? stem : 0.0);
@@ -109,15 +109,16 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
 ProjectTemplate from_gocad() {
   ProjectTemplate result;
   const double throw_of_fault = 180;
-  TriangulatedSurface top = height_surface("top_reservoir", 611.3, 9402.7, 518.9, 7388.3, 20, [&](double x, double y) {
-    return -1500 + 60 * std::sin(x / 1900.3) - 0.02 * y - (x > 5000 ? throw_of_fault : 0);
-  });
+  TriangulatedSurface top =
+      height_surface("top_reservoir", {611.3, 9402.7, 518.9, 7388.3, 20}, [&](double x, double y) {
+        return -1500 + 60 * std::sin(x / 1900.3) - 0.02 * y - (x > 5000 ? throw_of_fault : 0);
+      });
   // The blocks: what lies between x = 4,800 and 5,350 m was not interpreted.
   std::erase_if(top.triangles, [&](const Triangle& t) {
     const double x = (top.points[t[0]].x + top.points[t[1]].x + top.points[t[2]].x) / 3;
     return x > 4800 && x < 5350;
   });
-  TriangulatedSurface base = height_surface("base_cover", 402.1, 9588.9, 390.3, 7607.7, 18, [](double x, double y) {
+  TriangulatedSurface base = height_surface("base_cover", {402.1, 9588.9, 390.3, 7607.7, 18}, [](double x, double y) {
     return -700 + 0.015 * x + 40 * std::cos(y / 1500.7);
   });
   std::erase_if(base.triangles, [&](const Triangle& t) {
@@ -161,15 +162,15 @@ attributes:
 
 ProjectTemplate topography_and_wells() {
   ProjectTemplate result;
-  result.surfaces = {height_surface("relief", -120.3, 6130.7, -110.9, 5107.3, 30,
+  result.surfaces = {height_surface("relief", {-120.3, 6130.7, -110.9, 5107.3, 30},
                                     [](double x, double y) {
                                       return 420 + 160 * std::sin(x / 800.7 + 0.3) * std::cos(y / 900.1) + 0.02 * y;
                                     }),
-                     height_surface("base_gravel", -130.7, 6140.3, -120.1, 5130.9, 16,
+                     height_surface("base_gravel", {-130.7, 6140.3, -120.1, 5130.9, 16},
                                     [](double x, double y) {
                                       return 300 + 0.03 * x - 0.01 * y;  // crops out where the valleys cut deep
                                     }),
-                     height_surface("top_bedrock", -140.9, 6150.1, -130.3, 5140.7, 16,
+                     height_surface("top_bedrock", {-140.9, 6150.1, -130.3, 5140.7, 16},
                                     [](double x, double y) { return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y; })};
   result.files = {
       {"wells/water_well.pl", to_gocad(Polyline{"water_well", "", {{2011.3, 2503.9, 900}, {2011.3, 2503.9, 120.7}}})},

@@ -43,8 +43,9 @@ void append_vertices(std::string& text, const std::vector<Vec3>& points) {
 
 }  // namespace
 
-TriangulatedSurface height_surface(const std::string& name, double x0, double x1, double y0, double y1, int n,
+TriangulatedSurface height_surface(const std::string& name, const MapGrid& grid,
                                    const std::function<double(double, double)>& height) {
+  const auto [x0, x1, y0, y1, n] = grid;
   TriangulatedSurface surface;
   surface.name = name;
   for (int j = 0; j <= n; ++j)
@@ -65,8 +66,9 @@ TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, c
   return surface;
 }
 
-TriangulatedSurface revolved_surface(const std::string& name, double x, double y, double bottom, double top, int rings,
-                                     int sectors, const std::function<double(double)>& radius) {
+TriangulatedSurface revolved_surface(const std::string& name, const Axis& axis,
+                                     const std::function<double(double)>& radius) {
+  const auto [x, y, bottom, top, rings, sectors] = axis;
   TriangulatedSurface surface;
   surface.name = name;
   surface.points.push_back({x, y, bottom});
@@ -78,7 +80,9 @@ TriangulatedSurface revolved_surface(const std::string& name, double x, double y
     }
   surface.points.push_back({x, y, top});
   const auto last = static_cast<VertexIndex>(surface.points.size() - 1);
-  const auto node = [sectors](int r, int s) { return static_cast<VertexIndex>(1 + (r - 1) * sectors + s % sectors); };
+  const auto node = [sectors = axis.sectors](int r, int s) {
+    return static_cast<VertexIndex>(1 + (r - 1) * sectors + s % sectors);
+  };
   for (int s = 0; s < sectors; ++s) surface.triangles.push_back({0, node(1, s + 1), node(1, s)});
   for (int r = 1; r + 1 < rings; ++r)
     for (int s = 0; s < sectors; ++s) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "common/union_find.hpp"
 #include "naming/name_regions.hpp"
 #include "naming/soup_edges.hpp"
 #include "naming/sums.hpp"
@@ -110,10 +111,10 @@ std::string consequence(Index component, Index horizon, const Column& column, co
 
 }  // namespace
 
-void warn_of_gaps(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                  const std::vector<TriangulatedSurface>& surfaces, const Column& column, const NamedRegions& named,
+void warn_of_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
                   std::vector<std::string>& warnings) {
   if (!column.given()) return;
+  const auto& [mesh, soup, plc, surfaces] = model;
   std::vector<std::vector<Index>> rows_of_facet(soup.facets.size());
   std::vector<bool> present(column.horizons.size(), false);
   for (Index f = 0; f < soup.facets.size(); ++f)

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "common/union_find.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/flat_patches.hpp"
 #include "naming/soup_edges.hpp"

@@ -78,9 +78,9 @@ class SourceTriangles {
   std::map<Index, std::vector<Index>> candidates_;
 };
 
-void fill_faces(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                const std::vector<TriangulatedSurface>& surfaces, const std::vector<std::int32_t>& surface_id,
+void fill_faces(const MeshedModel& meshed, const std::vector<std::int32_t>& surface_id,
                 const std::vector<VertexIndex>& row, ModelMesh& model) {
+  const auto& [mesh, soup, plc, surfaces] = meshed;
   SourceTriangles sources(soup, plc, surfaces);
   std::map<std::vector<std::int32_t>, std::int32_t> set_rows;
   std::vector<std::int32_t> set;
@@ -123,9 +123,11 @@ void sum_areas(ModelMesh& model) {
 }
 
 /// Curves with at least one edge in the mesh, in the order of plc.curves, then marked points.
-void fill_curves(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                 const std::vector<NamedPoint>& points, const std::vector<VertexIndex>& row, std::int32_t next_id,
-                 ModelMesh& model) {
+void fill_curves(const MeshedModel& meshed, const std::vector<NamedPoint>& points, const std::vector<VertexIndex>& row,
+                 std::int32_t next_id, ModelMesh& model) {
+  const ConstrainedTetrahedralization& mesh = meshed.mesh;
+  const PolygonSoup& soup = meshed.soup;
+  const ModelPlc& plc = meshed.plc;
   std::vector<CompensatedSum> lengths(plc.curves.size());
   std::vector<std::size_t> n_edges(plc.curves.size(), 0);
   for (const auto& edge : mesh.edges)
@@ -183,16 +185,16 @@ void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::
   }
 }
 
-ModelMesh name_components(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                          const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points,
-                          const NamingRules& rules, std::vector<std::string>& warnings) {
-  const Column column = make_column(rules.column, surfaces, warnings);
-  NamedRegions named = name_regions(mesh, soup, plc, surfaces, rules, column, warnings);
-  warn_of_gaps(mesh, soup, plc, surfaces, column, named, warnings);
+ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoint>& points, const NamingRules& rules,
+                          std::vector<std::string>& warnings) {
+  const ConstrainedTetrahedralization& mesh = meshed.mesh;
+  const Column column = make_column(rules.column, meshed.surfaces, warnings);
+  NamedRegions named = name_regions(meshed, rules, column, warnings);
+  warn_of_gaps(meshed, column, named, warnings);
 
   ModelMesh model;
   model.regions = std::move(named.regions);
-  const std::vector<VertexIndex> row = fill_points(mesh, soup, model);
+  const std::vector<VertexIndex> row = fill_points(mesh, meshed.soup, model);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     const Tetrahedron& v = mesh.tetrahedra[t];
     model.tetrahedra.push_back({row[v[0]], row[v[1]], row[v[2]], row[v[3]]});
@@ -200,26 +202,25 @@ ModelMesh name_components(const ConstrainedTetrahedralization& mesh, const Polyg
   }
   std::int32_t next_id = static_cast<std::int32_t>(model.regions.size()) + 1;
   std::vector<std::int32_t> surface_id;
-  for (const TriangulatedSurface& surface : surfaces) {
+  for (const TriangulatedSurface& surface : meshed.surfaces) {
     surface_id.push_back(next_id);
     model.surfaces.push_back({next_id++, surface.name, surface.kind, 0});
   }
-  fill_faces(mesh, soup, plc, surfaces, surface_id, row, model);
+  fill_faces(meshed, surface_id, row, model);
   sum_areas(model);
-  fill_curves(mesh, soup, plc, points, row, next_id, model);
+  fill_curves(meshed, points, row, next_id, model);
   add_groups_and_attributes(rules, model, warnings);
   return model;
 }
 
 }  // namespace
 
-ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                     const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points,
-                     const NamingRules& rules, std::vector<std::string>& warnings) {
-  if (rules.topography.empty() && rules.floor.empty())
-    return name_components(mesh, soup, plc, surfaces, points, rules, warnings);
-  return name_components(within_ends(mesh, soup, plc, surfaces, rules, warnings), soup, plc, surfaces, points, rules,
-                         warnings);
+ModelMesh name_model(const MeshedModel& model, const std::vector<NamedPoint>& points, const NamingRules& rules,
+                     std::vector<std::string>& warnings) {
+  if (rules.topography.empty() && rules.floor.empty()) return name_components(model, points, rules, warnings);
+  const auto& [mesh, soup, plc, surfaces] = model;
+  const ConstrainedTetrahedralization kept = within_ends(mesh, soup, plc, surfaces, rules, warnings);
+  return name_components({kept, soup, plc, surfaces}, points, rules, warnings);
 }
 
 }  // namespace geomesh::geomodel

@@ -205,14 +205,21 @@ void add_suffixes(const std::vector<std::size_t>& order, const std::vector<Label
   }
 }
 
+/// What is known of each component before it has a name: its facts, the bodies around it, its unit of the column.
+struct KnownComponents {
+  const std::vector<ComponentFacts>& facts;
+  const std::vector<std::vector<Index>>& around;
+  const std::vector<UnitVerdict>& verdicts;
+};
+
 /// Labels of all components by the rules; warns of what the column cannot tell.
-std::vector<Label> make_labels(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                               const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
-                               const Column& column, const std::vector<ComponentFacts>& facts,
-                               const std::vector<std::vector<Index>>& around, const std::vector<UnitVerdict>& verdicts,
-                               std::vector<std::string>& warnings) {
+std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& known, const NamingRules& rules,
+                               const Column& column, std::vector<std::string>& warnings) {
+  const ConstrainedTetrahedralization& mesh = model.mesh;
+  const std::vector<TriangulatedSurface>& surfaces = model.surfaces;
+  const std::vector<ComponentFacts>& facts = known.facts;
   const std::vector<Index> points = seeded(mesh, rules.seeds, warnings);
-  const std::vector<Index> hints = hinted(mesh, soup, plc, rules.hints);
+  const std::vector<Index> hints = hinted(mesh, model.soup, model.plc, rules.hints);
   std::vector<Label> labels(facts.size());
   for (std::size_t c = 0; c < facts.size(); ++c) {
     Label& label = labels[c];
@@ -221,14 +228,14 @@ std::vector<Label> make_labels(const ConstrainedTetrahedralization& mesh, const 
       label = {seed_class, points[c], rules.seeds[points[c]].name};
     } else if (seed < rules.seed_names.size()) {
       label = {seed_class, seed, rules.seed_names[seed]};
-    } else if (const Index body = innermost_body(c, around, surfaces); rules.name_by_bodies && body != no_index) {
+    } else if (const Index body = innermost_body(c, known.around, surfaces); rules.name_by_bodies && body != no_index) {
       label = {body_class, body, surfaces[body].name};
     } else if (hints[c] != no_index) {
       label = {hint_class, hints[c], rules.hints[hints[c]].name};
     } else if (!facts[c].enclosed) {
       label = {hull_class, 0, "hull"};
     } else if (column.given()) {
-      const UnitVerdict& verdict = verdicts[c];
+      const UnitVerdict& verdict = known.verdicts[c];
       warn_of_verdict(verdict, facts[c], column, surfaces, warnings);
       if (verdict.first != no_index)
         label = {column_class, 2 * verdict.first + (verdict.last > verdict.first), unit_name(verdict, column)};
@@ -290,17 +297,19 @@ std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
 
 }  // namespace
 
-NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
-                          const Column& column, std::vector<std::string>& warnings) {
+NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, const Column& column,
+                          std::vector<std::string>& warnings) {
+  const ConstrainedTetrahedralization& mesh = model.mesh;
+  const PolygonSoup& soup = model.soup;
+  const ModelPlc& plc = model.plc;
+  const std::vector<TriangulatedSurface>& surfaces = model.surfaces;
   const std::vector<ComponentFacts> facts = component_facts(mesh, soup, plc, rules.hull_surface);
   const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
   NamedRegions named;
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column))
     named.verdicts.push_back(judge_unit(contacts, column));
   if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
-  std::vector<Label> labels =
-      make_labels(mesh, soup, plc, surfaces, rules, column, facts, around, named.verdicts, warnings);
+  std::vector<Label> labels = make_labels(model, {facts, around, named.verdicts}, rules, column, warnings);
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);
   if (rules.fault_blocks) add_blocks(mesh, soup, plc, column, facts, labels);

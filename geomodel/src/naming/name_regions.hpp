@@ -22,9 +22,8 @@ struct NamedRegions {
 
 /// Rules as in NamingRules and name_model. Appends warnings on suffixes, pockets, missing horizons and bodies that are
 /// not closed.
-NamedRegions name_regions(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                          const std::vector<TriangulatedSurface>& surfaces, const NamingRules& rules,
-                          const Column& column, std::vector<std::string>& warnings);
+NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, const Column& column,
+                          std::vector<std::string>& warnings);
 
 /// A horizon at which the model ends above (topography) or below (bottom).
 struct ModelEnd {
@@ -65,8 +64,7 @@ std::vector<Index> join_targets(const std::vector<ComponentFacts>& facts, const 
 std::vector<ComponentFacts> joined_facts(std::vector<ComponentFacts> facts, std::span<const Index> target);
 
 /// Appends warnings on horizons that have holes, stop short or are absent, with the units that join there.
-void warn_of_gaps(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                  const std::vector<TriangulatedSurface>& surfaces, const Column& column, const NamedRegions& named,
+void warn_of_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
                   std::vector<std::string>& warnings);
 
 }  // namespace geomesh::geomodel

@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "common/union_find.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "naming/name_regions.hpp"

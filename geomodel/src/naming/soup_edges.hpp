@@ -38,24 +38,4 @@ struct SurfaceSets {
 };
 SurfaceSets surface_sets(const PolygonSoup& soup);
 
-/// Disjoint sets with path halving; the representative is always the smallest member.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) {
-    for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
-  }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
 }  // namespace geomesh::geomodel

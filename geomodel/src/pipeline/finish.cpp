@@ -84,7 +84,7 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
                           PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
   ModelMesh mesh =
-      name_model(core, model.arrangement.soup, model.plc, model.surfaces, model.points, model.naming, model.warnings);
+      name_model({core, model.arrangement.soup, model.plc, model.surfaces}, model.points, model.naming, model.warnings);
   for (std::size_t i = known; i < model.warnings.size(); ++i)
     recorder.context().note(LogLevel::warning, model.warnings[i]);
   mesh.name = model.name;

@@ -66,7 +66,7 @@ void ask_of_components(const PreparedModel& model, const ConstrainedTetrahedrali
   std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
   const Column column = make_column(model.naming.column, model.surfaces, told_later);
   const NamedRegions named =
-      name_regions(mesh, model.arrangement.soup, model.plc, model.surfaces, model.naming, column, told_later);
+      name_regions({mesh, model.arrangement.soup, model.plc, model.surfaces}, model.naming, column, told_later);
   std::set<std::string> words;
   for (const auto& [name, value] : asked.units) words.insert(name);
   for (const auto& [name, value] : asked.layers) words.insert(name);

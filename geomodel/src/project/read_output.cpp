@@ -96,10 +96,7 @@ void read_output(const YamlValue& value, const std::filesystem::path& folder, Pr
   }
   if (const auto v = map.find("formats")) read_formats(*v, output.formats);
   if (const auto v = map.find("origin")) {
-    if (const auto origin = v->point()) {
-      output.origin = *origin;
-      output.has_origin = true;
-    }
+    if (const auto origin = v->point()) output.origin = *origin;
   }
   read_options(map, project, output.options);
   check_formats(value, output);

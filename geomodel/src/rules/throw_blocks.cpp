@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "common/union_find.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
 #include "naming/soup_edges.hpp"

@@ -53,7 +53,7 @@ Run mesh_by_rules(const std::vector<TriangulatedSurface>& surfaces, const ModelR
   run.warnings = built.warnings;
   NamingRules naming;
   naming.column = rules.column;
-  run.mesh = name_model(mesh, trimmed.soup, plc, built.surfaces, {}, naming, run.warnings);
+  run.mesh = name_model({mesh, trimmed.soup, plc, built.surfaces}, {}, naming, run.warnings);
   CHECK(validate_model_mesh(run.mesh) == std::vector<std::string>{});
   return run;
 }

@@ -18,7 +18,7 @@ TEST_CASE("soups go through the engine to named meshes, with box sides as triang
     const ModelPlc plc = make_plc(grid.soup, grid.surfaces, {}, {merge});
     const ConstrainedTetrahedralization mesh = tetrahedralize(plc.plc);
     std::vector<std::string> warnings;
-    const ModelMesh model = name_model(mesh, grid.soup, plc, grid.surfaces, {}, three_layer_rules(), warnings);
+    const ModelMesh model = name_model({mesh, grid.soup, plc, grid.surfaces}, {}, three_layer_rules(), warnings);
     CHECK(validate_model_mesh(model) == std::vector<std::string>{});
     REQUIRE(model.regions.size() == 3);
     CHECK(model.regions[0].name == "top");

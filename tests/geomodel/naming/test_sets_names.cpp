@@ -20,7 +20,7 @@ Named name_grid(GridModel grid, const NamingRules& rules) {
   const ModelPlc plc = make_plc(grid.soup, grid.surfaces, {}, {false});
   add_segment_edges(plc, grid.mesh);
   Named named;
-  named.model = name_model(grid.mesh, grid.soup, plc, grid.surfaces, {}, rules, named.warnings);
+  named.model = name_model({grid.mesh, grid.soup, plc, grid.surfaces}, {}, rules, named.warnings);
   INFO((named.warnings.empty() ? std::string() : named.warnings.front()));
   CHECK(validate_model_mesh(named.model) == std::vector<std::string>{});
   return named;

@@ -52,6 +52,14 @@ struct PlcOptions {
 ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                   const std::vector<Polyline>& polylines, const PlcOptions& options = {});
 
+/// A mesh with what it was made of; all outlive it. `surfaces` as in make_plc.
+struct MeshedModel {
+  const ConstrainedTetrahedralization& mesh;
+  const PolygonSoup& soup;
+  const ModelPlc& plc;
+  const std::vector<TriangulatedSurface>& surfaces;
+};
+
 /// How regions get their names, in this order: a seed point inside, a region seed of the PLC, the innermost body it
 /// lies in, a hint, the column, else `region_1`, `region_2`, ... Among overlapping bodies the first in project order
 /// counts; unnamed regions are numbered in the order of their first input triangle.
@@ -75,7 +83,7 @@ struct NamingRules {
   std::map<std::string, std::map<std::string, double>> attributes{};  ///< unit or region: attribute: value
 };
 
-/// Names components, orders regions, builds face sets and curves. `surfaces` as in make_plc.
+/// Names components, orders regions, builds face sets and curves. `points` are those of the soup's isolated points.
 ///
 /// Region ids from 1: units of the column youngest first, then bodies in project order, hints, seeds, unnamed ones by
 /// first input triangle, hull. Regions of one name get the suffixes `__1`, `__2`, ... by place: the lexicographically
@@ -85,9 +93,8 @@ struct NamingRules {
 ///
 /// Appends to `warnings`: units that join through a gap, regions that got a suffix, horizons that stop short or have
 /// holes. Throws Error{usage} where the column is malformed or names a horizon that is not there.
-ModelMesh name_model(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                     const std::vector<TriangulatedSurface>& surfaces, const std::vector<NamedPoint>& points,
-                     const NamingRules& rules, std::vector<std::string>& warnings);
+ModelMesh name_model(const MeshedModel& model, const std::vector<NamedPoint>& points, const NamingRules& rules,
+                     std::vector<std::string>& warnings);
 
 /// Lists every fault against the invariants of ModelMesh (empty: none). Runs before anything is written.
 std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned threads = 0);

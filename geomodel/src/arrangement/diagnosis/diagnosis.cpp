@@ -155,9 +155,9 @@ void measure_crossings(const SurfaceList& surfaces, ArrangementResult& result) {
 
 }  // namespace
 
-void diagnose_crossings(const Complex& complex, const Contacts& contacts, const Arranged& arranged,
-                        const SurfaceList& surfaces, const std::optional<Box3>& box, ArrangementResult& result,
-                        std::vector<std::uint8_t>& crosses_itself) {
+void diagnose_crossings(const ArrangedContacts& round, const SurfaceList& surfaces, const std::optional<Box3>& box,
+                        ArrangementResult& result, std::vector<std::uint8_t>& crosses_itself) {
+  const auto& [complex, contacts, arranged] = round;
   struct Seen {
     Index a, b;
     std::size_t contact;

@@ -8,11 +8,17 @@
 
 namespace geomesh::geomodel::arrangement {
 
+/// A complex with its contacts, and both arranged.
+struct ArrangedContacts {
+  const Complex& complex;
+  const Contacts& contacts;
+  const Arranged& arranged;
+};
+
 /// Crossings of input surfaces (the box's sides apart), inside the box where there is one. Adds spots and warnings,
 /// fills n_crossing_pairs; `crosses_itself` is set per given surface.
-void diagnose_crossings(const Complex& complex, const Contacts& contacts, const Arranged& arranged,
-                        const SurfaceList& surfaces, const std::optional<Box3>& box, ArrangementResult& result,
-                        std::vector<std::uint8_t>& crosses_itself);
+void diagnose_crossings(const ArrangedContacts& round, const SurfaceList& surfaces, const std::optional<Box3>& box,
+                        ArrangementResult& result, std::vector<std::uint8_t>& crosses_itself);
 
 /// Throws Error{invalid_input} that names the pairs and places if any input surfaces cross.
 void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces);

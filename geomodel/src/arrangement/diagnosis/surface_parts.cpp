@@ -10,36 +10,23 @@
 namespace geomesh::geomodel::arrangement {
 
 SurfaceParts::SurfaceParts(const PolygonSoup& soup, std::size_t n_surfaces)
-    : parent_(soup.origins.size()), area_(soup.origins.size(), 0), shared_of_(n_surfaces), parts_of_(n_surfaces) {
-  for (Index k = 0; k < parent_.size(); ++k) parent_[k] = k;
+    : joined_(soup.origins.size()), area_(soup.origins.size(), 0), shared_of_(n_surfaces), parts_of_(n_surfaces) {
   EdgeBuckets(soup).for_each_edge(
       [&](VertexIndex, VertexIndex, const std::vector<Index>& facets) { add_edge(soup, facets); });
   for (Index f = 0; f < soup.facets.size(); ++f) {
     const auto& [a, b, c] = soup.facets[f];
     for (Index k = soup.origin_offsets[f]; k < soup.origin_offsets[f + 1]; ++k) {
-      area_[root(k)] += area(soup.points[a], soup.points[b], soup.points[c]);
-      if (root(k) == k) parts_of_[soup.origins[k].surface].push_back(k);
+      area_[joined_.find(k)] += area(soup.points[a], soup.points[b], soup.points[c]);
+      if (joined_.find(k) == k) parts_of_[soup.origins[k].surface].push_back(k);
     }
   }
   for (Index e = 0; e < shared_.size(); ++e) {
-    for (auto& [surface, part] : shared_[e]) part = root(part);
+    for (auto& [surface, part] : shared_[e]) part = joined_.find(part);
     std::sort(shared_[e].begin(), shared_[e].end());
     shared_[e].erase(std::unique(shared_[e].begin(), shared_[e].end()), shared_[e].end());
     for (std::size_t k = 0; k < shared_[e].size(); ++k)
       if (k == 0 || shared_[e][k].first != shared_[e][k - 1].first) shared_of_[shared_[e][k].first].push_back(e);
   }
-}
-
-Index SurfaceParts::root(Index node) const {
-  while (parent_[node] != node) node = parent_[node];
-  return node;
-}
-
-/// The lesser row stands; paths are halved on the way.
-void SurfaceParts::unite(Index a, Index b) {
-  for (Index* node : {&a, &b})
-    while (parent_[*node] != *node) *node = parent_[*node] = parent_[parent_[*node]];
-  parent_[std::max(a, b)] = std::min(a, b);
 }
 
 void SurfaceParts::add_edge(const PolygonSoup& soup, const std::vector<Index>& facets) {
@@ -53,30 +40,27 @@ void SurfaceParts::add_edge(const PolygonSoup& soup, const std::vector<Index>& f
     shared_.push_back(std::move(at));
     return;
   }
-  for (std::size_t k = 1; k < at.size(); ++k) unite(at[0].second, at[k].second);
+  for (std::size_t k = 1; k < at.size(); ++k) joined_.unite(at[0].second, at[k].second);
 }
 
 double SurfaceParts::area_parted(Index a, Index b) const {
-  std::map<Index, Index> joined;
-  for (const Index part : parts_of_[a]) joined[part] = part;
-  const auto find = [&joined](Index part) {
-    while (joined.at(part) != part) part = joined.at(part) = joined.at(joined.at(part));
-    return part;
+  const std::vector<Index>& parts = parts_of_[a];
+  const auto row_of = [&parts](Index part) {
+    return static_cast<Index>(std::lower_bound(parts.begin(), parts.end(), part) - parts.begin());
   };
+  UnionFind joined(parts.size());
   for (const Index e : shared_of_[a]) {
     const SharedEdge& edge = shared_[e];
     if (std::any_of(edge.begin(), edge.end(), [&](const auto& entry) { return entry.first == b; })) continue;
     Index first = no_index;
     for (const auto& [surface, part] : edge) {
       if (surface != a) continue;
-      if (first == no_index) first = find(part);
-      const Index other = find(part);
-      joined[std::max(first, other)] = std::min(first, other);
-      first = std::min(first, other);
+      if (first == no_index) first = row_of(part);
+      joined.unite(first, row_of(part));
     }
   }
   std::map<Index, double> areas;
-  for (const Index part : parts_of_[a]) areas[find(part)] += area_[part];
+  for (Index row = 0; row < parts.size(); ++row) areas[joined.find(row)] += area_[parts[row]];
   double all = 0, largest = 0;
   for (const auto& [part, size] : areas) {
     all += size;

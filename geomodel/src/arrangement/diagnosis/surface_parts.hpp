@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "common/union_find.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -24,13 +25,11 @@ class SurfaceParts {
   /// Facets at an edge at which several surfaces lie: (surface, part) pairs, ascending.
   using SharedEdge = std::vector<std::pair<Index, Index>>;
   void add_edge(const PolygonSoup& soup, const std::vector<Index>& facets);
-  Index root(Index node) const;
-  void unite(Index a, Index b);
 
-  std::vector<Index> parent_;  ///< per row of soup.origins
-  std::vector<double> area_;   ///< per root
+  UnionFind joined_;          ///< rows of soup.origins
+  std::vector<double> area_;  ///< per representative
   std::vector<SharedEdge> shared_;
-  std::vector<std::vector<Index>> shared_of_, parts_of_;  ///< per surface: rows in shared_; its roots
+  std::vector<std::vector<Index>> shared_of_, parts_of_;  ///< per surface: rows in shared_; its parts, ascending
 };
 
 }  // namespace geomesh::geomodel::arrangement

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "arrangement/model/memory_bound.hpp"
+#include "common/union_find.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 
@@ -143,22 +144,13 @@ class Round {
     return ends;
   }
 
-  Index root(Index f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
-
   void find_clusters() {
-    parent_.resize(complex_.facets.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    UnionFind clusters(complex_.facets.size());
+    for (const Overlap& o : contacts_.overlaps) clusters.unite(o.a, o.b);
+    for (const FacetContact& c : contacts_.facets) members_.emplace_back(clusters.find(c.facet), c.facet);
     for (const Overlap& o : contacts_.overlaps) {
-      const Index a = root(o.a), b = root(o.b);
-      parent_[std::max(a, b)] = std::min(a, b);
-    }
-    for (const FacetContact& c : contacts_.facets) members_.emplace_back(root(c.facet), c.facet);
-    for (const Overlap& o : contacts_.overlaps) {
-      members_.emplace_back(root(o.a), o.a);
-      members_.emplace_back(root(o.b), o.b);
+      members_.emplace_back(clusters.find(o.a), o.a);
+      members_.emplace_back(clusters.find(o.b), o.b);
     }
     tbb::parallel_sort(members_.begin(), members_.end());
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
@@ -265,7 +257,6 @@ class Round {
   Identification identify_;
   std::vector<Index> active_;
   std::vector<Symbol> symbols_;
-  std::vector<Index> parent_;
   std::vector<std::pair<Index, Index>> members_;  ///< (least facet of the cluster, facet), sorted
   std::vector<std::size_t> cluster_begin_;
   std::vector<ClusterPieces> pieces_;

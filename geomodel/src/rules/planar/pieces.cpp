@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "common/union_find.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "naming/sums.hpp"
 
@@ -32,10 +33,11 @@ bool runs_upward(const WorkingSoup& w, Index f, Index y, const UpwardSides& side
   return runs_from(w.soup.facets[f], a, b) == facet_is_up;
 }
 
-/// Side of point d at the edge a, b against the facets of y there: 1 above, -1 below, 0 on it or undecided. Facets of y
+/// Side of point d at the edge against the facets of y there: 1 above, -1 below, 0 on it or undecided. Facets of y
 /// are one (y ends here) or two (d is in the upper or the lower wedge between them).
-int side_at_edge(const WorkingSoup& w, VertexIndex a, VertexIndex b, const std::vector<Index>& of_y, Index y,
+int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<Index>& of_y, Index y,
                  const UpwardSides& sides, VertexIndex d) {
+  const VertexIndex a = edge.a, b = edge.b;
   const auto orient = [&](VertexIndex c, VertexIndex e) {
     return orient3d(w.soup.points[a], w.soup.points[b], w.soup.points[c], w.soup.points[e]);
   };
@@ -172,8 +174,8 @@ std::vector<Piece> pieces_of(const WorkingSoup& w, const std::function<bool(Inde
       if (n_alive == 1) piece.free_border += length;
       if (!of_cutter.empty()) piece.contact += length;
       if (!sides || of_cutter.empty()) continue;
-      const int side = side_at_edge(w, edge[0].a, edge[0].b, of_cutter, cutters.front(), *sides,
-                                    apex_of(w.soup.facets[f], edge[0].a, edge[0].b));
+      const int side =
+          side_at_edge(w, edge[0], of_cutter, cutters.front(), *sides, apex_of(w.soup.facets[f], edge[0].a, edge[0].b));
       (side > 0 ? piece.above : piece.below) += side == 0 ? 0 : length;
     }
   });
