@@ -6,8 +6,11 @@
 
 #include "corpus_models.hpp"
 #include "corpus_shared.hpp"
+#include "needle_cad.hpp"
 #ifdef GEOMESH_BENCH_GEOMODEL
 #include "geomesh/geomodel/arrangement.hpp"
+#include "noisy_faults.hpp"
+#include "structural_models.hpp"
 #endif
 
 namespace geomesh::bench {
@@ -52,6 +55,21 @@ std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder) {
     const std::string folder = data_folder + "/faults/" + group;
     if (std::filesystem::exists(folder))
       inputs.push_back({std::string("faults/") + group, [folder] { return intersected_faults(folder); }});
+  }
+#endif
+  for (const unsigned seed : {0u, 3u, 10u, 11u})
+    inputs.push_back({"made/needle_plate_" + std::to_string(seed),
+                      [seed] { return test::needle_cad(seed, test::needle_cad_options(seed)).plc; }});
+#ifdef GEOMESH_BENCH_GEOMODEL
+  for (const unsigned seed : {0u, 1u, 2u, 3u}) {
+    inputs.push_back({"made/structural_" + std::to_string(seed), [seed] {
+                        using namespace geomodel::testing;
+                        return structural_model(seed, structural_options(seed, 0)).plc;
+                      }});
+    inputs.push_back({"made/noisy_faults_" + std::to_string(seed), [seed] {
+                        using namespace geomodel::testing;
+                        return noisy_faults_model(seed, noisy_faults_options(seed)).plc;
+                      }});
   }
 #endif
   for (const char* name : {"chazelle_8", "chazelle_16", "nested_spheres_fine", "cube_lattice_12", "pinching_layers",

@@ -16,8 +16,9 @@ struct RecoveryInput {
   std::function<PiecewiseLinearComplex()> make;
 };
 
-/// The valid complexes of the outside data (solids, classic, grains, modelA4), the faults of the outside data
-/// intersected in a box (where geomodel is built), and the larger models of the corpus.
+/// The valid complexes of the outside data (solids, classic, grains, modelA4), and its faults intersected in a box
+/// (where geomodel is built). Then models of our own making: needle plates, structural models and noisy faults by seed
+/// (the last two where geomodel is built), and the larger ones of the corpus.
 std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder);
 
 }  // namespace geomesh::bench

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faults that cross by noise in strips far narrower than their triangles, judged exactly.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <sstream>
+
+#include "corpus_run.hpp"
+#include "noisy_faults.hpp"
+
+using namespace geomesh;
+using namespace geomesh::geomodel::testing;
+
+namespace {
+
+void mesh_noisy_faults(unsigned first, unsigned count) {
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    const NoisyFaultsModel model = noisy_faults_model(seed, noisy_faults_options(seed));
+    for (const bool keeps_boundary : {false, true}) {
+      INFO("seed " << seed << (keeps_boundary ? ", boundary kept" : ""));
+      const test::CorpusRun run =
+          test::run_and_judge(model.plc, keeps_boundary ? test::preserving_mode() : test::constrained_mode(), 120);
+      CHECK(run.trouble == "");
+      if (!run.ok()) continue;
+      const RecoveryStatistics& s = run.mesh->recovery;
+      CHECK(100 * (s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside) <= model.plc.points.size());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the generator of noisy faults makes strips that are far narrower than the triangles given",
+          "[recover][noisy-faults]") {
+  double narrowest = 1e9;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    INFO("seed " << seed);
+    const NoisyFaultsModel model = noisy_faults_model(seed, noisy_faults_options(seed));
+    CHECK(validate_plc(model.plc).empty());
+    CHECK(model.plc.n_facets() > model.n_given / 4);
+    narrowest = std::min(narrowest, model.narrowest);
+  }
+  CHECK(narrowest < 1e-3);
+}
+
+TEST_CASE("faults that cross by noise are meshed with at most one percent of Steiner points",
+          "[recover][judged][noisy-faults]") {
+  mesh_noisy_faults(0, 5);
+}
+
+// GEOMESH_NOISY_FAULTS="FIRST COUNT" test_geomodel "[noisy-faults-seeds]": any range of seeds.
+TEST_CASE("noisy faults of the seeds asked for are meshed", "[recover][judged][.][noisy-faults-seeds]") {
+  const char* asked = std::getenv("GEOMESH_NOISY_FAULTS");
+  REQUIRE(asked != nullptr);
+  std::istringstream words(asked);
+  unsigned first = 0, count = 0;
+  REQUIRE(words >> first >> count);
+  mesh_noisy_faults(first, count);
+}
+
+TEST_CASE("hundreds of models of noisy faults are meshed", "[recover][judged][nightly][noisy-faults]") {
+  mesh_noisy_faults(1000, 200);
+}
