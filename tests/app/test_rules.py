@@ -371,8 +371,8 @@ column: [upper, top, lower]
         self.surface("dyke", [(4, -1), (4.2, 5), (4, 11)])
         self.assertIn("only a body has a thickness", self.mesh((self.DYKE % "").replace("kind: body", "kind: fault"), status=USAGE))
         self.assertIn("above zero", self.mesh((self.DYKE % "").replace("0.5", "0"), status=USAGE))
-        self.surface("dyke", [(4, -1), (6, 5), (4, 5.1), (4, 11)])
-        self.assertIn("bends more tightly", self.mesh((self.DYKE % "").replace("0.5", "3"), status=BAD_INPUT))
+        self.surface("dyke", [(4, -1), (5, 5), (5.4, 5), (6.4, -1)])
+        self.assertIn("bends more tightly", self.mesh((self.DYKE % "").replace("0.5", "1.5"), status=BAD_INPUT))
 
 
 

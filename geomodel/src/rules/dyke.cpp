@@ -15,7 +15,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A vertex's normal times half of the thickness is this much longer at most, where its triangles are inclined.
+/// Where triangles are inclined to a vertex's normal, it moves further than half of the thickness: by this factor at
+/// most, which is an inclination of 60 degrees.
 constexpr double longest_miter = 2;
 
 Vec3 area_vector(const std::vector<Vec3>& points, const Triangle& t) {
@@ -51,21 +52,24 @@ void orient_as_one(TriangulatedSurface& sheet) {
 }
 
 /// By merged row: the vector that brings a vertex to the distance `half` from the planes of its triangles, in the mean.
+/// Refuses a vertex at which they are too much inclined for that.
 std::vector<Vec3> offsets(const TriangulatedSurface& sheet, const std::vector<VertexIndex>& merged, double half) {
   struct Corner {
     VertexIndex vertex;
+    Index triangle;
     Vec3 normal;
     double angle;
   };
   std::vector<Corner> corners;
   std::vector<Vec3> sum(sheet.points.size(), Vec3{0, 0, 0});
-  for (const Triangle& t : sheet.triangles) {
+  for (Index row = 0; row < sheet.triangles.size(); ++row) {
+    const Triangle& t = sheet.triangles[row];
     const Vec3 area = area_vector(sheet.points, t);
     const double length = norm(area);
     if (!(length > 0)) continue;  // a needle without area in doubles: its neighbours tell
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &p = sheet.points[t[i]], &q = sheet.points[t[(i + 1) % 3]], &r = sheet.points[t[(i + 2) % 3]];
-      corners.push_back({merged[t[i]], (1 / length) * area, angle_between(q - p, r - p)});
+      corners.push_back({merged[t[i]], row, (1 / length) * area, angle_between(q - p, r - p)});
       sum[corners.back().vertex] = sum[corners.back().vertex] + corners.back().angle * corners.back().normal;
     }
   }
@@ -75,12 +79,12 @@ std::vector<Vec3> offsets(const TriangulatedSurface& sheet, const std::vector<Ve
     if (length > 0) cosine[c.vertex] += c.angle * dot(c.normal, sum[c.vertex]) / length;
     weight[c.vertex] += c.angle;
   }
-  for (std::size_t v = 0; v < sum.size(); ++v) {
-    const double length = norm(sum[v]);
-    if (!(length > 0)) continue;
-    const double longer = std::min(longest_miter, weight[v] / std::max(cosine[v], weight[v] / longest_miter));
-    sum[v] = (half * longer / length) * sum[v];
-  }
+  for (const Corner& c : corners)
+    if (longest_miter * cosine[c.vertex] < weight[c.vertex])
+      refuse(sheet, c.triangle,
+             "its sheet bends too sharply for a wall at a constant distance (smooth or resample it)");
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    if (weight[v] > 0) sum[v] = (half * weight[v] / (cosine[v] * norm(sum[v]))) * sum[v];
   return sum;
 }
 

@@ -5,16 +5,15 @@
 
 #include "quality/measure/cell_quality.hpp"
 #include "quality/measure/link_shapes.hpp"
+#include "quality_measures.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;
+using geomesh::test::all_measures;
 
 namespace {
 
 using Face = std::array<Vec3, 3>;
-
-const std::array all_measures{QualityMeasure::dihedral, QualityMeasure::radius_ratio, QualityMeasure::mean_ratio};
-static_assert(all_measures.size() == n_quality_measures);
 
 /// n faces seen from about the origin, of all shapes.
 std::vector<Face> random_link(std::size_t n, unsigned seed) {

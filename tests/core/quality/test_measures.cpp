@@ -8,16 +8,15 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/quality.hpp"
 #include "quality/measure/cell_quality.hpp"
+#include "quality_measures.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;
+using geomesh::test::all_measures;
 
 namespace {
 
 using Cell = std::array<Vec3, 4>;
-
-const std::array all_measures{QualityMeasure::dihedral, QualityMeasure::radius_ratio, QualityMeasure::mean_ratio};
-static_assert(all_measures.size() == n_quality_measures);
 
 const Cell regular{Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, -1, 1}, Vec3{-1, 1, -1}};
 

@@ -5,16 +5,15 @@
 
 #include "geomesh/core/refine.hpp"
 #include "quality/measure/cell_quality.hpp"
+#include "quality_measures.hpp"
 #include "refine_models.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;
+using geomesh::test::all_measures;
 using namespace refine_models;
 
 namespace {
-
-const std::array all_measures{QualityMeasure::dihedral, QualityMeasure::radius_ratio, QualityMeasure::mean_ratio};
-static_assert(all_measures.size() == n_quality_measures);
 
 struct Case {
   const char* name;

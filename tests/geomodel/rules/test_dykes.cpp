@@ -15,10 +15,18 @@ namespace {
 
 constexpr unsigned n = 20;
 
+TriangulatedSurface empty_body() {
+  TriangulatedSurface s;
+  s.name = "dyke";
+  s.kind = SurfaceKind::body;
+  s.cuts_all = true;
+  return s;
+}
+
 /// A sheet over a square of side 20 in the plane of y and z, x by `height`; every other triangle is turned.
 template <class F>
 TriangulatedSurface sheet_over(F&& height) {
-  TriangulatedSurface s{.name = "dyke", .kind = SurfaceKind::body, .cuts_all = true};
+  TriangulatedSurface s = empty_body();
   for (unsigned j = 0; j <= n; ++j)
     for (unsigned i = 0; i <= n; ++i) s.points.push_back({height(i, j), double(i), double(j)});
   for (Index j = 0; j < n; ++j)
@@ -65,7 +73,7 @@ TEST_CASE("A plane sheet with a thickness becomes a box, whichever way its trian
   CHECK(body.triangles.size() == 2 * given.triangles.size() + 2 * 4 * n);
   for (std::size_t v = 0; v < body.points.size(); ++v) {
     const Vec3 d = body.points[v] - given.points[v % given.points.size()];
-    CHECK(norm(d) == Approx(1));
+    CHECK(dot(d, d) == Approx(1));
   }
   REQUIRE(built.notes.size() == 1);
   CHECK(built.notes[0].find("thickness 2") != std::string::npos);
@@ -91,7 +99,7 @@ TEST_CASE("Walls of a bent sheet lie at half of the thickness from its triangles
     const Triangle& g = given.triangles[t];
     const Vec3 area = cross(given.points[g[1]] - given.points[g[0]], given.points[g[2]] - given.points[g[0]]);
     for (const VertexIndex v : g) {
-      const double height = std::abs(dot(area, body.points[v] - given.points[v])) / norm(area);
+      const double height = std::abs(dot(area, body.points[v] - given.points[v])) / std::sqrt(dot(area, area));
       least = std::min(least, height), most = std::max(most, height);
     }
   }
@@ -100,13 +108,16 @@ TEST_CASE("Walls of a bent sheet lie at half of the thickness from its triangles
 }
 
 TEST_CASE("What is no sheet, or bends more tightly than its thickness, is refused with the place", "[rules]") {
-  CHECK(refusal(sheet_over([](unsigned i, unsigned) { return i % 2 ? 4.0 : 0.0; }), 3).find("bends more tightly") !=
-        std::string::npos);
+  const TriangulatedSurface pleats = sheet_over([](unsigned i, unsigned) { return i % 2 ? 4.0 : 0.0; });
+  CHECK(refusal(pleats, 3).find("bends too sharply") != std::string::npos);
+  const TriangulatedSurface folds = sheet_over([](unsigned i, unsigned) { return 3 * std::sin(0.6 * i); });
+  CHECK(refusal(folds, 0.5).empty());
+  CHECK(refusal(folds, 6).find("bends more tightly") != std::string::npos);
   TriangulatedSurface three = sheet_over([](unsigned, unsigned) { return 0.0; });
   three.points.push_back({5, 0.5, 0});
   three.triangles.push_back({0, n + 2, static_cast<VertexIndex>(three.points.size() - 1)});
   CHECK(refusal(three, 1).find("more than two triangles") != std::string::npos);
-  TriangulatedSurface moebius{.name = "dyke", .kind = SurfaceKind::body, .cuts_all = true};
+  TriangulatedSurface moebius = empty_body();
   for (unsigned k = 0; k < 12; ++k)
     for (const double r : {-1.0, 1.0}) {
       const double a = k * M_PI / 6, half = a / 2;

@@ -93,8 +93,7 @@ NoisyFaultsModel noisy_faults_model(unsigned seed, const NoisyFaultsOptions& opt
   const PolygonSoup soup = arrange(faults, {}, {}, arranged).soup;
   NoisyFaultsModel model;
   model.plc = complex_of(soup);
-  const Vec3 diagonal = model_box.max - model_box.min;
-  model.narrowest = std::sqrt(dot(diagonal, diagonal));
+  model.narrowest = model_box.max.x - model_box.min.x;
   for (const TriangulatedSurface& s : faults) model.n_given += s.triangles.size();
   for (const Triangle& t : soup.facets)
     model.narrowest = std::min(model.narrowest, least_height(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]));
