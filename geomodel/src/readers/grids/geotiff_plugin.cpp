@@ -45,6 +45,8 @@ std::vector<fs::path> plugin_folders() {
   if (!own.empty()) {
     folders.push_back(own);
     folders.push_back(own / ".." / GEOMESH_PLUGIN_FOLDER_FROM_BIN);
+    folders.push_back(own / "../../../.." /
+                      GEOMESH_PLUGIN_FOLDER_FROM_BIN);  // PREFIX/lib/python3/dist-packages/geomesh
   }
   folders.emplace_back(GEOMESH_PLUGIN_FOLDER);
   return folders;
