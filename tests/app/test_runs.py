@@ -11,11 +11,12 @@ from geomesh_program import BAD_INPUT, INTERRUPTED, PROGRAM, USAGE, ProgramTest,
 
 class Runs(ProgramTest):
     def test_threads_give_identical_files(self):
-        for threads in (1, 2):
+        for threads in (1, 2, 4):
             self.run_program(self.sample("salt-dome"), "-o", self.path(str(threads)), "--threads", threads, "--quiet")
         for ending in (".vtu", ".faces.vtp", ".curves.vtp"):
             name = "salt_dome" + ending
-            self.assertTrue(filecmp.cmp(self.path("1", name), self.path("2", name), shallow=False), name)
+            for threads in ("2", "4"):
+                self.assertTrue(filecmp.cmp(self.path("1", name), self.path(threads, name), shallow=False), f"{name}, {threads} threads")
 
     def test_stop_after(self):
         stages = ["read", "build", "intersect", "delaunay", "recover", "classify"]
