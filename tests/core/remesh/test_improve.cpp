@@ -19,7 +19,7 @@ TEST_CASE("The imported mesh is valid and comes back as it was", "[improve]") {
   for (const Model& model : {two_boxes(2), ball_in_box(4), box_with_well(4)}) {
     const DomainMesh mesh = import_domain(model.plc, model.mesh, {});
     CHECK(mesh.validate() == "");
-    const ConstrainedTetrahedralization back = export_domain(mesh, model.plc, model.mesh);
+    const ConstrainedTetrahedralization back = export_domain(mesh, model.mesh);
     CHECK(back.points == model.mesh.points);
     CHECK(back.tetrahedra == model.mesh.tetrahedra);
     CHECK(back.component == model.mesh.component);

@@ -48,7 +48,7 @@ TEST_CASE(
     "A piece of a mesh has the cells about the given ones, and faces, edges and input vertices as the mesh has them",
     "[refine]") {
   const Bench bench(box_with_well(4));
-  const ConstrainedTetrahedralization whole = export_domain(bench.mesh, bench.model.plc, bench.model.mesh);
+  const ConstrainedTetrahedralization whole = export_domain(bench.mesh, bench.model.mesh);
   const CellIndex given = 3;
   EpochMarks marks;
   const auto one = export_about(bench.mesh, std::span(&given, 1), 1, bench.model.mesh, marks);

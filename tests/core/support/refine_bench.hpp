@@ -37,7 +37,7 @@ struct Bench {
   }
   double volume() const {
     double v = 0;
-    for (const double part : component_volumes(export_domain(mesh, model.plc, model.mesh))) v += part;
+    for (const double part : component_volumes(export_domain(mesh, model.mesh))) v += part;
     return v;
   }
 };
