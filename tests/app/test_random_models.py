@@ -25,6 +25,11 @@ class RandomModels(ProgramTest):
                 self.assertIn(outcome, ("passes", "refused"), why)
         self.assertLess(len(outcomes.get("refused", [])), max(1, COUNT // 4), outcomes)
 
+    def test_surfaces_that_cross_in_narrow_strips_share_no_edge_that_no_curve_lists(self):
+        for seed in (123, 1007):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("strips%d" % seed), PROGRAM, 120), ("passes", ""))
+
 
 if __name__ == "__main__":
     main()

@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 
-from geomesh_program import SOURCE, USAGE, ProgramTest, level, main
+from geomesh_program import SOURCE, USAGE, ProgramTest, level, main, plane_ts
 
 SAMPLES = sorted(name for name in os.listdir(os.path.join(SOURCE, "samples"))
                  if os.path.exists(os.path.join(SOURCE, "samples", name, "project.yaml")))
@@ -71,6 +71,9 @@ class SolverReady(ProgramTest):
         self.assertGreater(quality["min_dihedral"], LEAST_ANGLE_OF_THIN if is_thin else LEAST_ANGLE_OF_FORCED)
         self.assertGreater(report["tetrahedra"], 40_000)
         self.assertLess(report["tetrahedra"], 300_000)
+        over_asked = report["tetrahedra"] / report["refinement"]["estimated_tetrahedra"]
+        self.assertGreater(over_asked, 0.7)
+        self.assertLess(over_asked, 1.4)
         self.assertLessEqual(max(report["refinement"]["deviation_result_to_input"], report["refinement"]["deviation_input_to_result"]),
                              report["input"]["mesh"]["tolerance"])
         self.solve(mesh[:-4])
@@ -117,6 +120,31 @@ class Defaults(ProgramTest):
         self.assertLess(report["tetrahedra"], 140_000)
         self.assertEqual(report["input"]["mesh"]["honour"], "tolerance")
         self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], 0.48 / 40)
+
+    def test_a_surface_that_overshoots_another_by_a_little_ends_on_it(self):
+        """Two faults, one of which passes the other by a thousandth of the size: no element is flat for it, and the judge agrees."""
+        self.write("a.ts", plane_ts("a", [(5, 1, 1), (5, 9, 1), (5, 9, 9), (5, 1, 9)]))
+        self.write("b.ts", plane_ts("b", [(1, 5, 2), (5.0005, 5, 2), (5.0005, 5, 8), (1, 5, 8)]))
+        text = "box: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: a, kind: fault, file: a.ts}\n  - {name: b, kind: fault, file: b.ts}\n"
+        for mesh, is_fit in (("", True), ("mesh: {size: 0.5, tolerance: 0.01}\n", False)):
+            printed = self.run_program(self.write("faults.yaml", text + mesh), "-o", self.folder)
+            report = self.report(self.path("faults.report.json"))
+            self.assertEqual(report["solver"]["passes"], is_fit, printed)
+            self.check(self.path("faults.vtu"), "--project", self.path("faults.yaml"))
+        self.assertTrue(report["quality"]["min_dihedral"] < 1)
+
+    def test_surfaces_count_where_the_size_is_derived(self):
+        """Forty levels in a box: by the volume alone several times as many elements would come out."""
+        text = "box: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n"
+        for k in range(40):
+            self.write("h%d.ts" % k, level("h%d" % k, 0.25 * k + 0.125))
+            text += "  - {name: h%d, kind: horizon, file: h%d.ts}\n" % (k, k)
+        printed = self.run_program(self.write("levels.yaml", text), "-o", self.folder)
+        self.assertIn("surfaces ask for more elements", printed)
+        report = self.report(self.path("levels.report.json"))
+        self.assertLess(report["tetrahedra"], 140_000)
+        self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], report["input"]["mesh"]["size"] / 40, delta=1e-9)
+        self.check(self.path("levels.vtu"), "--project", self.path("levels.yaml"))
 
     def test_kept_surfaces_are_kept(self):
         _, report = self.run_layers("mesh: {size: 2, honour: exact}\n")

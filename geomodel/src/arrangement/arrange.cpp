@@ -53,6 +53,7 @@ class Arrangement {
   ArrangementResult run() {
     if (options_.tolerance > 0) apply_tolerance_to_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
+    if (join_rule_.restricts()) join_rule_ = JoinRule(surfaces_that_meet(ingested_.complex, contacts));
     result_.n_pairs = contacts.n_pairs;
     log_round(0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
@@ -116,7 +117,7 @@ class Arrangement {
       if (c.other != no_index) active[c.other] = 1;
     }
     for (const Overlap& o : contacts.overlaps) active[o.a] = active[o.b] = 1;
-    const SnapOutcome outcome = snap_near(complex, active, {mending_distance(complex, round), bounds_, false});
+    const SnapOutcome outcome = snap_near(complex, active, {mending_distance(complex, round), bounds_});
     take(outcome);
     return outcome.changed();
   }
@@ -127,9 +128,14 @@ class Arrangement {
     if (options_.tolerance < least)
       throw Error(ErrorKind::usage,
                   "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
+    const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
+    SnapOptions snapping{options_.tolerance, bounds_};
+    if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
+    if (!joins_all)
+      snapping.rule = join_rule_ =
+          JoinRule(surfaces_that_meet(complex, find_contacts(complex, context_, result_.memory_bound)));
     std::vector<VertexIndex> now;
-    take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
-                   {options_.tolerance, bounds_, options_.box.has_value()}, &now));
+    take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now));
     for (auto& vertices : ingested_.vertex_of_point)
       for (VertexIndex& v : vertices) v = now[v];
   }
@@ -137,7 +143,7 @@ class Arrangement {
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
       take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
-                     {options_.tolerance, bounds_, false}));
+                     {options_.tolerance, bounds_, MoveToBox::none, join_rule_}));
   }
 
   void take(const SnapOutcome& outcome) {
@@ -242,6 +248,7 @@ class Arrangement {
   Ingested ingested_;
   std::optional<Box3> bounds_;  ///< of the box or the volume
   std::vector<VanishedFacet> vanished_;
+  JoinRule join_rule_;  ///< of `tolerance`
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -111,10 +112,26 @@ void judge_contract(const CheckRequest& request, const JudgedMesh& mesh, const C
     check_report(claimed, curves ? &*curves : nullptr, *report, rounding, result);
 }
 
+/// Where the project leaves its sizes to a number of elements, the tolerance that follows them is what the run
+/// promises.
+void adopt_told_tolerance(const CheckRequest& request, Claim& claim, CheckResult& result) {
+  const auto report = report_beside(request.mesh);
+  const nlohmann::json::json_pointer told("/input/mesh/tolerance");
+  if (request.within >= 0 || !report || !report->contains(told) || !report->at(told).is_number()) return;
+  claim.within = report->at(told).get<double>();
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "the project leaves its sizes to a number of elements: surfaces are held to the %.4g that the report promises",
+      claim.within);
+  result.checks_done.emplace_back(text);
+}
+
 void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const FacesFile* faces,
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
   if (!request.project.empty()) {
-    const Claim claim = claim_of_project(request.project);
+    Claim claim = claim_of_project(request.project);
+    if (claim.within_by_count) adopt_told_tolerance(request, claim, result);
     if (claim.volume) check_volume(mesh, claim, result);
     judge_surfaces(request, mesh, claim, faces, set_faces, result);
     if (faces && request.contract == CheckRequest::Contract::judged)

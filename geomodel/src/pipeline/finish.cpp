@@ -52,7 +52,8 @@ RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::ve
   result.mesh = mesh_core(model, recorder);
   const bool refine = model.refinement.refine, conforming = model.options.recover.mode == MeshMode::conforming;
   const auto refine_now = [&] {
-    const RefineOptions options = refine_options(model, result.mesh);
+    const RefineOptions options =
+        with_derived_size(model, result.mesh, refine_options(model, result.mesh), recorder.context());
     result = model.refinement.target_elements > 0
                  ? refine_to_count(model, result.mesh, options, recorder.context())
                  : refine_model(model, std::move(result.mesh), options, recorder.context());
@@ -213,6 +214,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   Report report = begin_report(model);
   std::vector<double> volumes_of_input;
   RefineResult refined = mesh_to_size(model, recorder, volumes_of_input);
+  report.input_json = model.input_json;  // sizes may follow from a number of elements
   const bool refine = model.refinement.refine;
   if (refine) report.refinement = refined.statistics;
   undo_z_scale(model, refined.mesh);

@@ -90,9 +90,10 @@ std::string steering(const RefinementSettings& r, const std::string& unit) {
   std::string text;
   if (r.derive_size)
     text = "edges of about " + short_words(r.size.base.global) + " " + unit +
-           ", derived from the model's volume (mesh: {size: L} asks for others)";
+           ", derived from the model (mesh: {size: L} asks for others)";
   if (r.tolerance_share > 0)
-    text += std::string(text.empty() ? "" : "; ") + "surfaces are within " + short_words(r.tolerance) + " " + unit +
+    text += std::string(text.empty() ? "" : "; ") + "surfaces are within " +
+            short_words(r.tolerance + r.tolerance_used) + " " + unit +
             " of the input (mesh: {honour: exact} keeps them)";
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/words.hpp"
 #include "pipeline/refine_model.hpp"
@@ -31,7 +32,37 @@ double first_factor(const PreparedModel& model, const ConstrainedTetrahedralizat
   return factor;
 }
 
+/// What the run promises is what it used, with the sizes and the tolerance of these options.
+void settle(PreparedModel& model, const RefineOptions& options) {
+  RefinementSettings& settings = model.refinement;
+  settings.size.base.global = options.size.global;
+  settings.tolerance = options.tolerance;
+  auto input = nlohmann::ordered_json::parse(model.input_json, nullptr, false);
+  if (input.is_discarded()) return;
+  if (options.size.global > 0) input["mesh"]["size"] = options.size.global;
+  if (options.honour == Honour::tolerance) input["mesh"]["tolerance"] = settings.tolerance + settings.tolerance_used;
+  model.input_json = input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
+
+RefineOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
+                                const RunContext& context) {
+  constexpr double many_more = 1.4, most_growth = 3;  // bends and gaps that ask for more shall be kept
+  const RefinementSettings& settings = model.refinement;
+  if (!settings.derive_size || settings.target_elements > 0) return options;
+  RefineOptions counted = options;
+  counted.max_elements = static_cast<std::size_t>(100 * settings.derived_elements);
+  if (estimate_elements(model.plc.plc, mesh, counted) <= many_more * settings.derived_elements) return options;
+  const double factor = first_factor(model, mesh, counted, settings.derived_elements);
+  options = scaled_sizes(std::move(options), std::min(factor, most_growth));
+  settle(model, options);
+  note(model.notes, context,
+       "the model's surfaces ask for more elements than its volume: edges of about " +
+           short_words(options.size.global) + " " + model.unit + " come to about " +
+           short_words(settings.derived_elements) + " elements");
+  return options;
+}
 
 RefineOptions scaled_sizes(RefineOptions options, double factor) {
   SizeOptions& size = options.size;
@@ -44,7 +75,7 @@ RefineOptions scaled_sizes(RefineOptions options, double factor) {
   for (SizeSource& s : size.sources) s.size *= factor;
   if (size.background)
     size.background = [background = size.background, factor](const Vec3& p) { return factor * background(p); };
-  if (options.tolerance_share > 0) options.tolerance *= std::min(1.0, factor);  // never more than the project says
+  if (options.tolerance_share > 0) options.tolerance *= factor;
   return options;
 }
 
@@ -68,6 +99,7 @@ RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedrali
       warn(model.warnings, context,
            "target_elements: " + short_words(count) + " elements came out and not " + short_words(target) +
                ", whatever the size: the surfaces alone ask for others");
+    settle(model, scaled);
     note(model.notes, context, "target_elements: sizes are " + short_words(factor) + " times those asked for");
     return result;
   }

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `target_elements`: all sizes are scaled so that about so many elements come out.
+/// Sizes that follow from a number of elements: all are scaled so that about so many come out, and with them the
+/// tolerance that is a share of them.
 #pragma once
 
 #include "pipeline/finish.hpp"
 
 namespace geomesh::geomodel {
 
-/// All asked sizes times `factor`, and below 1 the tolerance that follows them.
+/// All asked sizes times `factor`, and the tolerance where it follows them.
 RefineOptions scaled_sizes(RefineOptions options, double factor);
+
+/// Where the size was derived from the model's volume alone and surfaces come to many more elements than that. The
+/// sizes returned are those by which the estimate is about settings.derived_elements. Settings and the report's input
+/// hold them.
+RefineOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
+                                const RunContext& context);
 
 /// Refines with sizes scaled by the estimate, and again by what came out. Ends when the number of elements is within a
 /// tenth of settings.target_elements, or after four times; warns where it is not then, as where the input alone takes

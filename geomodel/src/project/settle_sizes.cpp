@@ -81,6 +81,19 @@ void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAt
   settings.tolerance = settings.tolerance_share * greatest;
 }
 
+double merging_distance(const RefinementSettings& settings) {
+  constexpr double share_of_tolerance = 0.2;
+  const NamedSizes& size = settings.size;
+  if (!settings.refine || !(settings.tolerance_share > 0) || !size.background.empty()) return 0;
+  double least = settings.tolerance / settings.tolerance_share;
+  const auto ask = [&](const AskedSize& asked) { least = asked.size > 0 ? std::min(least, asked.size) : least; };
+  for (const auto* named : {&size.units, &size.surfaces, &size.curves})
+    for (const auto& [name, asked] : *named) ask(asked);
+  for (const PlaceSize& near : size.near) ask(near.asked);
+  for (const auto& row : size.by_depth) ask({row.size, 0});
+  return share_of_tolerance * settings.tolerance_share * least;
+}
+
 RefinementSettings preview_settings() {
   RefinementSettings preview;
   preview.refine = preview.derive_size = true;

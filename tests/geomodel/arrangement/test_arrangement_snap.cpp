@@ -99,6 +99,64 @@ TEST_CASE("tolerance: a surface that stops just short of the box goes to it", "[
   CHECK(std::any_of(strict.spots.begin(), strict.spots.end(), [](const Spot& s) { return s.what == "free border"; }));
 }
 
+namespace {
+
+double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+double shortest_edge(const PolygonSoup& soup) {
+  double shortest = 1e300;
+  for (const Triangle& t : soup.facets)
+    for (std::size_t k = 0; k < 3; ++k)
+      shortest = std::min(shortest, length_of(soup.points[t[k]] - soup.points[t[(k + 1) % 3]]));
+  return shortest;
+}
+
+ArrangementOptions where_surfaces_meet_within(double tolerance) {
+  ArrangementOptions options = within(tolerance);
+  options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("merging where surfaces meet: a wall that overshoots a floor by less than the tolerance ends on it",
+          "[arrangement]") {
+  const auto floor = grid_surface("floor", SurfaceKind::horizon, 5, 0, 10, 0, 10, [](double, double) { return 0; });
+  const auto wall = triangles("wall", {{Vec3{1, 5.1, -0.004}, Vec3{9, 5.3, -0.002}, Vec3{9, 5.3, 4}},
+                                       {Vec3{1, 5.1, -0.004}, Vec3{9, 5.3, 4}, Vec3{1, 5.1, 4}}});
+  CHECK(shortest_edge(arrange({floor, wall}, {}, {}, {}).soup) < 0.01);
+  const auto result = arrange({floor, wall}, {}, {}, where_surfaces_meet_within(0.01));
+  require_sound(result.soup);
+  CHECK(shortest_edge(result.soup) > 0.01);
+  CHECK(n_common_edges(result.soup, 0, 1) > 4);
+  CHECK(result.merging.displacement.largest < 0.03);
+}
+
+TEST_CASE("merging where surfaces meet: surfaces that meet nowhere stay apart, and fine triangles stay",
+          "[arrangement]") {
+  const auto a = grid_surface("a", SurfaceKind::horizon, 8, 0, 10, 0, 10, [](double x, double) { return 0.1 * x; }),
+             b = grid_surface("b", SurfaceKind::horizon, 8, 0, 10, 0, 10,
+                              [](double x, double) { return 0.1 * x + 0.003; }),
+             fine = grid_surface("fine", SurfaceKind::horizon, 9, 4, 4.05, 4, 4.05, [](double, double) { return 9; });
+  const auto result = arrange({a, b, fine}, {}, {}, where_surfaces_meet_within(0.01));
+  require_sound(result.soup);
+  CHECK(result.soup.facets.size() == 2 * 128 + 162);
+  CHECK(result.merging.vertices_merged + result.merging.vertices_inserted == 0);
+}
+
+TEST_CASE("merging where surfaces meet: borders that end short of the box go to it, surfaces along its sides stay",
+          "[arrangement]") {
+  auto options = where_surfaces_meet_within(0.01);
+  options.box = Box3{{0, 0, -5}, {10, 10, 5}};
+  const auto top =
+      grid_surface("top", SurfaceKind::horizon, 4, 0.003, 9.998, -1, 11, [](double, double) { return 4.995; });
+  const auto result = arrange({top}, {}, {}, options);
+  require_sound(result.soup);
+  CHECK(std::none_of(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "free border"; }));
+  CHECK(area_of(result.soup, 0) == Approx(100));
+  CHECK(std::none_of(result.spots.begin(), result.spots.end(), [](const Spot& s) { return s.what == "merged"; }));
+}
+
 TEST_CASE("tolerance: crossing surfaces and a well keep their curves", "[arrangement]") {
   const auto a = grid_surface("a", SurfaceKind::horizon, 20, 0, 10, 0, 10,
                               [](double x, double y) { return std::sin(x) + 0.1 * y; });

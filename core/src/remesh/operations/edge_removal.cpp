@@ -147,21 +147,26 @@ class EdgeRemoval {
   }
 
   /// The new surface edge x-y must not be one already, nor an edge of a curve (a well): its faces would fold onto
-  /// others. Where the edge removed is on the outside the other may be beyond it. So all cells at x are asked, or at y
-  /// where those are not found.
+  /// others, or two surfaces would come to share an edge that no curve lists. Where the edge removed is inside, x-y is
+  /// in the mesh only where a cell about that edge has both. Faces of other surfaces at it may be beyond those cells:
+  /// all at x are asked, or at y where those are not found.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
     if (mesh_.curve_of(x, y) != no_index) return true;
+    const auto has_both = [&](CellIndex c) {
+      return mesh_.topology().has_vertex(c, x) && mesh_.topology().has_vertex(c, y);
+    };
+    if (closed_ && std::none_of(tools_.work.cells.begin(), tools_.work.cells.end(), has_both)) return false;
     if (mesh_.is_pinched(x)) std::swap(x, y);
-    if (!closed_ && mesh_.is_pinched(x)) return true;
+    if (mesh_.is_pinched(x)) return true;
     std::vector<CellIndex> about_x;
-    if (!closed_) mesh_.star(x, tools_.work.marks, about_x);
-    for (const CellIndex c : closed_ ? tools_.work.cells : about_x) {
+    mesh_.star(x, tools_.work.marks, about_x);
+    return std::any_of(about_x.begin(), about_x.end(), [&](CellIndex c) {
       const unsigned ix = mesh_.topology().index_of(c, x), iy = mesh_.topology().index_of(c, y);
-      if (ix > 3 || iy > 3) continue;
+      if (iy > 3) return false;
       for (unsigned i = 0; i < 4; ++i)
         if (i != ix && i != iy && mesh_.tag(c, i).constrained()) return true;
-    }
-    return false;
+      return false;
+    });
   }
 
   /// The faces (x, y, a) and (x, y, b) of a new cell are the surface now.

@@ -7,6 +7,7 @@
 #include "quality/measure/shape.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/domain/merge_pieces.hpp"
+#include "remesh/sizes/flat_extent.hpp"
 #include "remesh/sizes/gap_width.hpp"
 #include "remesh/sizes/size_sources.hpp"
 #include "remesh/sizes/sizes.hpp"
@@ -147,7 +148,8 @@ class SizeFieldBuilder {
   }
 
   /// Where the surface turns by an angle over the distance between two faces' centroids, the radius is distance /
-  /// angle; the edge that turns by the angle asked is radius times that angle.
+  /// angle; the edge that turns by the angle asked is radius times that angle. For the tolerance a surface counts as
+  /// flat over lengths over which it is: a rough one turns at every edge.
   void add_curvature() {
     struct Half {
       std::array<VertexIndex, 2> edge;
@@ -165,6 +167,8 @@ class SizeFieldBuilder {
                           (1.0 / 3) * (a + b + c),
                           facet < patch_.size() ? patch_[facet] : no_index});
     });
+    const double widest = options_.global > 0 && options_.global < infinity ? options_.global : 0;
+    FlatExtent extent(tolerance_.greatest() > 0 ? faces_by_patch() : std::vector<FlatExtent::Face>{}, widest);
     std::sort(halves.begin(), halves.end(), [](const Half& x, const Half& y) {
       return x.edge != y.edge ? x.edge < y.edge : compare(x.centroid, y.centroid);
     });
@@ -178,10 +182,20 @@ class SizeFieldBuilder {
       if (options_.curvature_angle > 0) size = options_.curvature_angle * pi / 180 * radius;
       if (tolerance_.greatest() > 0) {
         const double chord = tolerance_.least_at(std::array{x.centroid, y.centroid});
-        size = std::min(size, std::max(std::sqrt(8 * radius * chord), shortest_at(x.edge)));
+        const double by_turn = std::max(std::sqrt(8 * radius * chord), shortest_at(x.edge));
+        const Vec3 place = 0.5 * (x.centroid + y.centroid);
+        size = std::min(size, std::max(by_turn, by_turn < widest ? extent.at(x.patch, place, by_turn, chord) : 0));
       }
       for (const VertexIndex v : x.edge) ask(v, size);
     }
+  }
+  std::vector<FlatExtent::Face> faces_by_patch() const {
+    std::vector<FlatExtent::Face> faces;
+    for_each_face_of_facet(mesh_, [&](CellIndex, unsigned, const Triangle& t, Index facet) {
+      faces.push_back({{mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])},
+                       facet < patch_.size() ? patch_[facet] : no_index});
+    });
+    return faces;
   }
   double shortest_at(const std::array<VertexIndex, 2>& edge) const {
     return edge[0] < shortest_.size() ? std::min(shortest_[edge[0]], shortest_[edge[1]]) : 0;

@@ -88,6 +88,10 @@ struct ArrangementOptions {
   /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of
   /// crossings all the same. At least 1024 ulps of the largest coordinate where it is not 0.
   double tolerance = 0;
+  /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces that
+  /// meet somewhere are near to each other, with free borders that end near a side of the box. Surfaces that meet
+  /// nowhere then stay apart however near they are, and no surface loses detail of its own.
+  enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
   /// needed it ends with Error{cannot_mesh} and the place.
   std::size_t max_memory = 0;

@@ -47,6 +47,9 @@ struct RefinementSettings {
   /// Honour::tolerance: how far surfaces may be off follows the size asked at the place, of which it is this share;
   /// `tolerance` is then set by settle_sizes. 0: `tolerance` everywhere.
   double tolerance_share = 0;
+  /// Of what was promised, what stages before refinement have used: how far they moved surfaces. `tolerance` is the
+  /// rest.
+  double tolerance_used = 0;
   bool derive_size = false;       ///< nobody asks for a size of the whole model: settle_sizes derives one
   double derived_elements = 1e5;  ///< for about so many elements
   double target_elements = 0;     ///< all sizes are scaled so that about so many elements come out; 0: none
@@ -72,6 +75,9 @@ double wavelength_size(const NamedSizes& sizes, const std::map<std::string, doub
 /// sizes. `origin` was subtracted from the model's coordinates. Throws Error{usage} where a frequency has no velocity.
 void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
                   const Vec3& origin);
+/// Where the tolerance follows the sizes: how near to each other surfaces that meet are brought together before they
+/// are meshed, a share of the least size asked. 0: not at all, as where sizes come from a file.
+double merging_distance(const RefinementSettings& settings);
 /// A coarse mesh in seconds: about 10,000 elements of one size, nothing else asked for.
 RefinementSettings preview_settings();
 

@@ -13,8 +13,11 @@ namespace {
 
 class Snapper {
  public:
-  Snapper(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options)
-      : complex_(complex), options_(options), planes_(options.box), grid_(complex.points, options.distance) {
+  Snapper(Complex& complex, const std::vector<std::uint8_t>& active, SnapOptions options)
+      : complex_(complex),
+        options_(std::move(options)),
+        planes_(options_.box),
+        grid_(complex.points, options_.distance) {
     for (Index f = 0; f < complex.facets.size(); ++f)
       if (active[f]) facets_.push_back(f);
     now_.resize(complex.points.size());
@@ -23,7 +26,8 @@ class Snapper {
 
   SnapOutcome run() {
     list_vertices();
-    if (options_.move_to_box) move_to_box();
+    if (options_.rule.restricts()) index_rule();
+    if (options_.move_to_box != MoveToBox::none) move_to_box();
     merge_vertices();
     list_edges();
     std::vector<VertexIndex> standing;
@@ -43,6 +47,11 @@ class Snapper {
 
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
+
+  void index_rule() {
+    options_.rule.index(
+        complex_, [this](VertexIndex a, VertexIndex b) { return (planes_.of(point(a)) & planes_.of(point(b))) != 0; });
+  }
 
   void list_vertices() {
     for (const Index f : facets_)
@@ -68,6 +77,7 @@ class Snapper {
     std::set<std::array<double, 3>> taken;
     for (const Vec3& p : complex_.points) taken.insert({p.x, p.y, p.z});
     for (const VertexIndex v : vertices_) {
+      if (options_.move_to_box == MoveToBox::of_free_borders && !options_.rule.of_vertex(v).is_border) continue;
       const Vec3 p = planes_.onto_near(point(v), options_.distance);
       if (p == point(v) || !taken.insert({p.x, p.y, p.z}).second) continue;
       note_move(length(p - point(v)), p);
@@ -82,12 +92,16 @@ class Snapper {
     };
     std::stable_sort(order.begin(), order.end(), [&](VertexIndex a, VertexIndex b) { return rank(a) < rank(b); });
     for (const VertexIndex v : order) {
-      const VertexIndex stands = grid_.nearest(point(v), planes_.of(point(v)), planes_);
+      const VertexIndex stands = grid_.nearest(point(v), planes_.of(point(v)), planes_, [&](VertexIndex other) {
+        return options_.rule.allows(options_.rule.of_vertex(v), options_.rule.of_vertex(other));
+      });
       if (stands == no_vertex) {
         grid_.add(v);
         continue;
       }
       now_[v] = stands;
+      options_.rule.set_vertex(stands,
+                               options_.rule.united(options_.rule.of_vertex(stands), options_.rule.of_vertex(v)));
       ++outcome_.n_vertices_merged;
       note_move(length(point(v) - point(stands)), point(stands));
     }
@@ -229,7 +243,7 @@ class Snapper {
   }
 
   Complex& complex_;
-  const SnapOptions& options_;
+  SnapOptions options_;
   BoxPlanes planes_;
   VertexGrid grid_;
   std::vector<Index> facets_, active_facets_;  ///< active ones; those of them left with three corners

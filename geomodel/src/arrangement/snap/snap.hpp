@@ -10,13 +10,18 @@
 #include <vector>
 
 #include "arrangement/model/complex.hpp"
+#include "arrangement/snap/join_rule.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
+/// Which vertices nearer than the distance to a plane of the box go to it.
+enum class MoveToBox : std::uint8_t { none, of_free_borders, all };
+
 struct SnapOptions {
   double distance = 0;
-  std::optional<Box3> box;   ///< what lies on its planes stays there
-  bool move_to_box = false;  ///< vertices nearer than the distance to a plane of the box go to it
+  std::optional<Box3> box;  ///< what lies on its planes stays there
+  MoveToBox move_to_box = MoveToBox::none;
+  JoinRule rule{};
 };
 
 struct SnapOutcome {

@@ -17,23 +17,28 @@ Box3 wider(Box3 box, double by) {
 class Search {
  public:
   Search(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
-         std::vector<VertexIndex> vertices, VertexGrid& grid, const SnapOptions& options)
+         std::vector<VertexIndex> vertices, VertexGrid& grid, SnapOptions& options)
       : complex_(complex),
         facets_(facets),
         edges_(edges),
         vertices_(std::move(vertices)),
         grid_(grid),
         distance_(options.distance),
-        planes_(options.box) {}
+        planes_(options.box),
+        rule_(options.rule) {}
 
   Insertions run() {
+    rule_.index_edges(complex_, [this](VertexIndex a, VertexIndex b) { return planes_of({a, b}) != 0; });
     std::vector<Box3> boxes;
     for (const EdgeKey& e : edges_) boxes.push_back(wider(box_of({e.first, e.second}), distance_));
     const BoxTree tree(boxes);
     for (const VertexIndex v : vertices_) insert_in_edges(v, tree);
     const std::size_t n_before = vertices_.size();
     for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf)
-      tree.pairs_of_leaf(leaf, [&](Index a, Index b) { join_edges(edges_[std::min(a, b)], edges_[std::max(a, b)]); });
+      tree.pairs_of_leaf(leaf, [&](Index a, Index b) {
+        const EdgeKey &e = edges_[std::min(a, b)], &f = edges_[std::max(a, b)];
+        if (rule_.allows(thing(e), thing(f))) join_edges(e, f);
+      });
     for (std::size_t k = n_before; k < vertices_.size(); ++k) insert_in_edges(vertices_[k], tree);
     insert_in_facets();
     for (auto& [edge, on] : result_.on_edge) sort_along(edge, on);
@@ -48,6 +53,7 @@ class Search {
     return box;
   }
   unsigned planes_of(const EdgeKey& e) const { return planes_.of(point(e.first)) & planes_.of(point(e.second)); }
+  JoinRule::Thing thing(const EdgeKey& e) const { return rule_.of_edge(e.first, e.second); }
   bool lies_on(VertexIndex v, unsigned planes) const { return (planes_.of(point(v)) & planes) == planes; }
 
   /// Parameter of the point of the edge's line nearest to p.
@@ -78,6 +84,7 @@ class Search {
     std::vector<Index> near;
     tree.boxes_meeting(place, [&](Index e) { near.push_back(e); });
     for (const Index e : near) {
+      if (!rule_.allows(rule_.of_vertex(v), thing(edges_[e]))) continue;
       const double t = parameter(edges_[e], point(v));
       if (t > 0 && t < 1 && length(point(v) - at(edges_[e], t)) < distance_) insert(edges_[e], v);
     }
@@ -109,18 +116,20 @@ class Search {
     if (on_e != no_vertex && on_f != no_vertex) return;
     if (on_e != no_vertex) return insert(f, on_e);
     if (on_f != no_vertex) return insert(e, on_f);
-    const VertexIndex x = vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f));
+    const VertexIndex x = vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f), rule_.united(thing(e), thing(f)));
     insert(e, x);
     insert(f, x);
   }
 
-  VertexIndex vertex_at(const Vec3& place, unsigned planes) {
+  VertexIndex vertex_at(const Vec3& place, unsigned planes, const JoinRule::Thing& thing) {
     const Vec3 p = planes_.onto(place, planes);
-    const VertexIndex there = grid_.nearest(p, planes, planes_);
+    const VertexIndex there =
+        grid_.nearest(p, planes, planes_, [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); });
     if (there != no_vertex) return there;
     complex_.points.push_back(p);
     complex_.input_point.push_back(no_index);
     const auto v = static_cast<VertexIndex>(complex_.points.size() - 1);
+    rule_.set_vertex(v, thing);
     grid_.add(v);
     vertices_.push_back(v);
     return v;
@@ -134,7 +143,8 @@ class Search {
       Box3 place;
       place.add(point(v));
       tree.boxes_meeting(place, [&](Index k) {
-        if (is_in(v, facets_[k])) result_.in_facet[facets_[k]].push_back(v);
+        if (rule_.allows(rule_.of_vertex(v), rule_.of_facet(complex_, facets_[k])) && is_in(v, facets_[k]))
+          result_.in_facet[facets_[k]].push_back(v);
       });
     }
   }
@@ -161,6 +171,7 @@ class Search {
   VertexGrid& grid_;
   double distance_;
   BoxPlanes planes_;
+  JoinRule& rule_;
   Insertions result_;
 };
 
@@ -196,7 +207,8 @@ Vec3 VertexGrid::cell_of(const Vec3& p) const {
   return {std::floor(p.x / distance_) + 0.0, std::floor(p.y / distance_) + 0.0, std::floor(p.z / distance_) + 0.0};
 }
 
-VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes& box) const {
+VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes& box,
+                                const std::function<bool(VertexIndex)>& may_take) const {
   const Vec3 centre = cell_of(p);
   VertexIndex best = no_vertex;
   double best_distance = distance_;
@@ -207,7 +219,7 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
         if (cell == cells_.end()) continue;
         for (const VertexIndex v : cell->second) {
           const double d = length(p - points_[v]);
-          if (d >= best_distance || (box.of(points_[v]) & planes) != planes) continue;
+          if (d >= best_distance || (box.of(points_[v]) & planes) != planes || !may_take(v)) continue;
           best = v;
           best_distance = d;
         }
@@ -216,7 +228,7 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
 }
 
 Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
-                           std::vector<VertexIndex> vertices, VertexGrid& grid, const SnapOptions& options) {
+                           std::vector<VertexIndex> vertices, VertexGrid& grid, SnapOptions& options) {
   return Search(complex, facets, edges, std::move(vertices), grid, options).run();
 }
 

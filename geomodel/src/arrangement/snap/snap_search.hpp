@@ -4,6 +4,7 @@
 /// validity rests on them.
 #pragma once
 
+#include <functional>
 #include <unordered_map>
 
 #include "arrangement/snap/snap.hpp"
@@ -29,8 +30,9 @@ class VertexGrid {
  public:
   VertexGrid(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {}
   void add(VertexIndex v) { cells_[cell_of(points_[v])].push_back(v); }
-  /// The nearest vertex closer to p than the distance that lies on all of `planes`, or no_vertex.
-  VertexIndex nearest(const Vec3& p, unsigned planes, const BoxPlanes& box) const;
+  /// The nearest vertex closer to p than the distance that lies on all of `planes` and may be taken, or no_vertex.
+  VertexIndex nearest(const Vec3& p, unsigned planes, const BoxPlanes& box,
+                      const std::function<bool(VertexIndex)>& may_take) const;
 
  private:
   Vec3 cell_of(const Vec3& p) const;
@@ -40,8 +42,8 @@ class VertexGrid {
 };
 
 /// Finds vertices near edges, edges near each other and vertices near facets, among the given facets, edges and
-/// vertices. Edges near each other add vertices to the complex and to the grid.
+/// vertices, where the rule allows it. Edges near each other add vertices to the complex, to the grid and to the rule.
 Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
-                           std::vector<VertexIndex> vertices, VertexGrid& grid, const SnapOptions& options);
+                           std::vector<VertexIndex> vertices, VertexGrid& grid, SnapOptions& options);
 
 }  // namespace geomesh::geomodel::arrangement

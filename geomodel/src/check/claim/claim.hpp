@@ -43,6 +43,7 @@ struct Claim {
   bool ends_inside = false;      ///< at a topography or a bottom: less than the volume is filled
   std::vector<TrimRules> trims;  ///< per surface: what rules of the model may take away of it; empty: nothing of any
   double within = 0;             ///< how far surfaces may be off their triangles, both ways, beyond rounding
+  bool within_by_count = false;  ///< `within` follows from sizes that the project leaves to a number of elements
   double merging = 0;            ///< what is nearer than this was brought together (the project's `tolerance`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }

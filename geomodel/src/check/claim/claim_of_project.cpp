@@ -131,6 +131,8 @@ Claim claim_of_project(const std::filesystem::path& file) {
   claim.refined = refinement.refine;
   if (refinement.refine && refinement.honour == Honour::tolerance)
     claim.within = refinement.tolerance;  // not together with crs.z_scale
+  claim.within_by_count =
+      claim.within > 0 && refinement.tolerance_share > 0 && (refinement.derive_size || refinement.target_elements > 0);
   return claim;
 }
 

@@ -5,6 +5,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "pipeline/jobs/prepare.hpp"
+#include "pipeline/merge_near.hpp"
 #include "stack/settled_report.hpp"
 
 namespace geomesh::geomodel {
@@ -143,6 +144,7 @@ void build(PreparedModel& model, const RunContext& context) {
   model.stack = std::move(built.stack);
   if (model.stack.settled) {
     for (std::string& text : notes_of(model.stack)) note(model.notes, context, std::move(text));
+    model.refinement.tolerance_used += stack_share * model.refinement.tolerance;
     model.refinement.tolerance *= 1 - stack_share;  // settling may have used the rest
     model.refinement.tolerance_share *= 1 - stack_share;
     ask_of_thin_units(model);
@@ -155,7 +157,7 @@ void build(PreparedModel& model, const RunContext& context) {
 void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const ArrangementOptions& options,
                const RunContext& context) {
   StageScope stage(context, "intersect");
-  model.arrangement = arrange(model.surfaces, wells, model.points, options, context);
+  model.arrangement = arrange_merging_near(model, wells, options, context);
   drop_spots_of_blocks(model);
   drop_spots_of_stack(model);
   for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/snap/join_rule.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <iterator>
+
+namespace geomesh::geomodel::arrangement {
+
+namespace {
+
+std::vector<Index> surfaces_of(const Complex& complex, Index facet) {
+  std::vector<Index> surfaces;
+  for (const Origin& o : complex.origins.of(facet)) surfaces.push_back(o.surface);
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  return surfaces;
+}
+
+void add_pairs(std::span<const Index> a, std::span<const Index> b, std::set<SurfacePair>& pairs) {
+  for (const Index x : a)
+    for (const Index y : b)
+      if (x != y) pairs.insert(surface_pair(x, y));
+}
+
+}  // namespace
+
+std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts) {
+  std::set<SurfacePair> pairs;
+  const auto add = [&](Index f, Index g) { add_pairs(surfaces_of(complex, f), surfaces_of(complex, g), pairs); };
+  for (const FacetContact& c : contacts.facets)
+    if (c.other != no_index) add(c.facet, c.other);
+  for (const Overlap& o : contacts.overlaps) add(o.a, o.b);
+  std::vector<Index> first(complex.points.size(), no_index);  // surface at a vertex
+  for (Index f = 0; f < complex.facets.size(); ++f)
+    for (const Index surface : surfaces_of(complex, f))
+      for (const VertexIndex v : complex.facets[f]) {
+        if (first[v] == no_index) first[v] = surface;
+        if (first[v] != surface) pairs.insert(surface_pair(first[v], surface));
+      }
+  return pairs;
+}
+
+JoinRule::Set JoinRule::number(std::vector<Index> surfaces) {
+  const auto [at, is_new] = numbers_.try_emplace(std::move(surfaces), static_cast<Set>(sets_.size()));
+  if (is_new) sets_.push_back(at->first);
+  return at->second;
+}
+
+void JoinRule::index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box) {
+  of_edge_.clear();
+  if (!restricts_) return;
+  struct Side {
+    VertexIndex a, b;
+    Index surface;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  for (Index f = 0; f < complex.facets.size(); ++f)
+    for (const Index surface : surfaces_of(complex, f))
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexIndex a = complex.facets[f][k], b = complex.facets[f][(k + 1) % 3];
+        if (a != b) sides.push_back({std::min(a, b), std::max(a, b), surface});
+      }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0, j; i < sides.size(); i = j) {
+    std::vector<Index> surfaces;
+    for (j = i; j < sides.size() && sides[j].a == sides[i].a && sides[j].b == sides[i].b; ++j)
+      if (surfaces.empty() || surfaces.back() != sides[j].surface) surfaces.push_back(sides[j].surface);
+    const bool is_border = j - i == 1 && !lies_on_box(sides[i].a, sides[i].b);
+    of_edge_.emplace_hint(of_edge_.end(), std::pair{sides[i].a, sides[i].b},
+                          Thing{number(std::move(surfaces)), is_border});
+  }
+}
+
+void JoinRule::index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box) {
+  of_vertex_.assign(complex.points.size(), {});
+  index_edges(complex, lies_on_box);
+  for (const auto& [edge, thing] : of_edge_)
+    for (const VertexIndex v : {edge.first, edge.second}) of_vertex_[v] = united(of_vertex_[v], thing);
+}
+
+JoinRule::Thing JoinRule::of_edge(VertexIndex a, VertexIndex b) const {
+  const auto at = of_edge_.find({std::min(a, b), std::max(a, b)});
+  return at == of_edge_.end() ? Thing{} : at->second;
+}
+
+JoinRule::Thing JoinRule::of_facet(const Complex& complex, Index facet) {
+  return restricts_ ? Thing{number(surfaces_of(complex, facet)), false} : Thing{};
+}
+
+JoinRule::Thing JoinRule::united(const Thing& a, const Thing& b) {
+  const bool is_border = a.is_border || b.is_border;
+  if (a.surfaces == b.surfaces || b.surfaces == none) return {a.surfaces, is_border};
+  if (a.surfaces == none) return {b.surfaces, is_border};
+  std::vector<Index> all;
+  std::set_union(sets_[a.surfaces].begin(), sets_[a.surfaces].end(), sets_[b.surfaces].begin(), sets_[b.surfaces].end(),
+                 std::back_inserter(all));
+  return {number(std::move(all)), is_border};
+}
+
+void JoinRule::set_vertex(VertexIndex v, const Thing& thing) {
+  if (!restricts_) return;
+  if (v >= of_vertex_.size()) of_vertex_.resize(v + std::size_t{1});
+  of_vertex_[v] = thing;
+}
+
+bool JoinRule::allows(const Thing& a, const Thing& b) const {
+  if (!restricts_) return true;
+  const std::vector<Index>&x = sets_[a.surfaces], &y = sets_[b.surfaces];
+  if (!a.is_border && !b.is_border) return false;
+  return std::any_of(x.begin(), x.end(), [&](Index s) {
+    return std::any_of(y.begin(), y.end(), [&](Index t) { return s != t && meeting_.contains(surface_pair(s, t)); });
+  });
+}
+
+}  // namespace geomesh::geomodel::arrangement

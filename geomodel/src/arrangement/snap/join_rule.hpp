@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Which surfaces may be brought together: all, or those alone that meet somewhere.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "arrangement/model/contacts.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+using SurfacePair = std::pair<Index, Index>;  ///< the lesser row first
+inline SurfacePair surface_pair(Index a, Index b) { return a < b ? SurfacePair{a, b} : SurfacePair{b, a}; }
+
+/// Pairs of surfaces that touch, cross, overlap or share a vertex.
+std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
+
+/// Two things may join where one of them is a free border, and a surface of the one meets another surface of the other
+/// somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
+/// triangles beside their curve are for remeshing to take out.
+class JoinRule {
+ public:
+  using Set = Index;  ///< of surfaces, by number
+  struct Thing {
+    Set surfaces = none;
+    bool is_border = false;
+  };
+  /// Everything may join.
+  JoinRule() = default;
+  explicit JoinRule(std::set<SurfacePair> meeting) : meeting_(std::move(meeting)), restricts_(true) {}
+
+  bool restricts() const { return restricts_; }
+  /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
+  /// a side of the box.
+  void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
+  /// The edges alone: vertices stay what they were.
+  void index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
+
+  Thing of_vertex(VertexIndex v) const { return v < of_vertex_.size() ? of_vertex_[v] : Thing{}; }
+  Thing of_edge(VertexIndex a, VertexIndex b) const;
+  Thing of_facet(const Complex& complex, Index facet);
+  Thing united(const Thing& a, const Thing& b);
+  void set_vertex(VertexIndex v, const Thing& thing);
+  bool allows(const Thing& a, const Thing& b) const;
+
+ private:
+  static constexpr Set none = 0;
+  Set number(std::vector<Index> surfaces);
+
+  std::set<SurfacePair> meeting_;
+  bool restricts_ = false;
+  std::vector<std::vector<Index>> sets_{{}};
+  std::map<std::vector<Index>, Set> numbers_{{{}, none}};
+  std::vector<Thing> of_vertex_;
+  std::map<std::pair<VertexIndex, VertexIndex>, Thing> of_edge_;
+};
+
+}  // namespace geomesh::geomodel::arrangement

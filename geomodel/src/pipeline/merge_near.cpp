@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/merge_near.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "geomesh/geomodel/words.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+constexpr double most_of_tolerance = 0.5;  ///< what merging may use
+constexpr double next_distance = 0.5;      ///< of the distance before
+constexpr unsigned most_tries = 3;
+
+/// Nothing where no arrangement comes of it, or something moved too far.
+std::optional<ArrangementResult> try_merging(const PreparedModel& model, const std::vector<Polyline>& wells,
+                                             const ArrangementOptions& options, const RunContext& context) {
+  try {
+    ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
+    if (found.merging.displacement.largest <= most_of_tolerance * model.refinement.tolerance) return found;
+    context.note(LogLevel::debug, "merging within " + short_words(options.tolerance) + " moves something by " +
+                                      short_words(found.merging.displacement.largest) + ", too far");
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::interrupted) throw;
+    context.note(LogLevel::debug, "no merging within " + short_words(options.tolerance) + ": " + error.what());
+  }
+  return std::nullopt;
+}
+
+/// What was merged is told as a finding: nothing is wrong with it.
+void tell_merging(PreparedModel& model, ArrangementResult& found, double distance, const RunContext& context) {
+  for (const Spot& spot : found.spots)
+    if (spot.what == "merged") std::erase(found.warnings, describe(spot, model.surfaces));
+  const ArrangementResult::Merging& merging = found.merging;
+  const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
+  if (n == 0) return;
+  note(model.notes, context,
+       "surfaces that meet were brought together at " + std::to_string(n) + " places where they were nearer than " +
+           short_words(distance) + " " + model.unit + " to each other; nothing moved by more than " +
+           short_words(merging.displacement.largest) + " " + model.unit);
+}
+
+void take_from_tolerance(RefinementSettings& refinement, double moved) {
+  const double left = 1 - moved / refinement.tolerance;
+  refinement.tolerance_used += moved;
+  refinement.tolerance *= left;
+  refinement.tolerance_share *= left;
+}
+
+}  // namespace
+
+ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
+                                       ArrangementOptions options, const RunContext& context) {
+  double distance = options.tolerance > 0 ? 0 : merging_distance(model.refinement);
+  for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
+    options.tolerance = distance;
+    options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
+    auto found = try_merging(model, wells, options, context);
+    if (!found) continue;
+    tell_merging(model, *found, distance, context);
+    take_from_tolerance(model.refinement, found->merging.displacement.largest);
+    return std::move(*found);
+  }
+  if (options.merging == ArrangementOptions::MergingOf::surfaces_that_meet) options.tolerance = 0;
+  return arrange(model.surfaces, wells, model.points, options, context);
+}
+
+}  // namespace geomesh::geomodel

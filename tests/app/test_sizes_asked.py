@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sizes as a geologist asks for them, typed into a project file: elements across a unit, a frequency, depths, a number of elements."""
+from geomesh_program import USAGE, ProgramTest, level, main
+
+BOX = "box: {min: [0, 0, -1000], max: [1000, 1000, 0]}\n"
+
+
+class SizesAsked(ProgramTest):
+    bare = False
+
+    def mesh(self, depths, mesh, more=""):
+        """Horizons at these depths under units a, b, c ...; the run's report and its words."""
+        units = "abcdef"
+        column, surfaces = ["a"], "surfaces:\n"
+        for k, depth in enumerate(depths):
+            self.write("h%d.ts" % k, level("h%d" % k, -depth, size=1000.0, overshoot=10.0))
+            surfaces += "  - {name: h%d, kind: horizon, file: h%d.ts}\n" % (k, k)
+            column += ["h%d" % k, units[k + 1]]
+        text = "name: model\n" + BOX + surfaces + "column: [%s]\nmesh: %s\n%s" % (", ".join(column), mesh, more)
+        printed = self.run_program(self.write("model.yaml", text), "-o", self.folder)
+        self.check(self.path("model.vtu"), "--project", self.path("model.yaml"), "--solver")
+        return self.report(self.path("model.report.json")), printed
+
+    def per_volume(self, report):
+        return {region["name"]: region["tetrahedra"] / region["volume"] for region in report["regions"]}
+
+    def test_elements_across_a_unit(self):
+        """A unit of 60 m under edges of 250 m: three across it make about 20 m in the unit, and fewer elements without."""
+        plain, _ = self.mesh([500, 560], "{size: 250}")
+        three, _ = self.mesh([500, 560], "{size: {global: 250, layers: {b: 3}}}")
+        few, many = self.per_volume(plain)["b"], self.per_volume(three)["b"]
+        self.assertGreater(many, 5 * few)
+        # Regular tetrahedra of 20 m edges are 8.5 in 8,000 cubic metres.
+        self.assertGreater(many * 8000, 4)
+        self.assertLess(many * 8000, 25)
+
+    def test_a_frequency_asks_by_the_velocity_of_each_unit(self):
+        """5 Hz at 2,000 and 4,000 m/s and five points a wavelength: edges of 80 and 160 m, eight times the elements for a volume."""
+        report, _ = self.mesh([500], "{size: {frequency: 5 Hz}}", "attributes:\n  a: {vp: 2000}\n  b: {vp: 4000}\n")
+        dense = self.per_volume(report)
+        self.assertGreater(dense["a"] / dense["b"], 4)
+        self.assertLess(dense["a"] / dense["b"], 9)
+        self.assertGreater(dense["a"] * 80 ** 3, 7)
+        self.assertLess(dense["a"] * 80 ** 3, 16)
+
+    def test_a_frequency_without_velocities_is_refused(self):
+        self.write("h0.ts", level("h0", -500, size=1000.0))
+        text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\nmesh: {size: {frequency: 10 Hz}}\n"
+        self.assertIn("velocity", self.run_program(self.write("model.yaml", text), "-o", self.folder, status=USAGE))
+
+    def test_sizes_by_depth(self):
+        """80 m down to 300 m, growing to 240 m at 700 m and below."""
+        report, _ = self.mesh([300, 700], "{size: {by_depth: [[0, 80], [300, 80], [700, 240]]}}")
+        dense = self.per_volume(report)
+        self.assertGreater(dense["a"], 1.5 * dense["b"])
+        self.assertGreater(dense["b"], 1.5 * dense["c"])
+        self.assertGreater(dense["a"] * 80 ** 3, 7)
+        self.assertLess(dense["a"] * 80 ** 3, 16)
+
+    def test_a_number_of_elements_is_met_within_a_tenth(self):
+        for wanted in (8_000, 20_000):
+            report, _ = self.mesh([500, 700], "{target_elements: %d}" % wanted)
+            self.assertAlmostEqual(report["tetrahedra"] / wanted, 1, delta=0.1)
+
+    def test_a_preview_is_coarse_whatever_the_project_asks(self):
+        self.write("h0.ts", level("h0", -500, size=1000.0))
+        text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\ncolumn: [a, h0, b]\nmesh: {size: 10}\n"
+        self.run_program(self.write("model.yaml", text), "--preview", "-o", self.folder)
+        report = self.report(self.path("model.report.json"))
+        self.assertLess(report["tetrahedra"], 14_000)
+        self.assertGreater(report["tetrahedra"], 7_000)
+        self.assertEqual(sorted(region["name"] for region in report["regions"]), ["a", "b"])
+
+
+if __name__ == "__main__":
+    main()
