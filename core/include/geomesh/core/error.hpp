@@ -24,7 +24,7 @@ enum class ErrorKind {
 /// A part of an unfinished mesh and the constraints there, so that the place where meshing ended can be looked at.
 struct MeshExcerpt {
   std::vector<Vec3> points;
-  std::vector<Tetrahedron> tetrahedra;  ///< all exactly positive
+  std::vector<Tetrahedron> tetrahedra;  ///< positive at their exact places, which are rounded in `points`
   std::vector<Triangle> triangles;      ///< facets and parts of facets that the mesh is to have
   std::vector<Index> facet;             ///< per triangle: facet of the PLC
   std::vector<std::array<VertexIndex, 2>>

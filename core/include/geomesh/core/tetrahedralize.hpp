@@ -24,8 +24,8 @@ enum class MeshMode {
 struct RecoverOptions {
   MeshMode mode = MeshMode::constrained;
   bool preserve_boundary = false;  ///< no new point on any facet or segment of the PLC, only inside regions
-  unsigned max_attempts =
-      64;  ///< constrained: where rounding of added points has led into a dead end, recovery is begun again; at least 1
+  /// constrained: where rounding of added points has led into a dead end, recovery is begun again; 1 to 12
+  unsigned max_attempts = 12;
   std::size_t max_steiner_per_facet =
       200;  ///< conforming: a facet with small angles (or a segment's facets) is given up, and listed, beyond this
 };
