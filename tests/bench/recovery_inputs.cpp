@@ -49,7 +49,8 @@ PiecewiseLinearComplex intersected_faults(const std::string& folder) {
 
 std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder) {
   std::vector<RecoveryInput> inputs;
-  for (const test::SharedModel& m : test::shared_models(data_folder)) inputs.push_back({m.name, m.make});
+  if (std::filesystem::exists(data_folder + "/solids"))  // else models of our own making alone
+    for (const test::SharedModel& m : test::shared_models(data_folder)) inputs.push_back({m.name, m.make});
 #ifdef GEOMESH_BENCH_GEOMODEL
   for (const char* group : {"SALT", "MJVA", "SNFA"}) {
     const std::string folder = data_folder + "/faults/" + group;

@@ -63,6 +63,18 @@ class Rooms(unittest.TestCase):
             crowded = {r: n for r, n in Counter(room(s) for s in sources(library)).items() if n > MOST_FILES}
             self.assertEqual(crowded, {}, library)
 
+    def test_every_source_has_a_header_of_its_name_or_says_first_what_it_is(self):
+        wrong = []
+        for library in LIBRARIES:
+            public = ROOT / library / "include" / "geomesh" / library
+            for source in (s for s in sources(library) if s.endswith(".cpp")):
+                path = ROOT / library / "src" / source
+                if path.with_suffix(".hpp").exists() or (public / (path.stem + ".hpp")).exists():
+                    continue
+                if not re.match(r"// SPDX[^\n]*\n///? ?\S", path.read_text(encoding="utf-8")):
+                    wrong.append(f"{library}: {source}")
+        self.assertEqual(wrong, [], "the first comment says what the file is, and which header declares it")
+
     def test_core_names_no_file_of_geomodel_and_no_third_party_library(self):
         allowed = re.compile(r"^(geomesh/core/|[a-z_/0-9]+\.hpp$)")
         for source in sources("core"):

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The invariants of a complex, declared in geomesh/core/plc.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

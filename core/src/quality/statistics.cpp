@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Statistics of a whole mesh, declared in geomesh/core/quality.hpp.
 #include <algorithm>
 #include <numeric>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The driver of the arrangement, declared in geomesh/geomodel/arrangement.hpp.
 #include <tbb/global_control.h>
 
 #include <algorithm>

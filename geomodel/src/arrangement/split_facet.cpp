@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A facet split at the vertices near it, declared in arrangement/snap/snap.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>

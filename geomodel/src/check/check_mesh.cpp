@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The driver of the judge, declared in geomesh/geomodel/check.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

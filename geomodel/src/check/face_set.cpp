@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The face set against the faces of the mesh, declared in check/judged/judged_mesh.hpp.
 #include <algorithm>
 #include <map>
 #include <numeric>

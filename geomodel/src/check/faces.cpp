@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Faces paired between cells, declared in check/judged/judged_mesh.hpp.
 #include <algorithm>
 #include <tuple>
 #include <utility>

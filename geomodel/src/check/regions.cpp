@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Volumes of regions and of the whole, declared in check/judged/judged_mesh.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

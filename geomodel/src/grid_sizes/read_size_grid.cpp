@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sizes from a file, declared in grid_sizes/size_grid.hpp.
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces from points, declared in geomesh/geomodel/gridding.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

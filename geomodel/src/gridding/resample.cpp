@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A surface made anew with edges of one length, declared in geomesh/geomodel/gridding.hpp.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Passes of smoothing, declared in geomesh/geomodel/gridding.hpp.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What one file holds, declared in geomesh/geomodel/info.hpp.
 #include <cmath>
 #include <map>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Counts, borders and faults of one surface, declared in geomesh/geomodel/info.hpp.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What a file holds as text and as JSON, declared in geomesh/geomodel/info.hpp.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

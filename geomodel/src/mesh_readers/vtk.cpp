@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// VTK's files of meshes, faces and curves, declared in mesh_readers/mesh_files.hpp.
 #include <vtkAbstractArray.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>

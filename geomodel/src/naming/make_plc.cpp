@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// From the soup to the complex, declared in geomesh/geomodel/build_model.hpp.
 #include <algorithm>
 #include <map>
 #include <optional>

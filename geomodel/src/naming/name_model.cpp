@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The named mesh with its sets and curves, declared in geomesh/geomodel/build_model.hpp.
 #include <algorithm>
 #include <limits>
 #include <map>

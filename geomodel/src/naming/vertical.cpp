@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Horizons above and below a place, declared in naming/column.hpp.
 #include <limits>
 
 #include "geomesh/core/predicates.hpp"

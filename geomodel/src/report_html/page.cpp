@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The report as a page, declared in geomesh/geomodel/report.hpp.
 #include <algorithm>
 #include <array>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The mesh as the page's viewer takes it, declared in report_html/viewer.hpp.
 #include <bit>
 #include <nlohmann/json.hpp>
 #include <vector>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rules before the arrangement, in order, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
 
 #include "geomesh/core/error.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The invariants of a named mesh, declared in geomesh/geomodel/build_model.hpp.
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>

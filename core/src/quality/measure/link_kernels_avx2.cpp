@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The link kernels for AVX2: link_kernels_body.hpp compiled with its instructions.
 #include "quality/measure/link_kernels_body.hpp"
 
 namespace geomesh::remesh::detail {

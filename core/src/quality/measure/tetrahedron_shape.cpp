@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Angles and ratios of one tetrahedron, declared in geomesh/core/quality.hpp.
 #include <algorithm>
 #include <cmath>
 

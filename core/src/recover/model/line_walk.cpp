@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The walk along a line through the mesh, declared in recover/model/crossing.hpp.
 #include <algorithm>
 
 #include "recover/model/crossing.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The insertions of ConformingRefiner, declared in remesh/conforming/conforming_refiner.hpp.
 #include <algorithm>
 #include <map>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The driver of refinement that stays Delaunay, declared in geomesh/core/refine_conforming.hpp.
 #include <algorithm>
 #include <optional>
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// From the domain to a mesh in the caller's terms, declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 #include <numeric>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// From a mesh in the caller's terms to the domain, declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>

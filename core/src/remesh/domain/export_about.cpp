@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What lies about some places, for messages, declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 
 #include "common/epoch_marks.hpp"

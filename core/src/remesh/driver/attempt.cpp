@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// One run of refinement with surfaces held within the tolerance, declared in remesh/driver/hold_surfaces.hpp.
 #include <algorithm>
 #include <optional>
 #include <utility>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Operations about one cell, the first that helps, declared in remesh/operations/improve.hpp.
 #include "remesh/operations/improve.hpp"
 
 namespace geomesh::remesh {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Contraction of an edge, declared in remesh/operations/operations.hpp.
 #include <algorithm>
 
 #include "common/epoch_marks.hpp"

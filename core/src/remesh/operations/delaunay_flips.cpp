@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Flips of surface edges towards Delaunay, declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 
 #include "common/parallel.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Removal of an edge by the best triangulation of its ring, declared in remesh/operations/improve.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Removal of a face by an edge across it, declared in remesh/operations/improve.hpp.
 #include <algorithm>
 #include <optional>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Insertion of a point by a cavity, declared in remesh/operations/operations.hpp.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Insertion of a point for the shapes about it, declared in remesh/operations/improve.hpp.
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Vertices put where surfaces are off the input, declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 #include <functional>
 #include <optional>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Facets given back their own triangles, declared in remesh/operations/surface_repair.hpp.
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/surface_repair.hpp"
 

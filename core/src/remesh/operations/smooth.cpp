@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Moves of one vertex, declared in remesh/operations/improve.hpp.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Halving of an edge, declared in remesh/operations/operations.hpp.
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
 

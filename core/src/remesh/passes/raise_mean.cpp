@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The pass that raises the mean shape, declared in remesh/passes/improve_passes.hpp.
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// One move of every vertex, on all cores, declared in remesh/passes/improve_passes.hpp.
 #include <tbb/enumerable_thread_specific.h>
 
 #include <atomic>

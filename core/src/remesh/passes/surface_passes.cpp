@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Sweeps over edges of surfaces: split, flip, contract, declared in remesh/passes/passes.hpp.
 #include <algorithm>
 #include <cmath>
 #include <queue>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Points on surfaces, front by front, declared in remesh/passes/passes.hpp.
 #include <algorithm>
 #include <cmath>
 

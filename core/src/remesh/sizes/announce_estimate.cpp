@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What the user is told of the estimate, declared in remesh/sizes/sizes.hpp.
 #include <string>
 
 #include "geomesh/core/error.hpp"

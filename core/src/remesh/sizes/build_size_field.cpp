@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The size field from what was asked, declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <cmath>
 #include <tuple>

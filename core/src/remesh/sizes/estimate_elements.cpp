@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The number of elements before the work, declared in geomesh/core/refine.hpp and remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// How many edges have the asked size, declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <span>
 

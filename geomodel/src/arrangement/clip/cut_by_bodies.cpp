@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What lies inside of bodies that cut, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 #include <sstream>
 

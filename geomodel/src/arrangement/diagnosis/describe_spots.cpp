@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Spots in a geologist's words, declared in geomesh/geomodel/arrangement.hpp.
 #include <cstdio>
 #include <map>
 

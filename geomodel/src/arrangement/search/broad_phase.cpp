@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Pairs of facets that may meet, declared in arrangement/model/contacts.hpp.
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 

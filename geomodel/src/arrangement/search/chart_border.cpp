@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How often the border of a chart winds about a point, declared in arrangement/search/charts.hpp.
 #include <algorithm>
 #include <map>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Facets that overlap, triangulated together, declared in arrangement/model/arranged.hpp.
 #include <algorithm>
 #include <cmath>
 

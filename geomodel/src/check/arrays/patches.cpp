@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of patches, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <numeric>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The report against the mesh, declared in check/arrays/judge_arrays.hpp.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

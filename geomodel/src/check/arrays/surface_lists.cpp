@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The lists of surfaces and of their sets, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The arrays of units, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The claim of a project or of surface files, declared in check/claim/claim.hpp.
 #include <algorithm>
 
 #include "check/claim/claim.hpp"

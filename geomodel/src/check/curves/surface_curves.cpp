@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Curves that surfaces must have, declared in check/curves/judge_curves.hpp.
 #include <algorithm>
 #include <set>
 

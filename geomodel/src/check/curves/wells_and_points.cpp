@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Wells and named points, declared in check/curves/judge_curves.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

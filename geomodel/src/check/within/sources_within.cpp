@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Input triangles that faces name, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

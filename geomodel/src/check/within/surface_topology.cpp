@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets, borders and holes of moved surfaces, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Volumes of regions whose boundary moved, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

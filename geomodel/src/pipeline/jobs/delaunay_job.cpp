@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The command `delaunay`, declared in geomesh/geomodel/pipeline.hpp.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What a project file holds, declared in geomesh/geomodel/info.hpp.
 #include "geomesh/geomodel/info.hpp"
 #include "pipeline/jobs/prepare.hpp"
 

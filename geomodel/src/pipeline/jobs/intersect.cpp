@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The stages build and intersect, declared in pipeline/jobs/prepare.hpp.
 #include <algorithm>
 #include <cstdio>
 

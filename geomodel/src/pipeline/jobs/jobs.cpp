@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The commands that mesh, declared in geomesh/geomodel/pipeline.hpp.
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "pipeline/jobs/prepare.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The model of `geomesh mesh`, declared in pipeline/jobs/prepare.hpp.
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>

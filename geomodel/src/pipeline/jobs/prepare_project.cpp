@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The model of a project, declared in pipeline/jobs/prepare.hpp.
 #include <nlohmann/json.hpp>
 
 #include "coordinates/project_inputs.hpp"

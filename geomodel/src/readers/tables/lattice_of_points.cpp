@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Points that stand on a lattice, declared in readers/tables/table.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles of a TetGen facet, declared in readers/triangles/tetgen.hpp.
 #include <algorithm>
 
 #include "readers/triangles/polygon.hpp"
