@@ -36,7 +36,8 @@ void tell_merging(PreparedModel& model, ArrangementResult& found, double distanc
     if (spot.what == "merged") std::erase(found.warnings, describe(spot, model.surfaces));
   const ArrangementResult::Merging& merging = found.merging;
   const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
-  if (n == 0) return;
+  constexpr double by_rounding = 1e-6;  // of the distance: what touches already is counted too
+  if (n == 0 || merging.displacement.largest < by_rounding * distance) return;
   note(model.notes, context,
        "surfaces that meet were brought together at " + std::to_string(n) + " places where they were nearer than " +
            short_words(distance) + " " + model.unit + " to each other; nothing moved by more than " +
