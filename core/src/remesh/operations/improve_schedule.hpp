@@ -93,7 +93,6 @@ struct ImproveSchedule {
   double few_slivers = 0.05;                       ///< of all cells, 0..1; more are forced by the surfaces
   double forced_share = 0.001;   ///< of all cells, 0..1: so many of the worst are mended where they are forced
   double forced_room = 0.01;     ///< of the asked size
-  bool looks_ahead = true;       ///< sequences of operations about bad cells, and points taken out again
   unsigned thinning_rounds = 4;  ///< take points out again that were put near others in vain
 };
 
@@ -103,13 +102,11 @@ constexpr ImproveSchedule schedule_of(QualityLevel level) {
       return {.mean_rounds = 1,
               .repair_rounds = 2,
               .target_angle = 20,
-              .insertion_angle = 3,  // for slivers alone
+              .insertion_angle = 0,
               .smoothing_steps = 6,
               .least_rise = 1.05,
               .progress = 0.9,
-              .sliver_rounds = 2,
-              .sliver_angle = 3,  // what solvers hardly bear: a few cells in 10,000
-              .looks_ahead = false};
+              .sliver_rounds = 0};
     case QualityLevel::best:  // until nothing improves
       return {.mean_rounds = 2,
               .repair_rounds = 60,

@@ -130,7 +130,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const TimeBudget budget(options.time_budget, tools.statistics, context);
   const OutOfTime out_of_time = [&] { return budget.is_spent(); };
   const bool may_add_points = options.size_surfaces || options.honour != Honour::exact;
-  const bool rescues_bad = schedule.looks_ahead && !tools.bad_cells_may_spread;
+  const bool rescues_bad = schedule.sliver_rounds > 0 && !tools.bad_cells_may_spread;
   const RescueRule rescue{measure.bad(), schedule.smoothing_steps, rescue_limits.steps};
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
