@@ -73,7 +73,6 @@ struct OutputSpec {
   std::filesystem::path directory;  ///< absolute
   std::vector<std::string> formats{"vtu"};
   Vec3 origin{0, 0, 0};
-  bool has_origin = false;
   WriteOptions options;
 };
 
