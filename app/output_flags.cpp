@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output_flags.hpp"
 
+#include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
 
 namespace geomesh::app {
+
+namespace {
+
+geomodel::FieldSpec field_of(const std::string& text, geomodel::FieldSpec::Place place) {
+  const std::size_t at = text.find('=');
+  if (at == 0 || at == std::string::npos || at + 1 == text.size())
+    throw Error(ErrorKind::usage, "--field " + text + ": NAME=FILE was expected");
+  return {text.substr(0, at), text.substr(at + 1), place, ""};
+}
+
+}  // namespace
 
 void OutputFlags::add_to(CLI::App& app) {
   app.add_option("--format", format_, "Format, where the extension does not say which (msh22, msh-binary, ogs ...)")
@@ -28,6 +40,19 @@ void OutputFlags::add_to(CLI::App& app) {
       ->type_name("SURFACE")
       ->take_all()
       ->expected(1);
+  app.add_option("--partitions", partitions_, "Parts, a file for each: .pvtu, .e, msh22")
+      ->check(CLI::Range(1u, geomodel::most_partitions))
+      ->capture_default_str();
+  app.add_flag("--starter", starter_, "A small input for the solver beside the mesh: .inp, .e, .xdmf, ogs");
+  app.add_option("--field", fields_,
+                 "Property onto the cells: NAME=FILE, a grid or points (may be given several times)")
+      ->type_name("NAME=FILE")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--point-field", point_fields_, "The same onto the points")
+      ->type_name("NAME=FILE")
+      ->take_all()
+      ->expected(1);
   app.add_flag("--cohesive", cohesive_, "Prisms of no thickness between the sides of split surfaces");
 }
 
@@ -47,10 +72,17 @@ geomodel::WriteOptions OutputFlags::options() const {
                                                  : geomodel::Compression::small;
   options.split = split_;
   options.cohesive = cohesive_;
+  options.partitions = partitions_;
+  options.starter = starter_;
+  for (const std::string& field : fields_) options.fields.push_back(field_of(field, geomodel::FieldSpec::Place::cells));
+  for (const std::string& field : point_fields_)
+    options.fields.push_back(field_of(field, geomodel::FieldSpec::Place::points));
   return options;
 }
 
 std::string OutputFlags::format_of(const std::filesystem::path& output) const {
+  if (output.extension() == ".pvtu" && partitions_ == 1)
+    throw Error(ErrorKind::usage, "-o " + output.string() + ": a .pvtu is a mesh in parts; add --partitions N");
   return format_.empty() ? geomodel::format_name_of(output) : format_;
 }
 

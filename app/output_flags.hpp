@@ -21,9 +21,11 @@ class OutputFlags {
 
  private:
   std::string format_, groups_ = "whole", region_array_ = "region", compression_ = "fast";
-  std::vector<std::string> split_;
-  bool no_inner_faces_ = false, no_curves_ = false, single_grid_ = false, node_arrays_ = false, cohesive_ = false;
+  std::vector<std::string> split_, fields_, point_fields_;
+  bool no_inner_faces_ = false, no_curves_ = false, single_grid_ = false, node_arrays_ = false, cohesive_ = false,
+       starter_ = false;
   int order_ = 1;
+  unsigned partitions_ = 1;
 };
 
 }  // namespace geomesh::app

@@ -61,7 +61,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgeomesh-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libtbb-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-    "libcgal-dev, libvtk9-dev, libeigen3-dev, libproj-dev, zlib1g-dev, libyaml-cpp-dev, nlohmann-json3-dev, libgeographiclib-dev, pkg-config")
+    "libcgal-dev, libvtk9-dev, libeigen3-dev, libproj-dev, zlib1g-dev, libyaml-cpp-dev, nlohmann-json3-dev, libgeographiclib-dev, libmetis-dev, pkg-config")
 math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-geomesh)
 set(CPACK_DEBIAN_PYTHON_FILE_NAME "geomesh-python3_${PROJECT_VERSION}_${debian_architecture}.deb")

@@ -173,6 +173,8 @@ def netcdf_exodus(path, _sidecar):
     found = Found(len(points))
     blocks = []
     for i, name in enumerate(names("eb_names")):
+        if "connect%d" % (i + 1) not in file.variables:
+            continue  # a block without elements, in a part
         cells = numpy.asarray(file.variables["connect%d" % (i + 1)][:]) - 1
         blocks.append(cells)
         if cells.shape[1] in (4, 10):
@@ -181,11 +183,15 @@ def netcdf_exodus(path, _sidecar):
     corners = numpy.concatenate([c[:, :4] for c in blocks])
     side_nodes = numpy.array([[0, 1, 3], [1, 2, 3], [0, 3, 2], [0, 2, 1]])
     for i, name in enumerate(names("ss_names")):
+        if "elem_ss%d" % (i + 1) not in file.variables:
+            found.faces[name] = (0, 0.0)  # a set without sides, in a part
+            continue
         elements = numpy.asarray(file.variables["elem_ss%d" % (i + 1)][:]) - 1
         sides = numpy.asarray(file.variables["side_ss%d" % (i + 1)][:]) - 1
         found.faces[name] = measure(points, numpy.take_along_axis(corners[elements], side_nodes[sides], axis=1))
     for i, name in enumerate(names("ns_names")):
-        found.nodes[name] = len(file.variables["node_ns%d" % (i + 1)][:])
+        nodes = "node_ns%d" % (i + 1)
+        found.nodes[name] = len(file.variables[nodes][:]) if nodes in file.variables else 0
     assert widths <= {4, 6, 10}
     return found
 

@@ -6,10 +6,11 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import unittest
 
 import format_readers as readers
-from geomesh_program import BAD_INPUT, NIGHTLY, PROGRAM, SOURCE, USAGE, ProgramTest, level, main
+from geomesh_program import BAD_INPUT, PROGRAM, SOURCE, USAGE, ProgramTest, level, main
 
 
 def plain(name):
@@ -26,7 +27,9 @@ class FormatTest(ProgramTest):
     @classmethod
     def setUpClass(cls):
         from geomesh_program import WORK
-        folder = os.path.join(WORK, "formats_model")
+        if FormatTest.stem:
+            return
+        folder = os.path.join(WORK, "model_of_" + os.path.splitext(os.path.basename(sys.argv[0]))[0])
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
         sample = os.path.join(SOURCE, "samples", "faulted-layers")
@@ -349,6 +352,63 @@ class ThereAndBack(FormatTest):
         for name in ("m.vtu", "m.msh", "m.inp", "m.e"):
             check = self.check(self.convert(name, "--order", "2"), status=None)
             self.assertEqual(sum(r["tetrahedra"] for r in check["regions"]), sum(r["tetrahedra"] for r in self.model["regions"]), name)
+
+
+class EverythingThereAndBack(ProgramTest):
+    """Attributes, arrays of cells, groups of regions, unit and origin, by way of each format."""
+
+    def model(self):
+        for name, z in (("upper", 7), ("lower", 4)):
+            self.write(name + ".ts", level(name, z))
+        self.write("project.yaml", "name: model\ncrs: {unit: km}\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: upper, kind: horizon, file: upper.ts}\n"
+                   "  - {name: lower, kind: horizon, file: lower.ts}\ncolumn: [top, upper, middle, lower, bottom]\ngroups: {cover: [top, middle]}\n"
+                   "attributes:\n  top: {porosity: 0.25, density: 2100}\n  bottom: {density: 2700.125}\n"
+                   "mesh: {size: 4, cell_arrays: [radius_ratio]}\noutput: {directory: ., formats: [vtu], origin: [4, 2, 1]}\n")
+        self.run_program("project.yaml")
+        return self.report(self.path("model.vtu.json"))
+
+    def values(self, stem):
+        """Per centroid: region's name and all arrays."""
+        try:
+            meshio = readers.need("meshio")
+        except readers.ReaderMissing:
+            self.skipTest("skipped: python3-meshio is not installed")
+        mesh = meshio.read(stem + ".vtu")
+        sidecar = self.report(stem + ".vtu.json")
+        name = {r["id"]: r["name"] for r in sidecar["regions"]}
+        arrays = {key: blocks[0] for key, blocks in mesh.cell_data.items() if key != "region"}
+        rows = {}
+        for c, cell in enumerate(mesh.cells[0].data):
+            place = tuple(sorted(tuple(round(x, 9) for x in mesh.points[p]) for p in cell))
+            rows[place] = (name[mesh.cell_data["region"][0][c]], {key: repr(float(values[c])) for key, values in arrays.items()})
+        return rows
+
+    def test_all_formats_that_are_read(self):
+        before = self.model()
+        first = self.values(self.path("model"))
+        self.assertEqual(set(next(iter(first.values()))[1]), {"porosity", "density", "radius_ratio"})
+        listed = self.run_program("convert", "--help")
+        for name, ending, keeps_arrays in (("vtu", ".vtu", True), ("msh", ".msh", True), ("msh-binary", ".msh", True), ("msh22", ".msh", True),
+                                           ("msh22-binary", ".msh", True), ("inp", ".inp", False), ("exodus", ".e", True), ("med", ".med", False)):
+            if name == "med" and "med" not in listed:
+                continue
+            with self.subTest(name):
+                folder = self.path("by_" + name)
+                os.makedirs(os.path.join(folder, "back"))
+                self.run_program("convert", "model.vtu", "-o", os.path.join(folder, "m" + ending), "--format", name)
+                self.run_program("convert", os.path.join(folder, "m" + ending), "-o", os.path.join(folder, "back", "m.vtu"))
+                after = self.report(os.path.join(folder, "back", "m.vtu.json"))
+                self.assertEqual((after["unit"], after["origin"]), ("km", [4, 2, 1]))
+                self.assertEqual({r["name"]: r.get("attributes") for r in after["regions"]}, {r["name"]: r.get("attributes") for r in before["regions"]})
+                of = lambda report: {g["name"]: sorted(r["name"] for r in report["regions"] if r["id"] in g["regions"]) for g in report["region_groups"]}
+                self.assertEqual(of(after), of(before))
+                last = self.values(os.path.join(folder, "back", "m"))
+                self.assertEqual(set(last), set(first))
+                for place, (region, arrays) in first.items():
+                    self.assertEqual(last[place][0], region)
+                    for key, value in arrays.items():
+                        if keeps_arrays or key != "radius_ratio":
+                            self.assertEqual(last[place][1][key], value, key)
 
 
 class ByAnotherTool(FormatTest):

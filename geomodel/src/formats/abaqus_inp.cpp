@@ -11,6 +11,7 @@
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
+#include "starters/starters.hpp"
 #include "writers/text_file.hpp"
 
 namespace geomesh::geomodel {
@@ -184,7 +185,8 @@ Format abaqus_format() {
           "Abaqus, CalculiX",
           {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
           write,
-          read_abaqus_mesh};
+          read_abaqus_mesh,
+          write_calculix_starter};
 }
 
 }  // namespace geomesh::geomodel

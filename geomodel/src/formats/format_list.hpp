@@ -8,32 +8,38 @@
 
 namespace geomesh::geomodel {
 
-Format vtu_format();            // vtu.cpp
-Format gmsh41_format();         // gmsh41.cpp
-Format gmsh41_binary_format();  // gmsh41.cpp
-Format gmsh22_format();         // gmsh22.cpp
-Format gmsh22_binary_format();  // gmsh22.cpp
-Format abaqus_format();         // abaqus_inp.cpp
-Format exodus_format();         // exodus.cpp
-Format med_format();            // med.cpp, with libmedc
-Format xdmf_format();           // xdmf.cpp, with HDF5
-Format ogs_format();            // opengeosys.cpp
-Format openfoam_format();       // openfoam.cpp
-Format mfem_format();           // mfem.cpp
-Format pflotran_format();       // pflotran.cpp
-Format tetgen_format();         // tetgen.cpp
+Format vtu_format();                // vtk/vtu.cpp
+Format geos_format();               // vtk/geos.cpp
+Format gmsh41_format();             // gmsh41.cpp
+Format gmsh41_binary_format();      // gmsh41.cpp
+Format gmsh22_format();             // gmsh22.cpp
+Format gmsh22_binary_format();      // gmsh22.cpp
+Format abaqus_format();             // abaqus_inp.cpp
+Format exodus_format();             // exodus/exodus.cpp
+Format med_format();                // med.cpp, with libmedc
+Format xdmf_format();               // xdmf.cpp, with HDF5
+Format ogs_format();                // opengeosys.cpp
+Format openfoam_format();           // openfoam.cpp
+Format mfem_format();               // mfem.cpp
+Format pflotran_format();           // pflotran.cpp
+Format tetgen_format();             // tetgen.cpp
+Format pflotran_explicit_format();  // pflotran_explicit.cpp
+Format tough_format();              // tough.cpp
 
 /// In the order of the documents. What was left out when the program was built is not in it.
 inline constexpr Format (*listed_formats[])() = {
-    vtu_format,    gmsh41_format,   gmsh41_binary_format, gmsh22_format,   gmsh22_binary_format,
-    abaqus_format, exodus_format,
+    vtu_format,      gmsh41_format,        gmsh41_binary_format,
+    gmsh22_format,   gmsh22_binary_format, abaqus_format,
+    exodus_format,
 #ifdef GEOMESH_WITH_MED
     med_format,
 #endif
 #ifdef GEOMESH_WITH_HDF5
     xdmf_format,
 #endif
-    ogs_format,    openfoam_format, mfem_format,          pflotran_format, tetgen_format,
+    ogs_format,      openfoam_format,      mfem_format,
+    pflotran_format, tetgen_format,        pflotran_explicit_format,
+    tough_format,    geos_format,
 };
 
 }  // namespace geomesh::geomodel

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gmsh MSH 2.2, text and binary, for readers that know no newer version (netgen, FreeFEM, DuMux, Elmer). Followed: the
 // reference manual of Gmsh 4.8, "MSH file format version 2 (Legacy)".
+#include <algorithm>
+
 #include "formats/format_list.hpp"
 #include "formats/gmsh_groups.hpp"
 #include "mesh_readers/mesh_readers.hpp"
+#include "partition/solver_part.hpp"
+#include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
 
@@ -53,15 +57,75 @@ void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, 
   out << (encoding == Encoding::binary ? "\n" : "") << "$EndElements\n";
 }
 
+/// Nodes and elements of a part under their numbers in the whole mesh. Tags of an element: group, block, and the parts
+/// that it is in: its own from 1, then as negative numbers those that have it as a ghost.
+void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts, const SolverPart& part,
+                const GmshGroups& groups) {
+  out << "$Nodes\n" << part.mesh.n_nodes() << "\n";
+  for (std::size_t v = 0; v < part.mesh.n_nodes(); ++v)
+    out << part.part.nodes[v] + std::size_t{1} << " " << part.mesh.node(v) << "\n";
+  out << "$EndNodes\n$Elements\n";
+  std::size_t n = 0;
+  for (std::size_t b = 0; b < whole.blocks.size(); ++b) n += part.cells[b].size() * groups.of_block[b].size();
+  out << n << "\n";
+  std::size_t first = 1;  // number of the first element of a block and group in the whole mesh
+  for (std::size_t b = 0; b < whole.blocks.size(); ++b) {
+    const CellBlock& block = part.mesh.blocks[b];
+    for (const std::int32_t tag : groups.of_block[b]) {
+      for (std::size_t c = 0; c < block.n_cells(); ++c) {
+        const auto node = [&](std::size_t i) { return part.part.nodes[block.nodes[c * block.nodes_per_cell + i]]; };
+        std::vector<std::int32_t> others;
+        for (std::size_t i = 0; i < block.nodes_per_cell; ++i)
+          for (const std::int32_t p : parts.parts_at(node(i)))
+            if (p != part.owner[b][c]) others.push_back(p);
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        out << first + part.cells[b][c] << " " << gmsh_type(part.mesh, block.shape) << " " << 4 + others.size() << " "
+            << tag << " " << block.id << " " << 1 + others.size() << " " << part.owner[b][c] + 1;
+        for (const std::int32_t p : others) out << " " << -(p + 1);
+        for (std::size_t i = 0; i < block.nodes_per_cell; ++i) out << " " << node(gmsh_node(block, i)) + std::size_t{1};
+        out << "\n";
+      }
+      first += whole.blocks[b].n_cells();
+    }
+  }
+  out << "$EndElements\n";
+}
+
+/// NAME_K.msh for part K from 1, as gmsh itself names them.
+std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const WriteOptions& options,
+                                               const std::filesystem::path& stem) {
+  const GmshGroups groups = gmsh_groups(mesh, options);
+  const MeshParts parts(*mesh.source, static_cast<std::int32_t>(options.partitions));
+  WrittenFiles written;
+  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
+    const SolverPart part = part_of(mesh, parts, p, Ghosts::one_layer);
+    const std::filesystem::path file = stem.string() + "_" + std::to_string(p + 1) + ".msh";
+    write_output_text(file, [&](OutputText& out) {
+      write_gmsh_head(out, "2.2", Encoding::text, groups);
+      write_part(out, mesh, parts, part, groups);
+    });
+    written.add(file);
+  }
+  written.add(write_sidecar(*mesh.source, groups.sidecar, stem.string() + ".msh"));
+  return written.keep();
+}
+
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem, Encoding encoding) {
   const SolverMesh mesh = make_solver_mesh(model, options);
+  if (options.partitions > 1) return write_parts(mesh, options, stem);
   const GmshGroups groups = gmsh_groups(mesh, options);
   const std::filesystem::path file = stem.string() + ".msh";
   write_output_text(file, [&](OutputText& out) {
     write_gmsh_head(out, "2.2", encoding, groups);
     write_nodes(out, encoding, mesh);
     write_elements(out, encoding, mesh, groups);
+    std::vector<GmshElement> elements;
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+      for (std::size_t g = 0; g < groups.of_block[b].size(); ++g)
+        for (std::size_t c = 0; c < mesh.blocks[b].n_cells(); ++c) elements.push_back({b, c});
+    write_gmsh_fields(out, encoding, mesh, elements);
   });
   return {file, write_sidecar(model, groups.sidecar, file)};
 }
@@ -75,13 +139,21 @@ std::vector<std::filesystem::path> write_binary(const ModelMesh& mesh, const Wri
   return write(mesh, options, stem, Encoding::binary);
 }
 
-const FormatHolds holds{.second_order = true, .prisms = true, .curves = true, .overlapping = true};
+constexpr FormatHolds holds(Encoding encoding) {
+  return {.second_order = true,
+          .prisms = true,
+          .curves = true,
+          .overlapping = true,
+          .partitions = encoding == Encoding::text};
+}
 
 }  // namespace
 
-Format gmsh22_format() { return {"msh22", {".msh"}, "Gmsh 2.2, text", holds, write_text, read_gmsh_mesh}; }
+Format gmsh22_format() {
+  return {"msh22", {".msh"}, "Gmsh 2.2, text", holds(Encoding::text), write_text, read_gmsh_mesh};
+}
 Format gmsh22_binary_format() {
-  return {"msh22-binary", {".msh"}, "Gmsh 2.2, binary", holds, write_binary, read_gmsh_mesh};
+  return {"msh22-binary", {".msh"}, "Gmsh 2.2, binary", holds(Encoding::binary), write_binary, read_gmsh_mesh};
 }
 
 }  // namespace geomesh::geomodel

@@ -2,6 +2,7 @@
 #include "formats/gmsh_groups.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "solver_mesh/names.hpp"
 
@@ -43,6 +44,36 @@ int gmsh_type(const SolverMesh& mesh, CellShape shape) {
 std::size_t gmsh_node(const CellBlock& block, std::size_t i) {
   if (block.nodes_per_cell != 10 || i < 8) return i;
   return i == 8 ? 9 : 8;
+}
+
+namespace {
+
+/// Numbers of rows are 32-bit in every version.
+template <class F>
+void write_data(OutputText& out, Encoding encoding, const char* section, const std::string& name, std::size_t n,
+                F&& value) {
+  out << "$" << section << "\n1\n\"" << transliterated(name) << "\"\n1\n0\n3\n0\n1\n" << n << "\n";
+  GmshNumbers numbers(out, encoding);
+  for (std::size_t i = 0; i < n; ++i) {
+    numbers.integer(static_cast<std::int32_t>(i + 1));
+    numbers.real(value(i));
+    numbers.line();
+  }
+  out << (encoding == Encoding::binary ? "\n$End" : "$End") << section << "\n";
+}
+
+}  // namespace
+
+void write_gmsh_fields(OutputText& out, Encoding encoding, const SolverMesh& mesh,
+                       const std::vector<GmshElement>& elements) {
+  for (const CellArray& array : mesh.source->cell_arrays)
+    write_data(out, encoding, "ElementData", array.name, elements.size(), [&](std::size_t i) {
+      const CellBlock& block = mesh.blocks[elements[i].block];
+      return block.shape == CellShape::tetrahedron ? array.values[block.rows[elements[i].cell]]
+                                                   : std::numeric_limits<double>::quiet_NaN();
+    });
+  for (const PointArray& array : mesh.source->point_arrays)
+    write_data(out, encoding, "NodeData", array.name, mesh.n_nodes(), [&](std::size_t i) { return array.values[i]; });
 }
 
 void write_gmsh_head(OutputText& out, const char* version, Encoding encoding, const GmshGroups& groups) {

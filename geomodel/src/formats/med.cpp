@@ -5,7 +5,6 @@
 #include <med.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 
 #include "formats/format_list.hpp"
@@ -14,6 +13,7 @@
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
+#include "writers/room_on_disk.hpp"
 
 namespace geomesh::geomodel {
 
@@ -48,7 +48,8 @@ class MedWriter {
  public:
   MedWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh)
       : file_(file), mesh_(mesh) {
-    if (!std::ofstream(temporary)) refuse_to_write(file_);  // before the library prints its own lines about it
+    collect_node_families();
+    require_room(temporary, file, most_bytes());
     id_ = MEDfileOpen(temporary.c_str(), MED_ACC_CREAT);
     if (id_ < 0) refuse_to_write(file_);
     name_ = SolverNames(MED_NAME_SIZE).give(mesh.source->name);
@@ -95,6 +96,33 @@ class MedWriter {
     return name;
   }
 
+  /// A family of nodes is a combination of groups.
+  void collect_node_families() {
+    std::vector<std::vector<std::size_t>> sets_of(mesh_.n_nodes());
+    SolverNames give(name_limit_med);
+    const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
+      for (const VertexIndex v : nodes) sets_of[v].push_back(node_groups_.size());
+      node_groups_.push_back(give_name("node group", group, give));
+    };
+    for (const CellGroup& group : mesh_.groups)
+      if (group.dimension < 3) add(group, nodes_of(mesh_, group));
+    for (const NodeSet& set : mesh_.source->node_sets) add({0, 0, set.name, {}, {set.id}}, set.nodes);
+    node_families_[{}] = 0;
+    for (const auto& sets : sets_of)
+      family_of_node_.push_back(
+          node_families_.try_emplace(sets, static_cast<med_int>(node_families_.size())).first->second);
+  }
+  /// Numbers, and what HDF5 adds for each family and each of its groups at most.
+  std::size_t most_bytes() const {
+    constexpr std::size_t of_file = 1 << 16, of_family = 1 << 12, of_group = 512;
+    std::size_t bytes = of_file + mesh_.n_nodes() * (3 * sizeof(med_float) + sizeof(med_int));
+    for (const CellBlock& block : mesh_.blocks)
+      bytes += (block.nodes.size() + block.n_cells()) * sizeof(med_int) + of_family;
+    for (const CellGroup& group : mesh_.groups) bytes += group.blocks.size() * of_group;
+    for (const auto& [sets, number] : node_families_) bytes += of_family + sets.size() * of_group;
+    return bytes;
+  }
+
   void put_nodes() {
     std::vector<med_float> coordinates;
     coordinates.reserve(3 * mesh_.n_nodes());
@@ -103,28 +131,13 @@ class MedWriter {
     const auto n = static_cast<med_int>(mesh_.n_nodes());
     require(MEDmeshNodeCoordinateWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_FULL_INTERLACE, n,
                                     coordinates.data()));
-    std::vector<std::vector<std::size_t>> sets_of(mesh_.n_nodes());
-    std::vector<std::string> names;
-    SolverNames give(name_limit_med);
-    const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
-      for (const VertexIndex v : nodes) sets_of[v].push_back(names.size());
-      names.push_back(give_name("node group", group, give));
-    };
-    for (const CellGroup& group : mesh_.groups)
-      if (group.dimension < 3) add(group, nodes_of(mesh_, group));
-    for (const NodeSet& set : mesh_.source->node_sets) add({0, 0, set.name, {}, {set.id}}, set.nodes);
-    std::map<std::vector<std::size_t>, med_int> family_of{{{}, 0}};
-    std::vector<med_int> families;
-    for (const auto& sets : sets_of) {
-      const auto [entry, is_new] = family_of.try_emplace(sets, static_cast<med_int>(family_of.size()));
-      families.push_back(entry->second);
-      if (!is_new) continue;
+    for (const auto& [sets, number] : node_families_) {
       std::vector<std::string> groups;
-      for (const std::size_t s : sets) groups.push_back(names[s]);
-      put_family("N" + std::to_string(entry->second), entry->second, groups);
+      for (const std::size_t set : sets) groups.push_back(node_groups_[set]);
+      if (number != 0) put_family("N" + std::to_string(number), number, groups);
     }
-    require(
-        MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NODE, MED_NONE, n, families.data()));
+    require(MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NODE, MED_NONE, n,
+                                        family_of_node_.data()));
   }
 
   /// Cells shape by shape; a block's family has the number -1 - block.
@@ -134,6 +147,7 @@ class MedWriter {
     for (const auto* groups : {&mesh_.groups, &mesh_.region_groups})
       for (const CellGroup& group : *groups) {
         const std::string name = give_name("cell group", group, give);
+        if (groups == &mesh_.region_groups) sidecar_.back().members.clear();  // no region is the union of these
         for (const std::size_t b : group.blocks) groups_of[b].push_back(name);
       }
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
@@ -163,6 +177,9 @@ class MedWriter {
   const SolverMesh& mesh_;
   std::string name_;
   med_idt id_ = -1;
+  std::vector<std::string> node_groups_;
+  std::map<std::vector<std::size_t>, med_int> node_families_;  // by groups, rows of node_groups_
+  std::vector<med_int> family_of_node_;
   std::vector<SidecarGroup> sidecar_;
 };
 

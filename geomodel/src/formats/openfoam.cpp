@@ -104,8 +104,10 @@ class FoamCase {
   std::vector<std::filesystem::path> write(const ModelMesh& model) {
     const std::filesystem::path above = folder_.parent_path();
     if (!above.empty() && !std::filesystem::is_directory(above)) refuse_to_write(folder_);
-    std::filesystem::create_directories(folder_ / "constant" / "polyMesh");
-    std::filesystem::create_directories(folder_ / "system");
+    std::error_code mesh_failed, system_failed;
+    std::filesystem::create_directories(folder_ / "constant" / "polyMesh", mesh_failed);
+    std::filesystem::create_directories(folder_ / "system", system_failed);
+    if (mesh_failed || system_failed) refuse_to_write(folder_);
     write_list("points", "vectorField", mesh_.n_nodes(),
                [&](OutputText& out, std::size_t v) { out << "(" << mesh_.node(v) << ")"; });
     write_list("faces", "faceList", faces_.size(), [&](OutputText& out, std::size_t f) {

@@ -11,6 +11,7 @@
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
+#include "starters/starters.hpp"
 #include "writers/vtk_names.hpp"
 #include "writers/vtk_xml.hpp"
 #include "writers/written_files.hpp"
@@ -149,9 +150,13 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format ogs_format() {
-  return {"ogs",          {".ogs.vtu"},
-          "OpenGeoSys 6", {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
-          write,          nullptr};
+  return {"ogs",
+          {".ogs.vtu"},
+          "OpenGeoSys 6",
+          {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
+          write,
+          nullptr,
+          write_ogs_starter};
 }
 
 }  // namespace geomesh::geomodel

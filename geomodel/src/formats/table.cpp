@@ -2,10 +2,12 @@
 // The table of formats (geomesh/geomodel/formats.hpp).
 #include <algorithm>
 
+#include "fields/fields.hpp"
 #include "formats/format_list.hpp"
 #include "geomesh/core/error.hpp"
 #include "solver_mesh/second_order.hpp"
 #include "solver_mesh/split_faults.hpp"
+#include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
 
@@ -61,6 +63,28 @@ std::vector<std::string> known_extensions() {
   return all;
 }
 
+namespace {
+
+std::vector<std::filesystem::path> write_all(const ModelMesh& mesh, const Format& format, const WriteOptions& options,
+                                             const std::filesystem::path& stem) {
+  WrittenFiles written;
+  written.add(format.write(mesh, options, stem));
+  if (options.starter && format.starter && options.partitions == 1) written.add(format.starter(mesh, stem));
+  return written.keep();
+}
+
+void refuse_partitions(const Format& format, const WriteOptions& options) {
+  if (!format.holds.partitions)
+    throw Error(ErrorKind::usage, "the format " + format.name + " is not written in parts here; leave out partitions");
+  if (options.cohesive)
+    throw Error(ErrorKind::usage, "cohesive prisms are not written in parts; leave out partitions or cohesive: true");
+  if (options.single_grid)
+    throw Error(ErrorKind::usage,
+                "one grid for all cells is not written in parts; leave out partitions or single_grid");
+}
+
+}  // namespace
+
 std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& name,
                                                 const std::filesystem::path& stem, const WriteOptions& options) {
   const Format* const format = format_of_name(name);
@@ -76,10 +100,12 @@ std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std
     throw Error(ErrorKind::usage, "the format " + name + " holds no cohesive prisms here; leave out cohesive: true");
   if (second && options.cohesive)
     throw Error(ErrorKind::usage, "cohesive prisms are of first order; leave out order: 2 or cohesive: true");
-  if (options.split.empty() && !second) return format->write(mesh, options, stem);
+  if (options.partitions > 1) refuse_partitions(*format, options);
+  if (options.split.empty() && !second && options.fields.empty()) return write_all(mesh, *format, options, stem);
   ModelMesh changed = options.split.empty() ? mesh : split_along(mesh, options.split, options.cohesive);
+  add_fields(changed, options.fields);
   if (second) add_midpoints(changed);
-  return format->write(changed, options, stem);
+  return write_all(changed, *format, options, stem);
 }
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // XDMF 3 with HDF5, for dolfinx, FEniCS, meshio and ParaView (built only where HDF5 is there): NAME.xdmf has the cells
-// with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points, all numbers
-// are in NAME.h5. One grid a file, because meshio reads no more.
+// with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points. Numbers are in
+// an .h5 of the same name. One grid a file, because meshio reads no more.
 #include <hdf5.h>
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 #include "geomesh/geomodel/writers.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
+#include "starters/starters.hpp"
+#include "writers/room_on_disk.hpp"
 #include "writers/text_buffer.hpp"
 #include "writers/written_files.hpp"
 
@@ -20,7 +22,11 @@ namespace {
 /// An HDF5 file being written. Every failure of the library is a failure to write the file.
 class Hdf5Writer {
  public:
-  Hdf5Writer(const std::filesystem::path& temporary, const std::filesystem::path& file) : file_(file) {
+  /// `payload`: bytes of all numbers.
+  Hdf5Writer(const std::filesystem::path& temporary, const std::filesystem::path& file, std::size_t payload)
+      : file_(file) {
+    constexpr std::size_t most_bytes_of_structure = 1 << 15;
+    require_room(temporary, file, payload + most_bytes_of_structure);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     id_ = require(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   }
@@ -110,20 +116,21 @@ std::string grid_text(const std::string& h5, const TaggedCells& cells, std::size
   return text.text();
 }
 
-void write_h5(const SolverMesh& mesh, const std::vector<TaggedCells>& all, const std::filesystem::path& file) {
+/// Each XDMF file has an HDF5 file of its own name, with the points: dolfinx opens that one, whatever the XDMF says.
+void write_h5(const SolverMesh& mesh, const TaggedCells& cells, const std::filesystem::path& file) {
   write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
-    Hdf5Writer h5(temporary, file);
+    Hdf5Writer h5(temporary, file,
+                  3 * mesh.n_nodes() * sizeof(double) + cells.nodes.size() * sizeof(std::int64_t) +
+                      cells.tags.size() * sizeof(std::int32_t));
     std::vector<double> coordinates;
     coordinates.reserve(3 * mesh.n_nodes());
     for (std::size_t v = 0; v < mesh.n_nodes(); ++v)
       for (std::size_t k = 0; k < 3; ++k) coordinates.push_back(mesh.node(v)[k]);
     h5.put("geometry", H5T_NATIVE_DOUBLE, coordinates.data(), mesh.n_nodes(), 3);
-    for (const TaggedCells& cells : all) {
-      h5.group(cells.name);
-      const std::string at = cells.name;
-      h5.put((at + "/topology").c_str(), H5T_NATIVE_INT64, cells.nodes.data(), cells.tags.size(), cells.width);
-      h5.put((at + "/values").c_str(), H5T_NATIVE_INT32, cells.tags.data(), cells.tags.size(), 1);
-    }
+    h5.group(cells.name);
+    const std::string at = cells.name;
+    h5.put((at + "/topology").c_str(), H5T_NATIVE_INT64, cells.nodes.data(), cells.tags.size(), cells.width);
+    h5.put((at + "/values").c_str(), H5T_NATIVE_INT32, cells.tags.data(), cells.tags.size(), 1);
     h5.close();
   });
 }
@@ -138,20 +145,20 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
     all.push_back(cells_of(mesh, dimension));
     if (all.back().tags.empty()) all.pop_back();
   }
-  const std::filesystem::path h5 = stem.string() + ".h5";
   std::vector<SidecarGroup> sidecar;
   for (const CellGroup& label : mesh.labels)
     if (label.dimension > 0)
       sidecar.push_back({"tag", label.dimension, label.id, label.full_name, label.full_name, label.members});
   WrittenFiles written;
-  write_h5(mesh, all, h5);
-  written.add(h5);
   for (const TaggedCells& cells : all) {
-    const char* const ending = cells.name == std::string_view("region")       ? ".xdmf"
-                               : cells.name == std::string_view("facet_tags") ? ".facets.xdmf"
-                                                                              : ".edges.xdmf";
-    write_text_file(stem.string() + ending, grid_text(h5.filename().string(), cells, mesh.n_nodes()));
-    written.add(stem.string() + ending);
+    const std::string part = stem.string() + (cells.name == std::string_view("region")       ? ""
+                                              : cells.name == std::string_view("facet_tags") ? ".facets"
+                                                                                             : ".edges");
+    const std::filesystem::path h5 = part + ".h5";
+    write_h5(mesh, cells, h5);
+    written.add(h5);
+    write_text_file(part + ".xdmf", grid_text(h5.filename().string(), cells, mesh.n_nodes()));
+    written.add(part + ".xdmf");
   }
   written.add(write_sidecar(model, sidecar, stem.string() + ".xdmf"));
   return written.keep();
@@ -161,7 +168,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 Format xdmf_format() {
   return {"xdmf", {".xdmf"}, "XDMF and HDF5 (dolfinx)", {.second_order = true, .curves = true, .names = false},
-          write,  nullptr};
+          write,  nullptr,   write_dolfinx_starter};
 }
 
 }  // namespace geomesh::geomodel

@@ -29,7 +29,13 @@ struct Sizes {
   std::vector<double> sizes;
 };
 
-bool is_size(double v) { return std::isfinite(v) && v > 0; }
+/// What is read: the array of a VTK file, and whether values must be sizes.
+struct Wanted {
+  std::string array, noun;
+  bool positive;
+  bool holds(double v) const { return std::isfinite(v) && (v > 0 || !positive); }
+  std::string expected() const { return positive ? noun + " above zero" : "a finite " + noun; }
+};
 
 /// Four numbers of a line; nothing where they are not.
 std::optional<std::array<double, 4>> four_numbers(std::string_view line) {
@@ -45,11 +51,10 @@ std::optional<std::array<double, 4>> four_numbers(std::string_view line) {
   return values;
 }
 
-Sizes read_text(const InputFile& file) {
+Sizes read_text(const InputFile& file, const Wanted& wanted) {
   if (looks_binary(file))
-    file.fail(
-        "holds no sizes that are understood: lines of x y z size, or a .vti, .vtu or .vtp with an array \"size\", were "
-        "expected");
+    file.fail("holds no " + wanted.noun + "s that are understood: lines of x y z " + wanted.noun +
+              ", or a .vti, .vtu or .vtp with an array \"" + wanted.array + "\", were expected");
   Sizes sizes;
   LineReader lines(file);
   bool header_allowed = true;
@@ -57,10 +62,10 @@ Sizes read_text(const InputFile& file) {
     const std::string_view line = trim(lines.line());
     if (line.empty() || line.front() == '#' || line.front() == '!') continue;
     const auto values = four_numbers(line);
-    if (!values && !header_allowed) lines.fail("four numbers x y z size were expected");
+    if (!values && !header_allowed) lines.fail("four numbers x y z " + wanted.noun + " were expected");
     header_allowed = false;
     if (!values) continue;
-    if (!is_size((*values)[3])) lines.fail("a size above zero was expected");
+    if (!wanted.holds((*values)[3])) lines.fail("a " + wanted.expected() + " was expected");
     sizes.points.push_back({(*values)[0], (*values)[1], (*values)[2]});
     sizes.sizes.push_back((*values)[3]);
   }
@@ -78,17 +83,18 @@ Vec3 centre_of(vtkDataSet& data, vtkIdType cell) {
   return {sum[0], sum[1], sum[2]};
 }
 
-Sizes sizes_of(const InputFile& file, vtkDataSet& data) {
+Sizes sizes_of(const InputFile& file, const Wanted& wanted, vtkDataSet& data) {
   Sizes sizes;
-  vtkDataArray* at_points = data.GetPointData()->GetArray("size");
-  vtkDataArray* at_cells = data.GetCellData()->GetArray("size");
+  vtkDataArray* at_points = data.GetPointData()->GetArray(wanted.array.c_str());
+  vtkDataArray* at_cells = data.GetCellData()->GetArray(wanted.array.c_str());
   vtkDataArray* array = at_points ? at_points : at_cells;
   if (!array || array->GetNumberOfComponents() != 1)
-    file.fail("has no point or cell array \"size\" of one number each");
+    file.fail("has no point or cell array \"" + wanted.array + "\" of one number each");
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
     const double size = array->GetComponent(i, 0);
-    if (!is_size(size))
-      file.fail("the array \"size\" holds a value that is not above zero, at row " + std::to_string(i));
+    if (!wanted.holds(size))
+      file.fail("the array \"" + wanted.array + "\" holds a value that is no " + wanted.expected() + ", at row " +
+                std::to_string(i));
     double p[3];
     if (at_points) data.GetPoint(i, p);
     sizes.points.push_back(at_points ? Vec3{p[0], p[1], p[2]} : centre_of(data, i));
@@ -97,21 +103,29 @@ Sizes sizes_of(const InputFile& file, vtkDataSet& data) {
   return sizes;
 }
 
-Sizes read_sizes(const InputFile& file) {
+Sizes read_sizes(const InputFile& file, const Wanted& wanted) {
   const std::string extension = file.extension();
-  if (extension == ".vti") return sizes_of(file, *parse_vtk<vtkXMLImageDataReader, vtkImageData>(file));
-  if (extension == ".vtu") return sizes_of(file, *parse_vtk<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(file));
-  if (extension == ".vtp") return sizes_of(file, *parse_vtk<vtkXMLPolyDataReader, vtkPolyData>(file));
-  return read_text(file);
+  if (extension == ".vti") return sizes_of(file, wanted, *parse_vtk<vtkXMLImageDataReader, vtkImageData>(file));
+  if (extension == ".vtu")
+    return sizes_of(file, wanted, *parse_vtk<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(file));
+  if (extension == ".vtp") return sizes_of(file, wanted, *parse_vtk<vtkXMLPolyDataReader, vtkPolyData>(file));
+  return read_text(file, wanted);
+}
+
+SizeGrid read_grid(const std::filesystem::path& path, const Wanted& wanted) {
+  const InputFile file = load_input_file(path);
+  Sizes sizes = read_sizes(file, wanted);
+  if (sizes.points.empty())
+    file.fail("holds no " + wanted.noun + "s: lines of x y z " + wanted.noun + " were expected");
+  return SizeGrid(std::move(sizes.points), std::move(sizes.sizes));
 }
 
 }  // namespace
 
-SizeGrid read_size_grid(const std::filesystem::path& path) {
-  const InputFile file = load_input_file(path);
-  Sizes sizes = read_sizes(file);
-  if (sizes.points.empty()) file.fail("holds no sizes: lines of x y z size were expected");
-  return SizeGrid(std::move(sizes.points), std::move(sizes.sizes));
+SizeGrid read_size_grid(const std::filesystem::path& path) { return read_grid(path, {"size", "size", true}); }
+
+SizeGrid read_value_grid(const std::filesystem::path& path, const std::string& array) {
+  return read_grid(path, {array, "value", false});
 }
 
 void load_background(NamedSizes& sizes, const Vec3& origin) {

@@ -50,6 +50,9 @@ class SizeGrid {
 /// positive.
 SizeGrid read_size_grid(const std::filesystem::path& file);
 
+/// The same of any finite numbers: lines of x y z value, or the array of that name.
+SizeGrid read_value_grid(const std::filesystem::path& file, const std::string& array);
+
 /// Where the sizes name a background file: reads it into base.background. `origin` was subtracted from the model's
 /// coordinates, but not from the file's.
 void load_background(NamedSizes& sizes, const Vec3& origin);

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <fstream>
+#include <limits>
 
 #include "geomesh/core/error.hpp"
 #include "mesh_readers/mesh_readers.hpp"
@@ -40,6 +41,10 @@ class ExodusReader {
     read_blocks(static_cast<std::size_t>(sizes.num_elem_blk), static_cast<std::size_t>(sizes.num_elem));
     read_sets(EX_SIDE_SET, static_cast<std::size_t>(sizes.num_side_sets));
     read_sets(EX_NODE_SET, static_cast<std::size_t>(sizes.num_node_sets));
+    if (ex_inquire_int(id_, EX_INQ_TIME) > 0) {
+      read_cell_arrays();
+      read_point_arrays();
+    }
     return std::move(mesh_);
   }
 
@@ -64,6 +69,41 @@ class ExodusReader {
     std::string name(257, '\0');
     if (ex_get_name(id_, kind, id, name.data()) < 0) return "";
     return name.c_str();
+  }
+  std::vector<std::string> variables(ex_entity_type kind) const {
+    int n = 0;
+    require(ex_get_variable_param(id_, kind, &n));
+    std::vector<std::string> names;
+    for (int i = 1; i <= n; ++i) {
+      std::string name(257, '\0');
+      require(ex_get_variable_name(id_, kind, i, name.data()));
+      names.emplace_back(name.c_str());
+    }
+    return names;
+  }
+  /// Of the first time. NaN where a block has no such variable.
+  void read_cell_arrays() {
+    const std::vector<std::string> names = variables(EX_ELEM_BLOCK);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      CellArray array{names[i], std::vector<double>(mesh_.cells[3].size(), std::numeric_limits<double>::quiet_NaN())};
+      for (const auto& [id, rows] : rows_of_block_) {
+        std::vector<double> values(rows.size());
+        if (values.empty() || ex_get_var(id_, 1, EX_ELEM_BLOCK, static_cast<int>(i + 1), id,
+                                         static_cast<int64_t>(values.size()), values.data()) < 0)
+          continue;
+        for (std::size_t e = 0; e < rows.size(); ++e) array.values[rows[e]] = values[e];
+      }
+      mesh_.cell_arrays.push_back(std::move(array));
+    }
+  }
+  void read_point_arrays() {
+    const std::vector<std::string> names = variables(EX_NODAL);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      PointArray array{names[i], std::vector<double>(mesh_.points.size())};
+      require(ex_get_var(id_, 1, EX_NODAL, static_cast<int>(i + 1), 1, static_cast<int64_t>(array.values.size()),
+                         array.values.data()));
+      mesh_.point_arrays.push_back(std::move(array));
+    }
   }
   VertexIndex node(int number) const {
     if (number < 1 || static_cast<std::size_t>(number) > mesh_.points.size())
@@ -98,6 +138,7 @@ class ExodusReader {
         set.rows.push_back(mesh_.cells[3].size() - 1);
         mesh_.numbers.push_back(element);
       }
+      rows_of_block_.emplace_back(id, set.rows);
       mesh_.sets.push_back(std::move(set));
     }
   }
@@ -135,6 +176,7 @@ class ExodusReader {
   RawMesh mesh_;
   int id_ = -1;
   std::vector<std::size_t> row_of_element_;
+  std::vector<std::pair<int, std::vector<std::size_t>>> rows_of_block_;  // of tetrahedra
 };
 
 }  // namespace

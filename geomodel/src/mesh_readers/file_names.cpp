@@ -14,7 +14,8 @@ FileNames read_file_names(const std::filesystem::path& mesh_file) {
   const auto read = [&](const char* key, std::vector<FullName>& list) {
     if (!root.contains(key)) return;
     for (const auto& entry : root.at(key))
-      list.push_back({entry.at("name"), entry.value("kind", ""), entry.at("groups")});
+      list.push_back({entry.at("name"), entry.value("kind", ""), entry.at("groups"),
+                      entry.value("attributes", std::map<std::string, double>{})});
   };
   try {
     read("regions", names.regions);
@@ -22,6 +23,15 @@ FileNames read_file_names(const std::filesystem::path& mesh_file) {
     read("curves", names.curves);
     read("points", names.points);
     read("node_sets", names.node_sets);
+    names.unit = root.value("unit", "");
+    if (const auto origin = root.find("origin"); origin != root.end())
+      names.origin = Vec3{origin->at(0), origin->at(1), origin->at(2)};
+    for (const auto& field : root.value("fields", nlohmann::json::array()))
+      names.field_units[field.at("name")] = field.value("unit", "");
+    for (const auto& region : root.value("regions", nlohmann::json::array()))
+      names.region_ids[region.at("id")] = region.at("name");
+    for (const auto& group : root.value("region_groups", nlohmann::json::array()))
+      names.region_groups[group.at("name")] = group.at("regions").get<std::vector<std::int32_t>>();
   } catch (const nlohmann::json::exception&) {
     return {};
   }

@@ -3,9 +3,14 @@
 /// The JSON beside a mesh file of ours: full names and kinds for the names in the file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "geomesh/core/geometry.hpp"
 
 namespace geomesh::geomodel {
 
@@ -13,10 +18,16 @@ namespace geomesh::geomodel {
 struct FullName {
   std::string name, kind;
   std::vector<std::string> sets;
+  std::map<std::string, double> attributes{};  ///< of regions
 };
 
 struct FileNames {
   std::vector<FullName> regions, surfaces, curves, points, node_sets;
+  std::map<std::string, std::string> field_units;                  ///< by field; empty: not known
+  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< ids as in `region_ids`
+  std::map<std::int32_t, std::string> region_ids;
+  std::string unit;
+  std::optional<Vec3> origin;
   bool empty() const { return regions.empty() && surfaces.empty(); }
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gmsh .msh, versions 2.2 and 4.1, text and binary: nodes, simplices of first and second order, physical groups.
 #include <cstdlib>
+#include <limits>
 #include <optional>
+#include <unordered_map>
 
 #include "mesh_readers/file_cursor.hpp"
 #include "mesh_readers/mesh_readers.hpp"
@@ -80,6 +82,9 @@ class GmshReader {
       } else if (section == "$Elements") {
         require_format();
         version_ < 4 ? read_elements_2() : read_elements_4();
+      } else if (section == "$ElementData" || section == "$NodeData") {
+        require_format();
+        read_data(section == "$NodeData");
       }
     }
     require_format();
@@ -169,7 +174,7 @@ class GmshReader {
 
   /// Reads the nodes of one element, by `node()`, and files it under its groups.
   template <class F>
-  void add_element(int type, const std::vector<std::int32_t>& groups, F&& node) {
+  void add_element(std::size_t tag, int type, const std::vector<std::int32_t>& groups, F&& node) {
     const std::optional<ElementType> known = element_type(type);
     if (!known) in_.refuse("elements of Gmsh's type " + std::to_string(type) + " are not known here");
     const std::size_t number = n_elements_++;
@@ -184,6 +189,7 @@ class GmshReader {
     }
     if (known->dimension == 3) {
       mesh_.numbers.push_back(number);
+      row_of_element_.emplace(tag, cells.size() - 1);
       mesh_.second_order |= type == 11;
     }
     for (const std::int32_t id : groups)
@@ -201,7 +207,7 @@ class GmshReader {
         if (follow <= 0) in_.refuse("a block of elements is empty");
       }
       for (std::int32_t i = 0; i < follow; ++i, ++done) {
-        integer();
+        const auto number = static_cast<std::size_t>(integer());
         if (!binary_) {
           type = integer();
           n_tags = integer();
@@ -210,7 +216,7 @@ class GmshReader {
           const std::int32_t tag = integer();
           if (k == 0) first = tag;
         }
-        add_element(type, {n_tags > 0 ? first : 0}, [&] { return static_cast<std::size_t>(integer()); });
+        add_element(number, type, {n_tags > 0 ? first : 0}, [&] { return static_cast<std::size_t>(integer()); });
       }
     }
   }
@@ -223,10 +229,42 @@ class GmshReader {
       const auto groups = groups_of_.find({dimension, entity});
       static const std::vector<std::int32_t> none;
       for (std::size_t i = 0; i < n; ++i) {
-        size();
-        add_element(type, groups == groups_of_.end() ? none : groups->second, [&] { return size(); });
+        const std::size_t number = size();
+        add_element(number, type, groups == groups_of_.end() ? none : groups->second, [&] { return size(); });
       }
     }
+  }
+
+  /// Of one value each; others are passed over. Rows that are not there have NaN.
+  void read_data(bool of_nodes) {
+    std::string name;
+    const auto n_texts = in_.number<std::size_t>();
+    in_.line();
+    for (std::size_t i = 0; i < n_texts; ++i) {
+      const std::string_view text = in_.line();
+      const auto first = text.find('"'), last = text.rfind('"');
+      if (i == 0 && first != std::string_view::npos && last > first) name = text.substr(first + 1, last - first - 1);
+    }
+    for (auto n = in_.number<std::size_t>(); n > 0; --n) in_.number<double>();
+    std::vector<std::int64_t> tags(in_.number<std::size_t>() % 64);
+    for (auto& tag : tags) tag = in_.number<std::int64_t>();
+    in_.line();
+    if (tags.size() < 3 || tags[1] != 1 || tags[2] < 0) return;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> values(of_nodes ? mesh_.points.size() : mesh_.cells[3].size(), none);
+    for (std::int64_t i = 0; i < tags[2]; ++i) {
+      const auto number = static_cast<std::size_t>(integer());
+      const double value = real();
+      if (of_nodes) {
+        values[nodes_.row(number, in_)] = value;
+      } else if (const auto row = row_of_element_.find(number); row != row_of_element_.end()) {
+        values[row->second] = value;
+      }
+    }
+    if (of_nodes)
+      mesh_.point_arrays.push_back({name, std::move(values)});
+    else
+      mesh_.cell_arrays.push_back({name, std::move(values)});
   }
 
   FileCursor in_;
@@ -235,6 +273,7 @@ class GmshReader {
   double version_ = 0;
   bool binary_ = false;
   std::size_t n_elements_ = 0;
+  std::unordered_map<std::size_t, std::size_t> row_of_element_;                  // of tetrahedra, by number
   std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;  // by dimension and entity
   std::map<std::pair<int, std::int32_t>, RawSet> sets_;                          // by dimension and tag
 };

@@ -37,7 +37,10 @@ struct MeshFile {
   std::vector<std::string> missing_arrays;  ///< point arrays of the output contract that are not there (VTK files only)
   std::vector<std::int32_t> kind;           ///< per point; empty where the file has no such array
   std::map<std::string, std::vector<double>> cell_values;          ///< per tetrahedron, but "region" (VTK only)
+  std::map<std::string, std::vector<double>> point_values;         ///< point arrays of one number (VTK only)
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< regions under one more name
+  std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty where the file has none
+  Vec3 origin{0, 0, 0};                     ///< was subtracted from the coordinates (field data of our files)
 };
 
 struct FacesFile {
@@ -70,6 +73,8 @@ struct CurvesFile {
 /// cannot be opened, Error{invalid_input} where it cannot be understood.
 MeshFile read_mesh_file(const std::filesystem::path& path);
 MeshFile read_vtk_mesh(const std::filesystem::path& path);
+/// A mesh in parts whose pieces have global numbers. Midpoints of elements of second order are left out.
+MeshFile read_pvtu_mesh(const std::filesystem::path& path);
 
 FacesFile read_faces_file(const std::filesystem::path& path);
 CurvesFile read_curves_file(const std::filesystem::path& path);

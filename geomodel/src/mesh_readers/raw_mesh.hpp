@@ -41,6 +41,7 @@ struct RawMesh {
   bool single_precision = false;                       ///< the file holds 32-bit coordinates
   std::vector<std::int32_t> point_kind, input_vertex;  ///< of our own files; else empty
   std::vector<CellArray> cell_arrays;                  ///< by tetrahedron
+  std::vector<PointArray> point_arrays;                ///< by row of `points`
   Vec3 origin{0, 0, 0};
 };
 

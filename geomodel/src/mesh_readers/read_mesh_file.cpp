@@ -43,11 +43,12 @@ MeshFile take(RawMesh raw) {
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
+  if (extension == ".pvtu") return read_pvtu_mesh(path);
   if (extension == ".vtu" || extension == ".vtk") return read_vtk_mesh(path);
   if (const Format* const format = format_of_extension(extension); format && format->read)
     return take(format->read(path));
   throw Error(ErrorKind::usage, path.string() +
-                                    ": no known mesh format; check reads .vtu, .vtk, .msh, .inp, .e, .mesh"
+                                    ": no known mesh format; check reads .vtu, .pvtu, .vtk, .msh, .inp, .e, .mesh"
                                     " and, where built with libmedc, .med");
 }
 

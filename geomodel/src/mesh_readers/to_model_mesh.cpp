@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the sets of a file to regions, surfaces, curves and named nodes.
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "geomesh/core/error.hpp"
@@ -47,7 +48,8 @@ class ModelMeshBuilder {
                        "first");
     if (raw_.cells[3].size() == 0) refuse(file, "it holds no tetrahedra");
     mesh_.name = raw_.name.empty() ? file.stem().string() : raw_.name;
-    mesh_.origin = raw_.origin;
+    mesh_.origin = names_.origin.value_or(raw_.origin);
+    if (!names_.unit.empty()) mesh_.unit = names_.unit;
     name_unnamed_sets();
   }
 
@@ -59,6 +61,8 @@ class ModelMeshBuilder {
     add_curves();
     add_points();
     add_node_sets();
+    add_region_groups();
+    add_arrays();
     return std::move(mesh_);
   }
 
@@ -91,7 +95,48 @@ class ModelMeshBuilder {
         std::swap(v[2], v[3]);
       mesh_.tetrahedra.push_back(v);
     }
-    mesh_.cell_arrays = std::move(raw_.cell_arrays);
+  }
+
+  /// Attributes of regions by the JSON; arrays of cells and points that are none of these.
+  void add_arrays() {
+    std::map<std::string, RegionAttribute> attributes;
+    for (const FullName& full : names_.regions)
+      for (const auto& [name, value] : full.attributes) {
+        RegionAttribute& attribute = attributes[name];
+        attribute.name = name;
+        attribute.by_region.resize(mesh_.regions.size(), std::numeric_limits<double>::quiet_NaN());
+        for (const Region& region : mesh_.regions)
+          if (region.name == full.name) attribute.by_region[static_cast<std::size_t>(region.id - 1)] = value;
+      }
+    for (CellArray& array : raw_.cell_arrays) {
+      if (attributes.contains(array.name)) continue;
+      if (const auto unit = names_.field_units.find(array.name); unit != names_.field_units.end())
+        array.unit = unit->second;
+      mesh_.cell_arrays.push_back(std::move(array));
+    }
+    for (auto& [name, attribute] : attributes) mesh_.attributes.push_back(std::move(attribute));
+    for (const PointArray& array : raw_.point_arrays) {
+      PointArray kept{array.name, std::vector<double>(mesh_.points.size()), ""};
+      if (const auto unit = names_.field_units.find(array.name); unit != names_.field_units.end())
+        kept.unit = unit->second;
+      for (std::size_t v = 0; v < row_.size(); ++v)
+        if (row_[v] != no_vertex) kept.values[row_[v]] = array.values[v];
+      mesh_.point_arrays.push_back(std::move(kept));
+    }
+  }
+  /// Groups of regions that the file itself does not hold.
+  void add_region_groups() {
+    for (const auto& [name, ids] : names_.region_groups) {
+      if (std::any_of(mesh_.groups.begin(), mesh_.groups.end(), [&](const RegionGroup& g) { return g.name == name; }))
+        continue;
+      RegionGroup group{name, {}};
+      for (const std::int32_t id : ids)
+        for (const Region& region : mesh_.regions)
+          if (const auto full = names_.region_ids.find(id);
+              full != names_.region_ids.end() && full->second == region.name)
+            group.regions.push_back(region.id);
+      if (!group.regions.empty()) mesh_.groups.push_back(std::move(group));
+    }
   }
 
   /// The sets of one dimension, by the full names where those are known; else as they stand.

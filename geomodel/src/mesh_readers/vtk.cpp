@@ -198,6 +198,18 @@ void take_cell_values(vtkUnstructuredGrid& grid, MeshFile& mesh) {
   }
 }
 
+/// Point arrays of one number.
+void take_point_values(vtkUnstructuredGrid& grid, MeshFile& mesh) {
+  for (int i = 0; i < grid.GetPointData()->GetNumberOfArrays(); ++i) {
+    vtkDataArray* array = grid.GetPointData()->GetArray(i);
+    if (!array || !array->GetName() || array->GetNumberOfComponents() != 1 ||
+        array->GetNumberOfTuples() < grid.GetNumberOfPoints())
+      continue;
+    std::vector<double>& values = mesh.point_values[array->GetName()];
+    for (vtkIdType p = 0; p < grid.GetNumberOfPoints(); ++p) values.push_back(array->GetComponent(p, 0));
+  }
+}
+
 /// The ids in arrays whose names begin so, in the order of the file.
 std::vector<std::int32_t> ids_in_order(vtkFieldData& field, const std::string& prefix) {
   std::vector<std::int32_t> ids;
@@ -320,7 +332,14 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
     if (!grid.GetPointData()->GetArray(name)) mesh.missing_arrays.emplace_back(name);
   if (vtkDataArray* rows = grid.GetPointData()->GetArray("input_vertex")) mesh.input_vertex = integers_of(*rows);
   if (vtkDataArray* kinds = grid.GetPointData()->GetArray("kind")) mesh.kind = integers_of(*kinds);
+  if (vtkDataArray* ids = grid.GetPointData()->GetArray("GlobalPointIds"))
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+      mesh.global_points.push_back(static_cast<std::int64_t>(ids->GetComponent(i, 0)));
+  if (vtkDataArray* origin = grid.GetFieldData()->GetArray("origin"); origin && origin->GetNumberOfValues() == 3)
+    mesh.origin = {origin->GetVariantValue(0).ToDouble(), origin->GetVariantValue(1).ToDouble(),
+                   origin->GetVariantValue(2).ToDouble()};
   take_cell_values(grid, mesh);
+  take_point_values(grid, mesh);
   take_groups(*grid.GetFieldData(), mesh, path);
   return mesh;
 }

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // VTU of any tool: regions from its cell array of ids; of our own files also NAME.faces.vtp and NAME.curves.vtp.
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "mesh_readers/mesh_files.hpp"
 #include "mesh_readers/mesh_readers.hpp"
 
 namespace geomesh::geomodel {
 namespace {
+
+/// Arrays that are no properties: of one grid for all cells, and of parts.
+constexpr std::array<std::string_view, 8> arrays_of_cells{"surface_set",  "patch",           "region_minus",
+                                                          "region_plus",  "source_triangle", "GlobalCellIds",
+                                                          "vtkGhostType", "partition"};
+constexpr std::array<std::string_view, 4> arrays_of_points{"kind", "input_vertex", "GlobalPointIds", "vtkGhostType"};
 
 /// Cells grouped by id.
 void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
@@ -63,15 +71,24 @@ std::vector<VertexIndex> rows_of(const std::vector<Vec3>& points, const std::vec
 }  // namespace
 
 RawMesh read_vtu_mesh(const std::filesystem::path& path) {
-  checking::MeshFile file = checking::read_vtk_mesh(path);
+  checking::MeshFile file =
+      path.extension() == ".pvtu" ? checking::read_pvtu_mesh(path) : checking::read_vtk_mesh(path);
   RawMesh mesh;
   mesh.format = "VTU";
   mesh.points = std::move(file.points);
   mesh.n_other_solids = file.n_other_solids;
+  mesh.origin = file.origin;
   mesh.numbers = std::move(file.cell);
   for (const Tetrahedron& t : file.tetrahedra)
     mesh.cells[3].corners.insert(mesh.cells[3].corners.end(), t.begin(), t.end());
   add_sets_by_id(file.region, 3, file.region_names, mesh);
+  for (auto& [name, values] : file.cell_values)
+    if (std::find(arrays_of_cells.begin(), arrays_of_cells.end(), name) == arrays_of_cells.end())
+      mesh.cell_arrays.push_back({name, std::move(values)});
+  for (auto& [name, values] : file.point_values)
+    if (std::find(arrays_of_points.begin(), arrays_of_points.end(), name) == arrays_of_points.end() &&
+        !name.starts_with("nodes:"))
+      mesh.point_arrays.push_back({name, std::move(values)});
   mesh.point_kind = std::move(file.kind);
   mesh.input_vertex = std::move(file.input_vertex);
   const std::filesystem::path stem = path.parent_path() / path.stem();

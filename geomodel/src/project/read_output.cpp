@@ -2,6 +2,7 @@
 #include "project/read_output.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geomesh/geomodel/formats.hpp"
 
@@ -42,6 +43,16 @@ void read_split(const YamlValue& value, const Project& project, WriteOptions& op
     if (const auto name = item.choice(names)) options.split.push_back(*name);
 }
 
+void read_partitions(const YamlValue& value, WriteOptions& options) {
+  const auto n = value.number();
+  if (!n) return;
+  if (*n < 1 || *n > most_partitions || *n != std::floor(*n))
+    return value.problem("a whole number from 1 to " + std::to_string(most_partitions) + " was expected");
+  options.partitions = static_cast<unsigned>(*n);
+  if (options.partitions > 1 && (options.cohesive || options.single_grid))
+    value.problem("cohesive and single_grid are not written in parts");
+}
+
 void read_options(const YamlMap& map, const Project& project, WriteOptions& options) {
   if (const auto v = map.find("groups"))
     if (const auto word = v->choice({"whole", "pieces", "both"}))
@@ -71,6 +82,36 @@ void read_options(const YamlMap& map, const Project& project, WriteOptions& opti
       v->problem("cohesive prisms need faults to split: split was expected");
     if (options.cohesive && options.order == ElementOrder::second) v->problem("cohesive prisms are of first order");
   }
+  if (const auto v = map.find("partitions")) read_partitions(*v, options);
+  if (const auto v = map.find("starter")) options.starter = v->boolean().value_or(false);
+}
+
+/// Arrays of VTU files that are no fields.
+bool is_array_of_ours(const std::string& name) {
+  const std::vector<std::string>& cells = known_cell_arrays();
+  static const std::vector<std::string> others{"region",       "MaterialIDs", "attribute",     "kind",
+                                               "input_vertex", "patch",       "GlobalCellIds", "GlobalPointIds",
+                                               "vtkGhostType", "partition"};
+  return std::find(cells.begin(), cells.end(), name) != cells.end() ||
+         std::find(others.begin(), others.end(), name) != others.end();
+}
+
+void read_fields(const YamlValue& value, const std::filesystem::path& folder, WriteOptions& options) {
+  for (const auto& [name, entry] : named_entries(value, "a map of fields: {porosity: {file: poro.tif}}")) {
+    FieldSpec field{name, {}, FieldSpec::Place::cells, ""};
+    const YamlMap map(entry, {"file", "on", "unit"});
+    if (const auto v = map.require("file", "the grid or points"))
+      if (const auto text = v->text()) {
+        field.file = (folder / *text).lexically_normal();
+        if (!std::filesystem::is_regular_file(field.file)) v->problem("there is no file " + field.file.string());
+      }
+    if (const auto v = map.find("on"))
+      if (const auto word = v->choice({"cells", "points"}))
+        field.place = *word == "cells" ? FieldSpec::Place::cells : FieldSpec::Place::points;
+    if (const auto v = map.find("unit")) field.unit = v->text().value_or("");
+    if (is_array_of_ours(name)) entry.problem("geomesh writes an array of this name itself; another was expected");
+    options.fields.push_back(std::move(field));
+  }
 }
 
 /// What the chosen formats cannot hold is found before anything is meshed.
@@ -82,23 +123,26 @@ void check_formats(const YamlValue& value, const OutputSpec& output) {
       value.problem("the format " + name + " holds no elements of second order here; order: 1 was expected");
     if (output.options.cohesive && !format->holds.prisms)
       value.problem("the format " + name + " holds no cohesive prisms here; cohesive: false was expected");
+    if (output.options.partitions > 1 && !format->holds.partitions)
+      value.problem("the format " + name + " is not written in parts here; partitions: 1 was expected");
   }
 }
 
 }  // namespace
 
 void read_output(const YamlValue& value, const std::filesystem::path& folder, Project& project) {
-  const YamlMap map(value, {"directory", "formats", "origin", "groups", "inner_faces", "curves", "order",
-                            "region_array", "single_grid", "node_arrays", "compression", "split", "cohesive"});
+  const YamlMap map(
+      value, {"directory", "formats", "origin", "groups", "inner_faces", "curves", "order", "region_array",
+              "single_grid", "node_arrays", "compression", "split", "cohesive", "partitions", "starter", "fields"});
   OutputSpec& output = project.output;
   if (const auto v = map.find("directory")) {
     if (const auto text = v->text()) output.directory = (folder / *text).lexically_normal();
   }
   if (const auto v = map.find("formats")) read_formats(*v, output.formats);
-  if (const auto v = map.find("origin")) {
+  if (const auto v = map.find("origin"))
     if (const auto origin = v->point()) output.origin = *origin;
-  }
   read_options(map, project, output.options);
+  if (const auto v = map.find("fields")) read_fields(*v, folder, output.options);
   check_formats(value, output);
 }
 

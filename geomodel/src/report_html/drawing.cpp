@@ -148,8 +148,10 @@ std::string draw_section(const Section& section, const Box3& bounds) {
   std::string traces;
   for (const Section::Trace& t : section.traces)
     traces.append("M").append(frame.point(t.a)).append("L").append(frame.point(t.b));
-  std::string out = "<svg viewBox=\"0 0 " + pixels(frame.width()) + " " + pixels(frame.height()) + "\" width=\"" +
-                    pixels(frame.width()) + "\">";
+  static constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  std::string out = std::string("<svg role=\"img\" aria-label=\"Section at ") + names[section.axis] + " = " +
+                    number(section.at) + "\" viewBox=\"0 0 " + pixels(frame.width()) + " " + pixels(frame.height()) +
+                    "\" width=\"" + pixels(frame.width()) + "\">";
   for (const auto& [region, path] : fills)
     out += "<path class=\"unit\" fill=\"" + colour(static_cast<std::size_t>(region - 1)) + "\" d=\"" + path + "\"/>";
   out += "<path class=\"trace\" d=\"" + traces + "\"/>" + draw_axes(frame, section.axis) + "</svg>\n";
@@ -161,7 +163,8 @@ std::string draw_histogram(const std::vector<std::size_t>& counts, double width,
   const std::size_t most =
       std::max<std::size_t>(1, counts.empty() ? 1 : *std::max_element(counts.begin(), counts.end()));
   const double bar = (wide - 2 * left) / static_cast<double>(std::max<std::size_t>(1, counts.size()));
-  std::string out = "<svg viewBox=\"0 0 360 180\" width=\"360\">";
+  std::string out =
+      "<svg role=\"img\" aria-label=\"Histogram: " + escape(quantity) + "\" viewBox=\"0 0 360 180\" width=\"360\">";
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const double height = (tall - bottom - top) * static_cast<double>(counts[k]) / static_cast<double>(most);
     const double from = static_cast<double>(k) * width;

@@ -64,4 +64,28 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
   return sides;
 }
 
+std::vector<std::array<std::size_t, 4>> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra) {
+  struct Use {
+    Triangle vertices;
+    std::size_t tetrahedron, face;
+  };
+  std::vector<Use> uses;
+  uses.reserve(4 * tetrahedra.size());
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& v = tetrahedra[t];
+      uses.push_back({sorted({v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]}).vertices, t, i});
+    }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return a.vertices != b.vertices ? a.vertices < b.vertices : a.tetrahedron < b.tetrahedron;
+  });
+  std::vector<std::array<std::size_t, 4>> across(tetrahedra.size(), {no_side, no_side, no_side, no_side});
+  for (std::size_t k = 0; k + 1 < uses.size(); ++k) {
+    if (uses[k].vertices != uses[k + 1].vertices) continue;
+    across[uses[k].tetrahedron][uses[k].face] = uses[k + 1].tetrahedron;
+    across[uses[k + 1].tetrahedron][uses[k + 1].face] = uses[k].tetrahedron;
+  }
+  return across;
+}
+
 }  // namespace geomesh::geomodel

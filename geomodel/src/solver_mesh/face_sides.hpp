@@ -21,4 +21,7 @@ inline constexpr std::size_t no_side = SIZE_MAX;
 std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vector<Tetrahedron>& tetrahedra,
                                                                 const std::vector<Triangle>& faces);
 
+/// For each tetrahedron: those across its faces, face i opposite to vertex i; no_side on the outside. O(n log n).
+std::vector<std::array<std::size_t, 4>> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra);
+
 }  // namespace geomesh::geomodel

@@ -109,6 +109,8 @@ void add_midpoints(ModelMesh& mesh) {
     const Vec3 &p = mesh.points[e.a], &q = mesh.points[e.b];
     mid.points.push_back({middle(p.x, q.x), middle(p.y, q.y), middle(p.z, q.z)});
   }
+  for (PointArray& array : mesh.point_arrays)
+    for (const Edge& e : edges) array.values.push_back(middle(array.values[e.a], array.values[e.b]));
   for (const Tetrahedron& t : mesh.tetrahedra) {
     std::array<VertexIndex, 6> nodes{};
     for (std::size_t e = 0; e < 6; ++e) nodes[e] = node(t[edge_ends[e][0]], t[edge_ends[e][1]]);

@@ -2,6 +2,7 @@
 #include "solver_mesh/sidecar.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/writers.hpp"
@@ -19,12 +20,24 @@ ordered_json entry(std::int32_t id, const std::string& name, const std::vector<S
   return {{"id", id}, {"name", name}, {"groups", names}};
 }
 
+ordered_json field(const std::string& name, const char* place, const std::string& unit) {
+  ordered_json result{{"name", name}, {"on", place}};
+  if (!unit.empty()) result["unit"] = unit;
+  return result;
+}
+
 }  // namespace
 
 std::filesystem::path write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
-                                    const std::filesystem::path& mesh_file) {
+                                    const std::filesystem::path& mesh_file,
+                                    const std::map<std::string, std::size_t>& counts) {
   ordered_json root;
   root["mesh"] = mesh_file.filename().string();
+  root["unit"] = mesh.unit;
+  for (const auto& [name, count] : counts) root[name] = count;
+  if (!(mesh.origin == Vec3{0, 0, 0})) root["origin"] = {mesh.origin.x, mesh.origin.y, mesh.origin.z};
+  for (const CellArray& a : mesh.cell_arrays) root["fields"].push_back(field(a.name, "cells", a.unit));
+  for (const PointArray& a : mesh.point_arrays) root["fields"].push_back(field(a.name, "points", a.unit));
   root["groups"] = ordered_json::array();
   for (const SidecarGroup& g : groups) {
     ordered_json group{{"type", g.type}, {"dimension", g.dimension}};
@@ -35,7 +48,13 @@ std::filesystem::path write_sidecar(const ModelMesh& mesh, const std::vector<Sid
   }
   for (const RegionGroup& g : mesh.groups) root["region_groups"].push_back({{"name", g.name}, {"regions", g.regions}});
   root["regions"] = root["surfaces"] = root["curves"] = root["points"] = ordered_json::array();
-  for (const Region& r : mesh.regions) root["regions"].push_back(entry(r.id, r.name, groups));
+  for (const Region& r : mesh.regions) {
+    ordered_json region = entry(r.id, r.name, groups);
+    for (const RegionAttribute& a : mesh.attributes)
+      if (const double value = a.by_region[static_cast<std::size_t>(r.id - 1)]; !std::isnan(value))
+        region["attributes"][a.name] = value;
+    root["regions"].push_back(std::move(region));
+  }
   for (const NamedSurface& s : mesh.surfaces) {
     ordered_json surface = entry(s.id, s.name, groups);
     surface["kind"] = to_string(s.kind);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,12 @@ struct SidecarGroup {
 };
 
 /// Writes MESH_FILE.json: `groups`, and `regions`, `surfaces`, `curves`, `points` of the mesh each with its full name
-/// and `groups`, the names in the file whose union it is; `region_groups` by region ids where there are any.
-/// Returns its name; removes MESH_FILE, which is there already, where it cannot be written.
+/// and `groups`, the names in the file whose union it is; `region_groups` by region ids where there are any; attributes
+/// of regions, names and units of fields, the mesh's unit and origin. Returns its name; removes MESH_FILE, which is
+/// there already, where it cannot be written.
+/// `counts`: further numbers, each under its name.
 std::filesystem::path write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
-                                    const std::filesystem::path& mesh_file);
+                                    const std::filesystem::path& mesh_file,
+                                    const std::map<std::string, std::size_t>& counts = {});
 
 }  // namespace geomesh::geomodel

@@ -59,11 +59,14 @@ struct SolverMesh {
   /// of their own, named `a+b`.
   std::vector<CellGroup> labels;
   std::vector<CellGroup> region_groups;  ///< groups of regions, as named in the project
+  std::vector<VertexIndex> rows;         ///< of a part of a mesh: the nodes it has; of a whole mesh empty
 
-  std::size_t n_nodes() const { return source->points.size() + source->midpoints.points.size(); }
+  std::size_t n_nodes() const {
+    return rows.empty() ? source->points.size() + source->midpoints.points.size() : rows.size();
+  }
   const Vec3& node(std::size_t i) const {
-    const std::size_t n = source->points.size();
-    return i < n ? source->points[i] : source->midpoints.points[i - n];
+    const std::size_t n = source->points.size(), row = rows.empty() ? i : rows[i];
+    return row < n ? source->points[row] : source->midpoints.points[row - n];
   }
   std::size_t n_solids() const { return count(3); }
   std::size_t count(int dimension) const;

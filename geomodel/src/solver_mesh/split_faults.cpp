@@ -14,36 +14,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
-/// Tetrahedra across each face; no_side on the outside.
-std::vector<std::array<std::size_t, 4>> neighbours_of(const std::vector<Tetrahedron>& tetrahedra) {
-  struct Use {
-    Triangle vertices;
-    std::size_t tetrahedron, face;
-  };
-  std::vector<Use> uses;
-  uses.reserve(4 * tetrahedra.size());
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& v = tetrahedra[t];
-      uses.push_back({sorted({v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]}), t, i});
-    }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-    return a.vertices != b.vertices ? a.vertices < b.vertices : a.tetrahedron < b.tetrahedron;
-  });
-  std::vector<std::array<std::size_t, 4>> across(tetrahedra.size(), {no_side, no_side, no_side, no_side});
-  for (std::size_t k = 0; k + 1 < uses.size(); ++k) {
-    if (uses[k].vertices != uses[k + 1].vertices) continue;
-    across[uses[k].tetrahedron][uses[k].face] = uses[k + 1].tetrahedron;
-    across[uses[k + 1].tetrahedron][uses[k + 1].face] = uses[k].tetrahedron;
-  }
-  return across;
-}
-
 class FaultSplitter {
  public:
   FaultSplitter(const ModelMesh& mesh, const std::vector<std::string>& surfaces)
@@ -115,7 +85,7 @@ class FaultSplitter {
     for (std::size_t t = 0; t < before_.tetrahedra.size(); ++t)
       for (std::size_t i = 0; i < 4; ++i)
         if (touched[before_.tetrahedra[t][i]]) at[before_.tetrahedra[t][i]].push_back(4 * t + i);
-    across_ = neighbours_of(before_.tetrahedra);
+    across_ = tetrahedra_across(before_.tetrahedra);
     for (VertexIndex v = 0; v < n; ++v) {
       bool is_first = true;
       for (const std::size_t corner : at[v]) {
@@ -129,6 +99,7 @@ class FaultSplitter {
     mesh_.points.push_back(before_.points[v]);
     mesh_.point_kind.push_back(before_.point_kind[v]);
     mesh_.input_vertex.push_back(-1);
+    for (PointArray& array : mesh_.point_arrays) array.values.push_back(array.values[v]);
     return static_cast<VertexIndex>(mesh_.points.size() - 1);
   }
   void flood(VertexIndex v, std::size_t corner, VertexIndex node) {

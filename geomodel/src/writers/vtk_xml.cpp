@@ -32,14 +32,38 @@ Bytes block_of(const VtkArray& array, std::size_t block) {
   return bytes;
 }
 
-Bytes compressed(const Bytes& bytes, int level) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  Bytes result(size);
-  if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                static_cast<uLong>(bytes.size()), level) != Z_OK)
+/// How zlib packs an array; every choice is a zlib stream.
+struct Packing {
+  int level, strategy;
+};
+
+Bytes compressed(const Bytes& bytes, Packing packing) {
+  z_stream stream{};
+  constexpr int window_bits = 15, memory_level = 9;
+  if (deflateInit2(&stream, packing.level, Z_DEFLATED, window_bits, memory_level, packing.strategy) != Z_OK)
     throw InternalError("zlib cannot compress a block");
-  result.resize(size);
+  Bytes result(deflateBound(&stream, static_cast<uLong>(bytes.size())));
+  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  const int status = deflate(&stream, Z_FINISH);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END) throw InternalError("zlib cannot compress a block");
+  result.shrink_to_fit();
   return result;
+}
+
+/// By its first block, so that it does not depend on the machine. What does not shrink is stored: 0.6 ms a MiB in place
+/// of 20. What shrinks as well by its single bytes as by repetitions is packed by those alone: 8 ms in place of 11.
+Packing fast_packing(const VtkArray& array) {
+  constexpr Packing by_repetitions{1, Z_DEFAULT_STRATEGY}, by_bytes{1, Z_HUFFMAN_ONLY}, stored{0, Z_DEFAULT_STRATEGY};
+  if (size_of(array) <= block_bytes) return by_repetitions;
+  const Bytes first = block_of(array, 0);
+  const std::size_t repetitions = compressed(first, by_repetitions).size();
+  if (repetitions > first.size() / 10 * 9) return stored;
+  return compressed(first, by_bytes).size() <= repetitions / 20 * 21 ? by_bytes : by_repetitions;
 }
 
 /// All blocks of an array, compressed, with the header that stands before them.
@@ -54,12 +78,12 @@ struct CompressedArray {
   }
 };
 
-CompressedArray compress_array(const VtkArray& array, int level) {
+CompressedArray compress_array(const VtkArray& array, Packing packing) {
   const std::size_t bytes = size_of(array), n_blocks = (bytes + block_bytes - 1) / block_bytes;
   CompressedArray result;
   result.blocks.resize(n_blocks);
   tbb::parallel_for(std::size_t{0}, n_blocks,
-                    [&](std::size_t b) { result.blocks[b] = compressed(block_of(array, b), level); });
+                    [&](std::size_t b) { result.blocks[b] = compressed(block_of(array, b), packing); });
   result.header = {n_blocks, block_bytes, bytes % block_bytes};
   for (const Bytes& block : result.blocks) result.header.push_back(block.size());
   return result;
@@ -136,7 +160,8 @@ void write_to(std::ofstream& out, const VtkDocument& document, Compression compr
       if (compression == Compression::none) {
         offset += sizeof(std::uint64_t) + size_of(array);
       } else {
-        packed.push_back(compress_array(array, compression == Compression::fast ? 1 : 6));
+        constexpr Packing small{6, Z_DEFAULT_STRATEGY};
+        packed.push_back(compress_array(array, compression == Compression::fast ? fast_packing(array) : small));
         offset += packed.back().size();
       }
     }

@@ -103,6 +103,28 @@ TEST_CASE("the turnable picture holds every face, and text that cannot end its e
   const std::size_t bytes = mesh.faces.size() * 3 * 4;
   CHECK(data["corners"].get<std::string>().size() == (bytes + 2) / 3 * 4);
   CHECK(data["sides"].get<std::string>().size() == (bytes + 2) / 3 * 4);
+  const auto coded = [](std::size_t n) { return (n + 2) / 3 * 4; };
+  CHECK(data["angles"].get<std::string>().size() == coded(2 * mesh.faces.size()));
+  CHECK(data["cells"].get<std::string>().size() == coded(16 * mesh.tetrahedra.size()));
+  CHECK(data["cell_angles"].get<std::string>().size() == coded(mesh.tetrahedra.size()));
+  CHECK(data["edges"].get<std::string>().size() == coded(8 * mesh.curve_edges.size()));
+  CHECK(data["curves"].size() == mesh.curves.size());
+  CHECK(data["worst"].empty());
+}
+
+TEST_CASE("the turnable picture holds the corners of the worst elements, from the middle of the model", "[page]") {
+  const ModelMesh mesh = three_layer_mesh(2);
+  Box3 bounds;
+  for (const Vec3& p : mesh.points) bounds.add(p);
+  const QualityReport quality = quality_of(mesh);
+  const json data = json::parse(page::viewer_data(mesh, bounds, &quality));
+  REQUIRE(data["worst"].size() == std::min<std::size_t>(50, quality.measured.worst.size()));
+  REQUIRE(!data["worst"].empty());
+  const Tetrahedron& first = mesh.tetrahedra[quality.measured.worst[0].tetrahedron];
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(data["worst"][0]["corners"][3 * i + k].get<double>() ==
+            Approx(mesh.points[first[i]][k] - 0.5 * (bounds.min[k] + bounds.max[k])).margin(1e-6));
 }
 
 TEST_CASE("the page names units, surfaces and warnings, and escapes them", "[page]") {

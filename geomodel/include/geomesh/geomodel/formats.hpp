@@ -21,6 +21,7 @@ struct FormatHolds {
   bool curves = false;       ///< edges on curves, or their nodes, under names
   bool overlapping = false;  ///< one face in several groups
   bool names = true;         ///< in the file itself; else only in the JSON beside it
+  bool partitions = false;   ///< a file for each part
 };
 
 struct Format {
@@ -32,6 +33,8 @@ struct Format {
   std::vector<std::filesystem::path> (*write)(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem);
   RawMesh (*read)(const std::filesystem::path& file);  ///< null: not read
+  /// A starter input beside the files STEM + extension, which are there; null: none.
+  std::filesystem::path (*starter)(const ModelMesh& mesh, const std::filesystem::path& stem) = nullptr;
 };
 
 /// In the order of the documents. What was left out when the program was built is not in it.

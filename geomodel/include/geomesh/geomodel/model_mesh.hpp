@@ -34,6 +34,14 @@ struct RegionAttribute {
 struct CellArray {
   std::string name;
   std::vector<double> values;  ///< by row of ModelMesh::tetrahedra
+  std::string unit{};          ///< empty: not known
+};
+
+/// A number for each point: a point array of the VTU.
+struct PointArray {
+  std::string name;
+  std::vector<double> values;  ///< by row of ModelMesh::points, then of its midpoints where it has those
+  std::string unit{};
 };
 
 /// Regions under one more name (an aquifer of three units).
@@ -124,6 +132,7 @@ struct ModelMesh {
   std::vector<Region> regions;
   std::vector<RegionAttribute> attributes;
   std::vector<CellArray> cell_arrays;
+  std::vector<PointArray> point_arrays;
   std::vector<RegionGroup> groups;
   std::vector<NamedSurface> surfaces;
   std::vector<NamedCurve> curves;

@@ -3,6 +3,7 @@
 /// What a mesh file should hold, and how: the choices of `output:` in a project and of `geomesh convert`.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,17 @@ enum class Compression {
   small  ///< zlib, level 6
 };
 
+inline constexpr unsigned most_partitions = 100000;
+
 enum class ElementOrder { first = 1, second = 2 };
+
+/// A property from a file onto the mesh. The file is in the mesh's coordinates before an origin is subtracted.
+struct FieldSpec {
+  std::string name;
+  std::filesystem::path file;  ///< a grid over the map, or values at points in space
+  enum class Place { cells, points } place = Place::cells;
+  std::string unit;  ///< told in the files; empty: not known
+};
 
 struct WriteOptions {
   GroupChoice groups = GroupChoice::whole;
@@ -35,7 +46,9 @@ struct WriteOptions {
   Compression compression = Compression::fast;
   std::vector<std::string> split;  ///< faults along which nodes are doubled
   bool cohesive = false;           ///< prisms without thickness between the two sides of split faults
-  unsigned partitions = 1;         ///< VTU: parts by METIS, with a PVTU
+  unsigned partitions = 1;         ///< parts by METIS: a file for each
+  bool starter = false;            ///< a starter input of the solver beside its mesh
+  std::vector<FieldSpec> fields;
 };
 
 }  // namespace geomesh::geomodel

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NAME.vtu: tetrahedra of named regions; with one grid for all also faces, curves and points.
+#include "formats/vtk/vtu_grid.hpp"
+
 #include <limits>
 
-#include "formats/format_list.hpp"
-#include "formats/vtp.hpp"
-#include "formats/vtu_cells.hpp"
-#include "mesh_readers/mesh_readers.hpp"
-#include "solver_mesh/sidecar.hpp"
 #include "writers/vtk_names.hpp"
-#include "writers/vtk_xml.hpp"
-#include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
 
@@ -18,14 +12,12 @@ namespace {
 /// Of nodes in the middle of edges in the point array `kind`.
 constexpr std::uint8_t kind_of_midpoint = 5;
 
-std::size_t n_nodes(const ModelMesh& mesh) { return mesh.points.size() + mesh.midpoints.points.size(); }
-
-VtkSection points_section(const ModelMesh& mesh) {
-  const auto coordinate = [&mesh](std::size_t i) {
-    const std::size_t n = mesh.points.size(), v = i / 3;
+VtkSection points_section(const ModelMesh& mesh, const VtuLayout& layout) {
+  const auto coordinate = [&mesh, &layout](std::size_t i) {
+    const std::size_t n = mesh.points.size(), v = layout.node_row(i / 3);
     return v < n ? mesh.points[v][i % 3] : mesh.midpoints.points[v - n][i % 3];
   };
-  return {"Points", "", {vtk_array<double>("Points", 3 * n_nodes(mesh), coordinate, 3)}};
+  return {"Points", "", {vtk_array<double>("Points", 3 * layout.n_nodes(), coordinate, 3)}};
 }
 
 /// 32-bit numbers where they suffice: half the bytes to compress.
@@ -93,7 +85,8 @@ VtkSection cell_data(const ModelMesh& mesh, const WriteOptions& options, const V
 std::vector<std::pair<std::string, std::vector<bool>>> named_nodes(const ModelMesh& mesh) {
   std::vector<std::pair<std::string, std::vector<bool>>> sets;
   const auto add = [&](const std::string& name) -> std::vector<bool>& {
-    return sets.emplace_back("nodes:" + name, std::vector<bool>(n_nodes(mesh), false)).second;
+    const std::size_t n = mesh.points.size() + mesh.midpoints.points.size();
+    return sets.emplace_back("nodes:" + name, std::vector<bool>(n, false)).second;
   };
   const Midpoints& mid = mesh.midpoints;
   for (const NamedSurface& surface : mesh.surfaces) {
@@ -122,77 +115,43 @@ std::vector<std::pair<std::string, std::vector<bool>>> named_nodes(const ModelMe
   return sets;
 }
 
-VtkSection point_data(const ModelMesh& mesh, const WriteOptions& options) {
+VtkSection point_data(const ModelMesh& mesh, const WriteOptions& options, const VtuLayout& layout) {
   VtkSection section{"PointData", "", {}};
   const std::size_t n = mesh.points.size();
-  section.arrays.push_back(vtk_array<std::int32_t>(
-      "kind", n_nodes(mesh), [&mesh, n](std::size_t i) { return i < n ? mesh.point_kind[i] : kind_of_midpoint; }));
-  section.arrays.push_back(vtk_array<std::int32_t>(
-      "input_vertex", n_nodes(mesh), [&mesh, n](std::size_t i) { return i < n ? mesh.input_vertex[i] : -1; }));
+  section.arrays.push_back(vtk_array<std::int32_t>("kind", layout.n_nodes(), [&mesh, &layout, n](std::size_t i) {
+    const std::size_t row = layout.node_row(i);
+    return row < n ? mesh.point_kind[row] : kind_of_midpoint;
+  }));
+  section.arrays.push_back(
+      vtk_array<std::int32_t>("input_vertex", layout.n_nodes(), [&mesh, &layout, n](std::size_t i) {
+        const std::size_t row = layout.node_row(i);
+        return row < n ? mesh.input_vertex[row] : -1;
+      }));
+  for (const PointArray& array : mesh.point_arrays)
+    section.arrays.push_back(vtk_array<double>(
+        array.name, layout.n_nodes(), [&layout, &array](std::size_t i) { return array.values[layout.node_row(i)]; }));
   if (options.node_arrays)
     for (auto& [name, nodes] : named_nodes(mesh))
-      section.arrays.push_back(
-          vtk_array<std::uint8_t>(name, n_nodes(mesh), [nodes = std::move(nodes)](std::size_t i) { return nodes[i]; }));
+      section.arrays.push_back(vtk_array<std::uint8_t>(
+          name, layout.n_nodes(),
+          [&layout, nodes = std::move(nodes)](std::size_t i) { return nodes[layout.node_row(i)]; }));
   return section;
 }
 
-void write_grid(const ModelMesh& mesh, const WriteOptions& options, const std::filesystem::path& file) {
-  const VtuLayout layout(mesh, options);
+}  // namespace
+
+VtkDocument vtu_document(const ModelMesh& mesh, const WriteOptions& options, const VtuLayout& layout) {
   VtkDocument document;
   document.type = "UnstructuredGrid";
-  document.piece_attributes = "NumberOfPoints=\"" + std::to_string(n_nodes(mesh)) + "\" NumberOfCells=\"" +
+  document.piece_attributes = "NumberOfPoints=\"" + std::to_string(layout.n_nodes()) + "\" NumberOfCells=\"" +
                               std::to_string(layout.n_cells()) + "\"";
   add_region_fields(mesh, document.fields);
   if (options.single_grid) add_surface_fields(mesh, document.fields);
   if (options.single_grid && options.curves) add_curve_fields(mesh, document.fields);
   document.origin = origin_of(mesh);
-  document.sections = {point_data(mesh, options), cell_data(mesh, options, layout), points_section(mesh),
-                       cells_section(layout)};
-  write_vtk_document(document, options.compression, file);
-}
-
-/// Names and ids as they stand in the cell arrays `region`, `surface` and `curve`.
-std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
-  std::vector<SidecarGroup> groups;
-  const auto add = [&](int dimension, std::int32_t id, const std::string& name) {
-    groups.push_back({"cells", dimension, id, name, name, {id}});
-  };
-  for (const Region& region : mesh.regions) add(3, region.id, region.name);
-  for (const CohesiveLayer& layer : mesh.cohesive_layers) add(3, layer.id, layer.name);
-  for (const NamedSurface& surface : mesh.surfaces) add(2, surface.id, surface.name);
-  for (const NamedCurve& curve : mesh.curves) add(1, curve.id, curve.name);
-  for (const auto& point : mesh.marked_points) add(0, point.id, point.name);
-  return groups;
-}
-
-std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& options,
-                                         const std::filesystem::path& stem) {
-  WrittenFiles written;
-  const std::filesystem::path file = stem.string() + ".vtu";
-  write_grid(mesh, options, file);
-  written.add(file);
-  if (!options.single_grid) {
-    const std::filesystem::path faces = stem.string() + ".faces.vtp", curves = stem.string() + ".curves.vtp";
-    write_faces_vtp(mesh, options.compression, faces);
-    written.add(faces);
-    if (options.curves) {
-      write_curves_vtp(mesh, options.compression, curves);
-      written.add(curves);
-    }
-  }
-  written.add(write_sidecar(mesh, groups_of(mesh), file));
-  return written.keep();
-}
-
-}  // namespace
-
-Format vtu_format() {
-  return {"vtu",
-          {".vtu"},
-          "VTK (ParaView, PyVista, meshio, GEOS)",
-          {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
-          write,
-          read_vtu_mesh};
+  document.sections = {point_data(mesh, options, layout), cell_data(mesh, options, layout),
+                       points_section(mesh, layout), cells_section(layout)};
+  return document;
 }
 
 }  // namespace geomesh::geomodel

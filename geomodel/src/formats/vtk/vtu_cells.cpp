@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/vtu_cells.hpp"
+#include "formats/vtk/vtu_cells.hpp"
 
 namespace geomesh::geomodel {
 
@@ -10,13 +10,15 @@ constexpr std::array<std::size_t, 6> vtk_wedge{0, 2, 1, 3, 5, 4};
 
 }  // namespace
 
-VtuLayout::VtuLayout(const ModelMesh& mesh, const WriteOptions& options) : mesh_(&mesh) {
+VtuLayout::VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part)
+    : mesh_(&mesh), part_(part) {
+  n_nodes_ = part ? part->nodes.size() : mesh.points.size() + mesh.midpoints.points.size();
   const bool second = !mesh.midpoints.empty();
   nodes_ = second ? decltype(nodes_){10, 6, 6, 3, 1} : decltype(nodes_){4, 6, 3, 2, 1};
-  const bool faces = options.single_grid, curves = options.single_grid && options.curves;
-  const std::array<std::size_t, n_vtu_cell_kinds> n{mesh.tetrahedra.size(), mesh.prisms.size(),
-                                                    faces ? mesh.faces.size() : 0, curves ? mesh.curve_edges.size() : 0,
-                                                    curves ? mesh.marked_points.size() : 0};
+  const bool faces = options.single_grid && !part, curves = faces && options.curves;
+  const std::array<std::size_t, n_vtu_cell_kinds> n{
+      part ? part->cells.size() : mesh.tetrahedra.size(), part ? 0 : mesh.prisms.size(), faces ? mesh.faces.size() : 0,
+      curves ? mesh.curve_edges.size() : 0, curves ? mesh.marked_points.size() : 0};
   first_cell_[0] = first_entry_[0] = 0;
   for (std::size_t k = 0; k < n_vtu_cell_kinds; ++k) {
     first_cell_[k + 1] = first_cell_[k] + n[k];
@@ -36,8 +38,12 @@ std::int64_t VtuLayout::end_of(std::size_t cell) const {
 }
 
 VertexIndex VtuLayout::node(std::size_t entry) const {
+  return part_ ? part_->local(node_of_mesh(entry)) : node_of_mesh(entry);
+}
+
+VertexIndex VtuLayout::node_of_mesh(std::size_t entry) const {
   const std::size_t k = find(first_entry_, entry), at = entry - first_entry_[k];
-  const std::size_t row = at / nodes_[k], i = at % nodes_[k];
+  const std::size_t i = at % nodes_[k], row = part_ ? part_->cells[at / nodes_[k]] : at / nodes_[k];
   const Midpoints& mid = mesh_->midpoints;
   switch (static_cast<VtuCells>(k)) {
     case VtuCells::tetrahedra:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAME.faces.vtp and NAME.curves.vtp: constrained faces; curves and marked points.
-#include "formats/vtp.hpp"
+#include "formats/vtk/vtp.hpp"
 
 #include "writers/vtk_names.hpp"
 #include "writers/vtk_xml.hpp"

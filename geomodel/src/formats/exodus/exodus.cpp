@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "formats/exodus/exodus_fields.hpp"
+#include "formats/exodus/exodus_part.hpp"
 #include "formats/format_list.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -14,19 +16,20 @@
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
+#include "starters/starters.hpp"
+#include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
 
 namespace {
 
-/// Side of a tetrahedron by the vertex it is opposite to: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3 2).
-constexpr std::array<int, 4> side_opposite{2, 3, 1, 4};
-
 /// An Exodus file being written. Every failure of the library is a failure to write the file.
 class ExodusWriter {
  public:
-  ExodusWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh)
-      : file_(file), mesh_(mesh) {
+  /// `part`: null for a mesh in one file.
+  ExodusWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh,
+               const ExodusPart* part = nullptr)
+      : file_(file), mesh_(mesh), part_(part) {
     if (!std::ofstream(temporary)) refuse_to_write(file_);  // before the library prints its own lines about it
     ex_opts(0);
     int word = 8, stored = 8;
@@ -46,6 +49,8 @@ class ExodusWriter {
     put_coordinates();
     put_blocks();
     put_sets();
+    require(put_exodus_fields(id_, mesh_));
+    if (part_) require(put_exodus_part(id_, *part_, {side_sets_.size(), node_sets_.size()}));
     const int status = ex_close(id_);
     id_ = -1;
     require(status);
@@ -74,23 +79,30 @@ class ExodusWriter {
       if (group.dimension == 3) continue;
       if (group.dimension == 2) {
         Set sides{group.id, add_name(side_names, "side set", group), {}, {}};
-        for (const std::size_t b : group.blocks)
-          for (const auto& [minus, plus] : mesh_.blocks[b].sides) {
-            const FaceSide& side = minus.solid != no_cell ? minus : plus;
-            if (side.solid == no_cell) continue;
-            sides.entries.push_back(static_cast<int>(side.solid + 1));
-            sides.sides.push_back(side_opposite[side.opposite]);
-          }
+        for (const std::size_t b : group.blocks) add_sides(b, sides);
         side_sets_.push_back(std::move(sides));
       }
-      add_node_set(node_names, group, nodes_of(mesh_, group));
+      add_node_set(node_names, group, nodes_of(part_ ? part_->whole : mesh_, group));
     }
     for (const NodeSet& set : mesh_.source->node_sets)
       add_node_set(node_names, {set.id, 0, set.name, {}, {set.id}}, set.nodes);
   }
+  /// In parts a face is with the element that its normal points away from, so in one file alone.
+  void add_sides(std::size_t b, Set& sides) const {
+    const CellBlock& block = mesh_.blocks[b];
+    for (std::size_t c = 0; c < block.sides.size(); ++c) {
+      if (part_ && part_->part.owner[b][c] != part_->part.part.number) continue;
+      const auto& [minus, plus] = block.sides[c];
+      const FaceSide& side = minus.solid != no_cell ? minus : plus;
+      if (side.solid == no_cell) continue;
+      sides.entries.push_back(static_cast<int>(side.solid + 1));
+      sides.sides.push_back(exodus_side_opposite[side.opposite]);
+    }
+  }
   void add_node_set(SolverNames& names, const CellGroup& group, const std::vector<VertexIndex>& rows) {
     Set nodes{group.id, add_name(names, "node set", group), {}, {}};
-    for (const VertexIndex v : rows) nodes.entries.push_back(static_cast<int>(v) + 1);
+    for (const VertexIndex v : part_ ? nodes_in_part(rows, part_->part.part) : rows)
+      nodes.entries.push_back(static_cast<int>(v) + 1);
     node_sets_.push_back(std::move(nodes));
   }
   void put_sizes() {
@@ -150,15 +162,42 @@ class ExodusWriter {
 
   const std::filesystem::path& file_;
   const SolverMesh& mesh_;
+  const ExodusPart* part_;
   int id_ = -1;
   std::vector<Set> side_sets_, node_sets_;
   std::vector<SidecarGroup> sidecar_;
 };
 
+/// NAME.e.N.K for part K of N, both with the same number of digits, as SEACAS and libMesh name them.
+std::filesystem::path file_of_part(const std::filesystem::path& whole, std::int32_t number, std::int32_t n) {
+  const std::string all = std::to_string(n), own = std::to_string(number);
+  return whole.string() + "." + all + "." + std::string(all.size() - own.size(), '0') + own;
+}
+
+std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const WriteOptions& options,
+                                               const std::filesystem::path& file) {
+  const ModelMesh& model = *mesh.source;
+  const MeshParts parts(model, static_cast<std::int32_t>(options.partitions));
+  WrittenFiles written;
+  std::vector<SidecarGroup> sidecar;
+  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
+    const SolverPart part = part_of(mesh, parts, p, Ghosts::none);
+    const ExodusPart all{mesh, parts, part};
+    const std::filesystem::path name = file_of_part(file, p, parts.n_parts());
+    write_complete_or_absent(name, [&](const std::filesystem::path& temporary) {
+      sidecar = ExodusWriter(temporary, name, part.mesh, &all).write();
+    });
+    written.add(name);
+  }
+  written.add(write_sidecar(model, sidecar, file));
+  return written.keep();
+}
+
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".e";
+  if (options.partitions > 1) return write_parts(mesh, options, file);
   std::vector<SidecarGroup> sidecar;
   write_complete_or_absent(
       file, [&](const std::filesystem::path& temporary) { sidecar = ExodusWriter(temporary, file, mesh).write(); });
@@ -168,9 +207,13 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format exodus_format() {
-  return {"exodus",    {".e", ".exo", ".ex2", ".exii"},
-          "Exodus II", {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
-          write,       read_exodus_mesh};
+  return {"exodus",
+          {".e", ".exo", ".ex2", ".exii"},
+          "Exodus II",
+          {.second_order = true, .prisms = true, .curves = true, .overlapping = true, .partitions = true},
+          write,
+          read_exodus_mesh,
+          write_pylith_starter};
 }
 
 }  // namespace geomesh::geomodel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What an Exodus file of one part says of the others: the arrays of Nemesis.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "partition/solver_part.hpp"
+
+namespace geomesh::geomodel {
+
+/// Side of a tetrahedron by the vertex it is opposite to: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3 2).
+inline constexpr std::array<int, 4> exodus_side_opposite{2, 3, 1, 4};
+
+/// A part beside the mesh that it is of.
+struct ExodusPart {
+  const SolverMesh& whole;
+  const MeshParts& parts;
+  const SolverPart& part;
+};
+
+/// Numbers of sets in each file; they are the same in all parts.
+struct ExodusSets {
+  std::size_t sides, nodes;
+};
+
+/// Puts the numbers in the whole mesh, and what is shared with which other part, into an open file.
+/// Its blocks and sets must be there already. Parallel readers put parts together by these (Hennigan and Shadid,
+/// "NEMESIS I", SAND 98-2649). Returns the library's status: below 0 where it failed.
+int put_exodus_part(int file, const ExodusPart& part, const ExodusSets& sets);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TOUGH2, TOUGH3 and iTOUGH2: NAME.tough, the blocks ELEME and CONNE of a MESH file, by the Voronoi dual. Fixed
+// columns: names of elements have 5 characters, numbers 10. Followed: TOUGH2 User's Guide, LBNL-43134, Appendix E.
+#include <cmath>
+#include <cstdio>
+
+#include "formats/format_list.hpp"
+#include "geomesh/core/error.hpp"
+#include "solver_mesh/sidecar.hpp"
+#include "voronoi/control_volumes.hpp"
+#include "writers/text_file.hpp"
+#include "writers/written_files.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Three letters or digits and a number of two: what TOUGH accepts as a name of an element.
+constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+constexpr std::size_t n_first = 26, n_letters = 36, most_elements = n_first * n_letters * n_letters * 100;
+
+std::string element_name(std::size_t i) {
+  const std::size_t number = i % 100, rest = i / 100;
+  std::string name;
+  name += letters[rest / (n_letters * n_letters)];
+  name += letters[rest / n_letters % n_letters];
+  name += letters[rest % n_letters];
+  name += static_cast<char>('0' + number / 10);
+  name += static_cast<char>('0' + number % 10);
+  return name;
+}
+
+/// Five characters: R and the region's number.
+std::string rock_name(std::int32_t region) {
+  char text[16];
+  std::snprintf(text, sizeof text, "R%04d", static_cast<int>(region));
+  return text;
+}
+
+/// Ten columns, as many digits as fit.
+std::string ten(double value) {
+  char text[32];
+  for (int digits = 9; digits > 0; --digits) {
+    const int n = std::snprintf(text, sizeof text, "%10.*G", digits, value);
+    if (n == 10) return text;
+  }
+  return "         0";
+}
+
+void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& grid) {
+  out << "ELEME----1----*----2----*----3----*----4----*----5----*----6----*----7----*----8\n";
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Vec3& p = mesh.points[v];
+    out << element_name(v) << "          " << rock_name(grid.region[v]) << ten(grid.volume[v]) << "                    "
+        << ten(p.x) << ten(p.y) << ten(p.z) << "\n";
+  }
+  out << "\nCONNE----1----*----2----*----3----*----4----*----5----*----6----*----7----*----8\n";
+  for (const auto& c : grid.connections) {
+    const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
+    const double length = std::sqrt(dot(along, along));
+    // Direction 1; the last number is the cosine between the line from the first element to the second and gravity.
+    out << element_name(c.a) << element_name(c.b) << "                   1" << ten(length / 2) << ten(length / 2)
+        << ten(c.area) << ten(-along.z / length) << "\n";
+  }
+  out << "\n";
+}
+
+std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions&,
+                                         const std::filesystem::path& stem) {
+  if (mesh.points.size() > most_elements)
+    throw Error(ErrorKind::cannot_mesh, "TOUGH tells at most " + std::to_string(most_elements) +
+                                            " elements apart by their names; the mesh has " +
+                                            std::to_string(mesh.points.size()) + " points");
+  if (mesh.regions.size() > 9999)
+    throw Error(ErrorKind::cannot_mesh, "names of rocks have 5 characters here: at most 9999 regions");
+  const ControlVolumes grid = control_volumes(mesh);
+  const std::filesystem::path file = stem.string() + ".tough";
+  WrittenFiles written;
+  write_output_text(file, [&](OutputText& out) { write_mesh(out, mesh, grid); });
+  written.add(file);
+  std::vector<SidecarGroup> sidecar;
+  for (const Region& region : mesh.regions)
+    sidecar.push_back({"rock", 3, region.id, rock_name(region.id), region.name, {region.id}});
+  written.add(write_sidecar(mesh, sidecar, file, {{"negative_areas", grid.n_negative_areas}}));
+  return written.keep();
+}
+
+}  // namespace
+
+Format tough_format() { return {"tough", {".tough"}, "TOUGH2 and TOUGH3 (Voronoi)", {.names = false}, write, nullptr}; }
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A mesh in parts: STEM.pvtu and one STEM.partK.vtu for each.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/write_options.hpp"
+
+namespace geomesh::geomodel {
+
+/// Each part has its tetrahedra and one layer of ghosts: the cells of other parts that touch them in a node. Arrays of
+/// cells and points: GlobalCellIds and GlobalPointIds (Int64, rows of the mesh in one file), vtkGhostType (UInt8, 1
+/// where another part owns it; a point belongs to the lowest part that has a cell at it), cell array `partition` (its
+/// owner). Returns the files, the .pvtu last; leaves none where one of them cannot be written.
+std::vector<std::filesystem::path> write_pvtu(const ModelMesh& mesh, const WriteOptions& options,
+                                              const std::filesystem::path& stem);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// NAME.vtu: tetrahedra of named regions; with one grid for all also faces, curves and points; in parts NAME.pvtu.
+#include "formats/format_list.hpp"
+#include "formats/vtk/pvtu.hpp"
+#include "formats/vtk/vtp.hpp"
+#include "formats/vtk/vtu_grid.hpp"
+#include "mesh_readers/mesh_readers.hpp"
+#include "solver_mesh/sidecar.hpp"
+#include "writers/written_files.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Names and ids as they stand in the cell arrays `region`, `surface` and `curve`.
+std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
+  std::vector<SidecarGroup> groups;
+  const auto add = [&](int dimension, std::int32_t id, const std::string& name) {
+    groups.push_back({"cells", dimension, id, name, name, {id}});
+  };
+  for (const Region& region : mesh.regions) add(3, region.id, region.name);
+  for (const CohesiveLayer& layer : mesh.cohesive_layers) add(3, layer.id, layer.name);
+  for (const NamedSurface& surface : mesh.surfaces) add(2, surface.id, surface.name);
+  for (const NamedCurve& curve : mesh.curves) add(1, curve.id, curve.name);
+  for (const auto& point : mesh.marked_points) add(0, point.id, point.name);
+  return groups;
+}
+
+std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& options,
+                                         const std::filesystem::path& stem) {
+  WrittenFiles written;
+  const bool in_parts = options.partitions > 1;
+  const std::filesystem::path file = stem.string() + (in_parts ? ".pvtu" : ".vtu");
+  if (in_parts) {
+    written.add(write_pvtu(mesh, options, stem));
+  } else {
+    const VtuLayout layout(mesh, options);
+    write_vtk_document(vtu_document(mesh, options, layout), options.compression, file);
+    written.add(file);
+  }
+  if (!options.single_grid) {
+    const std::filesystem::path faces = stem.string() + ".faces.vtp", curves = stem.string() + ".curves.vtp";
+    write_faces_vtp(mesh, options.compression, faces);
+    written.add(faces);
+    if (options.curves) {
+      write_curves_vtp(mesh, options.compression, curves);
+      written.add(curves);
+    }
+  }
+  written.add(write_sidecar(mesh, groups_of(mesh), file));
+  return written.keep();
+}
+
+}  // namespace
+
+Format vtu_format() {
+  return {"vtu",
+          {".vtu", ".pvtu"},
+          "VTK (ParaView, PyVista, meshio, GEOS)",
+          {.second_order = true, .prisms = true, .curves = true, .overlapping = true, .partitions = true},
+          write,
+          read_vtu_mesh};
+}
+
+}  // namespace geomesh::geomodel

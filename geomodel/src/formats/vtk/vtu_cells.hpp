@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Cells and nodes of a VTU, of a whole mesh or of a part: tetrahedra, prisms, and with one grid for all also faces,
+/// edges of curves and named points.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/write_options.hpp"
+#include "partition/mesh_parts.hpp"
+
+namespace geomesh::geomodel {
+
+enum class VtuCells : std::size_t { tetrahedra, prisms, faces, edges, points };
+inline constexpr std::size_t n_vtu_cell_kinds = 5;
+
+class VtuLayout {
+ public:
+  /// `part`: null for the whole mesh; a part has tetrahedra alone. Both must outlive this.
+  VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part = nullptr);
+
+  std::size_t n_nodes() const { return n_nodes_; }
+  /// The row of a node in the mesh: points, then midpoints.
+  std::size_t node_row(std::size_t i) const { return part_ ? part_->nodes[i] : i; }
+  const MeshPart* part() const { return part_; }
+
+  std::size_t n_cells() const { return first_cell_.back(); }
+  std::size_t n_entries() const { return first_entry_.back(); }
+  /// `f(kind, row of that kind in the mesh)` of a cell.
+  template <class F>
+  auto visit(std::size_t cell, F&& f) const {
+    const std::size_t k = find(first_cell_, cell), row = cell - first_cell_[k];
+    return f(static_cast<VtuCells>(k), part_ ? part_->cells[row] : row);
+  }
+  std::uint8_t type(std::size_t cell) const;
+  std::int64_t end_of(std::size_t cell) const;  ///< VTK's offset: where the cell's nodes end
+  VertexIndex node(std::size_t entry) const;    ///< number in the file
+  std::int32_t id(std::size_t cell) const;      ///< of the region, layer, surface, curve or point
+
+ private:
+  using Firsts = std::array<std::size_t, n_vtu_cell_kinds + 1>;
+  static std::size_t find(const Firsts& firsts, std::size_t i) {
+    std::size_t k = 0;
+    while (i >= firsts[k + 1]) ++k;
+    return k;
+  }
+  VertexIndex node_of_mesh(std::size_t entry) const;
+
+  const ModelMesh* mesh_;
+  const MeshPart* part_;
+  std::size_t n_nodes_;
+  std::array<std::size_t, n_vtu_cell_kinds> nodes_;
+  Firsts first_cell_, first_entry_;
+};
+
+}  // namespace geomesh::geomodel

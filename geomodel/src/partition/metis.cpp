@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "partition/metis.hpp"
+
+#ifdef GEOMESH_WITH_METIS
+#include <metis.h>
+#endif
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "geomesh/core/error.hpp"
+#include "solver_mesh/face_sides.hpp"
+
+namespace geomesh::geomodel {
+
+#ifdef GEOMESH_WITH_METIS
+
+namespace {
+
+/// Up to this many parts METIS' recursive bisection cuts fewer faces than its k-way method.
+constexpr std::int32_t most_parts_by_bisection = 8;
+
+[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorKind::cannot_mesh, "partitions: " + why); }
+
+}  // namespace
+
+std::vector<std::int32_t> parts_by_metis(const std::vector<std::array<std::size_t, 4>>& across, std::int32_t n_parts) {
+  const std::size_t n = across.size();
+  if (n >= static_cast<std::size_t>(std::numeric_limits<idx_t>::max()) / 4)
+    refuse("the mesh has more faces than the installed METIS can count");
+  if (static_cast<std::size_t>(n_parts) > n)
+    refuse("there are " + std::to_string(n) + " tetrahedra for " + std::to_string(n_parts) + " parts");
+  std::vector<idx_t> first{0}, neighbours, part(n, 0);
+  first.reserve(n + 1);
+  for (const auto& row : across) {
+    for (const std::size_t other : row)
+      if (other != no_side) neighbours.push_back(static_cast<idx_t>(other));
+    first.push_back(static_cast<idx_t>(neighbours.size()));
+  }
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 1;
+  options[METIS_OPTION_NUMBERING] = 0;
+  idx_t n_cells = static_cast<idx_t>(n), n_constraints = 1, wanted = n_parts, cut = 0;
+  auto* const method = n_parts <= most_parts_by_bisection ? METIS_PartGraphRecursive : METIS_PartGraphKway;
+  if (method(&n_cells, &n_constraints, first.data(), neighbours.data(), nullptr, nullptr, nullptr, &wanted, nullptr,
+             nullptr, options, &cut, part.data()) != METIS_OK)
+    refuse("METIS could not divide the mesh");
+  std::vector<bool> is_used(static_cast<std::size_t>(n_parts), false);
+  for (const idx_t p : part) is_used[static_cast<std::size_t>(p)] = true;
+  if (std::find(is_used.begin(), is_used.end(), false) != is_used.end())
+    refuse("one of " + std::to_string(n_parts) + " parts would have no tetrahedron; ask for fewer");
+  return {part.begin(), part.end()};
+}
+
+#else
+
+std::vector<std::int32_t> parts_by_metis(const std::vector<std::array<std::size_t, 4>>&, std::int32_t) {
+  throw Error(ErrorKind::usage, "partitions: this program was built without METIS");
+}
+
+#endif
+
+}  // namespace geomesh::geomodel

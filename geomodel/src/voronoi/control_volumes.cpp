@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "voronoi/control_volumes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "geomesh/core/dual_faces.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "solver_mesh/face_sides.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Of the squared length of the edge: an area of less is one of cospherical points, rounded.
+constexpr double rounding = 1e-12;
+
+double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+[[noreturn]] void refuse(const std::string& why, const Vec3& place) {
+  throw Error(ErrorKind::cannot_mesh,
+              "a finite-volume grid needs a Delaunay mesh: " + why + ", the first at (" + std::to_string(place.x) +
+                  ", " + std::to_string(place.y) + ", " + std::to_string(place.z) +
+                  "). Mesh with mode: conforming and a size; where small angles between surfaces forbid it, write the "
+                  "tetrahedra themselves (pflotran)",
+              {{}, {}, {}, {place}});
+}
+
+/// Faces across which a vertex lies strictly inside the circumsphere of the tetrahedron on the other side.
+void require_delaunay(const ModelMesh& mesh) {
+  const auto across = tetrahedra_across(mesh.tetrahedra);
+  std::size_t n = 0;
+  Vec3 first{};
+  for (std::size_t t = 0; t < across.size(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t other = across[t][i];
+      if (other == no_side || other < t) continue;
+      const Tetrahedron& o = mesh.tetrahedra[other];
+      const auto apex =
+          std::find_if(o.begin(), o.end(), [&](VertexIndex w) { return std::find(v.begin(), v.end(), w) == v.end(); });
+      if (apex == o.end() || in_sphere(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]],
+                                       mesh.points[*apex]) != Sign::positive)
+        continue;
+      if (n++ == 0) first = mesh.points[*apex];
+    }
+  }
+  if (n > 0) refuse(std::to_string(n) + " faces are not Delaunay", first);
+}
+
+/// Volumes of the dual cells within each region, by point.
+std::map<std::int32_t, std::vector<double>> volumes_by_region(const ModelMesh& mesh) {
+  std::map<std::int32_t, std::vector<Tetrahedron>> of_region;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) of_region[mesh.tet_region[t]].push_back(mesh.tetrahedra[t]);
+  std::map<std::int32_t, std::vector<double>> volumes;
+  for (const auto& [region, tetrahedra] : of_region) {
+    std::vector<double>& own = volumes[region];
+    own.assign(mesh.points.size(), 0);
+    for (const DualFace& face : dual_faces(mesh.points, tetrahedra)) {
+      const double share = face.area * length_of(mesh.points[face.b] - mesh.points[face.a]) / 6;
+      own[face.a] += share;
+      own[face.b] += share;
+    }
+  }
+  return volumes;
+}
+
+}  // namespace
+
+ControlVolumes control_volumes(const ModelMesh& mesh) {
+  require_delaunay(mesh);
+  ControlVolumes result;
+  result.volume.assign(mesh.points.size(), 0);
+  for (const DualFace& face : dual_faces(mesh.points, mesh.tetrahedra)) {
+    const Vec3 along = mesh.points[face.b] - mesh.points[face.a];
+    if (face.area < -rounding * dot(along, along)) ++result.n_negative_areas;
+    const double share = face.area * length_of(along) / 6;
+    result.volume[face.a] += share;
+    result.volume[face.b] += share;
+    if (face.area > rounding * dot(along, along)) result.connections.push_back({face.a, face.b, face.area});
+  }
+  const auto least = std::min_element(result.volume.begin(), result.volume.end());
+  if (!(*least > 0))
+    refuse("circumcentres lie so far beyond the boundary that a cell has no volume",
+           mesh.points[static_cast<std::size_t>(least - result.volume.begin())]);
+  std::vector<double> most(mesh.points.size(), 0);
+  result.region.assign(mesh.points.size(), 0);
+  for (const auto& [region, volume] : volumes_by_region(mesh))
+    for (std::size_t v = 0; v < volume.size(); ++v)
+      if (volume[v] > most[v]) {
+        most[v] = volume[v];
+        result.region[v] = region;
+      }
+  return result;
+}
+
+std::vector<BoundaryShare> boundary_shares(const ModelMesh& mesh, std::int32_t surface) {
+  std::map<VertexIndex, double> area;
+  for (const ModelMesh::Face& face : mesh.faces) {
+    const auto& set = mesh.surface_sets[static_cast<std::size_t>(face.surface_set)];
+    if (face.region_plus != 0 || std::find(set.begin(), set.end(), surface) == set.end()) continue;
+    const Vec3 &a = mesh.points[face.vertices[0]], &b = mesh.points[face.vertices[1]],
+               &c = mesh.points[face.vertices[2]];
+    const double third = length_of(cross(b - a, c - a)) / 6;
+    for (const VertexIndex v : face.vertices) area[v] += third;
+  }
+  std::vector<BoundaryShare> shares;
+  for (const auto& [point, own] : area) shares.push_back({point, own});
+  return shares;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Finite volumes about the points of a mesh: the cells of its Voronoi dual.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+
+namespace geomesh::geomodel {
+
+struct ControlVolumes {
+  std::vector<double> volume;        ///< by point; together the volume of the mesh
+  std::vector<std::int32_t> region;  ///< by point: the one with the largest share of its cell
+  struct Connection {
+    VertexIndex a, b;
+    double area;  ///< of the face between the cells, which is perpendicular to the edge at its middle
+  };
+  std::vector<Connection> connections;  ///< those with an area above zero
+  std::size_t n_negative_areas = 0;     ///< left out: at edges of the boundary beyond which circumcentres lie
+};
+
+/// Fluxes between two cells along their edge are consistent only where the mesh is Delaunay. Throws Error{cannot_mesh}
+/// with the place and what to do where that is not so: a vertex is strictly inside the circumsphere of a neighbouring
+/// tetrahedron, decided exactly. Likewise where a cell would have no volume.
+ControlVolumes control_volumes(const ModelMesh& mesh);
+
+/// Share of a surface's outer area that each point has, a third of each of its faces: where conditions apply.
+struct BoundaryShare {
+  VertexIndex point;
+  double area;
+};
+std::vector<BoundaryShare> boundary_shares(const ModelMesh& mesh, std::int32_t surface);
+
+}  // namespace geomesh::geomodel
