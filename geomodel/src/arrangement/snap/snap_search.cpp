@@ -14,6 +14,55 @@ Box3 wider(Box3 box, double by) {
   return {box.min - margin, box.max + margin};
 }
 
+/// Vertices inserted on edges, by edge.
+class VerticesOnEdges {
+ public:
+  VerticesOnEdges(const Complex& complex, double distance) : complex_(complex), distance_(distance) {}
+
+  /// Parameter of the point of the edge's line nearest to p.
+  double parameter(const EdgeKey& e, const Vec3& p) const {
+    const Vec3 d = point(e.second) - point(e.first);
+    return dot(p - point(e.first), d) / dot(d, d);
+  }
+  Vec3 at(const EdgeKey& e, double t) const { return point(e.first) + t * (point(e.second) - point(e.first)); }
+
+  /// The edge's ends are on it.
+  bool is_on(const EdgeKey& e, VertexIndex v) const {
+    if (v == e.first || v == e.second) return true;
+    const auto on = on_edge_.find(e);
+    return on != on_edge_.end() && std::find(on->second.begin(), on->second.end(), v) != on->second.end();
+  }
+  void insert(const EdgeKey& e, VertexIndex v) { on_edge_[e].push_back(v); }
+
+  /// A vertex of the edge, inserted ones included, nearer to p than the distance.
+  VertexIndex nearer(const EdgeKey& e, const Vec3& p) const {
+    const auto on = on_edge_.find(e);
+    if (on != on_edge_.end())
+      for (const VertexIndex v : on->second)
+        if (length(point(v) - p) < distance_) return v;
+    for (const VertexIndex v : {e.first, e.second})
+      if (length(point(v) - p) < distance_) return v;
+    return no_vertex;
+  }
+
+  /// In order along each edge.
+  decltype(Insertions::on_edge) take_sorted() {
+    for (auto& [edge, on] : on_edge_)
+      std::sort(on.begin(), on.end(), [&, &e = edge](VertexIndex a, VertexIndex b) {
+        const double s = parameter(e, point(a)), t = parameter(e, point(b));
+        return s != t ? s < t : a < b;
+      });
+    return std::move(on_edge_);
+  }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
+
+  const Complex& complex_;
+  double distance_;
+  decltype(Insertions::on_edge) on_edge_;
+};
+
 class Search {
  public:
   Search(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
@@ -25,7 +74,8 @@ class Search {
         grid_(grid),
         distance_(options.distance),
         planes_(options.box),
-        rule_(options.rule) {}
+        rule_(options.rule),
+        on_edges_(complex, options.distance) {}
 
   Insertions run() {
     rule_.index_edges(complex_, [this](VertexIndex a, VertexIndex b) { return planes_of({a, b}) != 0; });
@@ -41,7 +91,7 @@ class Search {
       });
     for (std::size_t k = n_before; k < vertices_.size(); ++k) insert_in_edges(vertices_[k], tree);
     insert_in_facets();
-    for (auto& [edge, on] : result_.on_edge) sort_along(edge, on);
+    result_.on_edge = on_edges_.take_sorted();
     return std::move(result_);
   }
 
@@ -56,26 +106,8 @@ class Search {
   JoinRule::Thing thing(const EdgeKey& e) const { return rule_.of_edge(e.first, e.second); }
   bool lies_on(VertexIndex v, unsigned planes) const { return (planes_.of(point(v)) & planes) == planes; }
 
-  /// Parameter of the point of the edge's line nearest to p.
-  double parameter(const EdgeKey& e, const Vec3& p) const {
-    const Vec3 d = point(e.second) - point(e.first);
-    return dot(p - point(e.first), d) / dot(d, d);
-  }
-  Vec3 at(const EdgeKey& e, double t) const { return point(e.first) + t * (point(e.second) - point(e.first)); }
-
-  bool is_on(const EdgeKey& e, VertexIndex v) const {
-    if (v == e.first || v == e.second) return true;
-    const auto on = result_.on_edge.find(e);
-    return on != result_.on_edge.end() && std::find(on->second.begin(), on->second.end(), v) != on->second.end();
-  }
   void insert(const EdgeKey& e, VertexIndex v) {
-    if (!is_on(e, v) && lies_on(v, planes_of(e))) result_.on_edge[e].push_back(v);
-  }
-  void sort_along(const EdgeKey& e, std::vector<VertexIndex>& on) const {
-    std::sort(on.begin(), on.end(), [&](VertexIndex a, VertexIndex b) {
-      const double s = parameter(e, point(a)), t = parameter(e, point(b));
-      return s != t ? s < t : a < b;
-    });
+    if (!on_edges_.is_on(e, v) && lies_on(v, planes_of(e))) on_edges_.insert(e, v);
   }
 
   void insert_in_edges(VertexIndex v, const BoxTree& tree) {
@@ -85,20 +117,9 @@ class Search {
     tree.boxes_meeting(place, [&](Index e) { near.push_back(e); });
     for (const Index e : near) {
       if (!rule_.allows(rule_.of_vertex(v), thing(edges_[e]))) continue;
-      const double t = parameter(edges_[e], point(v));
-      if (t > 0 && t < 1 && length(point(v) - at(edges_[e], t)) < distance_) insert(edges_[e], v);
+      const double t = on_edges_.parameter(edges_[e], point(v));
+      if (t > 0 && t < 1 && length(point(v) - on_edges_.at(edges_[e], t)) < distance_) insert(edges_[e], v);
     }
-  }
-
-  /// A vertex of the edge, inserted ones included, nearer to p than the distance.
-  VertexIndex vertex_near(const EdgeKey& e, const Vec3& p) const {
-    const auto on = result_.on_edge.find(e);
-    if (on != result_.on_edge.end())
-      for (const VertexIndex v : on->second)
-        if (length(point(v) - p) < distance_) return v;
-    for (const VertexIndex v : {e.first, e.second})
-      if (length(point(v) - p) < distance_) return v;
-    return no_vertex;
   }
 
   void join_edges(const EdgeKey& e, const EdgeKey& f) {
@@ -110,9 +131,9 @@ class Search {
     const double s = (uv * dot(v, w) - vv * dot(u, w)) / determinant,
                  t = (uu * dot(v, w) - uv * dot(u, w)) / determinant;
     if (!(s > 0 && s < 1 && t > 0 && t < 1)) return;
-    const Vec3 p = at(e, s), q = at(f, t);
+    const Vec3 p = on_edges_.at(e, s), q = on_edges_.at(f, t);
     if (length(p - q) >= distance_) return;
-    const VertexIndex on_e = vertex_near(e, p), on_f = vertex_near(f, q);
+    const VertexIndex on_e = on_edges_.nearer(e, p), on_f = on_edges_.nearer(f, q);
     if (on_e != no_vertex && on_f != no_vertex) return;
     if (on_e != no_vertex) return insert(f, on_e);
     if (on_f != no_vertex) return insert(e, on_f);
@@ -154,7 +175,7 @@ class Search {
   bool is_in(VertexIndex v, Index f) const {
     unsigned planes = ~0u;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (is_on(edge_key(corner(f, k), corner(f, (k + 1) % 3)), v)) return false;
+      if (on_edges_.is_on(edge_key(corner(f, k), corner(f, (k + 1) % 3)), v)) return false;
       planes &= planes_.of(point(corner(f, k)));
     }
     if (!lies_on(v, planes)) return false;
@@ -172,6 +193,7 @@ class Search {
   double distance_;
   BoxPlanes planes_;
   JoinRule& rule_;
+  VerticesOnEdges on_edges_;
   Insertions result_;
 };
 
