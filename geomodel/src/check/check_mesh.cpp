@@ -113,18 +113,35 @@ void judge_contract(const CheckRequest& request, const JudgedMesh& mesh, const C
     check_report(claimed, curves ? &*curves : nullptr, *report, rounding, result);
 }
 
-/// Where the project leaves its sizes to a number of elements, the tolerance that follows them is what the run
-/// promises.
-void adopt_told_tolerance(const CheckRequest& request, Claim& claim, CheckResult& result) {
+/// The length below which nine edges of ten are, each counted once a cell. `mesh` has cells.
+double long_edge(const JudgedMesh& mesh) {
+  std::vector<double> squares;
+  squares.reserve(6 * mesh.cells.size());
+  for (const Tetrahedron& t : mesh.cells)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = i + 1; k < 4; ++k) {
+        const Vec3 d = mesh.point(t[i]) - mesh.point(t[k]);
+        squares.push_back(dot(d, d));
+      }
+  const auto ninth = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() * 9 / 10);
+  std::nth_element(squares.begin(), ninth, squares.end());
+  return std::sqrt(*ninth);
+}
+
+/// Where the project leaves its sizes to a number of elements, the tolerance follows them: it is what the run promises.
+/// No promise above a twentieth of the mesh's long edges is believed.
+void adopt_told_tolerance(const CheckRequest& request, const JudgedMesh& mesh, Claim& claim, CheckResult& result) {
   const auto report = report_beside(request.mesh);
   const nlohmann::json::json_pointer told("/input/mesh/tolerance");
-  if (request.within >= 0 || !report || !report->contains(told) || !report->at(told).is_number()) return;
-  claim.within = report->at(told).get<double>();
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "the project leaves its sizes to a number of elements: surfaces are held to the %.4g that the report promises",
-      claim.within);
+  if (request.within >= 0 || mesh.cells.empty()) return;
+  if (!report || !report->contains(told) || !report->at(told).is_number()) return;
+  const double most = long_edge(mesh) / 20, promised = report->at(told).get<double>();
+  claim.within = std::min(promised, most);
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "the project leaves its sizes to a number of elements: surfaces are held to %.4g (the report promises "
+                "%.4g; at most a twentieth of the mesh's long edges counts)",
+                claim.within, promised);
   result.checks_done.emplace_back(text);
 }
 
@@ -132,7 +149,7 @@ void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const Face
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
   if (!request.project.empty()) {
     Claim claim = claim_of_project(request.project);
-    if (claim.within_by_count) adopt_told_tolerance(request, claim, result);
+    if (claim.within_by_count) adopt_told_tolerance(request, mesh, claim, result);
     if (claim.volume) check_volume(mesh, claim, result);
     judge_surfaces(request, mesh, claim, faces, set_faces, result);
     if (faces && request.contract == CheckRequest::Contract::judged)
