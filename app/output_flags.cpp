@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output_flags.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
 
@@ -13,6 +17,25 @@ geomodel::FieldSpec field_of(const std::string& text, geomodel::FieldSpec::Place
   if (at == 0 || at == std::string::npos || at + 1 == text.size())
     throw Error(ErrorKind::usage, "--field " + text + ": NAME=FILE was expected");
   return {text.substr(0, at), text.substr(at + 1), place, ""};
+}
+
+geomodel::FaultZone zone_of(const std::string& text) {
+  const auto refuse = [&] {
+    return Error(ErrorKind::usage, "--fault-zone " + text + ": SURFACE=THICKNESS or SURFACE=THICKNESS,LAYERS expected");
+  };
+  const std::size_t at = text.rfind('='), comma = text.find(',', at == std::string::npos ? 0 : at);
+  if (at == 0 || at == std::string::npos) throw refuse();
+  geomodel::FaultZone zone{text.substr(0, at)};
+  char* end = nullptr;
+  zone.thickness = std::strtod(text.c_str() + at + 1, &end);
+  const bool whole = end == text.c_str() + std::min(comma, text.size());
+  if (!whole || !(zone.thickness > 0) || !std::isfinite(zone.thickness)) throw refuse();
+  if (comma != std::string::npos) {
+    const unsigned long layers = std::strtoul(text.c_str() + comma + 1, &end, 10);
+    if (*end != 0 || layers < 1 || layers > geomodel::most_zone_layers) throw refuse();
+    zone.layers = static_cast<unsigned>(layers);
+  }
+  return zone;
 }
 
 }  // namespace
@@ -40,7 +63,12 @@ void OutputFlags::add_to(CLI::App& app) {
       ->type_name("SURFACE")
       ->take_all()
       ->expected(1);
-  app.add_option("--partitions", partitions_, "Parts, a file for each: .pvtu, .e, msh22")
+  app.add_option("--fault-zone", zones_,
+                 "Volume elements between the two sides of this surface (may be given several times)")
+      ->type_name("SURFACE=THICKNESS[,LAYERS]")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--partitions", partitions_, "Parts, a file for each: .pvtu, .e, .msh")
       ->check(CLI::Range(1u, geomodel::most_partitions))
       ->capture_default_str();
   app.add_flag("--starter", starter_, "A small input for the solver beside the mesh: .inp, .e, .xdmf, ogs");
@@ -72,6 +100,7 @@ geomodel::WriteOptions OutputFlags::options() const {
                                                  : geomodel::Compression::small;
   options.split = split_;
   options.cohesive = cohesive_;
+  for (const std::string& zone : zones_) options.fault_zones.push_back(zone_of(zone));
   options.partitions = partitions_;
   options.starter = starter_;
   for (const std::string& field : fields_) options.fields.push_back(field_of(field, geomodel::FieldSpec::Place::cells));

@@ -21,7 +21,7 @@ class OutputFlags {
 
  private:
   std::string format_, groups_ = "whole", region_array_ = "region", compression_ = "fast";
-  std::vector<std::string> split_, fields_, point_fields_;
+  std::vector<std::string> split_, zones_, fields_, point_fields_;
   bool no_inner_faces_ = false, no_curves_ = false, single_grid_ = false, node_arrays_ = false, cohesive_ = false,
        starter_ = false;
   int order_ = 1;

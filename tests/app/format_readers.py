@@ -125,16 +125,21 @@ def meshio_med(path, _sidecar):
     return found
 
 
+def run_tool(name, *arguments):
+    """Runs a program of Debian; what it complains of fails the test."""
+    if not shutil.which(name):
+        raise ReaderMissing(name)
+    run = subprocess.run([name, *arguments], capture_output=True, text=True, timeout=100)
+    if run.returncode or re.search(r"(?m)^Error", run.stdout + run.stderr):
+        raise AssertionError(run.stdout + run.stderr)
+
+
 def gmsh(path, _sidecar):
     """Gmsh reads the file, and writes it in its format 2.2, where counts and names are easy to see."""
-    if not shutil.which("gmsh"):
-        raise ReaderMissing("gmsh")
     numpy = need("numpy")
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "again.msh")
-        run = subprocess.run(["gmsh", path, "-0", "-format", "msh22", "-o", out], capture_output=True, text=True, timeout=100)
-        if run.returncode or re.search(r"(?m)^Error", run.stdout + run.stderr):
-            raise AssertionError(run.stdout + run.stderr)
+        run_tool("gmsh", path, "-0", "-format", "msh22", "-o", out)
         with open(out) as file:
             lines = file.read().splitlines()
     at = lines.index("$Nodes")
@@ -225,16 +230,12 @@ def vtk_exodus(path, _sidecar):
 
 def tetgen(path, sidecar):
     """TetGen reads the files and writes what it holds; that is looked at. It keeps numbers of nodes, attributes and markers."""
-    if not shutil.which("tetgen"):
-        raise ReaderMissing("tetgen")
     numpy = need("numpy")
     with tempfile.TemporaryDirectory() as folder:
         stem = os.path.join(folder, "m")
         for ending in (".node", ".ele", ".face", ".edge"):
             shutil.copy(path[:-len(".ele")] + ending, stem + ending)
-        run = subprocess.run(["tetgen", "-r", stem], capture_output=True, text=True, timeout=100)
-        if run.returncode:
-            raise AssertionError(run.stdout + run.stderr)
+        run_tool("tetgen", "-r", stem)
         tables = {e: numpy.loadtxt(stem + ".1" + e, skiprows=1) for e in (".node", ".ele", ".face", ".edge")}
     points = tables[".node"][:, 1:4]
     found = Found(len(points))

@@ -6,7 +6,7 @@ import os
 import shutil
 
 import format_readers as readers
-from geomesh_program import USAGE, main
+from geomesh_program import BAD_INPUT, USAGE, main
 from test_formats import FormatTest, plain
 
 N = 3
@@ -138,7 +138,7 @@ class Pvtu(PartsTest):
         self.assertLess(len({tuple(p) for p in places.values()}), len(places))
 
     def test_what_is_not_written_in_parts_is_said(self):
-        for name, options in (("m.mesh", []), ("m.pvtu", ["--single-grid"]), ("m.msh", [])):
+        for name, options in (("m.mesh", []), ("m.pvtu", ["--single-grid"]), ("m.inp", [])):
             self.assertIn("in parts", self.run_program("convert", self.stem + ".vtu", "-o", name, "--partitions", "3", *options, status=USAGE))
         self.assertIn("--partitions", self.run_program("convert", self.stem + ".vtu", "-o", "m.pvtu", status=USAGE))
 
@@ -197,6 +197,101 @@ class GmshParts(PartsTest):
             self.assertEqual(sorted(found.regions), sorted({plain(r["name"]) for r in self.model["regions"]} & set(found.regions)))
         self.assertEqual(len(own), len(set(own)))
         self.assertEqual(len(own), self.n_tetrahedra())
+
+    def test_gmsh_reads_41_with_each_cell_and_face_in_one_part(self):
+        for form in ("msh", "msh-binary"):
+            counts, areas = {}, {}
+            self.convert("m.msh", "--format", form, "--partitions", str(N))
+            for k in range(1, N + 1):
+                found = self.read_by(readers.gmsh, self.path("m_%d.msh" % k), self.path("m.msh"))
+                for name, (n, _) in found.regions.items():
+                    counts[name] = counts.get(name, 0) + n
+                for name, (_, area) in found.faces.items():
+                    for part in name.split("+"):
+                        areas[part] = areas.get(part, 0) + area
+            self.assertEqual(counts, {plain(r["name"]): r["tetrahedra"] for r in self.model["regions"]}, form)
+            for surface in self.model["surfaces"]:
+                if surface["area"] > 0:
+                    self.assertAlmostEqual(areas[plain(surface["name"])] / surface["area"], 1, delta=1e-9)
+
+    def sections(self, path):
+        with open(path) as file:
+            text = file.read()
+        return {name: [list(map(float, line.split())) for line in body.splitlines()] for name, body in
+                ((part.split("\n", 1)) for part in text.split("$") if "\n" in part and part.split("\n", 1)[0] in ("PartitionedEntities", "Elements", "GhostElements"))}
+
+    def test_ghosts_of_41_are_all_that_touch_and_name_their_owner(self):
+        self.convert("m.msh", "--partitions", str(N))
+        own, ghosts, nodes_of = {}, {}, {}
+        for k in range(1, N + 1):
+            found = self.sections(self.path("m_%d.msh" % k))
+            self.assertEqual(found["PartitionedEntities"][0], [N])
+            ghost_entity = found["PartitionedEntities"][2]
+            self.assertEqual(ghost_entity[1], k)
+            rows = found["Elements"][1:]
+            own[k], copies = set(), set()
+            while rows:
+                dimension, entity, kind, n = map(int, rows[0])
+                for row in rows[1:1 + n]:
+                    if kind == 4:
+                        self.assertEqual(nodes_of.setdefault(int(row[0]), row[1:]), row[1:])
+                        (copies if entity == ghost_entity[0] else own[k]).add(int(row[0]))
+                rows = rows[1 + n:]
+            ghosts[k] = {int(r[0]): int(r[1]) for r in found["GhostElements"][1:]}
+            self.assertTrue(all(r[2:] == [1, k] for r in found["GhostElements"][1:]))
+            self.assertEqual(set(ghosts[k]), copies)
+        self.assertEqual(sum(map(len, own.values())), self.n_tetrahedra())
+        for k in own:
+            touched = {v for e in own[k] for v in nodes_of[e]}
+            self.assertEqual(set(ghosts[k]) | own[k], {e for e, nodes in nodes_of.items() if touched & set(nodes)})
+            for element, owner in ghosts[k].items():
+                self.assertIn(element, own[owner])
+
+
+class PutTogether(PartsTest):
+    """Parts of Gmsh and Exodus come back as the mesh that they were."""
+
+    def back(self, first, curves):
+        os.makedirs(self.path("back"), exist_ok=True)
+        self.run_program("convert", self.path(first), "-o", self.path("back", "m.vtu"))
+        one, two = self.report(self.stem + ".vtu.json"), self.report(self.path("back", "m.vtu.json"))
+        self.assertEqual(sorted(r["name"] for r in two["regions"]), sorted(r["name"] for r in one["regions"]))
+        area = {s["name"]: s["area"] for s in self.model["surfaces"]}
+        self.assertEqual({s["name"]: s["kind"] for s in two["surfaces"]}, {s["name"]: s["kind"] for s in one["surfaces"] if area[s["name"]] > 0})
+        if curves:
+            self.assertEqual({c["name"]: c["kind"] for c in two["curves"]}, {c["name"]: c["kind"] for c in one["curves"]})
+        check = self.check(self.path("back", "m.vtu"), status=None)
+        self.assertEqual({f["id"] for f in check["faults"]} & {"faces_shared_by_many", "open_boundary", "hanging_faces", "equal_points", "open_regions"}, set())
+        for region in self.model["regions"]:
+            found = next(r for r in check["regions"] if r["name"] == region["name"])
+            self.assertEqual(found["tetrahedra"], region["tetrahedra"])
+            self.assertAlmostEqual(found["volume"] / region["volume"], 1, delta=1e-12)
+
+    def test_gmsh(self):
+        for form in ("msh", "msh-binary", "msh22"):
+            with self.subTest(form):
+                self.convert("m.msh", "--format", form, "--partitions", str(N))
+                self.back("m_2.msh", curves=True)
+
+    def test_exodus(self):
+        self.convert("m.e", "--partitions", "11")
+        self.back("m.e.11.03", curves=False)
+
+    def test_exodus_of_second_order_is_judged_as_one(self):
+        self.convert("m.e", "--partitions", str(N), "--order", "2")
+        check = self.check(self.path("m.e.%d.0" % N))
+        self.assertTrue(any("Bezier" in text for text in check["checks_done"]))
+        self.assertEqual(sum(r["tetrahedra"] for r in check["regions"]), self.n_tetrahedra())
+
+    def test_a_missing_or_doubled_part_is_refused(self):
+        self.convert("m.e", "--partitions", str(N))
+        shutil.copy(self.path("m.e.%d.0" % N), self.path("m.e.%d.2" % N))
+        self.assertIn("in two parts", self.run_program("convert", self.path("m.e.%d.0" % N), "-o", "back.vtu", status=BAD_INPUT))
+        os.remove(self.path("m.e.%d.2" % N))
+        self.assertIn("m.e.%d.2" % N, self.run_program("convert", self.path("m.e.%d.0" % N), "-o", "back.vtu", status=USAGE))
+        self.convert("m.msh", "--partitions", str(N))
+        os.remove(self.path("m_3.msh"))
+        self.assertIn("m_3.msh", self.run_program("convert", self.path("m_1.msh"), "-o", "back.vtu", status=USAGE))
 
 
 if __name__ == "__main__":

@@ -27,8 +27,9 @@ def rows_below(path, title):
     return rows
 
 
-@unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
-class Solved(ProgramTest):
+class Deck(ProgramTest):
+    """A box of ten by ten by ten, and CalculiX' answers on its mesh."""
+
     def mesh(self, surfaces, rest):
         """Meshes surfaces (name -> (kind, text)) in the box 0..10; returns the stem of the mesh."""
         text = "name: model\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n"
@@ -46,6 +47,9 @@ class Solved(ProgramTest):
         self.assertNotIn("*ERROR", done.stdout)
         return self.path("job.dat")
 
+    def rows(self, deck, title):
+        return rows_below(self.solve(deck), title)
+
     def heights(self):
         heights, reading = {}, False
         with open(self.path("model.inp")) as file:
@@ -57,6 +61,9 @@ class Solved(ProgramTest):
                     heights[int(number)] = (float(x), float(y), float(z))
         return heights
 
+
+@unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
+class Solved(Deck):
     def layers(self, order):
         return self.mesh({"upper": ("horizon", level("upper", 7)), "lower": ("horizon", level("lower", 4))},
                          "column: [top, upper, middle, lower, bottom]\nmesh: {size: 4}\noutput: {directory: ., formats: [inp, vtu], order: %d}\n" % order)
@@ -125,6 +132,37 @@ class Solved(ProgramTest):
         moved = [round(row[3], 6) for row in rows]
         self.assertEqual(set(moved), {0.0, 0.5})
         self.assertEqual(moved.count(0.0), moved.count(0.5))
+
+    def node_set(self, name):
+        nodes, reading = [], False
+        with open(self.path("model.inp")) as file:
+            for line in file:
+                if line.startswith("*"):
+                    reading = line.split() == ["*NSET,", "NSET=" + name]
+                elif reading:
+                    nodes += [int(word) for word in line.replace(",", " ").split()]
+        return nodes
+
+    def test_a_fault_slips_under_springs(self):
+        """Stiff halves, held together across the fault and pulled past each other: the slip is the force over the sum of the springs."""
+        self.split_model(plane_ts("F1", [(5, -1, -1), (5, 11, -1), (5, 11, 11), (5, -1, 11)]))
+        place, force, spring = self.heights(), 3.0e6, 2.0e6
+        plus = {place[node]: node for node in self.node_set("F1.plus")}
+        pairs = [(node, plus[place[node]]) for node in self.node_set("F1.minus")]
+        self.assertGreaterEqual(len(pairs), 8)
+        loaded = self.node_set("xmax")
+        deck = "*INCLUDE, INPUT=model.inp\n*MATERIAL, NAME=rock\n*ELASTIC\n1e13, 0.25\n"
+        for name in [g["name"] for g in self.report(self.path("model.inp.json"))["groups"] if g["type"] == "elset"]:
+            deck += "*SOLID SECTION, MATERIAL=rock, ELSET=%s\n" % name
+        deck += "*ELEMENT, TYPE=SPRING2, ELSET=springs\n" + "".join("%d, %d, %d\n" % (10 ** 6 + k, a, b) for k, (a, b) in enumerate(pairs))
+        deck += "*SPRING, ELSET=springs\n3,3\n%.1f\n" % spring
+        deck += "".join("*EQUATION\n2\n%d, %d, 1.0, %d, %d, -1.0\n" % (b, axis, a, axis) for a, b in pairs for axis in (1, 2))
+        deck += "*STEP\n*STATIC\n*BOUNDARY\nxmin, 1, 3\nxmax, 1, 2\n*CLOAD\n" + "".join("%d, 3, %.12g\n" % (node, force / len(loaded)) for node in loaded)
+        deck += "*NODE PRINT, NSET=F1.minus\nU\n*NODE PRINT, NSET=F1.plus\nU\n*END STEP\n"
+        moved = {int(row[0]): row[3] for row in rows_below(self.solve(deck), "displacements")}
+        wanted = force / (spring * len(pairs))
+        for a, b in pairs:
+            self.assertAlmostEqual((moved[b] - moved[a]) / wanted, 1, delta=1e-3)
 
     def test_a_fault_that_ends_inside_opens_but_for_its_tip(self):
         """Pulled apart, a crack from x = 0 to x = 5 opens at its mouth and is closed at its tip."""

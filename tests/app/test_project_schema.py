@@ -26,6 +26,7 @@ FULL = {
     "surfaces": [{"name": "top", "kind": "horizon", "file": "top.ts", "extend": "flat", "fill_holes": "all", "base": "erode",
                   "gridding": {"method": "thin_plate"}, "smooth": 1}],
     "wells": [{"name": "w", "file": "w.pl"}],
+    "tops": {"file": "tops.csv"},
     "points": [{"name": "p", "at": [1, 2, 3]}],
     "column": ["upper", "top", "lower"],
     "rules": {"on_crossing": "leave"},
@@ -74,6 +75,7 @@ class ProjectSchema(ProgramTest):
         self.schema = load_schema()
         self.validator = jsonschema.Draft7Validator(self.schema)
         self.write("top.ts", level("top", 5))
+        self.write("tops.csv", "well,horizon,depth\nw,top,2\n")
         self.write("w.pl", "GOCAD PLine 1\nHEADER {\nname:w\n}\nILINE\nVRTX 1 3 4 9\nVRTX 2 3 4 1\nSEG 1 2\nEND\n")
 
     def faults(self, project):

@@ -61,6 +61,8 @@ class Samples(ProgramTest):
         """Names by fault block; the same volumes as where the blocks end on the fault."""
         report, _ = self.run_with_expected("ragged-throw")
         self.assertTrue(any("overshoot on the wrong side" in note for note in report["notes"]), report["notes"])
+        self.assertTrue(any("horizon top_basement: throw across fault found from the data" in note for note in report["notes"]),
+                        report["notes"])
 
     def test_dying_throw(self):
         """Throw that dies out towards the end of a fault: horizons without free border, cut off on both sides of the fault, whole beyond it."""
@@ -98,6 +100,32 @@ class Samples(ProgramTest):
         wells = {curve["name"]: curve["length"] for curve in report["curves"] if curve["kind"] == "well"}
         self.assertEqual(sorted(wells), ["w1", "w2"])
         self.assertAlmostEqual(wells["w1"], 1450, delta=1e-6)
+
+    def test_well_tops(self):
+        """Moved horizons have the volumes of an elimination apart from the program, and the mesh passes through the tops."""
+        report, _ = self.run_with_expected("well-tops")
+        tops = report["tops"]
+        self.assertEqual([(top["well"], top["horizon"]) for top in tops],
+                         [("w1", "top_sand"), ("w2", "top_sand"), ("w3", "top_sand"), ("w1", "base_sand"), ("w3", "base_sand")])
+        self.assertEqual(tops[0]["place"], [900, 900, -968])
+        for top in tops:
+            self.assertGreater(abs(top["misfit_given"]), 1, top)
+            for stage in ("misfit_fitted", "misfit_meshed"):
+                self.assertLess(abs(top[stage]), 1e-6, top)
+
+    def test_well_tops_within_a_tolerance(self):
+        report, _ = self.mesh_sample("well-tops", mesh="{size: 150, tolerance: 3}")
+        for top in report["tops"]:
+            self.assertLess(abs(top["misfit_meshed"]), 3.1, top)
+
+    def test_tops_of_what_is_not_there_are_told(self):
+        project = self.copy_of_sample("well-tops", None)
+        with open(os.path.join(os.path.dirname(project), "surfaces", "tops.csv"), "a") as file:
+            file.write("w9,top_sand,100\nw1,top_coal,100\nw1,top_sand,5000\n")
+        self.run_program(project, "-o", self.folder)
+        warnings = " ".join(self.report(self.path("well_tops.report.json"))["warnings"])
+        for words in ("no well is called w9", "no horizon is called top_coal", "the well does not reach 5000"):
+            self.assertIn(words, warnings)
 
     def test_sediment_grains(self):
         self.run_with_expected("sediment-grains")

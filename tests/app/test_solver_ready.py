@@ -124,11 +124,12 @@ class Defaults(ProgramTest):
         self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], 0.48 / 40)
 
     def test_a_surface_that_overshoots_another_by_a_little_ends_on_it(self):
-        """Two faults, one of which passes the other by a thousandth of the size: no element is flat for it, and the judge agrees."""
+        """Two faults, one of which passes the other by a thousandth of the size: no element is flat but where all is kept; the judge agrees."""
         self.write("a.ts", plane_ts("a", [(5, 1, 1), (5, 9, 1), (5, 9, 9), (5, 1, 9)]))
         self.write("b.ts", plane_ts("b", [(1, 5, 2), (5.0005, 5, 2), (5.0005, 5, 8), (1, 5, 8)]))
         text = "box: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: a, kind: fault, file: a.ts}\n  - {name: b, kind: fault, file: b.ts}\n"
-        for mesh, is_fit in (("", True), ("mesh: {size: 0.5, tolerance: 0.01}\n", False)):
+        fit_by_mesh = {"": True, "mesh: {size: 1, tolerance: 0.01}\n": True, "mesh: {size: 2, honour: exact}\n": False}
+        for mesh, is_fit in fit_by_mesh.items():
             printed = self.run_program(self.write("faults.yaml", text + mesh), "-o", self.folder)
             report = self.report(self.path("faults.report.json"))
             self.assertEqual(report["solver"]["passes"], is_fit, printed)

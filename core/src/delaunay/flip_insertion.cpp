@@ -25,22 +25,12 @@ bool FlipInsertion::all_positive() {
 
 /// Puts new_ in the place of old_; both fill the same polyhedron.
 void FlipInsertion::replace() {
-  struct Side {
-    std::array<VertexIndex, 3> vertices;
-    FaceRef face;
-    bool operator<(const Side& other) const { return vertices < other.vertices; }
-  };
-  const auto key = [](const CellVertices& v, unsigned i) {
-    std::array<VertexIndex, 3> k{v[(i + 1) & 3u], v[(i + 2) & 3u], v[(i + 3) & 3u]};
-    std::sort(k.begin(), k.end());
-    return k;
-  };
   for (const CellIndex c : old_) flags_[c] |= cavity_flag;
-  std::vector<Side> sides;
+  pairing_.begin(4 * (old_.size() + new_.size()));
   for (const CellIndex c : old_)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = cells_[c].neighbors[i];
-      if (!(flags_[outer.cell()] & cavity_flag)) sides.push_back({key(cells_[c].vertices, i), outer});
+      if (!(flags_[outer.cell()] & cavity_flag)) pairing_.await_outer(face_key(cells_[c].vertices, i), outer, false);
     }
   for (const CellIndex c : old_) {
     cells_[c].vertices[0] = no_vertex;
@@ -54,14 +44,10 @@ void FlipInsertion::replace() {
     made_.push_back(c);
     cells_[c].vertices = v;
     flags_[c] = has_infinite(v) ? ghost_flag : 0;
-    for (unsigned i = 0; i < 4; ++i) sides.push_back({key(v, i), FaceRef(c, i)});
+    for (unsigned i = 0; i < 4; ++i)
+      if (const auto* met = pairing_.meet(face_key(v, i), FaceRef(c, i))) mesh_.link(FaceRef(c, i), met->face);
   }
-  std::sort(sides.begin(), sides.end());
-  GEOMESH_CHECK(sides.size() % 2 == 0);
-  for (std::size_t k = 0; k < sides.size(); k += 2) {
-    GEOMESH_CHECK(sides[k].vertices == sides[k + 1].vertices);
-    mesh_.link(sides[k].face, sides[k + 1].face);
-  }
+  GEOMESH_CHECK(pairing_.n_outer_waiting() == 0 && pairing_.n_added_waiting() == 0);
   hint_ = made_.back();
 }
 

@@ -11,6 +11,7 @@
 
 #include "delaunay/incremental.hpp"
 #include "delaunay/space3.hpp"
+#include "mesh/face_pairing.hpp"
 
 namespace geomesh {
 
@@ -66,6 +67,7 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   std::vector<CellIndex> made_;
   std::vector<Candidate> queue_;
   std::size_t stuck_ = 0, flips_ = 0;
+  FacePairing<bool> pairing_;
 };
 
 }  // namespace geomesh

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "geomesh/core/geometry.hpp"
 
@@ -69,21 +70,12 @@ struct Expansion {
   void append(double x) {
     if (x != 0) term[size++] = x;
   }
+  std::span<const double> terms() const { return {term, static_cast<std::size_t>(size)}; }
   Sign sign() const {
     if (size == 0) return Sign::zero;
     return term[size - 1] > 0 ? Sign::positive : Sign::negative;
   }
 };
-
-/// a - b exactly.
-inline Expansion<2> difference(double a, double b) {
-  double head, tail;
-  two_difference(a, b, head, tail);
-  Expansion<2> r;
-  r.append(tail);
-  r.append(head);
-  return r;
-}
 
 inline Expansion<1> single(double a) {
   Expansion<1> r;
@@ -91,58 +83,64 @@ inline Expansion<1> single(double a) {
   return r;
 }
 
-/// e + sign * f, sign being 1 or -1: fast_expansion_sum with zero elimination (Shewchuk 1997, figure 8).
-template <int N, int M>
-Expansion<N + M> sum(const Expansion<N>& e, const Expansion<M>& f, double sign = 1) {
-  Expansion<N + M> h;
-  int i = 0, j = 0;
-  auto next = [&] {
-    if (j >= f.size) return e.term[i++];
-    if (i >= e.size) return sign * f.term[j++];
-    const double a = e.term[i], b = f.term[j];
+/// Appends e + sign * f to h, sign being 1 or -1: fast_expansion_sum with zero elimination (Shewchuk 1997, figure 8).
+template <class Sum>
+void append_sum(std::span<const double> e, std::span<const double> f, double sign, Sum& h) {
+  std::size_t i = 0, j = 0;
+  const auto next = [&] {
+    if (j >= f.size()) return e[i++];
+    if (i >= e.size()) return sign * f[j++];
+    const double a = e[i], b = f[j];
     const bool take_e = (a < 0 ? -a : a) < (b < 0 ? -b : b);
     return take_e ? (++i, a) : (++j, sign * b);
   };
-  const int n = e.size + f.size;
-  if (n == 0) return h;
+  const std::size_t n = e.size() + f.size();
+  if (n == 0) return;
   double q = next();
-  for (int k = 1; k < n; ++k) {
+  for (std::size_t k = 1; k < n; ++k) {
     double head, tail;
     two_sum(q, next(), head, tail);
     h.append(tail);
     q = head;
   }
   h.append(q);
-  return h;
 }
 
-template <int N, int M>
-Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
-  return sum(e, f);
-}
-template <int N, int M>
-Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
-  return sum(e, f, -1.0);
-}
-
-/// e * b exactly: scale_expansion with zero elimination (Shewchuk 1997, figure 13).
-template <int N>
-Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
-  Expansion<2 * N> h;
-  if (e.size == 0 || b == 0) return h;
+/// Appends e * b to h: scale_expansion with zero elimination (Shewchuk 1997, figure 13).
+template <class Product>
+void append_scaled(std::span<const double> e, double b, Product& h) {
+  if (e.empty() || b == 0) return;
   double b_high, b_low, q, tail;
   split(b, b_high, b_low);
-  two_product(e.term[0], b, b_high, b_low, q, tail);
+  two_product(e[0], b, b_high, b_low, q, tail);
   h.append(tail);
-  for (int i = 1; i < e.size; ++i) {
+  for (const double x : e.subspan(1)) {
     double product, product_tail, s;
-    two_product(e.term[i], b, b_high, b_low, product, product_tail);
+    two_product(x, b, b_high, b_low, product, product_tail);
     two_sum(q, product_tail, s, tail);
     h.append(tail);
     fast_two_sum(product, s, q, tail);
     h.append(tail);
   }
   h.append(q);
+}
+
+template <int N, int M>
+Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
+  Expansion<N + M> h;
+  append_sum(e.terms(), f.terms(), 1, h);
+  return h;
+}
+template <int N, int M>
+Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
+  Expansion<N + M> h;
+  append_sum(e.terms(), f.terms(), -1, h);
+  return h;
+}
+template <int N>
+Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
+  Expansion<2 * N> h;
+  append_scaled(e.terms(), b, h);
   return h;
 }
 

@@ -17,9 +17,7 @@ namespace geomesh::exact {
 class LongExpansion {
  public:
   LongExpansion() = default;
-  LongExpansion(double x) {  // NOLINT: a double is an expansion
-    if (x != 0) terms_.push_back(x);
-  }
+  LongExpansion(double x) { append(x); }  // NOLINT: a double is an expansion
 
   const std::vector<double>& terms() const { return terms_; }
   bool is_zero() const { return terms_.empty(); }
@@ -44,6 +42,10 @@ class LongExpansion {
     return out;
   }
 
+  void append(double x) {
+    if (x != 0) terms_.push_back(x);
+  }
+
   friend LongExpansion operator+(const LongExpansion& e, const LongExpansion& f) { return sum(e, f, 1); }
   friend LongExpansion operator-(const LongExpansion& e, const LongExpansion& f) { return sum(e, f, -1); }
   friend LongExpansion operator*(const LongExpansion& e, double b) {
@@ -59,9 +61,6 @@ class LongExpansion {
   }
 
  private:
-  void append(double x) {
-    if (x != 0) terms_.push_back(x);
-  }
   /// As few terms as can be, the greatest within an ulp of the whole (Shewchuk 1997, figure 15).
   void compress() {
     if (terms_.size() < 2) return;
@@ -91,42 +90,14 @@ class LongExpansion {
   static LongExpansion sum(const LongExpansion& e, const LongExpansion& f, double sign) {
     LongExpansion h;
     h.terms_.reserve(e.terms_.size() + f.terms_.size());
-    std::size_t i = 0, j = 0;
-    const auto next = [&] {
-      if (j >= f.terms_.size()) return e.terms_[i++];
-      if (i >= e.terms_.size()) return sign * f.terms_[j++];
-      return std::fabs(e.terms_[i]) < std::fabs(f.terms_[j]) ? e.terms_[i++] : sign * f.terms_[j++];
-    };
-    const std::size_t n = e.terms_.size() + f.terms_.size();
-    if (n == 0) return h;
-    double q = next();
-    for (std::size_t k = 1; k < n; ++k) {
-      double head, tail;
-      two_sum(q, next(), head, tail);
-      h.append(tail);
-      q = head;
-    }
-    h.append(q);
+    append_sum(e.terms_, f.terms_, sign, h);
     h.compress();
     return h;
   }
   static LongExpansion scaled(const LongExpansion& e, double b) {
     LongExpansion h;
-    if (e.terms_.empty() || b == 0) return h;
     h.terms_.reserve(2 * e.terms_.size());
-    double b_high, b_low, q, tail;
-    split(b, b_high, b_low);
-    two_product(e.terms_[0], b, b_high, b_low, q, tail);
-    h.append(tail);
-    for (std::size_t i = 1; i < e.terms_.size(); ++i) {
-      double product, product_tail, s;
-      two_product(e.terms_[i], b, b_high, b_low, product, product_tail);
-      two_sum(q, product_tail, s, tail);
-      h.append(tail);
-      fast_two_sum(product, s, q, tail);
-      h.append(tail);
-    }
-    h.append(q);
+    append_scaled(e.terms_, b, h);
     return h;
   }
 

@@ -10,7 +10,8 @@ namespace geomesh {
 
 namespace {
 
-constexpr double share_of_size = 0.25;  // gaps below this share of the asked size force
+constexpr double share_of_size = 0.25;      // gaps below this share of the asked size force
+constexpr double angle_at_short_edge = 20;  // degrees, below which it forces
 
 }  // namespace
 
@@ -48,7 +49,7 @@ void CauseFinder::explain_by_gap(WorstElement& w) const {
   const SizeField* const asked = options_.asked ? options_.asked : options_.size;
   if (!asked) return;
   const double limit = share_of_size * asked->at(w.place, mesh_.component[w.tetrahedron]);
-  const Gap gap = gaps_.narrowest(w.tetrahedron, options_.gaps_stay ? 0 : 2 * options_.tolerance);
+  const Gap gap = gap_of(w.tetrahedron);
   if (!(gap.width < limit)) return;
   w.cause = ShapeCause::thin_gap;
   w.gap = gap.width;
@@ -58,6 +59,36 @@ void CauseFinder::explain_by_gap(WorstElement& w) const {
 
 void CauseFinder::explain(WorstElement& w) {
   if (!explain_by_angle(w)) explain_by_gap(w);
+}
+
+bool CauseFinder::are_ends_of_near_curves(const ShortEdge& e, bool have_common_neighbour) const {
+  const auto at_a = stars_.edges(e.a), at_b = stars_.edges(e.b);
+  if (at_a.empty() || at_b.empty()) return false;
+  const bool is_along = std::any_of(at_a.begin(), at_a.end(), [&](const SoupEdge& s) { return s.other == e.b; });
+  return is_along ? at_a.size() != 2 && at_b.size() != 2 : !have_common_neighbour;
+}
+
+void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double share) {
+  std::vector<VertexIndex> about{e.a, e.b};  // and where curves from both ends meet
+  for (const SoupEdge& x : stars_.edges(e.a))
+    for (const SoupEdge& y : stars_.edges(e.b))
+      if (x.other == y.other) about.push_back(x.other);
+  double least = angle_at_short_edge;
+  for (const VertexIndex v : about) least = std::min(least, angle_at(v).degrees);
+  if (least < angle_at_short_edge) {
+    e.cause = EdgeCause::input_angle;
+    e.forcing_angle = least;
+  } else if (are_ends_of_near_curves(e, about.size() > 2)) {
+    e.cause = EdgeCause::near_curves;
+  } else {
+    for (const Index c : cells) {
+      const double width = gap_of(c).width;
+      if (!(width < share * e.size)) continue;
+      e.cause = EdgeCause::thin_gap;
+      e.gap = width;
+      return;
+    }
+  }
 }
 
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Why an element is bad: an input angle or a thin gap that nothing but a change of the input could widen.
+/// Why an element is bad, or an edge short: an input angle or a thin gap that nothing but a change of the input could
+/// widen.
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "geomesh/core/quality.hpp"
+#include "geomesh/core/short_edges.hpp"
 #include "quality/soup_star.hpp"
 #include "quality/thin_gaps.hpp"
 
@@ -22,11 +25,18 @@ class CauseFinder {
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
   /// Sets the cause of an element and what goes with it. What is found at a vertex is kept for the next element there.
   void explain(WorstElement& w);
+  /// The same for an edge that is shorter than `share` of its size, with the cells at it.
+  void explain(ShortEdge& e, std::span<const Index> cells, double share);
 
  private:
   const MeetingAngle& angle_at(VertexIndex v);
   bool explain_by_angle(WorstElement& w);  ///< whether that is its cause
   void explain_by_gap(WorstElement& w) const;
+  bool are_ends_of_near_curves(const ShortEdge& e, bool have_common_neighbour) const;
+  /// The narrowest gap that the element spans and that the tolerance does not allow to close.
+  Gap gap_of(Index tetrahedron) const {
+    return gaps_.narrowest(tetrahedron, options_.gaps_stay ? 0 : 2 * options_.tolerance);
+  }
 
   const ConstrainedTetrahedralization& mesh_;
   const QualityOptions& options_;

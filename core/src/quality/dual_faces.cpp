@@ -7,6 +7,7 @@
 
 #include "common/geometry.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
+#include "geomesh/core/voronoi_dual.hpp"
 #include "mesh/circumcentre.hpp"
 #include "quality/measure/shape.hpp"
 
@@ -83,6 +84,19 @@ std::vector<DualFace> dual_faces(std::span<const Vec3> points, std::span<const T
         {parts[i].edge[0], parts[i].edge[1], area, std::binary_search(border.begin(), border.end(), parts[i].edge)});
   }
   return faces;
+}
+
+VoronoiDual measure_voronoi_dual(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
+  VoronoiDual dual;
+  for (const DualFace& face : dual_faces(points, tetrahedra)) {
+    const double relative = face.area / squared_distance(points[face.a], points[face.b]);
+    dual.least = dual.edges == 0 ? relative : std::min(dual.least, relative);
+    ++dual.edges;
+    if (relative >= -1e-12) continue;
+    ++dual.negative;
+    dual.negative_on_border += face.on_border;
+  }
+  return dual;
 }
 
 }  // namespace geomesh

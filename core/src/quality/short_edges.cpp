@@ -2,19 +2,17 @@
 #include "geomesh/core/short_edges.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
 #include "common/geometry.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
 #include "quality/causes.hpp"
-#include "quality/measure/shape.hpp"
-#include "quality/thin_gaps.hpp"
 
 namespace geomesh {
 
 namespace {
-
-constexpr double forcing_angle = 20;  // degrees
 
 /// Each edge that may be short once, by its ends, with the cells at it.
 using EdgeCells = std::map<std::array<VertexIndex, 2>, std::vector<Index>>;
@@ -42,64 +40,6 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
   return edges;
 }
 
-class EdgeCauses {
- public:
-  EdgeCauses(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases)
-      : stars_(mesh, options.facet_patch, &creases),
-        gaps_(stars_, options.forcing_angle, options.tolerance == 0),
-        closable_(options.gaps_stay ? 0 : 2 * options.tolerance) {}
-
-  void explain(ShortEdge& e, const std::vector<Index>& cells, double share) const {
-    if (explain_by_angle(e)) return;
-    if (are_ends_of_near_curves(e)) {
-      e.cause = EdgeCause::near_curves;
-      return;
-    }
-    for (const Index c : cells) {
-      const double width = gaps_.narrowest(c, closable_).width;
-      if (!(width < share * e.size)) continue;
-      e.cause = EdgeCause::thin_gap;
-      e.gap = width;
-      return;
-    }
-  }
-
- private:
-  bool explain_by_angle(ShortEdge& e) const {
-    std::vector<VertexIndex> about{e.a, e.b};
-    for (const VertexIndex w : common_neighbours(e)) about.push_back(w);
-    double least = forcing_angle;
-    for (const VertexIndex v : about) least = std::min(least, stars_.least_angle(v).degrees);
-    if (!(least < forcing_angle)) return false;
-    e.cause = EdgeCause::input_angle;
-    e.forcing_angle = least;
-    return true;
-  }
-
-  /// Where curves from both ends meet.
-  std::vector<VertexIndex> common_neighbours(const ShortEdge& e) const {
-    std::vector<VertexIndex> common;
-    for (const SoupEdge& x : stars_.edges(e.a))
-      for (const SoupEdge& y : stars_.edges(e.b))
-        if (x.other == y.other) common.push_back(x.other);
-    return common;
-  }
-
-  bool is_end_of_curves(VertexIndex v) const { return stars_.edges(v).size() != 2; }
-
-  bool are_ends_of_near_curves(const ShortEdge& e) const {
-    const auto at_a = stars_.edges(e.a);
-    if (at_a.empty() || stars_.edges(e.b).empty()) return false;
-    const bool is_along = std::any_of(at_a.begin(), at_a.end(), [&](const SoupEdge& s) { return s.other == e.b; });
-    if (is_along) return is_end_of_curves(e.a) && is_end_of_curves(e.b);
-    return common_neighbours(e).empty();
-  }
-
-  SoupStars stars_;
-  GapFinder gaps_;
-  double closable_;
-};
-
 }  // namespace
 
 ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
@@ -108,7 +48,7 @@ ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const Constrained
   const EdgeCells edges = candidates(mesh, *options.size, share);
   if (edges.empty()) return found;
   const InputCreases creases = find_creases(plc, options);
-  const EdgeCauses causes(mesh, options, creases);
+  CauseFinder causes(mesh, options, creases);
   for (const auto& [ends, cells] : edges) {
     ShortEdge e;
     e.a = ends[0], e.b = ends[1];

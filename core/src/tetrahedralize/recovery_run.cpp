@@ -29,15 +29,20 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
 }
 
 /// Steiner points that are left become doubles. What no double does for goes off segments and facets first, where
-/// stars are larger. The attempt ends where that does not help.
-void round_steiner_points(Recovery& recovery) {
-  constexpr unsigned max_rounds = recover::recovery_budget.rounding_runs;
-  for (unsigned round = 0; round < max_rounds; ++round) {
+/// stars are larger. The attempt ends where that does not help. Returns how many points no double does for then.
+std::size_t round_steiner_points(Recovery& recovery) {
+  std::size_t n_before = std::numeric_limits<std::size_t>::max();
+  for (unsigned run = 0; run < recover::recovery_budget.rounding_runs; ++run) {
+    if (run > 0) recover::remove_added_points(recovery, BoundaryPoints::must_go);
     const std::vector<VertexIndex> left = recover::round_exact_points(recovery);
-    if (left.empty()) return;
-    if (round + 1 == max_rounds) return recovery.end(recover::error_of_rounding(recovery, left));
-    recover::remove_added_points(recovery, BoundaryPoints::must_go);
+    if (left.empty()) return 0;
+    if (left.size() >= n_before || run + 1 == recover::recovery_budget.rounding_runs) {
+      recovery.end(recover::error_of_rounding(recovery, left));
+      return left.size();
+    }
+    n_before = left.size();
   }
+  return 0;
 }
 
 void validate_stage([[maybe_unused]] Recovery& recovery) {
@@ -91,6 +96,7 @@ RecoveryOutcome RecoveryRun::recover() {
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
     recovery.least_spacing = least_spacing_;
     recover_stages(attempt, recovery);
+    n_decided_ += mesh.exact_places().n_decided();
     std::optional<Error>& dead_end = recovery.dead_end;
     if (!dead_end) return {std::move(mesh), std::nullopt};
     context_.note(LogLevel::debug, "attempt " + std::to_string(number + 1) + " (" + attempt.difference() +
@@ -117,7 +123,7 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   };
   const auto round_points = [&] {
     if (!recovery.has_exact_points) return;
-    round_steiner_points(recovery);
+    n_without_double_ += round_steiner_points(recovery);
     if (recovery.has_ended()) return;
     recover::remove_added_points(recovery, boundary);  // in places that rounding has moved
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
@@ -140,9 +146,12 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
 }
 
 /// What recovery finds wrong with the model is believed where the exact search for crossings agrees, and after the last
-/// attempt.
+/// attempt. Many points without a double make an attempt the last one: another would fare no better. So do many
+/// orientations decided: another would take too long.
 bool RecoveryRun::is_final(const Error& dead_end, const Attempt& attempt, const Recovery& recovery) const {
   return attempt.number + 1 >= most_attempts(options_.recover) ||
+         n_without_double_ >= recover::recovery_budget.points_without_double ||
+         n_decided_ >= recover::recovery_budget.decisions_per_facet * plc_.n_facets() ||
          (dead_end.kind() == ErrorKind::invalid_input && recovery.has_crossings());
 }
 

@@ -49,6 +49,8 @@ class RecoveryRun {
   RecoveryStatistics statistics_{};
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
+  std::size_t n_without_double_ = 0;  ///< points that no double did for, over all attempts
+  std::size_t n_decided_ = 0;         ///< orientations of exact places
 };
 
 }  // namespace geomesh

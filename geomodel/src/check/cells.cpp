@@ -31,6 +31,7 @@ void check_unused_points(const JudgedMesh& mesh, CheckResult& result) {
   std::vector<bool> used(mesh.n_points(), false);
   for (const Tetrahedron& cell : mesh.cells)
     for (const VertexIndex v : cell) used[v] = true;
+  for (const VertexIndex v : mesh.file.midpoints) used[v] = true;
   FaultCollector unused("unused_points");
   for (std::size_t v = 0; v < used.size(); ++v)
     if (!used[v]) unused.add(v, mesh.point(static_cast<VertexIndex>(v)));

@@ -14,6 +14,7 @@
 #include "check/judged/judged_mesh.hpp"
 #include "check/names/judge_names.hpp"
 #include "check/within/within_tolerance.hpp"
+#include "check/zones/judge_zones.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "solver_verdict/judge_file.hpp"
@@ -79,38 +80,56 @@ void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const C
   const ClaimedFaces claimed(mesh, claim, faces, set_faces);
   const Allowed allowed{within, rounding};
   check_surfaces_within(claimed, allowed, result);
+  if (faces) check_midpoints_within(claimed, allowed, result);
   if (!faces || !claim.named) return;
   check_sources_within(claimed, allowed, result);
   check_surface_topology(claimed, allowed, result);
   check_volumes_within(claimed, allowed, report_beside(request.mesh), result);
 }
 
-/// Names, curves and arrays of the files against the project and docs/output-files.md.
-void judge_contract(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile& faces,
-                    const std::vector<Triangle>& set_faces, CheckResult& result) {
-  if (mesh.file.region.empty() || !all_known(set_faces)) return;
-  const ClaimedFaces claimed(mesh, claim, &faces, set_faces);
-  const double rounding = tolerance_of(request, mesh.file, claim), reach = rounding + claim.within;
-  check_surface_lists(claimed, rounding, result);
+/// The mesh, its face set and its curves, as the files have them or with fault zones closed.
+struct JudgedFiles {
+  const JudgedMesh& mesh;
+  const FacesFile& faces;
+  const std::vector<Triangle>& set_faces;
+  const CurvesFile* curves;  ///< null where there are none
+};
+
+bool can_judge_contract(const JudgedFiles& files) {
+  return !files.mesh.file.region.empty() && all_known(files.set_faces);
+}
+
+/// What the files say of each other.
+void judge_files(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
+  const ClaimedFaces claimed(files.mesh, claim, &files.faces, files.set_faces);
   check_patches(claimed, result);
-  check_mesh_points(mesh, faces.points, faces.mesh_point, "the face set", result);
-  const std::filesystem::path curves_path = beside(request.mesh, ".curves.vtp");
-  std::optional<CurvesFile> file;
+  check_mesh_points(files.mesh, files.faces.points, files.faces.mesh_point, "the face set", result);
   std::optional<JudgedCurves> curves;
-  if (curves_path.empty()) {
-    result.faults.push_back({"missing_curves", "1 file is missing: the curves that belong to the face set", 1, {}, {}});
+  if (files.curves) {
+    check_mesh_points(files.mesh, files.curves->points, files.curves->mesh_point, "the curves", result);
+    curves.emplace(check_curve_cells(files.mesh, *files.curves, files.faces, result));
   } else {
-    file = read_curves_file(curves_path);
-    check_mesh_points(mesh, file->points, file->mesh_point, "the curves", result);
-    curves.emplace(check_curve_cells(mesh, *file, faces, result));
+    result.faults.push_back({"missing_curves", "1 file is missing: the curves that belong to the face set", 1, {}, {}});
+  }
+  if (const auto report = report_beside(request.mesh))
+    check_report(claimed, curves ? &*curves : nullptr, *report, tolerance_of(request, files.mesh.file, claim), result);
+}
+
+/// Names, curves and arrays of the files against the project and docs/output-files.md.
+void judge_contract(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
+  const ClaimedFaces claimed(files.mesh, claim, &files.faces, files.set_faces);
+  const double rounding = tolerance_of(request, files.mesh.file, claim), reach = rounding + claim.within;
+  check_surface_lists(claimed, rounding, result);
+  std::optional<JudgedCurves> curves;
+  if (files.curves) {
+    CheckResult told_already;
+    curves.emplace(check_curve_cells(files.mesh, *files.curves, files.faces, told_already));
     check_surface_curves(claimed, *curves, result);
     check_wells_and_points(claimed, *curves, reach, result);
   }
   check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
   check_region_names(claimed, reach, result);
   check_unit_arrays(claimed, result);
-  if (const auto report = report_beside(request.mesh))
-    check_report(claimed, curves ? &*curves : nullptr, *report, rounding, result);
 }
 
 /// The length below which nine edges of ten are, each counted once a cell. `mesh` has cells.
@@ -145,15 +164,56 @@ void adopt_told_tolerance(const CheckRequest& request, const JudgedMesh& mesh, C
   result.checks_done.emplace_back(text);
 }
 
+/// The mesh as it would be without zones, against the project.
+void judge_closed(const CheckRequest& request, const ClosedFiles& closed, const Claim& claim, CheckResult& result) {
+  JudgedMesh mesh{closed.mesh, closed.mesh.tetrahedra, {}, true};
+  if (!check_cells(mesh, result)) return;
+  check_faces(mesh, result);
+  check_boundary(mesh, result);
+  check_regions(mesh, true, result);
+  const std::vector<Triangle> set_faces = check_face_set(mesh, closed.faces, result);
+  judge_surfaces(request, mesh, claim, &closed.faces, set_faces, result);
+  const JudgedFiles files{mesh, closed.faces, set_faces, closed.curves ? &*closed.curves : nullptr};
+  if (request.contract == CheckRequest::Contract::judged && can_judge_contract(files))
+    judge_contract(request, files, claim, result);
+}
+
+void judge_with_zones(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
+  const auto closed = close_zones(files.mesh, files.faces, files.curves, claim.zones, result);
+  if (!closed) return;
+  check_zones(files.mesh, files.faces, claim.zones, result);
+  CheckResult rest;
+  judge_closed(request, *closed, claim, rest);
+  for (CheckFault& fault : rest.faults) {
+    fault.what += " (with the fault zones closed)";
+    result.faults.push_back(std::move(fault));
+  }
+  for (const std::string& text : rest.checks_done) result.checks_done.push_back("with zones closed: " + text);
+}
+
 void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const FacesFile* faces,
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
   if (!request.project.empty()) {
     Claim claim = claim_of_project(request.project);
     if (claim.within_by_count) adopt_told_tolerance(request, mesh, claim, result);
     if (claim.volume) check_volume(mesh, claim, result);
-    judge_surfaces(request, mesh, claim, faces, set_faces, result);
-    if (faces && request.contract == CheckRequest::Contract::judged)
-      judge_contract(request, mesh, claim, *faces, set_faces, result);
+    const std::filesystem::path curves_path = faces ? beside(request.mesh, ".curves.vtp") : std::filesystem::path{};
+    std::optional<CurvesFile> curves;
+    if (!curves_path.empty()) curves = read_curves_file(curves_path);
+    if (claim.zones.empty()) {
+      judge_surfaces(request, mesh, claim, faces, set_faces, result);
+    } else if (!faces) {
+      result.checks_done.emplace_back(
+          "surfaces were not judged: the project has fault zones, which are closed for that by the files of a .vtu");
+    }
+    if (faces) {
+      const JudgedFiles files{mesh, *faces, set_faces, curves ? &*curves : nullptr};
+      if (request.contract == CheckRequest::Contract::judged && can_judge_contract(files)) {
+        judge_files(request, files, claim, result);
+        if (claim.zones.empty()) judge_contract(request, files, claim, result);
+      }
+      if (!claim.zones.empty()) judge_with_zones(request, files, claim, result);
+    }
   }
   if (!request.surfaces.empty())
     judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
@@ -179,6 +239,7 @@ CheckResult check_mesh(const CheckRequest& request) {
   if (!check_cells(mesh, result)) return result;
   check_faces(mesh, result);
   check_boundary(mesh, result);
+  check_second_order(mesh, result);
 
   const std::filesystem::path faces_path = request.mesh.extension() == ".vtu" ? beside(request.mesh, ".faces.vtp") : "";
   const bool contract = !faces_path.empty() || file.region_array == "region";

@@ -2,7 +2,9 @@
 #include "coordinates/project_inputs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
 
 #include "geomesh/core/error.hpp"
@@ -155,6 +157,66 @@ void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyli
   }
 }
 
+/// The tops of the table that are on a well and of a horizon of the project, in its order.
+std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs) {
+  std::vector<FittedTop> tops;
+  std::map<std::string, std::size_t> unknown;
+  for (const WellTop& top : read_tops(project.tops.file)) {
+    const auto well = std::find_if(inputs.wells.begin(), inputs.wells.end(),
+                                   [&](const Polyline& line) { return line.name == top.well; });
+    const bool is_horizon = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& spec) {
+      return spec.kind == SurfaceKind::horizon && spec.name == top.horizon;
+    });
+    if (well == inputs.wells.end()) ++unknown["no well is called " + top.well];
+    if (!is_horizon) ++unknown["no horizon is called " + top.horizon];
+    if (well == inputs.wells.end() || !is_horizon) continue;
+    const bool is_height = project.tops.depth == TopsSpec::Depth::z;
+    const double depth = is_height ? inputs.frame.point({0, 0, top.depth}).z : top.depth;
+    if (const auto place = place_on_path(well->points, depth, is_height)) {
+      tops.push_back({top.well, top.horizon, *place});
+    } else {
+      inputs.warnings.push_back("top of " + top.horizon + " in " + top.well + ": the well does not reach " +
+                                length_text(top.depth) + " (" + project.tops.file_as_written + ":" +
+                                std::to_string(top.line) + ")");
+    }
+  }
+  for (const auto& [what, n] : unknown)
+    inputs.warnings.push_back(project.tops.file_as_written + ": " + what + "; " + std::to_string(n) +
+                              " tops are passed over");
+  return tops;
+}
+
+/// Moves the horizons to their tops and says how far.
+void fit_tops(const Project& project, ProjectInputs& inputs) {
+  if (project.tops.file.empty()) return;
+  const std::vector<FittedTop> placed = place_tops(project, inputs);
+  for (TriangulatedSurface& surface : inputs.surfaces) {
+    std::vector<FittedTop> tops;
+    std::copy_if(placed.begin(), placed.end(), std::back_inserter(tops),
+                 [&](const FittedTop& top) { return top.horizon == surface.name; });
+    if (tops.empty()) continue;
+    fit_to_tops(surface, tops, project.tops.reach);
+    double squares = 0, largest = 0;
+    std::size_t n = 0;
+    for (const FittedTop& top : tops) {
+      if (std::isnan(top.misfit_given)) {
+        inputs.warnings.push_back("top of " + top.horizon + " in " + top.well +
+                                  ": the horizon is neither over nor under it; it moves nothing");
+        continue;
+      }
+      squares += top.misfit_given * top.misfit_given;
+      largest = std::max(largest, std::abs(top.misfit_given));
+      ++n;
+    }
+    if (n > 0)
+      inputs.notes.push_back(surface.name + ": moved along the vertical to " + std::to_string(n) +
+                             " tops of wells, which were off it by rms " +
+                             length_text(std::sqrt(squares / static_cast<double>(n))) + ", at most " +
+                             length_text(largest));
+    inputs.tops.insert(inputs.tops.end(), tops.begin(), tops.end());
+  }
+}
+
 }  // namespace
 
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context) {
@@ -195,6 +257,7 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
   if (box) warn_of_outside(outside, *box, inputs.warnings);
   for (std::size_t i = 0; i < project.wells.size(); ++i)
     take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
+  fit_tops(project, inputs);
   for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});
   context.note(LogLevel::info,
                std::to_string(inputs.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");

@@ -10,6 +10,7 @@
 #include "coordinates/georeference.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
+#include "geomesh/geomodel/tops.hpp"
 
 namespace geomesh::geomodel {
 
@@ -19,6 +20,7 @@ struct ProjectInputs {
   std::vector<TriangulatedSurface>
       surfaces{};  ///< in the project's order; points have become surfaces, `smooth` and `resample` are done
   std::vector<Polyline> wells{};
+  std::vector<FittedTop> tops{};  ///< horizons have been moved to pass through them
   std::vector<NamedPoint> points{};
   std::optional<VolumeSpec> volume{};  ///< for make_volume with the origin (0, 0, 0)
   std::vector<std::string> notes{}, warnings{};

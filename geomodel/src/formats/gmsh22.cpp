@@ -4,10 +4,9 @@
 #include <algorithm>
 
 #include "formats/format_list.hpp"
+#include "formats/gmsh41_parts.hpp"
 #include "formats/gmsh_groups.hpp"
 #include "mesh_readers/mesh_readers.hpp"
-#include "partition/solver_part.hpp"
-#include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
 
@@ -92,29 +91,16 @@ void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts
   out << "$EndElements\n";
 }
 
-/// NAME_K.msh for part K from 1, as gmsh itself names them.
-std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const WriteOptions& options,
-                                               const std::filesystem::path& stem) {
-  const GmshGroups groups = gmsh_groups(mesh, options);
-  const MeshParts parts(*mesh.source, static_cast<std::int32_t>(options.partitions));
-  WrittenFiles written;
-  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
-    const SolverPart part = part_of(mesh, parts, p, Ghosts::one_layer);
-    const std::filesystem::path file = stem.string() + "_" + std::to_string(p + 1) + ".msh";
-    write_output_text(file, [&](OutputText& out) {
-      write_gmsh_head(out, "2.2", Encoding::text, groups);
-      write_part(out, mesh, parts, part, groups);
-    });
-    written.add(file);
-  }
-  written.add(write_sidecar(*mesh.source, groups.sidecar, stem.string() + ".msh"));
-  return written.keep();
-}
-
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem, Encoding encoding) {
   const SolverMesh mesh = make_solver_mesh(model, options);
-  if (options.partitions > 1) return write_parts(mesh, options, stem);
+  if (options.partitions > 1)
+    return write_gmsh_parts(
+        mesh, options, stem,
+        [&](OutputText& out, const MeshParts& parts, const SolverPart& part, const GmshGroups& groups) {
+          write_gmsh_head(out, "2.2", Encoding::text, groups);
+          write_part(out, mesh, parts, part, groups);
+        });
   const GmshGroups groups = gmsh_groups(mesh, options);
   const std::filesystem::path file = stem.string() + ".msh";
   write_output_text(file, [&](OutputText& out) {

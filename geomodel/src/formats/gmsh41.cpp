@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "formats/format_list.hpp"
+#include "formats/gmsh41_parts.hpp"
 #include "formats/gmsh_groups.hpp"
 #include "mesh_readers/mesh_readers.hpp"
 
@@ -140,6 +141,7 @@ void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, 
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem, Encoding encoding) {
   const SolverMesh mesh = make_solver_mesh(model, options);
+  if (options.partitions > 1) return write_gmsh41_parts(mesh, options, stem, encoding);
   const GmshGroups groups = gmsh_groups(mesh, options);
   const std::vector<Entity> entities = make_entities(mesh);
   const std::filesystem::path file = stem.string() + ".msh";
@@ -165,7 +167,7 @@ std::vector<std::filesystem::path> write_binary(const ModelMesh& mesh, const Wri
   return write(mesh, options, stem, Encoding::binary);
 }
 
-const FormatHolds holds{.second_order = true, .prisms = true, .curves = true, .overlapping = true};
+const FormatHolds holds{.second_order = true, .prisms = true, .curves = true, .overlapping = true, .partitions = true};
 
 }  // namespace
 

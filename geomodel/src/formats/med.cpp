@@ -154,20 +154,31 @@ class MedWriter {
       put_family("E" + std::to_string(b + 1), -1 - static_cast<med_int>(b), groups_of[b]);
     for (const CellShape shape :
          {CellShape::vertex, CellShape::edge, CellShape::triangle, CellShape::tetrahedron, CellShape::prism}) {
+      std::size_t n_cells = 0, n_entries = 0;
+      for (const CellBlock& block : mesh_.blocks)
+        if (block.shape == shape) {
+          n_cells += block.n_cells();
+          n_entries += block.nodes.size();
+        }
+      if (n_cells == 0) continue;
       std::vector<med_int> nodes, families;
+      nodes.reserve(n_entries);
       for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
         const CellBlock& block = mesh_.blocks[b];
         if (block.shape != shape) continue;
         for (std::size_t c = 0; c < block.n_cells(); ++c)
           for (std::size_t i = 0; i < block.nodes_per_cell; ++i)
             nodes.push_back(static_cast<med_int>(block.nodes[c * block.nodes_per_cell + vtk_node(shape, i)]) + 1);
-        families.insert(families.end(), block.n_cells(), -1 - static_cast<med_int>(b));
       }
-      if (families.empty()) continue;
-      const auto n = static_cast<med_int>(families.size());
+      const auto n = static_cast<med_int>(n_cells);
       const med_geometry_type type = geometry_of(mesh_, shape);
       require(MEDmeshElementConnectivityWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_CELL, type,
                                            MED_NODAL, MED_FULL_INTERLACE, n, nodes.data()));
+      nodes = {};
+      families.reserve(n_cells);
+      for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
+        if (mesh_.blocks[b].shape == shape)
+          families.insert(families.end(), mesh_.blocks[b].n_cells(), -1 - static_cast<med_int>(b));
       require(
           MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_CELL, type, n, families.data()));
     }

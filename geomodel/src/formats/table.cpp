@@ -2,9 +2,11 @@
 // The table of formats (geomesh/geomodel/formats.hpp).
 #include <algorithm>
 
+#include "fault_zones/fault_zones.hpp"
 #include "fields/fields.hpp"
 #include "formats/format_list.hpp"
 #include "geomesh/core/error.hpp"
+#include "mesh_readers/exodus_parts.hpp"
 #include "solver_mesh/second_order.hpp"
 #include "solver_mesh/split_faults.hpp"
 #include "writers/written_files.hpp"
@@ -31,6 +33,11 @@ const Format* format_of_extension(const std::string& extension) {
     if (std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end())
       return &format;
   return nullptr;
+}
+
+const Format* format_of_file(const std::filesystem::path& file) {
+  const auto parts = exodus_part_files(file);
+  return format_of_extension((parts ? parts->whole : file).extension().string());
 }
 
 std::string format_name_of(const std::filesystem::path& output) {
@@ -101,8 +108,13 @@ std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std
   if (second && options.cohesive)
     throw Error(ErrorKind::usage, "cohesive prisms are of first order; leave out order: 2 or cohesive: true");
   if (options.partitions > 1) refuse_partitions(*format, options);
-  if (options.split.empty() && !second && options.fields.empty()) return write_all(mesh, *format, options, stem);
-  ModelMesh changed = options.split.empty() ? mesh : split_along(mesh, options.split, options.cohesive);
+  for (const FaultZone& zone : options.fault_zones)
+    if (std::find(options.split.begin(), options.split.end(), zone.fault) != options.split.end())
+      throw Error(ErrorKind::usage, "fault_zone: " + zone.fault + " is to be split too; give one of the two");
+  if (options.split.empty() && options.fault_zones.empty() && !second && options.fields.empty())
+    return write_all(mesh, *format, options, stem);
+  ModelMesh changed = options.fault_zones.empty() ? mesh : open_fault_zones(mesh, options.fault_zones);
+  if (!options.split.empty()) changed = split_along(changed, options.split, options.cohesive);
   add_fields(changed, options.fields);
   if (second) add_midpoints(changed);
   return write_all(changed, *format, options, stem);

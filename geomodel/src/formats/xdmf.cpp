@@ -38,13 +38,29 @@ class Hdf5Writer {
 
   /// Rows of `width` numbers.
   void put(const char* name, hid_t type, const void* data, std::size_t n, std::size_t width) {
+    put_pieces(name, type, n, width, [&](const auto& write) {
+      if (n > 0) write(type, data, n);
+    });
+  }
+  /// The same piece by piece: `give` calls what it is handed with the type in memory, a row and how many rows.
+  template <class Give>
+  void put_pieces(const char* name, hid_t type, std::size_t n, std::size_t width, const Give& give) {
     const std::array<hsize_t, 2> sizes{n, width};
-    const hid_t space = require(H5Screate_simple(width == 1 ? 1 : 2, sizes.data(), nullptr));
+    const int rank = width == 1 ? 1 : 2;
+    const hid_t space = require(H5Screate_simple(rank, sizes.data(), nullptr));
     const hid_t no_times = require(H5Pcreate(H5P_DATASET_CREATE));  // the same bytes whenever it is written
     require(H5Pset_obj_track_times(no_times, false));
     const hid_t set = require(H5Dcreate2(id_, name, type, space, H5P_DEFAULT, no_times, H5P_DEFAULT));
     require(H5Pclose(no_times));
-    if (n > 0) require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    hsize_t first = 0;
+    give([&](hid_t in_memory, const void* data, std::size_t n_rows) {
+      const std::array<hsize_t, 2> start{first, 0}, count{n_rows, width};
+      require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
+      const hid_t piece = require(H5Screate_simple(rank, count.data(), nullptr));
+      require(H5Dwrite(set, in_memory, piece, space, H5P_DEFAULT, data));
+      require(H5Sclose(piece));
+      first += n_rows;
+    });
     require(H5Dclose(set));
     require(H5Sclose(space));
   }
@@ -67,29 +83,29 @@ class Hdf5Writer {
   hid_t id_ = -1;
 };
 
+constexpr std::size_t tags_at_once = 1 << 16;
+
 /// Cells of one dimension with the number of their label.
 struct TaggedCells {
   const char* topology;
   const char* name;  ///< of the grid and of the attribute
-  std::size_t width;
-  std::vector<std::int64_t> nodes;
-  std::vector<std::int32_t> tags;
+  std::size_t width, n;
+  std::vector<std::pair<const CellBlock*, std::int32_t>> blocks;  ///< with the number
 };
 
 /// XDMF orders the midpoints of a tetrahedron as VTK does.
 TaggedCells cells_of(const SolverMesh& mesh, int dimension) {
   const bool second = mesh.second_order();
-  TaggedCells cells = dimension == 3   ? TaggedCells{second ? "Tetrahedron_10" : "Tetrahedron", "region", 0, {}, {}}
-                      : dimension == 2 ? TaggedCells{second ? "Triangle_6" : "Triangle", "facet_tags", 0, {}, {}}
-                                       : TaggedCells{second ? "Edge_3" : "PolyLine", "edge_tags", 0, {}, {}};
+  TaggedCells cells = dimension == 3   ? TaggedCells{second ? "Tetrahedron_10" : "Tetrahedron", "region", 0, 0, {}}
+                      : dimension == 2 ? TaggedCells{second ? "Triangle_6" : "Triangle", "facet_tags", 0, 0, {}}
+                                       : TaggedCells{second ? "Edge_3" : "PolyLine", "edge_tags", 0, 0, {}};
   const std::size_t widths[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
   cells.width = widths[second ? 1 : 0][dimension];
   for (const CellGroup& label : mesh.labels) {
     if (label.dimension != dimension) continue;
     for (const std::size_t b : label.blocks) {
-      const CellBlock& block = mesh.blocks[b];
-      cells.nodes.insert(cells.nodes.end(), block.nodes.begin(), block.nodes.end());
-      cells.tags.insert(cells.tags.end(), block.n_cells(), label.id);
+      cells.blocks.emplace_back(&mesh.blocks[b], label.id);
+      cells.n += mesh.blocks[b].n_cells();
     }
   }
   return cells;
@@ -101,7 +117,7 @@ std::string data_item(const std::string& source, std::size_t n, std::size_t widt
 }
 
 std::string grid_text(const std::string& h5, const TaggedCells& cells, std::size_t n_nodes) {
-  const std::size_t n = cells.tags.size();
+  const std::size_t n = cells.n;
   const std::string at = h5 + ":/" + cells.name;
   TextBuffer text;
   text << "<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
@@ -119,9 +135,9 @@ std::string grid_text(const std::string& h5, const TaggedCells& cells, std::size
 /// Each XDMF file has an HDF5 file of its own name, with the points: dolfinx opens that one, whatever the XDMF says.
 void write_h5(const SolverMesh& mesh, const TaggedCells& cells, const std::filesystem::path& file) {
   write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
-    Hdf5Writer h5(temporary, file,
-                  3 * mesh.n_nodes() * sizeof(double) + cells.nodes.size() * sizeof(std::int64_t) +
-                      cells.tags.size() * sizeof(std::int32_t));
+    Hdf5Writer h5(
+        temporary, file,
+        3 * mesh.n_nodes() * sizeof(double) + cells.n * (cells.width * sizeof(std::int64_t) + sizeof(std::int32_t)));
     std::vector<double> coordinates;
     coordinates.reserve(3 * mesh.n_nodes());
     for (std::size_t v = 0; v < mesh.n_nodes(); ++v)
@@ -129,8 +145,17 @@ void write_h5(const SolverMesh& mesh, const TaggedCells& cells, const std::files
     h5.put("geometry", H5T_NATIVE_DOUBLE, coordinates.data(), mesh.n_nodes(), 3);
     h5.group(cells.name);
     const std::string at = cells.name;
-    h5.put((at + "/topology").c_str(), H5T_NATIVE_INT64, cells.nodes.data(), cells.tags.size(), cells.width);
-    h5.put((at + "/values").c_str(), H5T_NATIVE_INT32, cells.tags.data(), cells.tags.size(), 1);
+    h5.put_pieces((at + "/topology").c_str(), H5T_NATIVE_INT64, cells.n, cells.width, [&](const auto& write) {
+      for (const auto& [block, tag] : cells.blocks)
+        if (block->n_cells() > 0) write(H5T_NATIVE_UINT32, block->nodes.data(), block->n_cells());
+    });
+    h5.put_pieces((at + "/values").c_str(), H5T_NATIVE_INT32, cells.n, 1, [&](const auto& write) {
+      for (const auto& [block, tag] : cells.blocks) {
+        const std::vector<std::int32_t> tags(std::min(block->n_cells(), tags_at_once), tag);
+        for (std::size_t c = 0; c < block->n_cells(); c += tags.size())
+          write(H5T_NATIVE_INT32, tags.data(), std::min(tags.size(), block->n_cells() - c));
+      }
+    });
     h5.close();
   });
 }
@@ -143,7 +168,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   std::vector<TaggedCells> all;
   for (const int dimension : {3, 2, 1}) {
     all.push_back(cells_of(mesh, dimension));
-    if (all.back().tags.empty()) all.pop_back();
+    if (all.back().n == 0) all.pop_back();
   }
   std::vector<SidecarGroup> sidecar;
   for (const CellGroup& label : mesh.labels)

@@ -158,6 +158,11 @@ class AbaqusReader {
                  (n_nodes_ == 10 ? "ten" : "four") + " nodes");
     RawCells& cells = mesh_.cells[3];
     for (std::size_t i = 0; i < 4; ++i) cells.corners.push_back(nodes_.row(count(fields[i + 1]), in_));
+    for (std::size_t i = 4; i < n_nodes_; ++i) {
+      const std::size_t at = i + 1;
+      const std::string_view field = at < fields.size() ? fields[at] : std::string_view(rest[at - fields.size()]);
+      mesh_.midpoints.push_back(nodes_.row(count(field), in_));
+    }
     if (set_) set_->rows.push_back(cells.size() - 1);
     row_of_element_[count(fields[0])] = cells.size() - 1;
     mesh_.numbers.push_back(n_elements_++);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geomesh/core/error.hpp"
+#include "mesh_readers/exodus_parts.hpp"
 #include "mesh_readers/mesh_readers.hpp"
 
 namespace geomesh::geomodel {
@@ -32,6 +33,16 @@ class ExodusReader {
   ExodusReader(const ExodusReader&) = delete;
   ExodusReader& operator=(const ExodusReader&) = delete;
 
+  ExodusPartMesh read_part() {
+    ExodusPartMesh part{read(), {}, {}};
+    part.nodes.resize(part.mesh.points.size());
+    std::vector<int> elements(row_of_element_.size());
+    if (!part.nodes.empty()) require(ex_get_id_map(id_, EX_NODE_MAP, part.nodes.data()));
+    if (!elements.empty()) require(ex_get_id_map(id_, EX_ELEM_MAP, elements.data()));
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (row_of_element_[e] != SIZE_MAX) part.tetrahedra.push_back(elements[e]);
+    return part;
+  }
   RawMesh read() {
     mesh_.format = "Exodus II";
     ex_init_params sizes{};
@@ -133,6 +144,7 @@ class ExodusReader {
       RawSet set{name_of(EX_ELEM_BLOCK, id), id, 3, {}};
       for (std::size_t e = 0; e < entries; ++e, ++element) {
         for (std::size_t i = 0; i < 4; ++i) mesh_.cells[3].corners.push_back(node(nodes[e * width + i]));
+        for (std::size_t i = 4; i < width; ++i) mesh_.midpoints.push_back(node(nodes[e * width + i]));
         if (element >= n_elements) refuse("its blocks hold more elements than it says");
         row_of_element_[element] = mesh_.cells[3].size() - 1;
         set.rows.push_back(mesh_.cells[3].size() - 1);
@@ -181,6 +193,12 @@ class ExodusReader {
 
 }  // namespace
 
-RawMesh read_exodus_mesh(const std::filesystem::path& file) { return ExodusReader(file).read(); }
+RawMesh read_exodus_mesh(const std::filesystem::path& file) {
+  const auto files = exodus_part_files(file);
+  if (!files) return ExodusReader(file).read();
+  std::vector<ExodusPartMesh> parts;
+  for (const std::filesystem::path& part : files->parts) parts.push_back(ExodusReader(part).read_part());
+  return merge_exodus_parts(std::move(parts), files->whole);
+}
 
 }  // namespace geomesh::geomodel

@@ -84,6 +84,7 @@ class NodeRows {
     if (!rows_.emplace(number, static_cast<VertexIndex>(rows_.size())).second)
       in.refuse("node " + std::to_string(number) + " is there twice");
   }
+  bool knows(std::size_t number) const { return rows_.contains(number); }
   VertexIndex row(std::size_t number, const FileCursor& in) const {
     const auto it = rows_.find(number);
     if (it == rows_.end()) in.refuse("node " + std::to_string(number) + " is not there");

@@ -3,7 +3,10 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <regex>
+#include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "mesh_readers/file_cursor.hpp"
 #include "mesh_readers/mesh_readers.hpp"
@@ -67,7 +70,18 @@ class GmshReader {
   explicit GmshReader(const std::filesystem::path& path) : in_(path) {}
 
   RawMesh read() {
+    const std::filesystem::path file = in_.path();
     mesh_.format = "Gmsh";
+    read_sections();
+    read_other_parts(file);
+    for (auto& [key, set] : sets_)
+      if (!set.rows.empty()) mesh_.sets.push_back(std::move(set));
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_sections() {
+    version_ = 0;
     while (!in_.at_end()) {
       const std::string_view section = in_.line();
       if (section == "$MeshFormat") {
@@ -76,6 +90,8 @@ class GmshReader {
         read_names();
       } else if (section == "$Entities") {
         read_entities();
+      } else if (section == "$PartitionedEntities") {
+        read_partitioned_entities();
       } else if (section == "$Nodes") {
         require_format();
         version_ < 4 ? read_nodes_2() : read_nodes_4();
@@ -88,12 +104,24 @@ class GmshReader {
       }
     }
     require_format();
-    for (auto& [key, set] : sets_)
-      if (!set.rows.empty()) mesh_.sets.push_back(std::move(set));
-    return std::move(mesh_);
   }
-
- private:
+  /// NAME_1.msh, NAME_2.msh ... are one mesh where one of them says so. What comes again has its number.
+  void read_other_parts(const std::filesystem::path& file) {
+    static const std::regex pattern(R"((.+)_([0-9]{1,6})\.msh)");
+    std::smatch match;
+    const std::string name = file.filename().string();
+    if (n_parts_ < 2 || !std::regex_match(name, match, pattern)) return;
+    const std::filesystem::path stem = file.parent_path() / match[1].str();
+    mesh_.whole = stem.string() + ".msh";
+    mesh_.format = "Gmsh in parts";
+    known_elements_.insert(element_numbers_.begin(), element_numbers_.end());
+    is_later_part_ = true;
+    for (std::int32_t k = 1; k <= n_parts_; ++k) {
+      if (k == std::stoi(match[2].str())) continue;
+      in_ = FileCursor(stem.string() + "_" + std::to_string(k) + ".msh");
+      read_sections();
+    }
+  }
   void require_format() const {
     if (version_ == 0) in_.refuse("no $MeshFormat: not a Gmsh file");
   }
@@ -144,14 +172,45 @@ class GmshReader {
           for (std::size_t k = size(); k > 0; --k) integer();
       }
   }
-  void add_point(double x, double y, double z) { mesh_.points.push_back({x, y, z}); }
+  /// Entities of one part each, with the groups of their parent; and where copies of others' elements are.
+  void read_partitioned_entities() {
+    n_parts_ = std::max(n_parts_, static_cast<std::int32_t>(std::min<std::size_t>(size(), most_parts)));
+    for (std::size_t k = size(); k > 0; --k) {
+      ghosts_.insert(integer());
+      integer();
+    }
+    std::size_t n[4];
+    for (std::size_t& count : n) count = size();
+    for (int d = 0; d < 4; ++d)
+      for (std::size_t i = 0; i < n[d]; ++i) {
+        const std::int32_t tag = integer();
+        integer();
+        integer();
+        for (std::size_t k = size(); k > 0; --k) integer();
+        for (int k = 0; k < (d == 0 ? 3 : 6); ++k) real();
+        std::vector<std::int32_t>& groups = groups_of_[{d, tag}];
+        groups.clear();
+        for (std::size_t k = size(); k > 0; --k) groups.push_back(integer());
+        if (d > 0)
+          for (std::size_t k = size(); k > 0; --k) integer();
+      }
+  }
+  void add_point(std::size_t number, const Vec3& p) {
+    if (is_later_part_ && nodes_.knows(number)) {
+      if (!(mesh_.points[nodes_.row(number, in_)] == p))
+        in_.refuse("node " + std::to_string(number) + " has another place in another part");
+      return;
+    }
+    nodes_.add(number, in_);
+    mesh_.points.push_back(p);
+  }
   void read_nodes_2() {
     const auto n = in_.number<std::size_t>();
     in_.line();
     for (std::size_t i = 0; i < n; ++i) {
-      nodes_.add(static_cast<std::size_t>(integer()), in_);
+      const auto number = static_cast<std::size_t>(integer());
       const double x = real(), y = real(), z = real();
-      add_point(x, y, z);
+      add_point(number, {x, y, z});
     }
   }
   void read_nodes_4() {
@@ -162,12 +221,13 @@ class GmshReader {
       integer();
       const bool parametric = integer() != 0;
       const std::size_t n = size();
-      for (std::size_t i = 0; i < n; ++i) nodes_.add(size(), in_);
-      for (std::size_t i = 0; i < n; ++i) {
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = 0; i < n; ++i) numbers.push_back(size());
+      for (const std::size_t number : numbers) {
         const double x = real(), y = real(), z = real();
         if (parametric)
           for (int k = 0; k < dimension; ++k) real();
-        add_point(x, y, z);
+        add_point(number, {x, y, z});
       }
     }
   }
@@ -177,12 +237,19 @@ class GmshReader {
   void add_element(std::size_t tag, int type, const std::vector<std::int32_t>& groups, F&& node) {
     const std::optional<ElementType> known = element_type(type);
     if (!known) in_.refuse("elements of Gmsh's type " + std::to_string(type) + " are not known here");
+    if (is_later_part_ && !known_elements_.insert(tag).second) {
+      for (std::size_t i = 0; i < known->n_nodes; ++i) node();
+      return;
+    }
+    if (!is_later_part_) element_numbers_.push_back(tag);
     const std::size_t number = n_elements_++;
     RawCells& cells = mesh_.cells[static_cast<std::size_t>(known->dimension)];
     for (std::size_t i = 0; i < known->n_nodes; ++i) {
       const VertexIndex row = nodes_.row(node(), in_);
       if (known->simplex && i < cells.n_corners) cells.corners.push_back(row);
+      if (type == 11 && i >= 4) mesh_.midpoints.push_back(row);
     }
+    if (type == 11) std::swap(mesh_.midpoints.end()[-1], mesh_.midpoints.end()[-2]);
     if (!known->simplex) {
       mesh_.n_other_solids += known->dimension == 3;
       return;
@@ -194,6 +261,11 @@ class GmshReader {
     }
     for (const std::int32_t id : groups)
       if (id != 0) set_of(known->dimension, std::abs(id)).rows.push_back(cells.size() - 1);
+  }
+  void pass_over_elements(int type, std::size_t n) {
+    const std::optional<ElementType> known = element_type(type);
+    if (!known) in_.refuse("elements of Gmsh's type " + std::to_string(type) + " are not known here");
+    for (std::size_t i = 0; i < n * (known->n_nodes + 1); ++i) size();
   }
   void read_elements_2() {
     const auto n = in_.number<std::size_t>();
@@ -215,6 +287,7 @@ class GmshReader {
         for (std::int32_t k = 0; k < n_tags; ++k) {
           const std::int32_t tag = integer();
           if (k == 0) first = tag;
+          if (k >= 3) n_parts_ = std::max(n_parts_, std::min(std::abs(tag), std::int32_t{most_parts}));
         }
         add_element(number, type, {n_tags > 0 ? first : 0}, [&] { return static_cast<std::size_t>(integer()); });
       }
@@ -228,6 +301,10 @@ class GmshReader {
       const std::size_t n = size();
       const auto groups = groups_of_.find({dimension, entity});
       static const std::vector<std::int32_t> none;
+      if (dimension == 3 && ghosts_.contains(entity)) {
+        pass_over_elements(type, n);
+        continue;
+      }
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t number = size();
         add_element(number, type, groups == groups_of_.end() ? none : groups->second, [&] { return size(); });
@@ -267,8 +344,15 @@ class GmshReader {
       mesh_.cell_arrays.push_back({name, std::move(values)});
   }
 
+  static constexpr int most_parts = 100000;
+
   FileCursor in_;
   RawMesh mesh_;
+  std::int32_t n_parts_ = 1;
+  bool is_later_part_ = false;
+  std::vector<std::size_t> element_numbers_;        // of the first part
+  std::unordered_set<std::size_t> known_elements_;  // of all parts so far
+  std::set<std::int32_t> ghosts_;                   // entities
   NodeRows nodes_;
   double version_ = 0;
   bool binary_ = false;

@@ -21,6 +21,8 @@ constexpr med_geometry_type other_solids[] = {MED_PYRA5,   MED_PENTA6, MED_HEXA8
                                               MED_PENTA15, MED_HEXA20, MED_HEXA27};
 /// The corners of a MED tetrahedron in VTK's order.
 constexpr std::size_t tetrahedron_corner[4] = {0, 2, 1, 3};
+/// And its midpoints.
+constexpr std::size_t tetrahedron_middle[6] = {6, 5, 4, 7, 9, 8};
 
 class MedReader {
  public:
@@ -126,12 +128,16 @@ class MedReader {
     RawCells& cells = mesh_.cells[static_cast<std::size_t>(shape.dimension)];
     mesh_.second_order |= shape.type == MED_TETRA10;
     for (std::size_t c = 0; c < n; ++c) {
-      for (std::size_t i = 0; i < cells.n_corners; ++i) {
-        const med_int v = nodes[c * shape.n_nodes + (shape.dimension == 3 ? tetrahedron_corner[i] : i)];
+      const auto node = [&](std::size_t i) {
+        const med_int v = nodes[c * shape.n_nodes + i];
         if (v < 1 || static_cast<std::size_t>(v) > mesh_.points.size())
           refuse("node " + std::to_string(v) + " is not there");
-        cells.corners.push_back(static_cast<VertexIndex>(v - 1));
-      }
+        return static_cast<VertexIndex>(v - 1);
+      };
+      for (std::size_t i = 0; i < cells.n_corners; ++i)
+        cells.corners.push_back(node(shape.dimension == 3 ? tetrahedron_corner[i] : i));
+      if (shape.type == MED_TETRA10)
+        for (const std::size_t i : tetrahedron_middle) mesh_.midpoints.push_back(node(i));
       if (shape.dimension == 3) mesh_.numbers.push_back(mesh_.numbers.size());
       add_to_groups(family[c], shape.dimension, cells.size() - 1);
     }

@@ -20,11 +20,12 @@ struct MeshFile {
   std::vector<Vec3> points;
   bool single_precision = false;  ///< the file holds 32-bit coordinates
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<std::size_t> cell;     ///< per tetrahedron: its number among all cells of the file, for messages
-  std::size_t n_other_solids = 0;    ///< hexahedra, prisms ...
-  std::size_t n_lower_cells = 0;     ///< triangles, lines, points beside the solids
-  std::vector<std::int32_t> region;  ///< per tetrahedron; empty where the file has no such array
-  std::string region_array;          ///< its name
+  std::vector<VertexIndex> midpoints;  ///< six a tetrahedron (01 12 20 03 13 23); empty where any is of first order
+  std::vector<std::size_t> cell;       ///< per tetrahedron: its number among all cells of the file, for messages
+  std::size_t n_other_solids = 0;      ///< hexahedra, prisms ...
+  std::size_t n_lower_cells = 0;       ///< triangles, lines, points beside the solids
+  std::vector<std::int32_t> region;    ///< per tetrahedron; empty where the file has no such array
+  std::string region_array;            ///< its name
   std::map<std::int32_t, std::string> region_names;
   std::vector<std::string> arrays;  ///< of points and cells, with their type (VTK files only)
   std::vector<Triangle> triangles;  ///< beside the solids (VTU files only), with their ids and names
@@ -40,6 +41,7 @@ struct MeshFile {
   std::map<std::string, std::vector<double>> point_values;         ///< point arrays of one number (VTK only)
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< regions under one more name
   std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty where the file has none
+  std::vector<Vec3> before_zones;           ///< point array; empty where the file has none
   Vec3 origin{0, 0, 0};                     ///< was subtracted from the coordinates (field data of our files)
 };
 

@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// Cells of one dimension; of cells of higher order the corners, and the midpoints in VTK's order.
+/// Cells of one dimension; of cells of higher order the corners.
 struct RawCells {
   std::size_t n_corners = 0;
   std::vector<VertexIndex> corners;
@@ -38,10 +38,13 @@ struct RawMesh {
   std::vector<RawSet> sets;
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
   bool second_order = false;
-  bool single_precision = false;                       ///< the file holds 32-bit coordinates
+  std::vector<VertexIndex> midpoints;  ///< six a tetrahedron of second order, of the edges 01 12 20 03 13 23
+  bool single_precision = false;       ///< the file holds 32-bit coordinates
   std::vector<std::int32_t> point_kind, input_vertex;  ///< of our own files; else empty
   std::vector<CellArray> cell_arrays;                  ///< by tetrahedron
   std::vector<PointArray> point_arrays;                ///< by row of `points`
+  std::filesystem::path whole;     ///< of a mesh read from parts: what its one file would be called; else empty
+  std::vector<Vec3> before_zones;  ///< of our own files; else empty
   Vec3 origin{0, 0, 0};
 };
 

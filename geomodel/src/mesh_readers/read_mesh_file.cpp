@@ -19,6 +19,7 @@ MeshFile take(RawMesh raw) {
   for (std::size_t t = 0; t < cells.size(); ++t)
     mesh.tetrahedra.push_back(
         {cells.corners[4 * t], cells.corners[4 * t + 1], cells.corners[4 * t + 2], cells.corners[4 * t + 3]});
+  if (raw.midpoints.size() == 6 * cells.size()) mesh.midpoints = std::move(raw.midpoints);
   mesh.cell = std::move(raw.numbers);
   mesh.n_other_solids = raw.n_other_solids;
   mesh.n_lower_cells = raw.cells[0].size() + raw.cells[1].size() + raw.cells[2].size();
@@ -45,8 +46,7 @@ MeshFile read_mesh_file(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".pvtu") return read_pvtu_mesh(path);
   if (extension == ".vtu" || extension == ".vtk") return read_vtk_mesh(path);
-  if (const Format* const format = format_of_extension(extension); format && format->read)
-    return take(format->read(path));
+  if (const Format* const format = format_of_file(path); format && format->read) return take(format->read(path));
   throw Error(ErrorKind::usage, path.string() +
                                     ": no known mesh format; check reads .vtu, .pvtu, .vtk, .msh, .inp, .e, .mesh"
                                     " and, where built with libmedc, .med");

@@ -41,13 +41,13 @@ std::string without_side(const std::string& name) {
 class ModelMeshBuilder {
  public:
   ModelMeshBuilder(RawMesh raw, const std::filesystem::path& file)
-      : raw_(std::move(raw)), names_(read_file_names(file)) {
+      : raw_(std::move(raw)), names_(read_file_names(raw_.whole.empty() ? file : raw_.whole)) {
     if (raw_.n_other_solids > 0)
       refuse(file, std::to_string(raw_.n_other_solids) +
                        " of its solids are no tetrahedra (hexahedra, prisms ...); split them "
                        "first");
     if (raw_.cells[3].size() == 0) refuse(file, "it holds no tetrahedra");
-    mesh_.name = raw_.name.empty() ? file.stem().string() : raw_.name;
+    mesh_.name = raw_.name.empty() ? (raw_.whole.empty() ? file : raw_.whole).stem().string() : raw_.name;
     mesh_.origin = names_.origin.value_or(raw_.origin);
     if (!names_.unit.empty()) mesh_.unit = names_.unit;
     name_unnamed_sets();
@@ -83,6 +83,7 @@ class ModelMeshBuilder {
       if (row_[v] == no_vertex) continue;
       row_[v] = static_cast<VertexIndex>(mesh_.points.size());
       mesh_.points.push_back(raw_.points[v]);
+      if (raw_.before_zones.size() == row_.size()) mesh_.before_zones.push_back(raw_.before_zones[v]);
       mesh_.point_kind.push_back(ours ? static_cast<std::uint8_t>(raw_.point_kind[v]) : 0);
       mesh_.input_vertex.push_back(ours ? raw_.input_vertex[v] : -1);
     }
@@ -302,7 +303,7 @@ ModelMesh to_model_mesh(RawMesh raw, const std::filesystem::path& file) {
 }
 
 ModelMesh read_model_mesh(const std::filesystem::path& file) {
-  const Format* const format = format_of_extension(file.extension().string());
+  const Format* const format = format_of_file(file);
   if (!format || !format->read) {
     std::string known;
     for (const Format& f : formats())

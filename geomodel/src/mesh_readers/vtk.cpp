@@ -302,12 +302,14 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
         refuse(path, "cell " + std::to_string(cell) + " is called a tetrahedron and has " + std::to_string(p.size()) +
                          " points");
       mesh.tetrahedra.push_back({p[0], p[1], p[2], p[3]});
+      mesh.midpoints.insert(mesh.midpoints.end(), p.begin() + 4, p.end());
       mesh.cell.push_back(static_cast<std::size_t>(cell));
     } else {
       ++(is_solid(type) ? mesh.n_other_solids : mesh.n_lower_cells);
       take_lower(grid, cell, path, mesh, lower);
     }
   }
+  if (mesh.midpoints.size() != 6 * mesh.tetrahedra.size()) mesh.midpoints.clear();
   list_arrays(*grid.GetPointData(), "points", mesh.arrays);
   list_arrays(*grid.GetCellData(), "cells", mesh.arrays);
   for (const char* name :
@@ -335,6 +337,10 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
   if (vtkDataArray* ids = grid.GetPointData()->GetArray("GlobalPointIds"))
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
       mesh.global_points.push_back(static_cast<std::int64_t>(ids->GetComponent(i, 0)));
+  if (vtkDataArray* before = grid.GetPointData()->GetArray("before_zones");
+      before && before->GetNumberOfComponents() == 3)
+    for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+      mesh.before_zones.push_back({before->GetComponent(i, 0), before->GetComponent(i, 1), before->GetComponent(i, 2)});
   if (vtkDataArray* origin = grid.GetFieldData()->GetArray("origin"); origin && origin->GetNumberOfValues() == 3)
     mesh.origin = {origin->GetVariantValue(0).ToDouble(), origin->GetVariantValue(1).ToDouble(),
                    origin->GetVariantValue(2).ToDouble()};

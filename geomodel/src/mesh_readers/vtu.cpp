@@ -81,6 +81,8 @@ RawMesh read_vtu_mesh(const std::filesystem::path& path) {
   mesh.numbers = std::move(file.cell);
   for (const Tetrahedron& t : file.tetrahedra)
     mesh.cells[3].corners.insert(mesh.cells[3].corners.end(), t.begin(), t.end());
+  mesh.midpoints = std::move(file.midpoints);
+  mesh.second_order = !mesh.midpoints.empty();
   add_sets_by_id(file.region, 3, file.region_names, mesh);
   for (auto& [name, values] : file.cell_values)
     if (std::find(arrays_of_cells.begin(), arrays_of_cells.end(), name) == arrays_of_cells.end())
@@ -89,6 +91,7 @@ RawMesh read_vtu_mesh(const std::filesystem::path& path) {
     if (std::find(arrays_of_points.begin(), arrays_of_points.end(), name) == arrays_of_points.end() &&
         !name.starts_with("nodes:"))
       mesh.point_arrays.push_back({name, std::move(values)});
+  mesh.before_zones = std::move(file.before_zones);
   mesh.point_kind = std::move(file.kind);
   mesh.input_vertex = std::move(file.input_vertex);
   const std::filesystem::path stem = path.parent_path() / path.stem();

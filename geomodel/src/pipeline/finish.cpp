@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
+#include "fault_zones/project_zones.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/report.hpp"
@@ -15,6 +17,7 @@
 #include "pipeline/soup_vtp.hpp"
 #include "pipeline/summary.hpp"
 #include "pipeline/target_elements.hpp"
+#include "solver_mesh/curved_edges.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -31,13 +34,29 @@ ConstrainedTetrahedralization mesh_core(PreparedModel& model, StageRecorder& rec
   return core;
 }
 
+/// The surfaces that these facets stand for, in the order of the project.
+std::string surfaces_of(const std::vector<Index>& facets, const PreparedModel& model) {
+  std::vector<Index> surfaces;
+  const PiecewiseLinearComplex& plc = model.plc.plc;
+  for (const Index f : facets)
+    if (const Index set = plc.facet_provenance[f]; set != no_index)
+      surfaces.insert(surfaces.end(), plc.provenance_sets[set].begin(), plc.provenance_sets[set].end());
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  std::string out;
+  for (const Index s : surfaces) out += (out.empty() ? "" : ", ") + model.surfaces[s].name;
+  return out;
+}
+
 /// Without what lies above the topography or below the floor, where the model has them.
 void cut_at_ends(ConstrainedTetrahedralization& core, PreparedModel& model, StageRecorder& recorder) {
   if (!core.recovery.facets_not_recovered.empty())
     warn(model.warnings, recorder.context(),
          count_words(core.recovery.facets_not_recovered.size(),
                      "facets are in the mesh but not Delaunay: small angles between surfaces would need more points "
-                     "than the budget"));
+                     "than the budget (") +
+             surfaces_of(core.recovery.facets_not_recovered, model) +
+             "; the report lists them in recovery.facets_not_recovered)");
   std::vector<std::string> warnings;
   core = within_ends(std::move(core), model.arrangement.soup, model.plc, model.surfaces, model.naming, warnings);
   for (std::string& text : warnings) warn(model.warnings, recorder.context(), std::move(text));
@@ -81,6 +100,21 @@ void undo_z_scale(PreparedModel& model, ConstrainedTetrahedralization& core) {
                         " while meshing; lengths and areas of clipping and rounding are those of the scaled model");
 }
 
+/// What a run promises of its mesh, before anything is written.
+void require_valid(const ModelMesh& mesh, const PreparedModel& model, unsigned threads) {
+  const std::vector<std::string> faults = validate_model_mesh(mesh, threads);
+  if (!faults.empty() && !model.z_scale.is_exact())
+    throw Error(
+        ErrorKind::cannot_mesh,
+        "crs.z_scale is no power of two, so that undoing it rounds, and here a tetrahedron does not bear that: " +
+            faults.front() + "; take a power of two (2, 4, 8, 16 ...), which is undone exactly");
+  if (faults.empty()) return;
+  std::string all =
+      "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
+  for (const std::string& fault : faults) all += "\n  " + fault;
+  throw InternalError(all);
+}
+
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
                           PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
@@ -92,18 +126,7 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   mesh.origin = model.origin;
   mesh.cell_arrays = std::move(arrays);
   mesh.unit = model.unit;
-  const std::vector<std::string> faults = validate_model_mesh(mesh, recorder.context().threads);
-  if (!faults.empty() && !model.z_scale.is_exact())
-    throw Error(
-        ErrorKind::cannot_mesh,
-        "crs.z_scale is no power of two, so that undoing it rounds, and here a tetrahedron does not bear that: " +
-            faults.front() + "; take a power of two (2, 4, 8, 16 ...), which is undone exactly");
-  if (!faults.empty()) {
-    std::string all =
-        "the finished mesh does not hold what it must, so nothing was written (a bug of geomesh; please report it):";
-    for (const std::string& fault : faults) all += "\n  " + fault;
-    throw InternalError(all);
-  }
+  require_valid(mesh, model, recorder.context().threads);
   recorder.context().note(LogLevel::info,
                           count_words(mesh.tetrahedra.size(), "tetrahedra exactly positive and conforming"));
   return mesh;
@@ -134,7 +157,7 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
   return report;
 }
 
-/// `core` has the tetrahedra of `mesh`, in the same order.
+/// `core` has the tetrahedra of `mesh` but for those of fault zones, which come last, in the same order.
 SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const SizeField* size,
                             unsigned threads) {
   std::vector<double> velocity(mesh.regions.size(), 0);
@@ -146,8 +169,25 @@ SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const Mod
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
   if (size && size->limits().background) judged.threads = 1;  // it is asked on one thread alone
   if (size) judged.largest_size = std::min(size->limits().global, size->limits().max_size);
-  if (size) judged.size = [&](std::size_t t, const Vec3& p) { return size->at(p, core.component[t]); };
+  constexpr double nothing_asked = 0;  // of zones: any edge is longer
+  if (size)
+    judged.size = [&](std::size_t t, const Vec3& p) {
+      return t < core.component.size() ? size->at(p, core.component[t]) : nothing_asked;
+    };
   return judge_for_solvers(judged);
+}
+
+/// How far the mesh's horizons are off the tops of wells.
+std::vector<FittedTop> measure_tops(std::vector<FittedTop> tops, const ModelMesh& mesh) {
+  for (FittedTop& top : tops) {
+    std::vector<Triangle> faces;
+    for (const ModelMesh::Face& face : mesh.faces)
+      for (const std::int32_t id : mesh.surface_sets[static_cast<std::size_t>(face.surface_set)])
+        for (const NamedSurface& s : mesh.surfaces)
+          if (s.id == id && s.name == top.horizon) faces.push_back(face.vertices);
+    top.misfit_meshed = misfit_of(top.place, mesh.points, faces);
+  }
+  return tops;
 }
 
 /// STEM.report.json and the further copy that was asked for.
@@ -212,6 +252,9 @@ constexpr double verified_share = 0.65, measured_share = 0.9;
 JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder) {
   JobResult result;
   Report report = begin_report(model);
+  WriteOptions options = plan.options;
+  const std::vector<FaultZone> zones = std::exchange(options.fault_zones, {});
+  const NamingRules zone_rules = take_zone_rules(model.naming, zones);
   std::vector<double> volumes_of_input;
   RefineResult refined = mesh_to_size(model, recorder, volumes_of_input);
   report.input_json = model.input_json;  // sizes may follow from a number of elements
@@ -235,11 +278,20 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     tell_share(verified_share);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
     tell_share(measured_share);
+    if (!zones.empty()) {
+      mesh = open_project_zones(mesh, zones, zone_rules);
+      require_valid(mesh, model, recorder.context().threads);
+      note(model.notes, recorder.context(),
+           "fault zones were opened once the mesh was made; shapes are told of the mesh without them");
+    }
+    if (options.order == ElementOrder::second && refine && model.refinement.honour == Honour::tolerance)
+      mesh.curved_edges = curved_edges(mesh, model.surfaces, model.refinement.tolerance);
     report.solver = judge_solvers(core, mesh, size, recorder.context().threads);
     if (model.options.recover.mode == MeshMode::conforming)
       report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
   }
   report.mesh = &mesh;
+  report.tops = measure_tops(model.tops, mesh);
   Summary summary = summarise(report, model.refinement);
   result.summary = std::move(summary.lines);
   result.details = std::move(summary.details);
@@ -251,7 +303,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
       recorder.context().report(mesh.tetrahedra.size() * n_formats_done++,
                                 mesh.tetrahedra.size() * plan.formats.size());
       if (format == "html") continue;  // the report as a page: written with the report
-      for (auto& file : write_format(mesh, format, plan.stem, plan.options)) result.files.push_back(std::move(file));
+      for (auto& file : write_format(mesh, format, plan.stem, options)) result.files.push_back(std::move(file));
     }
     recorder.context().note(LogLevel::info, count_words(result.files.size(), "files"));
   }

@@ -14,6 +14,7 @@
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "geomesh/geomodel/refinement.hpp"
+#include "geomesh/geomodel/tops.hpp"
 #include "geomesh/geomodel/write_options.hpp"
 #include "pipeline/stage_recorder.hpp"
 #include "pipeline/z_scale.hpp"
@@ -25,6 +26,7 @@ struct PreparedModel {
   std::string command, name;
   std::vector<TriangulatedSurface> surfaces;  ///< input surfaces followed by the box sides
   std::vector<NamedPoint> points;
+  std::vector<FittedTop> tops;  ///< of wells
   ArrangementResult arrangement;
   ModelPlc plc;
   NamingRules naming;

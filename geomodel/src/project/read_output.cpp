@@ -43,6 +43,30 @@ void read_split(const YamlValue& value, const Project& project, WriteOptions& op
     if (const auto name = item.choice(names)) options.split.push_back(*name);
 }
 
+void read_fault_zones(const YamlValue& value, const Project& project, WriteOptions& options) {
+  for (const auto& [name, entry] : named_entries(value, "a map of faults: {F1: {thickness: 20, layers: 2}}")) {
+    FaultZone zone{name};
+    const auto is_named = [&](const SurfaceSpec& s) { return s.name == zone.fault; };
+    if (std::none_of(project.surfaces.begin(), project.surfaces.end(), is_named))
+      entry.problem("there is no surface " + name);
+    if (std::find(options.split.begin(), options.split.end(), name) != options.split.end())
+      entry.problem("this surface is to be split too; one of the two was expected");
+    const YamlMap map(entry, {"thickness", "layers"});
+    if (const auto v = map.require("thickness", "the distance of the two walls"))
+      if (const auto length = v->number()) {
+        if (!(*length > 0)) v->problem("a length above 0 was expected");
+        zone.thickness = *length;
+      }
+    if (const auto v = map.find("layers"))
+      if (const auto n = v->number()) {
+        if (*n < 1 || *n > most_zone_layers || *n != std::floor(*n))
+          v->problem("a whole number from 1 to " + std::to_string(most_zone_layers) + " was expected");
+        zone.layers = static_cast<unsigned>(*n);
+      }
+    options.fault_zones.push_back(std::move(zone));
+  }
+}
+
 void read_partitions(const YamlValue& value, WriteOptions& options) {
   const auto n = value.number();
   if (!n) return;
@@ -76,6 +100,7 @@ void read_options(const YamlMap& map, const Project& project, WriteOptions& opti
                             : *word == "fast" ? Compression::fast
                                               : Compression::small;
   if (const auto v = map.find("split")) read_split(*v, project, options);
+  if (const auto v = map.find("fault_zone")) read_fault_zones(*v, project, options);
   if (const auto v = map.find("cohesive")) {
     options.cohesive = v->boolean().value_or(false);
     if (options.cohesive && options.split.empty())
@@ -89,9 +114,9 @@ void read_options(const YamlMap& map, const Project& project, WriteOptions& opti
 /// Arrays of VTU files that are no fields.
 bool is_array_of_ours(const std::string& name) {
   const std::vector<std::string>& cells = known_cell_arrays();
-  static const std::vector<std::string> others{"region",       "MaterialIDs", "attribute",     "kind",
-                                               "input_vertex", "patch",       "GlobalCellIds", "GlobalPointIds",
-                                               "vtkGhostType", "partition"};
+  static const std::vector<std::string> others{"region",         "MaterialIDs",  "attribute",    "kind",
+                                               "input_vertex",   "patch",        "before_zones", "GlobalCellIds",
+                                               "GlobalPointIds", "vtkGhostType", "partition"};
   return std::find(cells.begin(), cells.end(), name) != cells.end() ||
          std::find(others.begin(), others.end(), name) != others.end();
 }
@@ -131,9 +156,9 @@ void check_formats(const YamlValue& value, const OutputSpec& output) {
 }  // namespace
 
 void read_output(const YamlValue& value, const std::filesystem::path& folder, Project& project) {
-  const YamlMap map(
-      value, {"directory", "formats", "origin", "groups", "inner_faces", "curves", "order", "region_array",
-              "single_grid", "node_arrays", "compression", "split", "cohesive", "partitions", "starter", "fields"});
+  const YamlMap map(value, {"directory", "formats", "origin", "groups", "inner_faces", "curves", "order",
+                            "region_array", "single_grid", "node_arrays", "compression", "split", "fault_zone",
+                            "cohesive", "partitions", "starter", "fields"});
   OutputSpec& output = project.output;
   if (const auto v = map.find("directory")) {
     if (const auto text = v->text()) output.directory = (folder / *text).lexically_normal();

@@ -78,7 +78,7 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "points", "column", "rules", "regions",
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "column", "rules", "regions",
                              "groups", "attributes", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
@@ -90,6 +90,7 @@ class ProjectReader {
     if (const auto v = map.find("wells")) {
       for (const YamlValue& item : v->items()) read_well(item);
     }
+    if (const auto v = map.find("tops")) read_tops_spec(*v);
     if (const auto v = map.find("points")) {
       for (const YamlValue& item : v->items()) read_named_point(item);
     }
@@ -207,6 +208,20 @@ class ProjectReader {
     read_content(map, "the file of the well's path", spec);
     read_source(map, spec.source);
     project_.wells.push_back(std::move(spec));
+  }
+
+  void read_tops_spec(const YamlValue& value) {
+    const YamlMap map(value, {"file", "depth", "reach"});
+    if (!map.is_map()) return;
+    TopsSpec& tops = project_.tops;
+    if (const auto v = map.require("file", "the table of tops")) read_file(*v, tops.file, tops.file_as_written);
+    if (const auto v = map.find("depth"))
+      tops.depth = v->choice({"along", "z"}) == "z" ? TopsSpec::Depth::z : TopsSpec::Depth::along;
+    if (const auto v = map.find("reach")) {
+      tops.reach = v->number().value_or(1);
+      if (!(tops.reach > 0)) v->problem("a length above zero was expected");
+    }
+    if (project_.wells.empty()) value.problem("tops are places on wells, and there is no well");
   }
 
   void read_named_point(const YamlValue& value) {

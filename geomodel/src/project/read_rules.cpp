@@ -74,7 +74,8 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   }
   if (const auto v = map.find("extent")) read_extent(*v, spec);
   if (const auto v = map.find("throw_at")) {
-    spec.rules.throw_at = read_names(*v);
+    spec.rules.throw_auto = v->scalar() == "auto";
+    if (!spec.rules.throw_auto) spec.rules.throw_at = read_names(*v);
     if (spec.kind != SurfaceKind::horizon)
       v->problem("only a horizon has throw; name the faults at the horizons that they displace");
   }
@@ -183,7 +184,8 @@ void check_units(const YamlValue& root, const Project& project, const SurfaceSpe
 }
 
 void check_throw(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
-  if (!spec.rules.throw_at.empty() && !project.box)
+  const bool has_throw = spec.rules.throw_auto || !spec.rules.throw_at.empty();
+  if (has_throw && !project.box)
     root.problem("horizon '" + spec.name + "' is to be continued to its faults (throw_at), which needs a box");
   for (const std::string& name : spec.rules.throw_at) {
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {

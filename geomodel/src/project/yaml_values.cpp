@@ -30,7 +30,7 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> ho
     {"mesh.size", {"input_edges", "on_surfaces", "curvature", "gap_layers", "gradation"}},
     {"output",
      {"formats", "directory", "origin", "groups", "inner_faces", "curves", "order", "region_array", "single_grid",
-      "node_arrays", "compression", "split", "cohesive"}},
+      "node_arrays", "compression", "split", "fault_zone", "cohesive"}},
     {"the top of the file", {"column", "wells", "points", "regions", "groups", "attributes", "surfaces", "rules"}}};
 
 std::string home_of(std::string_view key) {

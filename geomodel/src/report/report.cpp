@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geomesh/geomodel/report.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/warnings.hpp"
@@ -149,6 +150,19 @@ json stack_json(const SettledStack& stack) {
           {"units", std::move(units)}};
 }
 
+json tops_json(const std::vector<FittedTop>& tops, const Vec3& origin) {
+  json list = json::array();
+  const auto number = [](double v) { return std::isnan(v) ? json() : json(v); };
+  for (const FittedTop& t : tops)
+    list.push_back({{"well", t.well},
+                    {"horizon", t.horizon},
+                    {"place", to_json(t.place + origin)},
+                    {"misfit_given", number(t.misfit_given)},
+                    {"misfit_fitted", number(t.misfit_fitted)},
+                    {"misfit_meshed", number(t.misfit_meshed)}});
+  return list;
+}
+
 void add_mesh(const ModelMesh& mesh, json& root) {
   json regions = json::array(), surfaces = json::array(), curves = json::array();
   for (const Region& r : mesh.regions) {
@@ -198,6 +212,7 @@ std::string to_json(const Report& report) {
   if (report.mesh) add_mesh(*report.mesh, root);
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
   if (report.stack) root["stack"] = stack_json(*report.stack);
+  if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
   if (report.solver) root["solver"] = json::parse(to_json(*report.solver));

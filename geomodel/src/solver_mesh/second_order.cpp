@@ -45,6 +45,8 @@ Bounded determinant(const Vector& a, const Vector& b, const Vector& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+}  // namespace
+
 /// Each derivative of the map is linear: four vectors at the corners. The determinant's Bezier coefficient of the
 /// corners i <= j <= k is the mean over all ways to hand i, j and k to the three derivatives.
 bool jacobian_is_positive(const std::array<Vec3, 10>& nodes) {
@@ -74,8 +76,6 @@ bool jacobian_is_positive(const std::array<Vec3, 10>& nodes) {
       }
   return true;
 }
-
-}  // namespace
 
 std::size_t n_unproven_jacobians(const ModelMesh& mesh, std::size_t* first) {
   std::size_t n = 0;
@@ -109,6 +109,10 @@ void add_midpoints(ModelMesh& mesh) {
     const Vec3 &p = mesh.points[e.a], &q = mesh.points[e.b];
     mid.points.push_back({middle(p.x, q.x), middle(p.y, q.y), middle(p.z, q.z)});
   }
+  for (const CurvedEdge& curved : mesh.curved_edges)
+    if (const auto at = std::lower_bound(edges.begin(), edges.end(), edge(curved.a, curved.b));
+        at != edges.end() && *at == edge(curved.a, curved.b))
+      mid.points[static_cast<std::size_t>(at - edges.begin())] = curved.middle;
   for (PointArray& array : mesh.point_arrays)
     for (const Edge& e : edges) array.values.push_back(middle(array.values[e.a], array.values[e.b]));
   for (const Tetrahedron& t : mesh.tetrahedra) {

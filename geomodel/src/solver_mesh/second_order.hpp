@@ -3,19 +3,23 @@
 /// Elements of second order.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "geomesh/geomodel/model_mesh.hpp"
 
 namespace geomesh::geomodel {
 
-/// Adds a node in the middle of every edge, the same for all cells at the edge. Throws Error{cannot_mesh} with the
-/// place where the Jacobian of an element is not proven positive.
+/// Adds a node in the middle of every edge, or where ModelMesh::curved_edges says, the same for all cells at the edge.
+/// Throws Error{cannot_mesh} with the place where the Jacobian of an element is not proven positive.
 void add_midpoints(ModelMesh& mesh);
 
 /// Tetrahedra of second order whose Jacobian is not proven positive. The Jacobian's determinant is a polynomial of
 /// third degree; where all its 20 Bezier coefficients are positive, so is it everywhere in the element (Johnen, Remacle
 /// and Geuzaine 2013). Rounding is bounded: a coefficient counts as positive only where it exceeds its own error bound.
 std::size_t n_unproven_jacobians(const ModelMesh& mesh, std::size_t* first = nullptr);
+
+/// The same for one tetrahedron: corners, then midpoints of the edges 01 12 20 03 13 23.
+bool jacobian_is_positive(const std::array<Vec3, 10>& nodes);
 
 }  // namespace geomesh::geomodel

@@ -47,6 +47,12 @@ class SolverMeshBuilder {
   void add_regions() {
     for (const Region& region : mesh_.regions)
       add_block({CellShape::tetrahedron, region.id, region.name, {region.id}, 0, 0, second() ? 10u : 4u, {}, {}, {}});
+    std::vector<std::size_t> n_cells(mesh_.regions.size(), 0);
+    for (const std::int32_t region : mesh_.tet_region) ++n_cells[static_cast<std::size_t>(region - 1)];
+    for (std::size_t r = 0; r < n_cells.size(); ++r) {
+      result_.blocks[r].nodes.reserve(n_cells[r] * result_.blocks[r].nodes_per_cell);
+      result_.blocks[r].rows.reserve(n_cells[r]);
+    }
     for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
       CellBlock& block = result_.blocks[static_cast<std::size_t>(mesh_.tet_region[t] - 1)];
       block.nodes.insert(block.nodes.end(), mesh_.tetrahedra[t].begin(), mesh_.tetrahedra[t].end());
@@ -55,6 +61,7 @@ class SolverMeshBuilder {
                            mesh_.midpoints.of_tetrahedron[t].end());
       block.rows.push_back(t);
     }
+    if (mesh_.faces.empty()) return;
     solid_of_.resize(mesh_.tetrahedra.size());
     std::size_t solid = 0;
     for (const CellBlock& block : result_.blocks)

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "solver_mesh/face_sides.hpp"
+#include "solver_mesh/fault_sides.hpp"
 #include "solver_mesh/pieces.hpp"
 
 namespace geomesh::geomodel {
@@ -23,15 +25,19 @@ class FaultSplitter {
     for (const auto& face : mesh.faces) faces.push_back(face.vertices);
     sides_ = tetrahedra_at_faces(mesh.tetrahedra, faces);
     mark_faces();
+    turned_ = turned_faces(mesh, split_of_);
+    original_.resize(mesh.points.size());
+    std::iota(original_.begin(), original_.end(), VertexIndex{0});
     double_nodes();
   }
 
-  ModelMesh split(bool cohesive) {
+  SplitMesh split(bool cohesive) {
     name_sides();
     split_faces();
     move_curves();
+    move_curved_edges();
     if (cohesive) add_prisms();
-    return std::move(mesh_);
+    return {std::move(mesh_), std::move(original_)};
   }
 
  private:
@@ -99,6 +105,7 @@ class FaultSplitter {
     mesh_.points.push_back(before_.points[v]);
     mesh_.point_kind.push_back(before_.point_kind[v]);
     mesh_.input_vertex.push_back(-1);
+    original_.push_back(v);
     for (PointArray& array : mesh_.point_arrays) array.values.push_back(array.values[v]);
     return static_cast<VertexIndex>(mesh_.points.size() - 1);
   }
@@ -158,11 +165,16 @@ class FaultSplitter {
       if (!is_split(f)) continue;
       ModelMesh::Face other = face;
       other.vertices = vertices_at(f, plus.tetrahedron);
-      pairs_.push_back({split_of_[f], face.vertices, other.vertices});
+      other.region_minus = face.region_plus;
+      Pair pair{split_of_[f], face.vertices, other.vertices};
       std::swap(other.vertices[1], other.vertices[2]);
+      if (turned_[f]) {
+        std::swap(face, other);
+        pair = {split_of_[f], face.vertices, {other.vertices[0], other.vertices[2], other.vertices[1]}};
+      }
+      pairs_.push_back(pair);
       other.surface_set = set_on_plus_side(face.surface_set);
       other.surface = mesh_.surface_sets[static_cast<std::size_t>(other.surface_set)].front();
-      other.region_minus = before_.faces[f].region_plus;
       face.region_plus = other.region_plus = 0;
       plus_faces_.push_back(other);
     }
@@ -186,6 +198,19 @@ class FaultSplitter {
           }
           edges.erase(found);
         }
+  }
+  /// A curved edge is curved alike on both sides.
+  void move_curved_edges() {
+    if (before_.curved_edges.empty()) return;
+    std::map<std::pair<VertexIndex, VertexIndex>, Vec3> middle, now;
+    for (const CurvedEdge& e : before_.curved_edges) middle[{e.a, e.b}] = e.middle;
+    for (std::size_t t = 0; t < before_.tetrahedra.size(); ++t)
+      for (const auto& [i, j] : edge_vertices) {
+        const auto found = middle.find(std::minmax(before_.tetrahedra[t][i], before_.tetrahedra[t][j]));
+        if (found != middle.end()) now[std::minmax(mesh_.tetrahedra[t][i], mesh_.tetrahedra[t][j])] = found->second;
+      }
+    mesh_.curved_edges.clear();
+    for (const auto& [ends, place] : now) mesh_.curved_edges.push_back({ends.first, ends.second, place});
   }
   /// Not where all three nodes are at a tip: nothing opens there.
   void add_prisms() {
@@ -212,6 +237,8 @@ class FaultSplitter {
   std::vector<unsigned> blocked_;  // by tetrahedron: bits of its split faces
   std::vector<std::array<std::size_t, 4>> across_;
   std::set<std::size_t> done_;
+  std::vector<bool> turned_;           // by face
+  std::vector<VertexIndex> original_;  // by node
   std::map<std::int32_t, std::int32_t> plus_of_, plus_sets_;
   std::vector<ModelMesh::Face> plus_faces_;
   std::vector<Pair> pairs_;
@@ -219,8 +246,12 @@ class FaultSplitter {
 
 }  // namespace
 
-ModelMesh split_along(const ModelMesh& mesh, const std::vector<std::string>& surfaces, bool cohesive) {
+SplitMesh split_with_origins(const ModelMesh& mesh, const std::vector<std::string>& surfaces, bool cohesive) {
   return FaultSplitter(mesh, surfaces).split(cohesive);
+}
+
+ModelMesh split_along(const ModelMesh& mesh, const std::vector<std::string>& surfaces, bool cohesive) {
+  return split_with_origins(mesh, surfaces, cohesive).mesh;
 }
 
 }  // namespace geomesh::geomodel

@@ -36,21 +36,24 @@ def _distribution(entry):
     return {"normal": _normal, "uniform": _uniform, "triangular": _triangular, "lognormal": _lognormal, "pick": _pick}[kind](found)
 
 
+def _numbers(entry, n, fits, expected):
+    """The entry's numbers where they are as expected; None where they are not, which has been told."""
+    values = entry.numbers(n)
+    if values is not None and not fits(*values):
+        entry.mistake(expected + " was expected")
+        return None
+    return values
+
+
 def _uniform(found):
-    bounds = found["uniform"].numbers(2)
-    if bounds is None or bounds[0] > bounds[1]:
-        if bounds:
-            found["uniform"].mistake("[least, largest] was expected")
-        return Fixed(0.0)
-    return Uniform(*bounds)
+    bounds = _numbers(found["uniform"], 2, lambda least, largest: least <= largest, "[least, largest]")
+    return Fixed(0.0) if bounds is None else Uniform(*bounds)
 
 
 def _normal(found):
-    values = found["normal"].numbers(2)
+    values = _numbers(found["normal"], 2, lambda _, deviation: deviation >= 0, "[mean, standard deviation that is not negative]")
     bounds = found["within"].numbers(2) if "within" in found else None
-    if values is None or values[1] < 0:
-        if values:
-            found["normal"].mistake("[mean, standard deviation] was expected, the second not negative")
+    if values is None:
         return Fixed(0.0)
     if bounds is None:
         return Normal(*values)
@@ -61,21 +64,15 @@ def _normal(found):
 
 
 def _lognormal(found):
-    values = found["lognormal"].numbers(2)
-    if values is None or values[0] <= 0 or values[1] < 0:
-        if values:
-            found["lognormal"].mistake("[median, standard deviation of the logarithm] was expected, the median positive")
-        return Fixed(0.0)
-    return Lognormal(*values)
+    values = _numbers(found["lognormal"], 2, lambda median, deviation: median > 0 and deviation >= 0,
+                      "[positive median, standard deviation of the logarithm]")
+    return Fixed(0.0) if values is None else Lognormal(*values)
 
 
 def _triangular(found):
-    values = found["triangular"].numbers(3)
-    if values is None or not values[0] <= values[1] <= values[2] or values[0] == values[2]:
-        if values:
-            found["triangular"].mistake("[least, most likely, largest] was expected")
-        return Fixed(0.0)
-    return Triangular(*values)
+    values = _numbers(found["triangular"], 3, lambda least, likely, largest: least <= likely <= largest and least < largest,
+                      "[least, most likely, largest]")
+    return Fixed(0.0) if values is None else Triangular(*values)
 
 
 def _pick(found):

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thin plates with many holes and posts, their flat parts fans of needle triangles, judged exactly.
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <sstream>
 
-#include "corpus_run.hpp"
+#include "judged_seeds.hpp"
 #include "needle_cad.hpp"
 
 using namespace geomesh;
@@ -15,14 +13,10 @@ namespace {
 void mesh_plates(unsigned first, unsigned count) {
   for (unsigned seed = first; seed < first + count; ++seed) {
     const NeedleCadModel model = needle_cad(seed, needle_cad_options(seed));
-    for (const bool keeps_boundary : {false, true}) {
-      INFO("seed " << seed << (keeps_boundary ? ", boundary kept" : ""));
-      const CorpusRun run = run_and_judge(model.plc, keeps_boundary ? preserving_mode() : constrained_mode(), 120);
-      CHECK(run.trouble == "");
-      if (!run.ok()) continue;
-      CHECK(run.mesh->n_components == 1);
-      const RecoveryStatistics& s = run.mesh->recovery;
-      CHECK(20 * (s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside) <= model.plc.points.size());
+    INFO("seed " << seed);
+    for (const TetrahedralizeOptions& options : {constrained_mode(), preserving_mode()}) {
+      const CorpusRun run = mesh_with_few_points(model.plc, options, 20, 120);
+      if (run.ok()) CHECK(run.mesh->n_components == 1);
     }
   }
 }
@@ -49,12 +43,8 @@ TEST_CASE("needle plates are meshed with few Steiner points, and none on the bou
 
 // GEOMESH_NEEDLE_CAD="FIRST COUNT" test_core "[needle-cad-seeds]": any range of seeds.
 TEST_CASE("needle plates of the seeds asked for are meshed", "[recover][judged][.][needle-cad-seeds]") {
-  const char* asked = std::getenv("GEOMESH_NEEDLE_CAD");
-  REQUIRE(asked != nullptr);
-  std::istringstream words(asked);
-  unsigned first = 0, count = 0;
-  REQUIRE(words >> first >> count);
-  mesh_plates(first, count);
+  const std::vector<unsigned> asked = test::seeds_asked("GEOMESH_NEEDLE_CAD");
+  mesh_plates(asked[0], asked[1]);
 }
 
 TEST_CASE("hundreds of needle plates are meshed", "[recover][judged][nightly][needle-cad]") { mesh_plates(1000, 300); }

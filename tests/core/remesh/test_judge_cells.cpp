@@ -22,7 +22,8 @@ TEST_CASE("Free cells told by what is near to them are those of the whole mesh",
       SizeField::Limits limits;
       limits.global = size;
       result.asked = SizeField({}, limits);
-      result.kept_patch = patches_of_facets(bench.model.plc, bench.options);
+      result.kept_patch =
+          patches_of_facets(bench.model.plc, bench.options, merge_pieces(bench.model.plc, bench.options.facet_parent));
       const FreeCellJudge judge = free_cell_judge(bench.model.plc, bench.model.mesh, bench.options, result);
       const std::vector<CellIndex> free = judge.find(bench.mesh);
       std::vector<CellIndex> bad;
@@ -50,11 +51,11 @@ TEST_CASE(
   const Bench bench(box_with_well(4));
   const ConstrainedTetrahedralization whole = export_domain(bench.mesh, bench.model.mesh);
   const CellIndex given = 3;
-  EpochMarks marks;
-  const auto one = export_about(bench.mesh, std::span(&given, 1), 1, bench.model.mesh, marks);
+  ExportScratch scratch;
+  const auto one = export_about(bench.mesh, std::span(&given, 1), 1, bench.model.mesh, scratch);
   std::vector<CellIndex> star, about;
   for (const VertexIndex v : bench.mesh.vertices(given)) {
-    bench.mesh.star(v, marks, star);
+    bench.mesh.star(v, scratch.marks, star);
     about.insert(about.end(), star.begin(), star.end());
   }
   std::sort(about.begin(), about.end());
@@ -62,7 +63,7 @@ TEST_CASE(
   CHECK(one.tetrahedra.size() == about.size());
   for (unsigned i = 0; i < 4; ++i)
     CHECK(one.points[one.tetrahedra[0][i]] == bench.mesh.point(bench.mesh.vertices(given)[i]));
-  const auto all = export_about(bench.mesh, std::span(&given, 1), 100, bench.model.mesh, marks);
+  const auto all = export_about(bench.mesh, std::span(&given, 1), 100, bench.model.mesh, scratch);
   CHECK(all.points.size() == whole.points.size());
   CHECK(all.tetrahedra.size() == whole.tetrahedra.size());
   CHECK(all.faces.size() == whole.faces.size());

@@ -6,8 +6,8 @@
 #include "geomesh/core/short_edges.hpp"
 #include "refine_models.hpp"
 #include "remesh/domain/domain_io.hpp"
-#include "remesh/driver/keep_there.hpp"
-#include "remesh/sizes/tolerance_field.hpp"
+#include "remesh/driver/hold_surfaces.hpp"
+#include "remesh/sizes/sizes.hpp"
 
 using namespace geomesh;
 using namespace geomesh::remesh;

@@ -48,7 +48,7 @@ std::size_t n_far_from_delaunay(const DomainMesh& mesh) {
     const Sphere s = circumsphere(mesh, c);
     for (unsigned i = 0; i < 4; ++i) {
       if (mesh.tag(c, i).constrained()) continue;
-      const FaceRef beyond = mesh.topology().neighbor(c, i);
+      const FaceRef beyond = mesh.cells().neighbor(c, i);
       const Vec3 d = mesh.point(mesh.vertices(beyond.cell())[beyond.face()]) - s.centre;
       n += dot(d, d) < 0.999 * s.radius * s.radius;
     }

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "refine_bench.hpp"
-#include "remesh/domain/mesh_part.hpp"
+#include "remesh/domain/domain_mesh.hpp"
 #include "remesh/passes/passes.hpp"
 
 using namespace refine_models;

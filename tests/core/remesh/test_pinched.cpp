@@ -25,7 +25,7 @@ TEST_CASE("Where cells meet with the outside between, nothing changes that has c
     }
     for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
       for (const auto& [a, b] : line) {
-        if (!bench.mesh.topology().has_vertex(c, a) || !bench.mesh.topology().has_vertex(c, b)) continue;
+        if (!bench.mesh.cells().has_vertex(c, a) || !bench.mesh.cells().has_vertex(c, b)) continue;
         CHECK_FALSE(split_edge(bench.tools, c, a, b).has_value());
         CHECK_FALSE(split_to_improve(bench.tools, c, a, b));
       }
@@ -51,7 +51,7 @@ TEST_CASE("Where cells meet with the outside between, nothing changes that has c
     for (const auto& [a, b] : line) {
       std::array<bool, 2> is_met{};
       for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
-        if (bench.mesh.is_live(c) && bench.mesh.topology().has_vertex(c, a) && bench.mesh.topology().has_vertex(c, b)) {
+        if (bench.mesh.is_live(c) && bench.mesh.cells().has_vertex(c, a) && bench.mesh.cells().has_vertex(c, b)) {
           double x = 0;
           for (const VertexIndex v : bench.mesh.vertices(c)) x += bench.mesh.point(v).x;
           is_met[x < 2 ? 0 : 1] = true;

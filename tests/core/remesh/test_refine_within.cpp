@@ -136,18 +136,15 @@ class SurfaceVertex {
     for (const Spoke& s : star_.spokes) ways.push_back(0.5 * (mesh_.point(s.a) + mesh_.point(s.b)) - place_);
     return ways;
   }
-  bool may_move_by(const Vec3& way) const {
-    return guard_.admits(faces_at(place_), faces_at(place_ + way), {}, {}, {});
-  }
+  bool may_move_by(const Vec3& way) const { return guard_.admits(faces_at(place_), faces_at(place_ + way)); }
 
  private:
-  std::vector<SurfaceFace> faces_at(const Vec3& p) const {
-    std::vector<SurfaceFace> faces;
-    std::vector<CurvePiece> curves;
-    append_surface(mesh_, star_, p, faces, curves);
+  SurfacePart faces_at(const Vec3& p) const {
+    SurfacePart part = surface_of(mesh_, star_, p);
+    part.curves.clear();
     if (turned_)
-      for (SurfaceFace& f : faces) std::swap(f.corners[0], f.corners[1]);
-    return faces;
+      for (SurfaceFace& f : part.faces) std::swap(f.corners[0], f.corners[1]);
+    return part;
   }
 
   DomainMesh mesh_;

@@ -39,8 +39,7 @@ Model crossed_edges(bool with_other) {
 /// Whether the edge a-b of the surface below is exchanged for x-y.
 bool is_flipped(Bench& bench) {
   for (CellIndex cell = 0; cell < bench.mesh.n_slots(); ++cell)
-    if (bench.mesh.is_live(cell) && bench.mesh.topology().has_vertex(cell, a) &&
-        bench.mesh.topology().has_vertex(cell, b))
+    if (bench.mesh.is_live(cell) && bench.mesh.cells().has_vertex(cell, a) && bench.mesh.cells().has_vertex(cell, b))
       return flip_surface_edge(bench.tools, cell, a, b, 1e-6);
   FAIL("no cell has the edge");
   return false;

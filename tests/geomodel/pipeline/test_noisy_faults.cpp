@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults that cross by noise in strips far narrower than their triangles, judged exactly.
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <sstream>
 
-#include "corpus_run.hpp"
+#include "judged_seeds.hpp"
 #include "noisy_faults.hpp"
 
 using namespace geomesh;
@@ -15,15 +13,9 @@ namespace {
 void mesh_noisy_faults(unsigned first, unsigned count) {
   for (unsigned seed = first; seed < first + count; ++seed) {
     const NoisyFaultsModel model = noisy_faults_model(seed, noisy_faults_options(seed));
-    for (const bool keeps_boundary : {false, true}) {
-      INFO("seed " << seed << (keeps_boundary ? ", boundary kept" : ""));
-      const test::CorpusRun run =
-          test::run_and_judge(model.plc, keeps_boundary ? test::preserving_mode() : test::constrained_mode(), 120);
-      CHECK(run.trouble == "");
-      if (!run.ok()) continue;
-      const RecoveryStatistics& s = run.mesh->recovery;
-      CHECK(100 * (s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside) <= model.plc.points.size());
-    }
+    INFO("seed " << seed);
+    for (const TetrahedralizeOptions& options : {test::constrained_mode(), test::preserving_mode()})
+      test::mesh_with_few_points(model.plc, options, 100, 120);
   }
 }
 
@@ -49,12 +41,8 @@ TEST_CASE("faults that cross by noise are meshed with at most one percent of Ste
 
 // GEOMESH_NOISY_FAULTS="FIRST COUNT" test_geomodel "[noisy-faults-seeds]": any range of seeds.
 TEST_CASE("noisy faults of the seeds asked for are meshed", "[recover][judged][.][noisy-faults-seeds]") {
-  const char* asked = std::getenv("GEOMESH_NOISY_FAULTS");
-  REQUIRE(asked != nullptr);
-  std::istringstream words(asked);
-  unsigned first = 0, count = 0;
-  REQUIRE(words >> first >> count);
-  mesh_noisy_faults(first, count);
+  const std::vector<unsigned> asked = test::seeds_asked("GEOMESH_NOISY_FAULTS");
+  mesh_noisy_faults(asked[0], asked[1]);
 }
 
 TEST_CASE("hundreds of models of noisy faults are meshed", "[recover][judged][nightly][noisy-faults]") {

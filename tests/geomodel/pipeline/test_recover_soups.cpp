@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <sstream>
 
-#include "corpus_run.hpp"
+#include "judged_seeds.hpp"
 #include "soup_models.hpp"
 #include "test_places.hpp"
 
@@ -25,22 +23,17 @@ void mesh_soups(unsigned first, unsigned count) {
 }
 
 /// Both ways of constrained mode, judged; hardly any points are added.
-void mesh_with_few_points(const PiecewiseLinearComplex& model, double time_limit) {
+void mesh_in_both_ways(const PiecewiseLinearComplex& model, double time_limit) {
   for (const TetrahedralizeOptions& options : {test::constrained_mode(), test::preserving_mode()}) {
-    INFO((options.recover.preserve_boundary ? "boundary kept" : "constrained"));
-    const test::CorpusRun run = test::run_and_judge(model, options, time_limit);
-    CHECK(run.trouble == "");
-    if (!run.ok()) continue;
-    const RecoveryStatistics& s = run.mesh->recovery;
-    CHECK(100 * (s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside) <= model.points.size());
-    CHECK(run.mesh->tetrahedra.size() <= 4 * model.n_facets());
+    const test::CorpusRun run = test::mesh_with_few_points(model, options, 100, time_limit);
+    if (run.ok()) CHECK(run.mesh->tetrahedra.size() <= 4 * model.n_facets());
   }
 }
 
 void mesh_crossed_walls(unsigned first, unsigned count) {
   for (unsigned seed = first; seed < first + count; ++seed) {
     INFO("seed " << seed);
-    mesh_with_few_points(crossed_wall(seed, 12), 60);
+    mesh_in_both_ways(crossed_wall(seed, 12), 60);
   }
 }
 
@@ -50,7 +43,7 @@ void mesh_faults(const std::string& group) {
     WARN("skipped: no outside data in " << folder);
     return;
   }
-  mesh_with_few_points(faults_in_box(folder), 120);
+  mesh_in_both_ways(faults_in_box(folder), 120);
 }
 
 }  // namespace
@@ -62,12 +55,8 @@ TEST_CASE("random soups that the arrangement made valid are meshed, with and wit
 // GEOMESH_SOUPS="FIRST COUNT" test_geomodel "[soups]": any range of seeds, to share a long run among processes or to
 // come back to one.
 TEST_CASE("random soups of the seeds asked for are meshed", "[recover][judged][.][soups]") {
-  const char* asked = std::getenv("GEOMESH_SOUPS");
-  REQUIRE(asked != nullptr);
-  std::istringstream words(asked);
-  unsigned first = 0, count = 0;
-  REQUIRE(words >> first >> count);
-  mesh_soups(first, count);
+  const std::vector<unsigned> asked = test::seeds_asked("GEOMESH_SOUPS");
+  mesh_soups(asked[0], asked[1]);
 }
 TEST_CASE("ten thousand random soups are meshed", "[recover][judged][nightly]") { mesh_soups(1000, 10000); }
 TEST_CASE("plates in odd planes with many bodies across a wall are meshed", "[recover][judged]") {
@@ -87,7 +76,7 @@ TEST_CASE("the outside solid that crosses itself along two plane walls is meshed
   in_box.box = wide_box({solid});
   for (const ArrangementOptions& options : {ArrangementOptions{}, in_box}) {
     INFO((options.box ? "in a box" : "without a box"));
-    mesh_with_few_points(complex_of(arrange({solid}, {}, {}, options).soup), 120);
+    mesh_in_both_ways(complex_of(arrange({solid}, {}, {}, options).soup), 120);
   }
 }
 TEST_CASE("the intersected faults of a salt diapir are meshed", "[recover][judged][shared]") { mesh_faults("SALT"); }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "dice.hpp"
 #include "soup_models.hpp"
 
 namespace geomesh::geomodel::testing {
@@ -13,18 +13,6 @@ namespace geomesh::geomodel::testing {
 namespace {
 
 const Box3 model_box{{0, 0, -2000}, {4000, 3000, 0}};
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double unit() { return (static_cast<double>(random_()) + 0.5) / 4294967296.0; }
-  double between(double a, double b) { return a + (b - a) * unit(); }
-  double log_between(double a, double b) { return a * std::pow(b / a, unit()); }
-  unsigned from_to(unsigned a, unsigned b) { return a + static_cast<unsigned>(random_() % (b - a + 1)); }
-
- private:
-  std::mt19937 random_;
-};
 
 /// A plane through the box: a point of it, its strike, its dip's direction and its normal.
 struct Plane {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <random>
 #include <set>
 
+#include "dice.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "soup_models.hpp"
@@ -17,18 +17,6 @@ namespace geomesh::geomodel::testing {
 namespace {
 
 const Box3 model_box{{0, 0, -5000}, {16000, 9000, 0}};
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double unit() { return (static_cast<double>(random_()) + 0.5) / 4294967296.0; }
-  double between(double a, double b) { return a + (b - a) * unit(); }
-  double log_between(double a, double b) { return a * std::pow(b / a, unit()); }
-  std::size_t below(std::size_t n) { return random_() % n; }
-
- private:
-  std::mt19937 random_;
-};
 
 /// Sum of a few waves.
 struct Relief {

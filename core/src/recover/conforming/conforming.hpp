@@ -13,6 +13,7 @@
 ///   ulps of it.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <queue>
 
@@ -20,6 +21,15 @@
 #include "recover/model/recover.hpp"
 
 namespace geomesh::recover {
+
+/// Why conforming mode gives a facet up.
+enum class GivenUpFor : std::uint8_t {
+  points,     ///< max_steiner_per_facet on it or on one of its segments
+  shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
+  place,      ///< the place of a point equals a vertex, or rounding has spoilt the draft
+  budget,     ///< the points of all such facets and segments are spent
+};
+inline constexpr std::size_t n_reasons_given_up = 4;
 
 class ConformingRecovery {
  public:
@@ -48,14 +58,16 @@ class ConformingRecovery {
   double place_on_common_sphere(const Subsegment& s, VertexIndex v) const;
   Vec3 split_place(const Subsegment& s);
   Vec3 point_on_segment(const Subsegment& s, const Vec3& p) const;
-  void give_up_segment(Index s);
+  void give_up_segment(Index s, GivenUpFor why);
 
   // conforming_facets.cpp
   void recover_queued_facets();
   bool register_if_present(Index f);
   void insert_into_facet(Index f);
   bool insert_midpoint(Index f, VertexIndex a, VertexIndex b);
-  void give_up_facet(Index f);
+  void give_up_facet(Index f, GivenUpFor why);
+  /// Tells how many, for which reasons, and the sharpest of them.
+  void note_given_up() const;
   void queue_facet(Index f);
 
   /// Inserts, records what was lost. no_vertex where nothing could be inserted.
@@ -96,6 +108,7 @@ class ConformingRecovery {
   std::vector<std::uint8_t> segment_is_given_up_;  ///< per model segment
   std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
   std::vector<Index> given_up_;
+  std::array<std::size_t, n_reasons_given_up> n_given_up_for_{};
 };
 
 }  // namespace geomesh::recover

@@ -4,6 +4,7 @@
 /// tells where a point goes.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "common/geometry.hpp"
@@ -116,12 +117,13 @@ bool ConformingRecovery::register_if_present(Index f) {
 void ConformingRecovery::insert_into_facet(Index f) {
   constraints_.make_piece(f);
   for (const DirectedEdge& e : constraints_.piece_of(f).border)
-    if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f);  // of a segment given up
-  if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet) return give_up_facet(f);
+    if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f, GivenUpFor::points);  // of a segment given up
+  if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet)
+    return give_up_facet(f, GivenUpFor::points);
   Draft draft(mesh_, constraints_.subfacets[f].vertices, constraints_.piece_of(f));
-  if (!draft.build()) return give_up_facet(f);
+  if (!draft.build()) return give_up_facet(f, GivenUpFor::place);
   const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
-  if (edges.empty()) return give_up_facet(f);
+  if (edges.empty()) return give_up_facet(f, GivenUpFor::place);
   // The draft is not made again after each point, so no other goes where one of this round may have made it needless.
   std::vector<Vec3> added;
   for (const DirectedEdge& e : edges) {
@@ -129,7 +131,7 @@ void ConformingRecovery::insert_into_facet(Index f) {
     const bool is_near = std::any_of(added.begin(), added.end(),
                                      [&](const Vec3& p) { return dot(p - middle, p - middle) < dot(b - a, b - a); });
     if (is_near) continue;
-    if (!insert_midpoint(f, e[0], e[1])) return give_up_facet(f);
+    if (!insert_midpoint(f, e[0], e[1])) return give_up_facet(f, GivenUpFor::shortness);
     added.push_back(middle);
   }
 }
@@ -152,9 +154,52 @@ bool ConformingRecovery::insert_midpoint(Index f, VertexIndex a, VertexIndex b) 
   return true;
 }
 
-void ConformingRecovery::give_up_facet(Index f) {
+void ConformingRecovery::give_up_facet(Index f, GivenUpFor why) {
+  if (facet_is_given_up_[f]) return;
   facet_is_given_up_[f] = 1;
   given_up_.push_back(constraints_.subfacets[f].facet);
+  ++n_given_up_for_[static_cast<std::size_t>(why)];
+}
+
+namespace {
+
+/// Degrees, of a triangle, and with `where` its corner.
+double smallest_angle(const ConstrainedMesh& mesh, const Triangle& t, Vec3& where) {
+  double smallest = 180;
+  for (unsigned i = 0; i < 3; ++i) {
+    const Vec3 &o = mesh.point(t[i]), u = mesh.point(t[(i + 1) % 3]) - o, v = mesh.point(t[(i + 2) % 3]) - o;
+    const double angle = std::atan2(length(cross(u, v)), dot(u, v)) * 180 / pi;
+    if (angle >= smallest) continue;
+    smallest = angle;
+    where = o;
+  }
+  return smallest;
+}
+
+}  // namespace
+
+void ConformingRecovery::note_given_up() const {
+  if (given_up_.empty()) return;
+  double sharpest = 180;
+  Vec3 where;
+  for (Index f = 0; f < constraints_.subfacets.size(); ++f) {
+    Vec3 corner;
+    if (!facet_is_given_up_[f]) continue;
+    const double angle = smallest_angle(mesh_, constraints_.subfacets[f].vertices, corner);
+    if (angle >= sharpest) continue;
+    sharpest = angle;
+    where = recovery_.names.frame.leave(corner);
+  }
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "conforming mode gives up %zu facets of %zu after %zu points: %zu that would need more than %zu points "
+                "each, %zu with "
+                "edges below %.3g, %zu without a place for a point, %zu as the budget of %zu points is spent; the "
+                "sharpest angle of them is %.2g degrees at (%.17g, %.17g, %.17g)",
+                given_up_.size(), recovery_.plc.n_facets(), n_sharp_points_ + n_other_points_, n_given_up_for_[0],
+                options_.max_steiner_per_facet, n_given_up_for_[1], min_edge_, n_given_up_for_[2], n_given_up_for_[3],
+                max_sharp_points_ + max_other_points_, sharpest, where.x, where.y, where.z);
+  recovery_.context.note(LogLevel::warning, text);
 }
 
 }  // namespace geomesh::recover

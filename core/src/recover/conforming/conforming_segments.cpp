@@ -51,8 +51,9 @@ bool ConformingRecovery::run() {
   for (Index f = 0; f < constraints_.subfacets.size(); ++f)
     if (constraints_.subfacets[f].live && !facet_is_given_up_[f]) queue_facet(f);
   recover_queued_facets();
-  for (const Index f : missing_facets_) give_up_facet(f);
+  for (const Index f : missing_facets_) give_up_facet(f, GivenUpFor::budget);
   sort_unique(given_up_);
+  note_given_up();
   return is_within_budget();
 }
 
@@ -246,10 +247,12 @@ void ConformingRecovery::split_segment(Index si) {
   const bool is_inner = s.segment == no_index;
   const bool is_sharp = is_sharp_segment(s),
              over_budget = !is_inner && is_sharp && points_on_segment_[s.segment] >= options_.max_steiner_per_facet;
-  if (over_budget || too_short(mesh_.point(s.a), p) || too_short(mesh_.point(s.b), p)) return give_up_segment(si);
+  if (over_budget) return give_up_segment(si, GivenUpFor::points);
+  if (too_short(mesh_.point(s.a), p) || too_short(mesh_.point(s.b), p))
+    return give_up_segment(si, GivenUpFor::shortness);
   const VertexIndex x =
       insert(p, s.a, {is_inner ? VertexOrigin::on_facet : VertexOrigin::on_segment, is_inner ? s.facet : s.segment});
-  if (x == no_vertex) return give_up_segment(si);
+  if (x == no_vertex) return give_up_segment(si, GivenUpFor::place);
   if (!is_inner) ++points_on_segment_[s.segment];
   ++(is_sharp ? n_sharp_points_ : n_other_points_);
   ++recovery_.statistics.edges_reinserted;
@@ -258,10 +261,10 @@ void ConformingRecovery::split_segment(Index si) {
   for (const Index f : s.subfacets) queue_facet(f);
 }
 
-void ConformingRecovery::give_up_segment(Index si) {
+void ConformingRecovery::give_up_segment(Index si, GivenUpFor why) {
   const Subsegment& s = constraints_.subsegments[si];
   if (s.segment != no_index) segment_is_given_up_[s.segment] = 1;
-  for (const Index f : std::vector<Index>(s.subfacets)) give_up_facet(f);
+  for (const Index f : std::vector<Index>(s.subfacets)) give_up_facet(f, why);
 }
 
 }  // namespace geomesh::recover

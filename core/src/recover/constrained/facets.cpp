@@ -277,7 +277,10 @@ void recover_facets(Recovery& recovery) {
   recovery.statistics.facets_reinserted += missing.size();
   for (unsigned depth = 0; depth <= recovery_budget.facet_depth; ++depth) {
     recovery.context.check_cancelled();
+    std::size_t n_tried = 0;
+    const std::size_t n_missing = missing.size();
     std::erase_if(missing, [&](Index f) {
+      if (n_tried++ % 64 == 0) recovery.context.report(n_tried, n_missing);
       return !recovery.has_ended() && (FacetRecovery(recovery, f).by_flips(depth) ||
                                        (depth > 0 && !recovery.has_ended() &&
                                         FacetRecovery(recovery, f).by_cavity(recovery_budget.filling_nodes * depth)));

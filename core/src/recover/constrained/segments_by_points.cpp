@@ -164,7 +164,10 @@ void recover_segments(Recovery& recovery) {
     std::swap(missing[i - 1], missing[recovery.mesh.random(static_cast<unsigned>(i))]);
   for (unsigned depth : {0u, 1u}) {
     recovery.context.check_cancelled();
+    std::size_t n_tried = 0;
+    const std::size_t n_missing = missing.size();
     std::erase_if(missing, [&](Index s) {
+      if (n_tried++ % 64 == 0) recovery.context.report(n_tried, n_missing);
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
       return !recovery.has_ended() &&
              (recover_segment_by_flips(recovery, a, b, depth) ||

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "geomesh/core/predicates.hpp"
-#include "predicates/filters.hpp"
+#include "predicates/two_double.hpp"
 
 namespace geomesh::recover {
 
-using exact::LongExpansion;
+using exact::LongExpansion, exact::TwoDouble;
 
 bool ExactPlace::is_safe() const {
   return std::all_of(coordinates.begin(), coordinates.end(), [](const LongExpansion& x) {
@@ -65,32 +65,9 @@ LongExpansion ExactPlaces::volume(const std::vector<Vec3>& points, const std::ar
 
 namespace {
 
-/// A sum of two doubles, off by some units of 2^-104 of itself after each operation.
-struct DoubleDouble {
-  double high = 0, low = 0;
-};
-
-DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-  double head, tail, low_head, low_tail;
-  exact::two_sum(a.high, b.high, head, tail);
-  exact::two_sum(a.low, b.low, low_head, low_tail);
-  DoubleDouble out;
-  exact::fast_two_sum(head, tail + low_head, head, tail);
-  exact::fast_two_sum(head, tail + low_tail, out.high, out.low);
-  return out;
-}
-DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
-DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-  double head, tail;
-  exact::two_product(a.high, b.high, head, tail);
-  DoubleDouble out;
-  exact::fast_two_sum(head, tail + (a.high * b.low + a.low * b.high), out.high, out.low);
-  return out;
-}
-
 template <class Number>
 Number determinant(const std::array<std::array<Number, 3>, 3>& u) {
-  const auto minor = [&](std::size_t i, std::size_t j) { return u[0][i] * u[1][j] + -(u[0][j] * u[1][i]); };
+  const auto minor = [&](std::size_t i, std::size_t j) { return u[0][i] * u[1][j] - u[0][j] * u[1][i]; };
   return u[2][2] * minor(0, 1) + u[2][0] * minor(1, 2) + u[2][1] * minor(2, 0);
 }
 
@@ -131,42 +108,75 @@ bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, cons
 // off by 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that of filters.hpp, trebled
 // for the first, and six products with one factor that wrong for the second. The second filter works with about 2^-104;
 // its bound, 2^-96 of the greatest product, leaves room for 256 roundings.
-Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
-  if (are_declared_flat(v)) return Sign::zero;
-  Vec3 largest, reach;
+namespace {
+
+constexpr double widening_of_rests = 3;
+
+/// What offsets that reach so far in each coordinate, each wrong by so much, make wrong in a determinant.
+double error_by_rests(const Vec3& reach, const Vec3& wrong) {
+  return 8 *
+         (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
+          (reach.x + wrong.x) * (reach.y + wrong.y) * wrong.z);
+}
+
+Vec3 larger(const Vec3& a, const Vec3& b) {
+  return {std::max(a.x, std::fabs(b.x)), std::max(a.y, std::fabs(b.y)), std::max(a.z, std::fabs(b.z))};
+}
+
+}  // namespace
+
+ExactPlaces::OffsetError ExactPlaces::offset_error(const std::vector<Vec3>& points, VertexIndex from,
+                                                   std::span<const VertexIndex> to) const {
+  if (empty()) return {};
+  Vec3 largest = larger({}, points[from]), reach;
+  for (const VertexIndex v : to) {
+    largest = larger(largest, points[v]);
+    reach = larger(reach, offset(points, from, v));
+  }
+  return {widening_of_rests, error_by_rests(reach, 0x1p-102 * largest)};
+}
+
+ExactPlaces::Rough ExactPlaces::rough(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  Vec3 largest = larger({}, points[v[3]]), reach;
   std::array<std::array<double, 3>, 3> u;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 d = offset(points, v[3], v[k]);
     u[k] = {d.x, d.y, d.z};
+    largest = larger(largest, points[v[k]]);
+    reach = larger(reach, d);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) largest[i] = std::max(largest[i], std::fabs(points[v[k]][i]));
-    for (std::size_t k = 0; k < 3; ++k) reach[i] = std::max(reach[i], std::fabs(u[k][i]));
-  }
-  const Vec3 wrong = 0x1p-102 * largest;
-  const double product = reach.x * reach.y * reach.z;
-  const double by_rests =
-      8 * (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
-           (reach.x + wrong.x) * (reach.y + wrong.y) * wrong.z);
-  const double det = determinant(u), error = 3 * filter::orient3d_factor * product + by_rests;
-  if (det < -error) return Sign::positive;
-  if (det > error) return Sign::negative;
-  if (are_in_plane_across_axis(points, v)) return Sign::zero;
-  std::array<std::array<DoubleDouble, 3>, 3> w;
+  const double product = reach.x * reach.y * reach.z, by_rests = error_by_rests(reach, 0x1p-102 * largest);
+  return {{-determinant(u), widening_of_rests * filter::orient3d_factor * product + by_rests}, product, by_rests};
+}
+
+filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v,
+                                    const Rough& of) const {
+  std::array<std::array<TwoDouble, 3>, 3> w;
   const Vec3 rest = rest_of(v[3]);
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 own = rest_of(v[k]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      DoubleDouble near, far;
-      exact::two_difference(points[v[k]][i], points[v[3]][i], near.high, near.low);
-      exact::two_difference(own[i], rest[i], far.high, far.low);
-      w[k][i] = near + far;
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      w[k][i] = TwoDouble::difference(points[v[k]][i], points[v[3]][i]) + TwoDouble::difference(own[i], rest[i]);
   }
-  const double sharp = determinant(w).high, sharp_error = 0x1p-96 * product + by_rests;
-  if (sharp < -sharp_error) return Sign::positive;
-  if (sharp > sharp_error) return Sign::negative;
-  return volume(points, v).sign();
+  return {-determinant(w).hi, 0x1p-96 * of.product + of.by_rests};
+}
+
+Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  count_decided(1);
+  const Rough near = rough(points, v);
+  if (near.plain.certain()) return near.plain.sign();
+  if (are_declared_flat(v) || are_in_plane_across_axis(points, v)) return Sign::zero;
+  const filter::Estimate nearer = sharp(points, v, near);
+  return nearer.certain() ? nearer.sign() : volume(points, v).sign();
+}
+
+double ExactPlaces::rough_volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  constexpr double most_part = 0x1p20;
+  const auto is_good = [](const filter::Estimate& e) { return std::fabs(e.value) > most_part * e.error; };
+  const Rough near = rough(points, v);
+  if (is_good(near.plain)) return near.plain.value;
+  const filter::Estimate nearer = sharp(points, v, near);
+  return is_good(nearer) ? nearer.value : volume(points, v).estimate();
 }
 
 Sign ExactPlaces::orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,

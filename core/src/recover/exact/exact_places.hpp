@@ -7,9 +7,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
+#include "predicates/filters.hpp"
 #include "predicates/long_expansion.hpp"
 
 namespace geomesh::recover {
@@ -46,22 +48,43 @@ class ExactPlaces {
                    std::size_t j) const;
   /// Six times the signed volume, exactly.
   exact::LongExpansion volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  /// As volume, off by less than 2^-20 of itself.
+  double rough_volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  /// What a determinant of three offsets from one vertex is off by: `widening` times what it would be off by for
+  /// doubles, and `slack`.
+  struct OffsetError {
+    double widening = 1, slack = 0;
+  };
+  OffsetError offset_error(const std::vector<Vec3>& points, VertexIndex from, std::span<const VertexIndex> to) const;
   /// to - from, each coordinate with hardly any error.
   Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
   exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
+
+  /// Place - nearest double, rounded.
+  Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
+  /// How many orientations have been decided: a measure of work that is the same on every machine.
+  std::size_t n_decided() const { return n_decided_; }
+  void count_decided(std::size_t n) const { n_decided_ += n; }
 
  private:
   struct Row {
     ExactPlace place;
     Vec3 rest;  ///< place - nearest double, rounded
   };
+  /// Six times a volume in doubles, and what the bounds of both filters are made of.
+  struct Rough {
+    filter::Estimate plain;
+    double product = 0, by_rests = 0;
+  };
+  Rough rough(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  filter::Estimate sharp(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v, const Rough& of) const;
   bool are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
-  Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
 
   VertexIndex first_ = no_vertex;  ///< the least vertex that was ever in here
   std::vector<Index> row_of_;      ///< per vertex from the first one
   std::vector<Row> rows_;
+  mutable std::size_t n_decided_ = 0;
 };
 
 }  // namespace geomesh::recover

@@ -85,6 +85,10 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   Vec3 offset(VertexIndex from, VertexIndex to) const {
     return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
   }
+  /// Of those offsets, in filters of determinants.
+  ExactPlaces::OffsetError offset_error(VertexIndex from, std::span<const VertexIndex> to) const {
+    return exact_.offset_error(points_, from, to);
+  }
 
   Sign orient(VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
     if (!exact_.empty() && (is_exact(a) || is_exact(b) || is_exact(c) || is_exact(d)))

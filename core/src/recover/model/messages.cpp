@@ -146,13 +146,35 @@ Error error_of_facet_not_recovered(const Recovery& recovery, Index subfacet) {
                context_of(recovery, {f.facet}, {f.vertices[0], f.vertices[1], f.vertices[2]}));
 }
 
+namespace {
+
+/// Facets that a vertex lies on, else those whose segments and faces are part of its star's.
+std::vector<Index> facets_about(const Recovery& recovery, VertexIndex x) {
+  const VertexRecord& record = recovery.constraints.vertices[x];
+  if (record.origin == VertexOrigin::on_facet) return {record.owner};
+  std::vector<Index> out;
+  std::vector<CellIndex> star;
+  recovery.mesh.star(x, star);
+  for (const CellIndex c : star) {
+    const Tetrahedron& v = recovery.mesh.cells().vertices(c);
+    for (const auto& face : face_vertices)
+      if (const Index f = recovery.constraints.subfacet_of(v[face[0]], v[face[1]], v[face[2]]); f != no_index)
+        out.push_back(recovery.constraints.subfacets[f].facet);
+    for (const auto& e : edge_vertices)
+      if (const Index s = recovery.constraints.subsegment_of(v[e[0]], v[e[1]]); s != no_index)
+        out = join(std::move(out), facets_of_subsegment(recovery, s));
+  }
+  return join(std::move(out), {});
+}
+
+}  // namespace
+
 Error error_of_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points) {
   const VertexIndex x = points.front();
-  const VertexRecord& record = recovery.constraints.vertices[x];
-  std::vector<Index> facets;
-  if (record.origin == VertexOrigin::on_facet) facets.push_back(record.owner);
+  std::vector<Index> facets = facets_about(recovery, x);
+  const std::string where = facets.empty() ? "" : " at " + list(recovery, facets);
   return Error(ErrorKind::cannot_mesh,
-               std::to_string(points.size()) + " Steiner points, the first " + describe_vertex(recovery, x) +
+               std::to_string(points.size()) + " Steiner points, the first " + describe_vertex(recovery, x) + where +
                    ", have no double near them that leaves all cells positive" + advice(ErrorKind::cannot_mesh),
                context_of(recovery, std::move(facets), {x}));
 }

@@ -4,7 +4,9 @@
 /// missing. All work is local to what is missing.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_set>
 
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/run_context.hpp"
@@ -38,6 +40,8 @@ struct Recovery {
   double least_spacing = 0;
   bool has_exact_points = false;  ///< Steiner points are held exactly (exact_places.hpp) and rounded at the end
   unsigned attempt = 0;           ///< another attempt works in another order and puts points elsewhere
+
+  std::unordered_set<std::uint64_t> refuted_regions{};  ///< keys of those without a filling (region_filling.cpp)
 
   /// Why this attempt cannot go on. Where a stage sets it, that stage and those after it return at once.
   std::optional<Error> dead_end{};

@@ -11,8 +11,15 @@ namespace geomesh::recover {
 
 struct RecoveryBudget {
   // Attempts.
-  /// Models an ulp thick took up to 5 on what was tried. More would only put off a refusal.
+  /// Models an ulp thick took up to 7 on what was tried. More would only put off a refusal.
   unsigned attempts = 12;
+  /// Points that no double did for, over all attempts: from there on the model is refused. Models that are meshed in
+  /// the end leave 1 to 3 in each attempt that fails; most too thin ones 7 to 55, some 1 or 2 (test_thin_models.cpp).
+  /// Where an attempt leaves n on the whole, one in e^n leaves none.
+  std::size_t points_without_double = 8;
+  /// Orientations of exact places decided for each facet, over all attempts: from there on the model is refused. Needle
+  /// plates and walls have taken at most 3,600 before their last attempt; eight slits take 115,000 in one.
+  std::size_t decisions_per_facet = 500000;
   /// Ulps of the largest coordinate. Rounded points of a segment come no nearer to each other, or they crowd.
   double least_spacing_ulps = 64;
   /// Points after which a model is searched for crossings: this many, and a share of its vertices. Crossing facets need
@@ -69,7 +76,9 @@ struct RecoveryBudget {
   unsigned star_edges = 60;           ///< edges tried to lower a point's degree by one
   unsigned link_edges = 200;          ///< of a point's link, each removed before a try
   unsigned link_edge_effort = 40;     ///< edges tried for the removal of one of them
+  unsigned link_edge_depth = 1;       ///< levels of flips for that, 0 to 3: each costs ten times the one before
   unsigned chord_effort = 200;        ///< edges tried for the removal of a segment's own chord
+  unsigned chord_depth = 2;           ///< levels of flips for that: one chord, which blocks all else
   unsigned sheets = 3;                ///< triangles that part a sector which goes all the way round
   std::size_t sheet_apexes = 6;       ///< vertices tried for each of them
   unsigned moved_growths = 12;        ///< cells that a sector grows over for a point moved inside
@@ -78,6 +87,10 @@ struct RecoveryBudget {
   unsigned sheet_point_growths = 60;  ///< cells that give way to a point beside a segment
   double sheet_point_reach = 0.25;    ///< of the shorter half of the segment: where such a point is tried first
   double sheet_point_least = 1e-12;   ///< and last
+  double sheet_point_part = 0.25;     ///< of the distance before, each time: what is seen changes slowly
+  /// Sixths of a turn about a segment, from a facet that hangs on it, in which such points are put. The first leaves a
+  /// sector of 240 degrees, so no try follows it; those after it halve what is left.
+  std::array<double, 5> sheet_turns{2, 4, 3, 1, 5};
   std::array<std::size_t, 3> region_vertices{20, 28, 40};  ///< sizes of regions filled as formulas; 52 costs a quarter
   std::size_t region_conflicts = 2000;                     ///< of the solver: most are decided by a handful
 

@@ -55,9 +55,12 @@ class SideMasks {
     const std::size_t n = vertices_.size();
     known_.assign(n_triples(n), {0, 0});
     for (std::size_t row = 0; row < row_.size(); ++row) row_[row] = static_cast<std::uint32_t>(row + 1);
-    for (std::size_t l = 3; l < n; ++l)
+    if (mesh_.has_exact_places()) mesh_.exact_places().count_decided(n_triples(n) * (n - 3) / 4);
+    for (std::size_t l = 3; l < n; ++l) {
+      measure_from(l);
       for (std::size_t k = 2; k < l; ++k)
         for (std::size_t j = 1; j < k; ++j) decide_below(j, k, l);
+    }
   }
 
   /// @name Of increasing triples, after decide_all
@@ -99,22 +102,25 @@ class SideMasks {
     return out;
   }
 
+  /// Offsets of the vertices before l from it, and how wrong determinants of them may be.
+  void measure_from(std::size_t l) {
+    const VertexIndex origin = vertices_[l];
+    offsets_.clear();
+    for (std::size_t i = 0; i < l; ++i) offsets_.push_back(mesh_.offset(origin, vertices_[i]));
+    const ExactPlaces::OffsetError error = mesh_.offset_error(origin, {vertices_.data(), l});
+    widening_ = error.widening;
+    slack_ = error.slack;
+  }
   /// All (i, j, k, l) with i < j.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
-    if (mesh_.has_exact_places()) return decide_below_exactly(j, k, l);
-    const Vec3& o = mesh_.point(vertices_[l]);
-    const filter::Orient3dOfMany estimate_of(mesh_.point(vertices_[j]) - o, mesh_.point(vertices_[k]) - o);
+    const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
     for (std::size_t i = 0; i < j; ++i) {
-      const filter::Estimate estimate = estimate_of(mesh_.point(vertices_[i]) - o);
+      filter::Estimate estimate = estimate_of(offsets_[i]);
+      estimate.error = widening_ * estimate.error + slack_;
       const Sign s =
           estimate.certain() ? estimate.sign() : mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]);
       if (s != Sign::zero) put(i, j, k, l, s);
     }
-  }
-  void decide_below_exactly(std::size_t j, std::size_t k, std::size_t l) {
-    for (std::size_t i = 0; i < j; ++i)
-      if (const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]); s != Sign::zero)
-        put(i, j, k, l, s);
   }
   /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
@@ -131,6 +137,8 @@ class SideMasks {
   const std::vector<VertexIndex>& vertices_;
   std::vector<std::uint32_t> row_;  ///< of each sorted triple in known_, plus 1; 0 where not decided yet
   std::vector<Masks> known_;
+  std::vector<Vec3> offsets_;  ///< of decide_all, from one vertex
+  double widening_ = 1, slack_ = 0;
 };
 
 }  // namespace geomesh::recover

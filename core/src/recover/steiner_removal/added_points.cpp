@@ -41,7 +41,7 @@ bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt)
     if (tried == recovery_budget.link_edges) return false;
     if (mesh.find_edge(u, w) == no_cell) continue;
     const std::size_t mark = mesh.mark();
-    if (remover.remove(u, w, 1, nullptr, recovery_budget.link_edge_effort)) {
+    if (remover.remove(u, w, recovery_budget.link_edge_depth, nullptr, recovery_budget.link_edge_effort)) {
       ++tried;
       if (attempt()) {
         mesh.keep();
@@ -57,9 +57,11 @@ bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt)
 void clear_chord(Recovery& recovery, VertexIndex x) {
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() == 2 && recovery.mesh.find_edge(ends[0], ends[1]) != no_cell)
-    EdgeRemover(recovery.mesh, recovery.constraints).remove(ends[0], ends[1], 2, nullptr, recovery_budget.chord_effort);
+    EdgeRemover(recovery.mesh, recovery.constraints)
+        .remove(ends[0], ends[1], recovery_budget.chord_depth, nullptr, recovery_budget.chord_effort);
 }
 
+/// `effort`: 0 the star alone; 1 after flips at the point; 2 with the cells about the star and flips of its link.
 bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
   if (take_point_off_boundary(recovery, x)) return true;
   if (effort == 0) return false;

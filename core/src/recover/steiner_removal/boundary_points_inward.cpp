@@ -231,7 +231,7 @@ class PointRemoval {
         region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
     if (!region) return false;
     for (const Triangle& t : sheets_of(s)) region->boundary.push_back(t);
-    auto filling = fill_region(mesh_, constraints_, *region, recovery_budget.region_conflicts);
+    auto filling = fill_region_once(recovery_, *region);
     return filling && take(s, std::move(*filling), region->cells);
   }
   bool take(Sector& s, std::vector<Tetrahedron>&& filling, const std::vector<CellIndex>& cells) {

@@ -45,7 +45,7 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
   mesh.star(x, star);
   const std::optional<Region> region = region_about(recovery, star, {&x, 1}, max_vertices);
   if (!region) return false;
-  const auto filling = fill_region(mesh, recovery.constraints, *region, recovery_budget.region_conflicts);
+  const auto filling = fill_region_once(recovery, *region);
   if (!filling) return false;
   mesh.replace(region->cells, *filling);
   mesh.forget(x);

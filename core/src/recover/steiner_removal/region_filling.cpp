@@ -2,8 +2,11 @@
 #include "recover/steiner_removal/region_filling.hpp"
 
 #include <algorithm>
+#include <bit>
 
+#include "common/hash.hpp"
 #include "common/sort_unique.hpp"
+#include "recover/model/recovery_budget.hpp"
 #include "recover/steiner_removal/filling_candidates.hpp"
 #include "recover/steiner_removal/sat_solver.hpp"
 
@@ -165,6 +168,41 @@ std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh,
   FillingCandidates candidates(mesh, constraints, region);
   if (!candidates.find()) return std::nullopt;
   return RegionFiller(region, candidates).run(max_conflicts);
+}
+
+namespace {
+
+/// Of all that a filling hangs on: vertices with their places, boundary, segments, and the cells that are preferred.
+std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
+  std::uint64_t key = 0;
+  const auto add = [&key](std::uint64_t word) { key = mixed(key ^ word) + word; };
+  const auto add_all = [&add](const auto& simplices) {
+    add(simplices.size());
+    for (const auto& simplex : simplices)
+      for (const VertexIndex v : simplex) add(v);
+  };
+  for (const VertexIndex v : region.vertices) {
+    add(v);
+    for (std::size_t i = 0; i < 3; ++i) add(std::bit_cast<std::uint64_t>(mesh.point(v)[i]));
+    if (!mesh.is_exact(v)) continue;
+    const Vec3 rest = mesh.exact_places().rest_of(v);
+    for (std::size_t i = 0; i < 3; ++i) add(std::bit_cast<std::uint64_t>(rest[i]));
+  }
+  add_all(region.boundary);
+  add_all(region.segments);
+  add_all(region.kept);
+  return key;
+}
+
+}  // namespace
+
+// Two regions with one key, one of them fillable, would leave a point that could go, and nothing worse.
+std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region) {
+  const std::uint64_t key = key_of(recovery.mesh, region);
+  if (recovery.refuted_regions.count(key) > 0) return std::nullopt;
+  auto filling = fill_region(recovery.mesh, recovery.constraints, region, recovery_budget.region_conflicts);
+  if (!filling) recovery.refuted_regions.insert(key);
+  return filling;
 }
 
 }  // namespace geomesh::recover

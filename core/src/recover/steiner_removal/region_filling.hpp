@@ -38,5 +38,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 /// suffice. O(n^4) for n vertices before the search.
 std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                     const Region& region, std::size_t max_conflicts);
+/// The same within recovery's budget, but for regions that have been found to have none: they are remembered.
+std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region);
 
 }  // namespace geomesh::recover

@@ -63,7 +63,7 @@ class Star {
     const auto& f = face_vertices[i];
     const Vec3 n = cross(mesh_.offset(v[f[0]], v[f[1]]), mesh_.offset(v[f[0]], v[f[2]]));
     const double area = std::sqrt(dot(n, n));
-    const double volume = mesh_.exact_places().volume(mesh_.points(), {v[f[0]], v[f[1]], v[f[2]], x_}).estimate();
+    const double volume = mesh_.exact_places().rough_volume(mesh_.points(), {v[f[0]], v[f[1]], v[f[2]], x_});
     return {volume / area, dot(n, direction) / area};
   }
 

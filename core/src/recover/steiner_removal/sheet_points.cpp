@@ -42,7 +42,7 @@ VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::arra
   const VertexIndex y = mesh.add_point(origin);
   recovery.constraints.vertices.resize(mesh.points().size(), {VertexOrigin::inside, no_index});
   for (double step = recovery_budget.sheet_point_reach * reach; step > recovery_budget.sheet_point_least * reach;
-       step /= 4) {
+       step *= recovery_budget.sheet_point_part) {
     const Vec3 off = step / length(d) * d;
     if (mesh.is_exact(x)) {
       mesh.move_point(y, place_beside(mesh, x, off));
@@ -79,10 +79,10 @@ bool take_off_with_sheets(Recovery& recovery, VertexIndex x) {
   const Vec3 second = (1 / length(along)) * cross(along, first);
   const std::size_t mark = mesh.mark(), n_points = mesh.points().size();
   bool taken = false;
-  for (const double turn : {2.0, 4.0, 3.0, 1.0, 5.0}) {
+  for (const double turn : recovery_budget.sheet_turns) {
     const double angle = turn * pi / 3;
     insert_sheet_apex(recovery, x, {ends[0], ends[1]}, std::cos(angle) * first + std::sin(angle) * second);
-    if ((taken = turn != 2.0 && take_point_off_boundary(recovery, x))) break;
+    if ((taken = turn != recovery_budget.sheet_turns[0] && take_point_off_boundary(recovery, x))) break;
   }
   if (taken) {
     mesh.keep();

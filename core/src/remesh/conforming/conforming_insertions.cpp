@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "common/geometry.hpp"
 #include "mesh/circumcentre.hpp"
-#include "quality/measure/shape.hpp"
 #include "remesh/conforming/conforming_refiner.hpp"
 
 namespace geomesh::remesh {
@@ -41,8 +41,7 @@ std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::encroached_face
     for (unsigned i = 0; i < 4; ++i) {
       const Index f = facet_of(c, i);
       if (f == no_index || facet_is_given_up_[f]) continue;
-      const auto& v = mesh_.cells().vertices(c);
-      const Triangle t{v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]};
+      const Triangle t = face_of(mesh_.cells().vertices(c), i);
       const auto centre = circumcentre(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
       if (centre && squared_distance(place.p, *centre) < squared_distance(mesh_.point(t[0]), *centre))
         return FaceOfFacet{t, f};
@@ -168,8 +167,8 @@ bool ConformingRefiner::renew_faces(VertexIndex x, Index subfacet, const std::ve
   if (facet_queued_[subfacet]) return false;
   std::map<std::array<VertexIndex, 2>, int> uses;
   for (const Triangle& t : lost)
-    for (unsigned i = 0; i < 3; ++i) ++uses[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
-  uses.erase({std::min(split[0], split[1]), std::max(split[0], split[1])});
+    for (unsigned i = 0; i < 3; ++i) ++uses[sorted(std::array{t[i], t[(i + 1) % 3]})];
+  uses.erase(sorted(split));
   std::vector<Triangle> star;
   for (const auto& [e, n] : uses) {
     if (n != 1) continue;

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
 #include "geomesh/core/refine_conforming.hpp"
-#include "quality/measure/shape.hpp"
 #include "remesh/conforming/conforming_refiner.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/sizes/sizes.hpp"
@@ -52,8 +52,7 @@ double share_within_size(const ConstrainedTetrahedralization& mesh, const SizeFi
   std::vector<std::pair<std::array<VertexIndex, 2>, Index>> edges;
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     for (const auto& e : edge_vertices) {
-      const auto [a, b] = std::minmax(mesh.tetrahedra[t][e[0]], mesh.tetrahedra[t][e[1]]);
-      edges.push_back({{a, b}, mesh.component[t]});
+      edges.push_back({sorted(std::array{mesh.tetrahedra[t][e[0]], mesh.tetrahedra[t][e[1]]}), mesh.component[t]});
     }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end(), [](const auto& x, const auto& y) { return x.first == y.first; }),
@@ -84,6 +83,11 @@ RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, Tetra
   return result;
 }
 
+[[noreturn]] void refuse(const std::string& what, std::size_t limit) {
+  throw Error(ErrorKind::cannot_mesh,
+              what + " than the limit of " + std::to_string(limit) + "; ask for larger sizes, or raise the limit");
+}
+
 void require_sizes_alone(const RefineOptions& o) {
   if (o.honour != Honour::exact)
     throw Error(ErrorKind::usage,
@@ -112,9 +116,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   const auto estimate = std::to_string(static_cast<long long>(result.statistics.estimated_elements));
   context.note(LogLevel::info, "about " + estimate + " elements to come");
   if (result.statistics.estimated_elements > static_cast<double>(options.max_elements))
-    throw Error(ErrorKind::cannot_mesh, "the sizes ask for about " + estimate + " elements, more than the limit of " +
-                                            std::to_string(options.max_elements) +
-                                            "; ask for larger sizes, or raise the limit");
+    refuse("the sizes ask for about " + estimate + " elements, more", options.max_elements);
   std::optional<StageScope> stage(std::in_place, context, "refine");
   RunContext quiet = context;
   quiet.stage = {};  // the engine's stages run within this one
@@ -141,10 +143,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
     stage.reset();
     return refine_constrained_instead(plc, meshing, options, context);
   }
-  if (is_too_large)
-    throw Error(ErrorKind::cannot_mesh, "refinement has reached more elements than the limit of " +
-                                            std::to_string(options.max_elements) +
-                                            "; ask for larger sizes, or raise the limit");
+  if (is_too_large) refuse("refinement has reached more elements", options.max_elements);
   result.statistics.points_on_curves = counts.on_segments;
   result.statistics.points_on_surfaces = counts.on_facets;
   result.statistics.points_inside = counts.inside;

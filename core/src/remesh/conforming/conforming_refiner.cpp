@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/flood.hpp"
+#include "common/geometry.hpp"
 #include "mesh/circumcentre.hpp"
-#include "quality/measure/shape.hpp"
 
 namespace geomesh::remesh {
 
@@ -45,7 +45,7 @@ bool ConformingRefiner::refine() {
 void ConformingRefiner::recover_what_was_lost() {
   renew_budget();
   recover_queued_facets();
-  for (const Index f : missing_facets_) give_up_facet(f);
+  for (const Index f : missing_facets_) give_up_facet(f, recover::GivenUpFor::budget);
   missing_facets_.clear();
 }
 
@@ -57,9 +57,7 @@ double ConformingRefiner::size_on_facet(const Vec3& p, Index facet) const {
 }
 
 Index ConformingRefiner::facet_of(CellIndex c, unsigned face) const {
-  const auto& v = mesh_.cells().vertices(c);
-  const auto& l = face_vertices[face];
-  return facet_of_face_.find({v[l[0]], v[l[1]], v[l[2]]});
+  return facet_of_face_.find(face_of(mesh_.cells().vertices(c), face));
 }
 
 void ConformingRefiner::flood(CellIndex start, Index label) {
@@ -112,8 +110,7 @@ std::size_t ConformingRefiner::refine_facets() {
       if (mesh_.cells().neighbor_cell(c, i) < c) continue;
       const Index f = facet_of(c, i);
       if (f == no_index || facet_is_given_up_[f]) continue;
-      const auto& v = mesh_.cells().vertices(c);
-      const Triangle t{v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]};
+      const Triangle t = face_of(mesh_.cells().vertices(c), i);
       const auto centre = circumcentre(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
       if (!centre) continue;
       const Vec3 middle = (1.0 / 3) * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]));

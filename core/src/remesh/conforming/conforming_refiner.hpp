@@ -17,6 +17,7 @@
 
 #include "geomesh/core/size_field.hpp"
 #include "recover/conforming/conforming.hpp"
+#include "remesh/domain/mesh_elements.hpp"
 
 namespace geomesh::remesh {
 

@@ -1,34 +1,67 @@
 // SPDX-License-Identifier: MIT
-// From the domain to a mesh in the caller's terms, declared in remesh/domain/domain_io.hpp.
+// From the domain, or a piece of it, to a mesh in the caller's terms, declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
-#include <numeric>
 
+#include "common/geometry.hpp"
+#include "common/sort_unique.hpp"
 #include "remesh/domain/domain_io.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
 
+using Edge = std::array<VertexIndex, 2>;
+
 class Exporter {
  public:
-  Exporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before) : domain_(domain), before_(before) {}
+  Exporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before, ExportScratch& scratch)
+      : domain_(domain), before_(before), marks_(scratch.marks), row_(scratch.vertex_row), cell_row_(scratch.cell_row) {
+    row_.resize(std::max(row_.size(), domain.n_vertices()), no_vertex);
+    cell_row_.resize(std::max<std::size_t>(cell_row_.size(), domain.n_slots()), no_index);
+  }
 
-  ConstrainedTetrahedralization run() {
+  ConstrainedTetrahedralization whole() {
+    for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
+      if (domain_.kind(v) != VertexKind::dead) add_vertex(v);
+    for (const CellIndex c : domain_.live_cells()) add_cell(c);
     out_.n_components = before_.n_components;
     out_.component_seed = before_.component_seed;
     out_.recovery = before_.recovery;
     out_.recovery.tetrahedra_final = domain_.n_cells();
     out_.delaunay_statistics = before_.delaunay_statistics;
-    number_points();
-    add_cells();
-    add_faces();
-    add_edges();
+    fill(domain_.curve_edges());
     for (const VertexIndex v : before_.isolated_points)
       if (row_[v] != no_vertex) out_.isolated_points.push_back(row_[v]);
     return std::move(out_);
   }
 
+  /// The seeds first, then ring by ring.
+  ConstrainedTetrahedralization about(std::span<const CellIndex> seeds, unsigned rings) {
+    for (const CellIndex c : seeds) add_cell(c);
+    std::vector<CellIndex> star;
+    for (std::size_t ring = 0, k = 0; ring < rings; ++ring)
+      for (const std::size_t n = vertices_.size(); k < n; ++k) {
+        domain_.star(vertices_[k], marks_, star);
+        for (const CellIndex c : star)
+          if (cell_row_[c] == no_index) add_cell(c);
+      }
+    fill(curves_of_cells());
+    for (const CellIndex c : cells_) cell_row_[c] = no_index;
+    for (const VertexIndex v : vertices_) row_[v] = no_vertex;
+    return std::move(out_);
+  }
+
  private:
+  void add_cell(CellIndex c) {
+    cell_row_[c] = static_cast<Index>(cells_.size());
+    cells_.push_back(c);
+    for (const VertexIndex v : domain_.vertices(c)) add_vertex(v);
+  }
+  void add_vertex(VertexIndex v) {
+    if (row_[v] != no_vertex) return;
+    row_[v] = 0;  // until they are numbered
+    vertices_.push_back(v);
+  }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
 
   /// An input vertex that moved, or a curve's, is told by its kind now.
@@ -46,70 +79,68 @@ class Exporter {
     }
   }
 
-  void number_points() {
-    std::vector<VertexIndex> order;
-    for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
-      if (domain_.kind(v) != VertexKind::dead) order.push_back(v);
-    std::stable_sort(order.begin(), order.end(),
+  void fill(const std::vector<Edge>& curves) {
+    std::sort(vertices_.begin(), vertices_.end());
+    std::stable_sort(vertices_.begin(), vertices_.end(),
                      [&](VertexIndex a, VertexIndex b) { return input_of(a) < input_of(b); });
-    row_.assign(domain_.n_vertices(), no_vertex);
-    for (const VertexIndex v : order) {
+    for (const VertexIndex v : vertices_) {
       row_[v] = static_cast<VertexIndex>(out_.points.size());
       out_.points.push_back(domain_.point(v));
       out_.input_vertex.push_back(input_of(v));
       out_.origin.push_back(origin_of(v));
     }
-  }
-
-  void add_cells() {
-    cell_row_.assign(domain_.n_slots(), no_index);
-    for (CellIndex c = 0; c < domain_.n_slots(); ++c) {
-      if (!domain_.is_live(c)) continue;
-      cell_row_[c] = static_cast<Index>(out_.tetrahedra.size());
+    for (const CellIndex c : cells_) {
       Tetrahedron t = domain_.vertices(c);
       for (VertexIndex& v : t) v = row_[v];
       out_.tetrahedra.push_back(t);
       out_.component.push_back(domain_.component(c));
-    }
-  }
-
-  void add_faces() {
-    for (CellIndex c = 0; c < domain_.n_slots(); ++c) {
-      if (!domain_.is_live(c)) continue;
-      for (unsigned i = 0; i < 4; ++i) {
-        const FaceTag t = domain_.tag(c, i);
-        if (!t.constrained() || t.facet() == hull_facet || (!t.above() && domain_.has_neighbor(c, i))) continue;
-        const Tetrahedron& v = domain_.vertices(c);
-        ConstrainedTetrahedralization::Face f;
-        for (unsigned k = 0; k < 3; ++k) f.vertices[k] = row_[v[face_vertices[i][k]]];
-        f.facet = t.facet();
-        if (t.above()) {
-          f.tetrahedron_above = cell_row_[c];
-          if (domain_.has_neighbor(c, i)) f.tetrahedron_below = cell_row_[domain_.topology().neighbor_cell(c, i)];
-        } else {
-          std::swap(f.vertices[1], f.vertices[2]);
-          f.tetrahedron_below = cell_row_[c];
-        }
-        out_.faces.push_back(f);
-      }
+      for (unsigned i = 0; i < 4; ++i) add_face(FaceRef(c, i));
     }
     std::stable_sort(out_.faces.begin(), out_.faces.end(),
                      [](const auto& a, const auto& b) { return a.facet < b.facet; });
-  }
-
-  void add_edges() {
-    for (const auto& [a, b] : domain_.curve_edges())
+    for (const auto& [a, b] : curves)
       for (const Index s : domain_.curve_class(domain_.curve_of(a, b)).segments)
         out_.edges.push_back({row_[a], row_[b], s});
     std::stable_sort(out_.edges.begin(), out_.edges.end(),
                      [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
+  /// Once: from above, or where the cell there is none of those exported.
+  void add_face(FaceRef face) {
+    const FaceTag tag = domain_.tag(face);
+    if (!tag.constrained() || tag.facet() == hull_facet) return;
+    const FaceRef other = domain_.cells().mirror(face);
+    const Index here = cell_row_[face.cell()], there = other.valid() ? cell_row_[other.cell()] : no_index;
+    if (!tag.above() && there != no_index) return;
+    Triangle t = domain_.facet_face(face);
+    for (VertexIndex& v : t) v = row_[v];
+    ConstrainedTetrahedralization::Face f;
+    f.vertices = t;
+    f.facet = tag.facet();
+    f.tetrahedron_above = tag.above() ? here : no_index;
+    f.tetrahedron_below = tag.above() ? there : here;
+    out_.faces.push_back(f);
+  }
+
+  std::vector<Edge> curves_of_cells() const {
+    std::vector<Edge> curves;
+    for (const CellIndex c : cells_)
+      for (const auto& e : edge_vertices) {
+        const Tetrahedron& t = domain_.vertices(c);
+        if (domain_.curve_of(t[e[0]], t[e[1]]) != no_index) curves.push_back(sorted(Edge{t[e[0]], t[e[1]]}));
+      }
+    sort_unique(curves);
+    return curves;
+  }
+
   const DomainMesh& domain_;
   const ConstrainedTetrahedralization& before_;
+  EpochMarks& marks_;
+  std::vector<VertexIndex>& row_;
+  std::vector<Index>& cell_row_;
+  std::vector<CellIndex> cells_;
+  std::vector<VertexIndex> vertices_;
   ConstrainedTetrahedralization out_;
-  std::vector<VertexIndex> row_;
-  std::vector<Index> cell_row_;
 };
 
 }  // namespace
@@ -120,7 +151,13 @@ VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedrali
 }
 
 ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before) {
-  return Exporter(domain, before).run();
+  ExportScratch scratch;
+  return Exporter(domain, before, scratch).whole();
+}
+
+ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
+                                           const ConstrainedTetrahedralization& before, ExportScratch& scratch) {
+  return Exporter(domain, before, scratch).about(cells, rings);
 }
 
 }  // namespace geomesh::remesh

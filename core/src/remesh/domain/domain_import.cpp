@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "common/epoch_marks.hpp"
 #include "common/geometry.hpp"
@@ -19,13 +18,76 @@ namespace {
 /// Of the tolerance: lower faces have no direction of their own.
 constexpr double narrow_share = 1e-3;
 
+using Edge = std::array<VertexIndex, 2>;
+
+/// Vertices of edges with more than two outer faces, and those on the outside that have more cells than a walk
+/// through faces finds.
+std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
+  std::vector<bool> pinched(mesh.n_vertices(), false), is_counted = pinched;
+  std::vector<std::uint32_t> n_cells(mesh.n_vertices(), 0);
+  std::vector<Edge> outer_edges;
+  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
+    for (const VertexIndex v : mesh.vertices(c)) ++n_cells[v];
+    for (unsigned i = 0; i < 4; ++i) {
+      if (mesh.has_neighbor(c, i)) continue;
+      const Triangle f = mesh.face(c, i);
+      for (unsigned k = 0; k < 3; ++k) outer_edges.push_back(sorted(Edge{f[k], f[(k + 1) % 3]}));
+    }
+  }
+  std::sort(outer_edges.begin(), outer_edges.end());
+  EpochMarks marks;
+  std::vector<CellIndex> star;
+  for (std::size_t i = 0, j; i < outer_edges.size(); i = j) {
+    for (j = i; j < outer_edges.size() && outer_edges[j] == outer_edges[i];) ++j;
+    for (const VertexIndex v : outer_edges[i]) {
+      if (j - i > 2) pinched[v] = true;
+      if (is_counted[v]) continue;
+      is_counted[v] = true;
+      mesh.star(v, marks, star);
+      if (star.size() < n_cells[v]) pinched[v] = true;
+    }
+  }
+  return pinched;
+}
+
+/// Whether the faces about v join at edges: else two sheets touch there.
+bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
+  std::vector<Index> left(faces.begin() + 1, faces.end());
+  std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
+  const auto joins = [&](Index f) {
+    const Triangle& t = corners[f];
+    if (std::none_of(t.begin(), t.end(), [&](VertexIndex x) {
+          return x != v && std::find(reached.begin(), reached.end(), x) != reached.end();
+        }))
+      return false;
+    reached.insert(reached.end(), t.begin(), t.end());
+    return true;
+  };
+  while (std::erase_if(left, joins) > 0) continue;
+  return left.empty();
+}
+
+/// By vertex of the mesh: whether it is to stay for itself, whatever is about it.
+std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
+                                  const RefineOptions& options) {
+  std::vector<bool> pinned_input(plc.points.size(), false), pinned(input.points.size(), false);
+  if (options.honour == Honour::exact || !options.fixed_points) {
+    for (const auto& p : plc.facet_points) pinned_input[p.v] = true;
+  } else {
+    for (const VertexIndex v : *options.fixed_points) pinned_input[v] = true;
+  }
+  for (VertexIndex v = 0; v < pinned.size(); ++v)
+    pinned[v] = input.input_vertex[v] != no_vertex && pinned_input[input.input_vertex[v]];
+  for (const VertexIndex v : input.isolated_points) pinned[v] = true;
+  return pinned;
+}
+
+/// The faces and curves of the mesh given, and what they make of the domain's vertices.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
            std::vector<Index> patches)
-      : plc_(plc),
-        input_(input),
-        fixed_points_(options.fixed_points),
+      : input_(input),
         exact_(options.honour == Honour::exact),
         narrow_(narrow_share * options.tolerance),
         cos_sharp_(std::cos(options.sharp_angle * pi / 180)) {
@@ -38,20 +100,23 @@ class Importer {
     }
   }
 
-  DomainMesh run() {
+  DomainMesh make(const std::vector<bool>& pinned) {
     add_cells();
     tag_faces();
-    collect_edges();
     register_curves();
-    find_pinched();
-    classify_vertices();
+    domain_.set_pinched(pinched_vertices(domain_));
+    std::vector<std::vector<Index>> faces_at(domain_.n_vertices());
+    for (Index f = 0; f < faces_.size(); ++f)
+      for (const VertexIndex v : faces_[f]) faces_at[v].push_back(f);
+    for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
+      if (!pinned[v] && !domain_.is_pinched(v)) classify(v, faces_at[v]);
     return std::move(domain_);
   }
 
  private:
   void add_cells() {
     domain_.reserve(2 * input_.points.size(), 2 * input_.tetrahedra.size());
-    for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::inside);
+    for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::corner);  // curve_of must not filter
     for (std::size_t t = 0; t < input_.tetrahedra.size(); ++t)
       domain_.add_cell(input_.tetrahedra[t], input_.component[t]);
     domain_.link_cells();
@@ -60,11 +125,8 @@ class Importer {
   void tag_face(Index tetrahedron, const Triangle& f, FaceTag tag) {
     if (tetrahedron == no_index) return;
     const Tetrahedron& t = domain_.vertices(tetrahedron);
-    for (unsigned i = 0; i < 4; ++i)
-      if (t[i] != f[0] && t[i] != f[1] && t[i] != f[2]) {
-        domain_.set_tag(tetrahedron, i, tag);
-        return;
-      }
+    const auto apex = std::find_if(t.begin(), t.end(), [&](VertexIndex v) { return std::ranges::count(f, v) == 0; });
+    domain_.set_tag(tetrahedron, static_cast<unsigned>(apex - t.begin()), tag);
   }
 
   void tag_faces() {
@@ -78,30 +140,26 @@ class Importer {
       for (unsigned i = 0; i < 4; ++i) {
         if (domain_.has_neighbor(c, i) || domain_.tag(c, i).constrained()) continue;
         domain_.set_tag(c, i, FaceTag(hull_facet, true));
-        const Tetrahedron& t = domain_.vertices(c);
-        faces_.push_back({t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]});
+        faces_.push_back(domain_.face(c, i));
         facets_.push_back(hull_facet);
       }
   }
 
-  void collect_edges() {
+  std::vector<EdgeUse> edges_of_faces() const {
+    std::vector<EdgeUse> uses;
     for (Index f = 0; f < faces_.size(); ++f)
-      for (unsigned i = 0; i < 3; ++i) {
-        const VertexIndex a = faces_[f][i], b = faces_[f][(i + 1) % 3];
-        uses_.push_back({{std::min(a, b), std::max(a, b)}, f});
-      }
-    std::sort(uses_.begin(), uses_.end(),
+      for (unsigned i = 0; i < 3; ++i) uses.push_back({sorted(Edge{faces_[f][i], faces_[f][(i + 1) % 3]}), f});
+    std::sort(uses.begin(), uses.end(),
               [](const EdgeUse& a, const EdgeUse& b) { return a.edge != b.edge ? a.edge < b.edge : a.face < b.face; });
-    for (const auto& e : input_.edges) segments_[{std::min(e.a, e.b), std::max(e.a, e.b)}].push_back(e.segment);
-    for (auto& [edge, rows] : segments_) std::sort(rows.begin(), rows.end());
+    return uses;
   }
 
   /// By face; empty where edges are not sharp whatever their faces' directions.
-  std::vector<Vec3> directions() const {
+  std::vector<Vec3> directions(const std::vector<EdgeUse>& uses) const {
     if (exact_) return {};
     std::vector<Index> patches;
     for (const Index f : facets_) patches.push_back(domain_.patch_of_facet(f));
-    return face_directions(input_.points, faces_, patches, uses_, narrow_);
+    return face_directions(input_.points, faces_, patches, uses, narrow_);
   }
 
   /// Not where a face is so narrow that it has no direction.
@@ -114,81 +172,38 @@ class Importer {
     return (consistent ? dot(n, m) : -dot(n, m)) < cos_sharp_;
   }
 
-  std::vector<Index> first_of_their_curves(std::vector<Index> rows) const {
-    for (Index& s : rows) s = first_of_curve_[s];
-    sort_unique(rows);
-    return rows;
-  }
-
-  Index intern(CurveClass c) {
-    const auto [it, is_new] =
+  void add_curve(const Edge& edge, CurveClass c) {
+    const auto [known, is_new] =
         classes_.try_emplace({c.segments, c.patches}, static_cast<Index>(domain_.n_curve_classes()));
     if (is_new) domain_.add_curve_class(std::move(c));
-    return it->second;
-  }
-
-  void add_curve(const std::array<VertexIndex, 2>& edge, CurveClass c) {
-    const Index curve = intern(std::move(c));
-    domain_.set_curve(edge[0], edge[1], curve);
-    for (const VertexIndex v : edge) curve_ends_[v].push_back({edge[0] == v ? edge[1] : edge[0], curve});
+    domain_.set_curve(edge[0], edge[1], known->second);
+    for (const VertexIndex v : edge) curve_ends_[v].push_back({edge[0] == v ? edge[1] : edge[0], known->second});
   }
 
   void register_curves() {
-    for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
-      domain_.set_kind(v, VertexKind::corner, no_index);  // curve_of must not filter
     curve_ends_.resize(domain_.n_vertices());
-    const std::vector<Vec3> looks = directions();
-    for (std::size_t i = 0, j; i < uses_.size(); i = j) {
-      for (j = i; j < uses_.size() && uses_[j].edge == uses_[i].edge;) ++j;
+    std::map<Edge, std::vector<Index>> segments;
+    for (const auto& e : input_.edges) segments[sorted(Edge{e.a, e.b})].push_back(e.segment);
+    const std::vector<EdgeUse> uses = edges_of_faces();
+    const std::vector<Vec3> looks = directions(uses);
+    for (std::size_t i = 0, j; i < uses.size(); i = j) {
+      for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
       CurveClass c;
-      for (std::size_t k = i; k < j; ++k) c.patches.push_back(domain_.patch_of_facet(facets_[uses_[k].face]));
+      for (std::size_t k = i; k < j; ++k) c.patches.push_back(domain_.patch_of_facet(facets_[uses[k].face]));
       std::sort(c.patches.begin(), c.patches.end());
-      const auto listed = segments_.find(uses_[i].edge);
-      if (listed != segments_.end()) {
-        c.segments = first_of_their_curves(listed->second);
-        segments_.erase(listed);
+      if (const auto listed = segments.find(uses[i].edge); listed != segments.end()) {
+        for (const Index s : listed->second) c.segments.push_back(first_of_curve_[s]);
+        sort_unique(c.segments);
+        segments.erase(listed);
       }
-      if (!c.segments.empty() || j - i != 2 || c.patches[0] != c.patches[1] || is_sharp(uses_[i], uses_[i + 1], looks))
-        add_curve(uses_[i].edge, std::move(c));
+      if (!c.segments.empty() || j - i != 2 || c.patches[0] != c.patches[1] || is_sharp(uses[i], uses[i + 1], looks))
+        add_curve(uses[i].edge, std::move(c));
     }
-    for (const auto& [edge, rows] : segments_) add_curve(edge, {rows, {}});  // in the inside of regions
+    for (auto& [edge, rows] : segments) {  // in the inside of regions
+      std::sort(rows.begin(), rows.end());
+      add_curve(edge, {rows, {}});
+    }
   }
-
-  /// Vertices of edges with more than two outer faces, and those on the outside that have more cells than a walk
-  /// through faces finds.
-  void find_pinched() {
-    std::vector<bool> pinched(domain_.n_vertices(), false);
-    std::vector<std::uint32_t> n_cells(domain_.n_vertices(), 0);
-    std::vector<std::array<VertexIndex, 2>> outer_edges;
-    for (CellIndex c = 0; c < domain_.n_slots(); ++c) {
-      const Tetrahedron& t = domain_.vertices(c);
-      for (const VertexIndex v : t) ++n_cells[v];
-      for (unsigned i = 0; i < 4; ++i) {
-        if (domain_.has_neighbor(c, i)) continue;
-        for (unsigned k = 0; k < 3; ++k) {
-          const VertexIndex a = t[face_vertices[i][k]], b = t[face_vertices[i][(k + 1) % 3]];
-          outer_edges.push_back({std::min(a, b), std::max(a, b)});
-        }
-      }
-    }
-    std::sort(outer_edges.begin(), outer_edges.end());
-    EpochMarks marks;
-    std::vector<CellIndex> star;
-    std::vector<bool> is_counted(domain_.n_vertices(), false);
-    for (std::size_t i = 0, j; i < outer_edges.size(); i = j) {
-      for (j = i; j < outer_edges.size() && outer_edges[j] == outer_edges[i];) ++j;
-      for (const VertexIndex v : outer_edges[i]) {
-        if (j - i > 2) pinched[v] = true;
-        if (is_counted[v]) continue;
-        is_counted[v] = true;
-        domain_.star(v, marks, star);
-        if (star.size() < n_cells[v]) pinched[v] = true;
-      }
-    }
-    domain_.set_pinched(std::move(pinched));
-  }
-
-  bool is_fixed(VertexIndex v) const { return exact_ && input_.input_vertex[v] != no_vertex; }
 
   bool turns_sharply(VertexIndex v) const {
     const Vec3 a = input_.points[curve_ends_[v][0].first] - input_.points[v],
@@ -196,78 +211,28 @@ class Importer {
     return -dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
 
-  /// Whether the faces about v (a range of at_vertex_) form one fan: else two sheets touch there.
-  bool is_one_fan(VertexIndex v, std::span<const Index> faces) const {
-    std::vector<VertexIndex> reached;
-    std::vector<bool> used(faces.size(), false);
-    const auto others = [&](Index f) {
-      const Triangle& t = faces_[f];
-      return t[0] == v ? std::array{t[1], t[2]} : t[1] == v ? std::array{t[2], t[0]} : std::array{t[0], t[1]};
-    };
-    used[0] = true;
-    for (const VertexIndex x : others(faces[0])) reached.push_back(x);
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (std::size_t k = 0; k < faces.size(); ++k) {
-        if (used[k]) continue;
-        const auto o = others(faces[k]);
-        if (std::find(reached.begin(), reached.end(), o[0]) == reached.end() &&
-            std::find(reached.begin(), reached.end(), o[1]) == reached.end())
-          continue;
-        used[k] = grown = true;
-        reached.insert(reached.end(), o.begin(), o.end());
-      }
-    }
-    return std::all_of(used.begin(), used.end(), [](bool u) { return u; });
-  }
-
-  void classify(VertexIndex v, std::span<const Index> faces, bool pinned) {
+  /// Else it stays a corner.
+  void classify(VertexIndex v, const std::vector<Index>& faces) {
     const auto& curves = curve_ends_[v];
-    if (pinned || is_fixed(v) || domain_.is_pinched(v)) return;  // corner, as set
+    const bool is_given = input_.input_vertex[v] != no_vertex;
+    if (exact_ && is_given) return;
     if (curves.size() == 2 && curves[0].second == curves[1].second && !turns_sharply(v)) {
       domain_.set_kind(v, VertexKind::curve, curves[0].second);
     } else if (curves.empty() && faces.empty()) {
-      if (input_.input_vertex[v] == no_vertex) domain_.set_kind(v, VertexKind::inside, no_index);
+      if (!is_given) domain_.set_kind(v, VertexKind::inside, no_index);
     } else if (curves.empty()) {
       const Index patch = domain_.patch_of_facet(facets_[faces[0]]);
-      if (patch != hull_patch && is_one_fan(v, faces)) domain_.set_kind(v, VertexKind::surface, patch);
+      if (patch != hull_patch && is_one_fan(v, faces, faces_)) domain_.set_kind(v, VertexKind::surface, patch);
     }
   }
 
-  void classify_vertices() {
-    const std::size_t n = domain_.n_vertices();
-    std::vector<bool> pinned(n, false);
-    for (const VertexIndex v : input_.isolated_points) pinned[v] = true;
-    std::vector<bool> pinned_input(plc_.points.size(), false);
-    if (exact_ || !fixed_points_) {
-      for (const auto& p : plc_.facet_points) pinned_input[p.v] = true;
-    } else {
-      for (const VertexIndex v : *fixed_points_) pinned_input[v] = true;
-    }
-    for (VertexIndex v = 0; v < n; ++v)
-      if (input_.input_vertex[v] != no_vertex && pinned_input[input_.input_vertex[v]]) pinned[v] = true;
-    std::vector<Index> offset(n + 1, 0), at_vertex(3 * faces_.size());
-    for (const Triangle& t : faces_)
-      for (const VertexIndex v : t) ++offset[v + 1];
-    std::partial_sum(offset.begin(), offset.end(), offset.begin());
-    std::vector<Index> fill(offset.begin(), offset.end() - 1);
-    for (Index f = 0; f < faces_.size(); ++f)
-      for (const VertexIndex v : faces_[f]) at_vertex[fill[v]++] = f;
-    for (VertexIndex v = 0; v < n; ++v)
-      classify(v, std::span(at_vertex).subspan(offset[v], offset[v + 1] - offset[v]), pinned[v]);
-  }
-
-  const PiecewiseLinearComplex& plc_;
   const ConstrainedTetrahedralization& input_;
-  const std::optional<std::vector<VertexIndex>>& fixed_points_;
   bool exact_;
   double narrow_, cos_sharp_;
   std::vector<Index> first_of_curve_;  // per segment: the first of those that are pieces of one curve with it
   DomainMesh domain_;
   std::vector<Triangle> faces_;
   std::vector<Index> facets_;
-  std::vector<EdgeUse> uses_;
-  std::map<std::array<VertexIndex, 2>, std::vector<Index>> segments_;
   std::map<std::pair<std::vector<Index>, std::vector<Index>>, Index> classes_;
   std::vector<std::vector<std::pair<VertexIndex, Index>>> curve_ends_;
 };
@@ -277,20 +242,13 @@ class Importer {
 std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options) {
   if (!options.facet_patch.empty()) return options.facet_patch;
   std::vector<Index> patch = plc.facet_provenance;
-  const bool any_missing = std::find(patch.begin(), patch.end(), no_index) != patch.end();
-  if (!any_missing) return patch;
   Index next = 0;
   for (const Index p : patch)
     if (p != no_index) next = std::max(next, p + 1);
-  for (Index& p : patch)
-    if (p == no_index) p = next;
+  std::replace(patch.begin(), patch.end(), no_index, next);
   return patch;
 }
 
-std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options) {
-  return options.honour == Honour::tolerance ? named_patches(plc, options)
-                                             : merge_pieces(plc, options.facet_parent).row_of_facet;
-}
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged) {
   return options.honour == Honour::tolerance ? named_patches(plc, options) : merged.row_of_facet;
@@ -298,11 +256,11 @@ std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const Re
 
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options, std::vector<Index> patches) {
-  return Importer(plc, mesh, options, std::move(patches)).run();
+  return Importer(plc, mesh, options, std::move(patches)).make(pinned_vertices(plc, mesh, options));
 }
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options) {
-  return import_domain(plc, mesh, options, patches_of_facets(plc, options));
+  return import_domain(plc, mesh, options, patches_of_facets(plc, options, merge_pieces(plc, options.facet_parent)));
 }
 
 }  // namespace geomesh::remesh

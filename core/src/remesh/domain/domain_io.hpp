@@ -12,8 +12,6 @@ namespace geomesh::remesh {
 
 /// Patch of each facet as the options say: exact: what is kept as one facet; else facet_patch, or facets of equal
 /// provenance.
-std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options);
-/// The same, where pieces of facets are merged already.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
 /// The patches that users name (sizes), whatever the honour mode.
@@ -21,7 +19,7 @@ std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const Refine
 
 /// Vertices and cells keep their rows. Curves: edges where not exactly two faces of one patch meet, or two that turn by
 /// more than the sharp angle, and listed segments. O(n log n). Throws InternalError where the mesh breaks its
-/// invariants. `patches`: patches_of_facets(plc, options), where they are known.
+/// invariants. `patches`: patches_of_facets(plc, options, merge_pieces(...)), where they are known.
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options, std::vector<Index> patches);
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
@@ -34,10 +32,15 @@ ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const Cons
 /// Row of v in the input PLC where it is still at its place.
 VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v);
 
+/// Rows of vertices and cells in a piece. Of the size of the mesh, so it is kept from call to call.
+struct ExportScratch {
+  EpochMarks marks;
+  std::vector<VertexIndex> vertex_row;
+  std::vector<Index> cell_row;
+};
 /// A piece of the mesh: the given cells, in their order, then those that share a vertex with them, and so on by rings;
-/// with points, faces and edges of them alone, and faces without the cells beside them. O(k log k) in what it has;
-/// `marks` are scratch, kept from call to call.
+/// with points, faces and edges of them alone. O(k log k) in what it has.
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
-                                           const ConstrainedTetrahedralization& before, EpochMarks& marks);
+                                           const ConstrainedTetrahedralization& before, ExportScratch& scratch);
 
 }  // namespace geomesh::remesh

@@ -32,7 +32,7 @@ void DomainMesh::reserve(std::size_t n_vertices, std::size_t n_cells) {
 
 CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, double shape) {
   const CellIndex c = mesh_.add_cell(vertices);
-  if (journal_.is_open()) journal_.note_added(c);
+  if (journal_.is_open) journal_.note_added(c);
   if (c == attributes_.component.size()) {
     attributes_.component.push_back(component);
     attributes_.tags.emplace_back();
@@ -52,13 +52,10 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, dou
   return c;
 }
 
-void DomainMesh::refresh_shape(CellIndex c) {
-  const Tetrahedron& t = mesh_.vertices(c);
-  set_shape(c, measure_.shape(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]));
-}
+void DomainMesh::refresh_shape(CellIndex c) { set_shape(c, DomainMesh::shape(mesh_.vertices(c))); }
 
 void DomainMesh::set_shape(CellIndex c, double shape) {
-  if (journal_.is_open()) {
+  if (journal_.is_open) {
     note_cell(c);
     for (const VertexIndex v : mesh_.vertices(c)) note_vertex(v);
   }
@@ -68,11 +65,14 @@ void DomainMesh::set_shape(CellIndex c, double shape) {
 }
 
 void DomainMesh::link_cells() {
-  std::vector<std::pair<FaceKey, FaceRef>> faces;
+  std::vector<OpenFace> faces;
   faces.reserve(4 * mesh_.n_live());
-  for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-    if (mesh_.is_live(c))
-      for (unsigned i = 0; i < 4; ++i) faces.push_back({face_key(mesh_.vertices(c), i), FaceRef(c, i)});
+  for (const CellIndex c : live_cells())
+    for (unsigned i = 0; i < 4; ++i) faces.push_back({face_key(mesh_.vertices(c), i), FaceRef(c, i)});
+  link_faces(std::move(faces));
+}
+
+void DomainMesh::link_faces(std::vector<OpenFace> faces) {
   std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
     if (faces[i].first != faces[i + 1].first) continue;
@@ -92,7 +92,7 @@ void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const New
   };
   const auto note_removal = [&](CellIndex c) {
     note_cell(c);
-    if (journal_.is_open()) journal_.note_freed(c);
+    if (journal_.is_open) journal_.note_freed(c);
   };
   if (added.empty()) created.clear();
   exchange(
@@ -117,7 +117,7 @@ void DomainMesh::replace_by_star(std::span<const CellIndex> removed, std::span<c
   }
   for (const CellIndex c : removed) {
     note_cell(c);
-    if (journal_.is_open()) journal_.note_freed(c);
+    if (journal_.is_open) journal_.note_freed(c);
     mesh_.free_cell(c);
   }
   created.clear();
@@ -150,6 +150,46 @@ Index DomainMesh::add_curve_class(CurveClass c) {
   return static_cast<Index>(curve_classes_.size() - 1);
 }
 
+void DomainMesh::begin_trial() { journal_.open(n_vertices(), n_slots(), clock_); }
+
+void DomainMesh::undo_trial() {
+  points_.resize(journal_.n_vertices);
+  kinds_.resize(points_.size());
+  supports_.resize(points_.size());
+  cell_of_.resize(points_.size());
+  changed_.resize(points_.size());
+  for (const SavedVertex& s : journal_.vertices) {
+    points_[s.vertex] = s.point;
+    kinds_[s.vertex] = s.kind;
+    supports_[s.vertex] = s.support;
+    cell_of_[s.vertex] = s.incident;
+    changed_[s.vertex] = s.changed;
+  }
+  for (auto event = journal_.slots.rbegin(); event != journal_.slots.rend(); ++event)
+    if (event->what == SlotEvent::What::freed)
+      mesh_.take_back_freed(event->cell);
+    else if (event->what == SlotEvent::What::reused)
+      mesh_.free_cell(event->cell);
+    else
+      mesh_.drop_slots_from(event->cell);
+  attributes_.component.resize(mesh_.n_slots());
+  attributes_.tags.resize(mesh_.n_slots());
+  attributes_.shape.resize(mesh_.n_slots());
+  for (const SavedCell& s : journal_.cells) {
+    mesh_.cells()[s.cell] = s.links;
+    attributes_.component[s.cell] = s.component;
+    attributes_.tags[s.cell] = s.tags;
+    attributes_.shape[s.cell] = s.shape;
+  }
+  for (auto curve = journal_.curves.rbegin(); curve != journal_.curves.rend(); ++curve)
+    if (curve->curve == no_index)
+      curves_.erase({curve->a, curve->b});
+    else
+      curves_.insert({curve->a, curve->b}, curve->curve);
+  clock_ = journal_.clock;
+  journal_.is_open = false;
+}
+
 namespace {
 
 std::string describe(const char* what, CellIndex c) { return std::string(what) + " (cell " + std::to_string(c) + ")"; }
@@ -160,8 +200,7 @@ std::string DomainMesh::validate() const {
   for (const auto& faults : {validate_topology(mesh_, 1, Outside::open), validate_geometry(mesh_, points_, 1)})
     if (!faults.empty()) return describe(faults[0].what.c_str(), faults[0].cell);
   std::vector<std::array<VertexIndex, 2>> edges;
-  for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
-    if (!mesh_.is_live(c)) continue;
+  for (const CellIndex c : live_cells()) {
     const Tetrahedron& t = mesh_.vertices(c);
     for (unsigned i = 0; i < 4; ++i) {
       if (kinds_[t[i]] == VertexKind::dead) return describe("a removed vertex is in a cell", c);

@@ -13,6 +13,8 @@
 /// make crossings, and what is not admissible is refused before anything is changed.
 #pragma once
 
+#include <algorithm>
+#include <ranges>
 #include <span>
 
 #include "common/flat_map.hpp"
@@ -66,18 +68,61 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     note_vertex(v);
     kinds_[v] = kind, supports_[v] = support;
   }
+  std::array<Vec3, 3> places(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+  std::array<Vec3, 4> places(const Tetrahedron& t) const {
+    return {points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]};
+  }
+  Vec3 middle(const Triangle& t) const { return (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]); }
+  Vec3 middle(const Tetrahedron& t) const {
+    return 0.25 * (points_[t[0]] + points_[t[1]] + points_[t[2]] + points_[t[3]]);
+  }
+  /// Of twice its area.
+  Vec3 normal(const Triangle& t) const { return triangle_normal(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
   // Cells.
   /// The measure of shapes. To be set before the first cell.
   const CellQuality& measure() const { return measure_; }
   void set_measure(QualityMeasure measure) { measure_ = CellQuality(measure); }
-  const TetMesh& topology() const { return cells(); }
   CellIndex n_slots() const { return mesh_.n_slots(); }
   std::size_t n_cells() const { return mesh_.n_live(); }
   bool is_live(CellIndex c) const { return mesh_.is_live(c); }
   const Tetrahedron& vertices(CellIndex c) const { return mesh_.vertices(c); }
   Index component(CellIndex c) const { return attributes_.component[c]; }
+  auto live_cells() const {
+    return std::views::iota(CellIndex{0}, n_slots()) | std::views::filter([this](CellIndex c) { return is_live(c); });
+  }
   FaceTag tag(CellIndex c, unsigned face) const { return attributes_.tags[c][face]; }
+  FaceTag tag(FaceRef f) const { return tag(f.cell(), f.face()); }
+  /// Counter-clockwise seen from the cell.
+  Triangle face(FaceRef f) const { return face_of(vertices(f.cell()), f.face()); }
+  Triangle face(CellIndex c, unsigned i) const { return face_of(vertices(c), i); }
+  /// Counter-clockwise seen from above the facet.
+  Triangle facet_face(FaceRef f) const {
+    Triangle t = face(f);
+    if (!tag(f).above()) std::swap(t[1], t[2]);
+    return t;
+  }
+  /// Whether the face is constrained and seen from the side that stands for both: above, or the only one.
+  bool is_surface(FaceRef f) const {
+    const FaceTag t = tag(f);
+    return t.constrained() && (t.above() || !mesh_.mirror(f).valid());
+  }
+  /// visit(face) for each face that is part of a facet, once.
+  template <class Visit>
+  void for_each_facet_face(const Visit& visit) const {
+    for (const CellIndex c : live_cells())
+      for (unsigned i = 0; i < 4; ++i)
+        if (const FaceRef f(c, i); is_surface(f) && tag(f).facet() != hull_facet) visit(f);
+  }
+  double shape(const Triangle& f, const Vec3& apex) const {
+    return measure_.shape(points_[f[0]], points_[f[1]], points_[f[2]], apex);
+  }
+  double shape(const Tetrahedron& t) const { return shape({t[0], t[1], t[2]}, points_[t[3]]); }
+  /// Whether (f, apex) is a positive cell, exactly.
+  bool sees(const Vec3& apex, const Triangle& f) const {
+    return orient3d(points_[f[0]], points_[f[1]], points_[f[2]], apex) == Sign::positive;
+  }
+  bool is_positive(const Tetrahedron& t) const { return sees(points_[t[3]], {t[0], t[1], t[2]}); }
   /// Cached shape of a live cell.
   double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
@@ -155,34 +200,34 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// One at a time, by one thread; link_cells, reserve and new patches or curve classes are no part of it.
   /// @{
   void begin_trial();
-  void keep_trial() { journal_.close(); }
+  void keep_trial() { journal_.is_open = false; }
   /// Everything is as it was when the trial began, the order of free slots and the mesh's time included. O(what was
   /// changed).
   void undo_trial();
   /// Cells that were made, changed or removed since the trial began.
   template <class Visit>
   void for_each_trial_cell(const Visit& visit) const {
-    for (const SavedCell& s : journal_.cells()) visit(s.cell);
-    for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c) visit(c);
+    for (const SavedCell& s : journal_.cells) visit(s.cell);
+    for (CellIndex c = journal_.n_slots; c < n_slots(); ++c) visit(c);
   }
   /// Of these the live ones that are not what they were, as those are of which only a neighbour was exchanged.
   template <class Visit>
   void for_each_cell_of_trial(const Visit& visit) const {
-    for (const SavedCell& s : journal_.cells())
+    for (const SavedCell& s : journal_.cells)
       if (is_live(s.cell) && (vertices(s.cell) != s.links.vertices || shape_of(s.cell) != s.shape)) visit(s.cell);
-    for (CellIndex c = journal_.start().n_slots; c < n_slots(); ++c)
+    for (CellIndex c = journal_.n_slots; c < n_slots(); ++c)
       if (is_live(c)) visit(c);
   }
   /// Vertices that were made, moved, changed or removed, and those of cells that were.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {
-    for (const SavedVertex& s : journal_.vertices()) visit(s.vertex);
-    for (auto v = static_cast<VertexIndex>(journal_.start().n_vertices); v < n_vertices(); ++v) visit(v);
+    for (const SavedVertex& s : journal_.vertices) visit(s.vertex);
+    for (auto v = static_cast<VertexIndex>(journal_.n_vertices); v < n_vertices(); ++v) visit(v);
   }
   /// visit(shape) for each cell that the trial changed or removed, with the shape that it had.
   template <class Visit>
   void for_each_cell_before_trial(const Visit& visit) const {
-    for (const SavedCell& s : journal_.cells())
+    for (const SavedCell& s : journal_.cells)
       if (s.links.vertices[0] != no_vertex) visit(s.shape);
   }
   /// @}
@@ -202,19 +247,22 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
  private:
   void fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                  std::vector<VertexIndex>& row, MeshPart& part) const;
-  void append_cells(const DomainMesh& part, const std::vector<VertexIndex>& row,
-                    std::vector<std::pair<FaceKey, FaceRef>>& open);
+  using OpenFace = std::pair<FaceKey, FaceRef>;
+  void copy_cell(const DomainMesh& from, CellIndex c, const std::vector<VertexIndex>& row,
+                 const std::vector<CellIndex>& row_of_cell, std::vector<OpenFace>& open);
+  /// Those that are the same face with each other.
+  void link_faces(std::vector<OpenFace> faces);
   void note_vertex(VertexIndex v) {
-    if (journal_.is_open() && journal_.is_new_vertex(v))
-      journal_.save(SavedVertex{v, points_[v], kinds_[v], supports_[v], cell_of_[v], changed_[v]});
+    if (journal_.is_open && journal_.is_new_vertex(v))
+      journal_.vertices.push_back({v, points_[v], kinds_[v], supports_[v], cell_of_[v], changed_[v]});
   }
   void note_cell(CellIndex c) {
-    if (journal_.is_open() && journal_.is_new_cell(c))
-      journal_.save(
-          SavedCell{c, mesh_.cells()[c], attributes_.component[c], attributes_.tags[c], attributes_.shape[c]});
+    if (journal_.is_open && journal_.is_new_cell(c))
+      journal_.cells.push_back(
+          {c, mesh_.cells()[c], attributes_.component[c], attributes_.tags[c], attributes_.shape[c]});
   }
   void note_curve(VertexIndex a, VertexIndex b) {
-    if (journal_.is_open()) journal_.save(SavedCurve{a, b, curves_.find({a, b})});
+    if (journal_.is_open) journal_.curves.push_back({a, b, curves_.find({a, b})});
   }
 
   std::vector<VertexKind> kinds_;
@@ -232,6 +280,19 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   MeshJournal journal_;
   StarLinks star_links_;
   std::vector<FaceTag> border_tags_;  // scratch
+};
+
+/// Whether a cell was made, or has moved, at one of the vertices since that moment of the mesh.
+template <class Vertices>
+bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
+  return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });
+}
+
+/// The cells of one component, with the curves that run along their edges. Faces to other components are constrained
+/// and have no neighbour. Patches and classes of curves are those of the whole, which alone knows them.
+struct MeshPart {
+  DomainMesh mesh;
+  std::vector<VertexIndex> vertices;  ///< rows in the whole, of the part's first vertices: those that it began with
 };
 
 }  // namespace geomesh::remesh

@@ -59,11 +59,9 @@ void DomainMesh::sort_cells() {
 std::vector<VertexIndex> DomainMesh::vertices_by_cells() const {
   std::vector<VertexIndex> vertices;
   std::vector<bool> seen(n_vertices(), false);
-  for (CellIndex c = 0; c < n_slots(); ++c) {
-    if (!is_live(c)) continue;
+  for (const CellIndex c : live_cells())
     for (const VertexIndex v : mesh_.vertices(c))
       if (!seen[v]) seen[v] = true, vertices.push_back(v);
-  }
   return vertices;
 }
 

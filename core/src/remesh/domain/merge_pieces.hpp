@@ -22,4 +22,15 @@ struct MergedFacets {
 /// more. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
+/// The complex but for its facets and what is inside them.
+PiecewiseLinearComplex without_facets(const PiecewiseLinearComplex& plc);
+
+/// visit(facet, a, b) for each side of each loop, in the order of the facets.
+template <class Visit>
+void for_each_side(const PiecewiseLinearComplex& plc, const Visit& visit) {
+  for (Index f = 0; f < plc.n_facets(); ++f)
+    for (Index l = plc.facet_loops[f]; l < plc.facet_loops[f + 1]; ++l)
+      for (std::size_t i = 0, n = plc.loop(l).size(); i < n; ++i) visit(f, plc.loop(l)[i], plc.loop(l)[(i + 1) % n]);
+}
+
 }  // namespace geomesh::remesh

@@ -12,6 +12,12 @@
 
 namespace geomesh::remesh {
 
+/// Face i of the tetrahedron, counter-clockwise seen from vertex i.
+constexpr Triangle face_of(const Tetrahedron& t, unsigned i) {
+  const auto& f = face_vertices[i];
+  return {t[f[0]], t[f[1]], t[f[2]]};
+}
+
 /// Which facet a mesh face is part of, and on which of the facet's sides the cell lies that the face is seen from.
 class FaceTag {
  public:

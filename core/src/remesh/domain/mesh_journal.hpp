@@ -24,10 +24,10 @@ struct SavedVertex {
 /// A cell that was live has vertices; of a free slot nothing else is of interest.
 struct SavedCell {
   CellIndex cell;
-  TetMesh::Cell links;
-  Index component;
-  std::array<FaceTag, 4> tags;
-  double shape;
+  TetMesh::Cell links{{no_vertex, no_vertex, no_vertex, no_vertex}, {}};
+  Index component = no_index;
+  std::array<FaceTag, 4> tags{};
+  double shape = 0;
 };
 
 /// The class of a curve edge, no_index where it was none.
@@ -44,57 +44,36 @@ struct SlotEvent {
 };
 
 /// Each vertex and each cell is saved before its first change; slots and curve edges at every change, in order.
-class MeshJournal {
- public:
-  struct Start {
-    std::size_t n_vertices;
-    CellIndex n_slots;
-    std::uint64_t clock;
-  };
+struct MeshJournal {
+  bool is_open = false;
+  std::size_t n_vertices = 0;  ///< at the start, as the next two
+  CellIndex n_slots = 0;
+  std::uint64_t clock = 0;
+  std::vector<SavedVertex> vertices;
+  std::vector<SavedCell> cells;
+  std::vector<SavedCurve> curves;
+  std::vector<SlotEvent> slots;
 
-  bool is_open() const { return open_; }
-  const Start& start() const { return start_; }
-  void open(const Start& start) {
-    open_ = true;
-    start_ = start;
-    n_slots_ = start.n_slots;
-    vertices_.clear();
-    cells_.clear();
-    curves_.clear();
-    slots_.clear();
-    vertex_marks_.begin(start.n_vertices);
-    cell_marks_.begin(start.n_slots);
+  void open(std::size_t vertices_before, CellIndex slots_before, std::uint64_t clock_before) {
+    is_open = true;
+    n_vertices = vertices_before, n_slots = slots_now_ = slots_before, clock = clock_before;
+    vertices.clear(), cells.clear(), curves.clear(), slots.clear();
+    vertex_marks_.begin(n_vertices);
+    cell_marks_.begin(n_slots);
   }
-  void close() { open_ = false; }
-
   /// Whether it was there at the start and is not saved yet; it counts as saved from now on.
-  bool is_new_vertex(VertexIndex v) { return v < start_.n_vertices && vertex_marks_.mark_first(v); }
-  bool is_new_cell(CellIndex c) { return c < start_.n_slots && cell_marks_.mark_first(c); }
-
-  void save(const SavedVertex& v) { vertices_.push_back(v); }
-  void save(const SavedCell& c) { cells_.push_back(c); }
-  void save(const SavedCurve& c) { curves_.push_back(c); }
-  void note_freed(CellIndex c) { slots_.push_back({c, SlotEvent::What::freed}); }
+  bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }
+  bool is_new_cell(CellIndex c) { return c < n_slots && cell_marks_.mark_first(c); }
+  void note_freed(CellIndex c) { slots.push_back({c, SlotEvent::What::freed}); }
   void note_added(CellIndex c) {
-    const bool is_made = c == n_slots_;
-    n_slots_ += is_made;
-    slots_.push_back({c, is_made ? SlotEvent::What::made : SlotEvent::What::reused});
-    if (is_new_cell(c)) save(SavedCell{c, {{no_vertex, no_vertex, no_vertex, no_vertex}, {}}, no_index, {}, 0});
+    const bool is_made = c == slots_now_;
+    slots_now_ += is_made;
+    slots.push_back({c, is_made ? SlotEvent::What::made : SlotEvent::What::reused});
+    if (is_new_cell(c)) cells.push_back({.cell = c});
   }
-
-  const std::vector<SavedVertex>& vertices() const { return vertices_; }
-  const std::vector<SavedCell>& cells() const { return cells_; }
-  const std::vector<SavedCurve>& curves() const { return curves_; }
-  const std::vector<SlotEvent>& slots() const { return slots_; }
 
  private:
-  bool open_ = false;
-  Start start_{};
-  CellIndex n_slots_ = 0;
-  std::vector<SavedVertex> vertices_;
-  std::vector<SavedCell> cells_;
-  std::vector<SavedCurve> curves_;
-  std::vector<SlotEvent> slots_;
+  CellIndex slots_now_ = 0;
   EpochMarks vertex_marks_, cell_marks_;
 };
 

@@ -21,8 +21,7 @@ namespace {
 
 double worst_shape(const DomainMesh& mesh) {
   double worst = 1;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    if (mesh.is_live(c)) worst = std::min(worst, mesh.shape_of(c));
+  for (const CellIndex c : mesh.live_cells()) worst = std::min(worst, mesh.shape_of(c));
   return worst;
 }
 
@@ -83,15 +82,14 @@ bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
 
 bool is_stuck(Toolbox& tools) {
   std::size_t n = 0;
-  for (CellIndex c = 0; c < tools.mesh.n_slots(); ++c)
-    n += tools.mesh.is_live(c) && has_edge_far_too_long(tools, tools.mesh.vertices(c));
+  for (const CellIndex c : tools.mesh.live_cells()) n += has_edge_far_too_long(tools, tools.mesh.vertices(c));
   return static_cast<double>(n) > worth_meshing_anew * static_cast<double>(tools.mesh.n_cells());
 }
 
 bool has_borders_of_no_facet(const DomainMesh& mesh) {
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
+  for (const CellIndex c : mesh.live_cells())
     for (unsigned i = 0; i < 4; ++i)
-      if (mesh.is_live(c) && mesh.tag(c, i).constrained() && mesh.tag(c, i).facet() == hull_facet) return true;
+      if (mesh.tag(c, i).facet() == hull_facet) return true;
   return false;
 }
 

@@ -28,6 +28,12 @@ Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context);
 /// enough to hold places twice, and where surfaces came to cross.
 void tighten(Hold& hold, const Attempt& attempt, double tolerance);
 
+/// Facets that are kept as they are while the rest of their surfaces is remeshed, where nothing else could be proven.
+/// Every facet near a place of the attempt that does not hold becomes a patch of its own: its sides are curves then,
+/// its corners stay. Segments there become curves of their own. Returns a place for each that was not so before.
+/// `options` come with one patch for each facet.
+std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options);
+
 /// Tells of what does not hold, and the first places (debug).
 void tell_what_is_off(const Attempt& attempt, const RunContext& context);
 

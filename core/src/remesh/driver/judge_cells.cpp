@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "common/epoch_marks.hpp"
 #include "quality/causes.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/sizes/sizes.hpp"
@@ -29,8 +28,7 @@ class Judge {
 
   std::vector<CellIndex> find(const DomainMesh& mesh) const {
     std::vector<CellIndex> cells, bad;
-    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-      if (mesh.is_live(c)) cells.push_back(c);
+    for (const CellIndex c : mesh.live_cells()) cells.push_back(c);
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
     for (const Index row : unforced_bad_elements(exported, judging_, creases_)) bad.push_back(cells[row]);
     return bad;
@@ -38,7 +36,7 @@ class Judge {
 
   std::vector<CellIndex> find_among(const DomainMesh& mesh, std::span<const CellIndex> cells) {
     std::vector<CellIndex> bad;
-    const ConstrainedTetrahedralization about = export_about(mesh, cells, rings, input_, marks_);
+    const ConstrainedTetrahedralization about = export_about(mesh, cells, rings, input_, scratch_);
     for (const Index row : unforced_bad_elements(about, judging_, creases_, cells.size())) bad.push_back(cells[row]);
     return bad;
   }
@@ -47,7 +45,7 @@ class Judge {
   const ConstrainedTetrahedralization& input_;
   QualityOptions judging_;
   InputCreases creases_;
-  EpochMarks marks_;  // scratch: of the size of the mesh
+  ExportScratch scratch_;
 };
 
 }  // namespace

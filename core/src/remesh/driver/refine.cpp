@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "geomesh/core/refine.hpp"
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "common/geometry.hpp"
 #include "geomesh/core/error.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/driver/hold_surfaces.hpp"
-#include "remesh/driver/keep_there.hpp"
 #include "remesh/sizes/sizes.hpp"
 
 namespace geomesh {
@@ -19,13 +18,6 @@ namespace {
 /// is near to every other.
 constexpr double greatest_tolerance = 0.1;
 
-double diagonal_of(const std::vector<Vec3>& points) {
-  Box3 box;
-  for (const Vec3& p : points) box.add(p);
-  const Vec3 extent = box.max - box.min;
-  return std::sqrt(dot(extent, extent));
-}
-
 std::string rounded(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
@@ -33,7 +25,9 @@ std::string rounded(double x) {
 }
 
 void check_tolerance(const PiecewiseLinearComplex& plc, double tolerance) {
-  const double diagonal = diagonal_of(plc.points);
+  Box3 box;
+  for (const Vec3& p : plc.points) box.add(p);
+  const double diagonal = distance(box.min, box.max);
   if (tolerance > greatest_tolerance * diagonal)
     throw Error(ErrorKind::usage, "a tolerance of " + rounded(tolerance) +
                                       " is more than a tenth of the model's diagonal of " + rounded(diagonal) +
@@ -73,54 +67,35 @@ namespace {
 /// Runs that hold surfaces more and more closely; from this one on, facets are kept where the run before was off.
 constexpr unsigned first_run_that_keeps = 3, most_runs = 6;
 
-class HoldingRuns {
- public:
-  HoldingRuns(const PiecewiseLinearComplex& plc, const RefineOptions& options, const RunContext& context)
-      : plc_(plc), options_(options), context_(context) {
-    options_.facet_patch = remesh::named_patches(plc, options);
-  }
-
-  RefineResult run(const ConstrainedTetrahedralization& input) {
-    for (; hold_.run < most_runs;) {
-      remesh::Attempt attempt = remesh::attempt_holding(hold_, plc_, input, options_, context_);
-      if (attempt.holds()) return told(std::move(attempt.result), hold_.run + 1);
-      remesh::tell_what_is_off(attempt, context_);
-      off_before_ += attempt.breaches.size() + attempt.crossings.size();
-      if (hold_.run + 1 >= first_run_that_keeps && !keep_more(attempt)) break;
-      remesh::tighten(hold_, attempt, options_.tolerance);
+RefineResult refine_within(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
+                           RefineOptions options, const RunContext& context) {
+  options.facet_patch = remesh::named_patches(plc, options);
+  remesh::Hold hold;
+  std::size_t n_off = 0;
+  std::vector<KeptPlace> kept;
+  const auto told = [&](remesh::Attempt& attempt, std::size_t runs) {
+    attempt.result.statistics.runs = runs;
+    attempt.result.statistics.off_before = n_off;
+    attempt.result.kept = kept;
+    return std::move(attempt.result);
+  };
+  while (hold.run < most_runs) {
+    remesh::Attempt attempt = remesh::attempt_holding(hold, plc, input, options, context);
+    if (attempt.holds()) return told(attempt, hold.run + 1);
+    remesh::tell_what_is_off(attempt, context);
+    n_off += attempt.breaches.size() + attempt.crossings.size();
+    if (hold.run + 1 >= first_run_that_keeps) {
+      const std::vector<KeptPlace> more = remesh::keep_there(plc, attempt, options);
+      if (more.empty()) break;
+      kept.insert(kept.end(), more.begin(), more.end());
     }
-    return keep_all(input);
+    remesh::tighten(hold, attempt, options.tolerance);
   }
-
- private:
-  RefineResult told(RefineResult result, std::size_t runs) const {
-    result.statistics.runs = runs;
-    result.statistics.off_before = off_before_;
-    result.kept = kept_;
-    return result;
-  }
-
-  bool keep_more(const remesh::Attempt& attempt) {
-    const std::vector<KeptPlace> more = remesh::keep_there(plc_, attempt, options_);
-    kept_.insert(kept_.end(), more.begin(), more.end());
-    return !more.empty();
-  }
-
-  RefineResult keep_all(const ConstrainedTetrahedralization& input) {
-    options_.honour = Honour::exact;
-    RefineResult result =
-        told(remesh::attempt_holding(remesh::Hold{}, plc_, input, options_, context_).result, hold_.run + 2);
-    result.all_kept = true;
-    return result;
-  }
-
-  const PiecewiseLinearComplex& plc_;
-  RefineOptions options_;
-  const RunContext& context_;
-  remesh::Hold hold_;
-  std::size_t off_before_ = 0;
-  std::vector<KeptPlace> kept_;
-};
+  options.honour = Honour::exact;
+  remesh::Attempt exact = remesh::attempt_holding({}, plc, input, options, context);
+  exact.result.all_kept = true;
+  return told(exact, hold.run + 2);
+}
 
 }  // namespace
 
@@ -129,7 +104,7 @@ RefineResult refine_and_improve(const PiecewiseLinearComplex& plc, ConstrainedTe
   check_options(plc, options);
   if (options.honour == Honour::exact)
     return remesh::attempt_holding({}, plc, std::move(input), options, context).result;
-  return HoldingRuns(plc, options, context).run(input);
+  return refine_within(plc, input, options, context);
 }
 
 }  // namespace geomesh

@@ -2,31 +2,23 @@
 // Contraction of an edge, declared in remesh/operations/operations.hpp.
 #include <algorithm>
 
-#include "common/epoch_marks.hpp"
-#include "quality/measure/shape.hpp"
+#include "common/geometry.hpp"
 #include "remesh/operations/operations.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
 
-bool contains(const std::vector<VertexIndex>& list, VertexIndex v) {
-  return std::find(list.begin(), list.end(), v) != list.end();
-}
-
 /// Of the constrained faces at v the sides opposite to it, ends in ascending order.
 void surface_link(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells,
                   std::vector<std::array<VertexIndex, 2>>& sides) {
-  sides.clear();
   mesh.star(v, marks, cells);
   for (const CellIndex c : cells)
     for (unsigned i = 0; i < 4; ++i) {
       if (!mesh.tag(c, i).constrained() || mesh.vertices(c)[i] == v) continue;
-      const auto& f = face_vertices[i];
-      const Tetrahedron& t = mesh.vertices(c);
-      const unsigned k = t[f[0]] == v ? 0 : t[f[1]] == v ? 1 : 2;
-      const VertexIndex a = t[f[(k + 1) % 3]], b = t[f[(k + 2) % 3]];
-      sides.push_back({std::min(a, b), std::max(a, b)});
+      const Triangle f = mesh.face(c, i);
+      const unsigned k = f[0] == v ? 0 : f[1] == v ? 1 : 2;
+      sides.push_back(sorted(std::array{f[(k + 1) % 3], f[(k + 2) % 3]}));
     }
 }
 
@@ -40,8 +32,7 @@ class Collapse {
     gather_star(mesh_, u_, tools_.work.marks, star_);
     if (!support_allows() || !cells_at_edge_allow()) return false;
     target_ = star_;
-    std::erase_if(target_.link,
-                  [&](const LinkFace& f) { return f.vertices[0] == v_ || f.vertices[1] == v_ || f.vertices[2] == v_; });
+    std::erase_if(target_.link, [&](const LinkFace& f) { return std::ranges::count(f.vertices, v_) > 0; });
     std::erase_if(target_.spokes, [&](const Spoke& s) { return s.a == v_ || s.b == v_; });
     std::erase_if(target_.curves, [&](const CurveSpoke& s) { return s.a == v_; });
     if (target_.link.empty() || !topology_allows() || !shape_allows(rule, floor) || !guard_allows()) return false;
@@ -70,10 +61,10 @@ class Collapse {
   bool cells_at_edge_allow() const {
     bool joined = false;
     for (const CellIndex c : star_.cells) {
-      const unsigned iv = mesh_.topology().index_of(c, v_);
+      const unsigned iv = mesh_.cells().index_of(c, v_);
       if (iv > 3) continue;
       joined = true;
-      const unsigned iu = mesh_.topology().index_of(c, u_);
+      const unsigned iu = mesh_.cells().index_of(c, u_);
       if (!mesh_.has_neighbor(c, iv) || (mesh_.tag(c, iu).constrained() && mesh_.tag(c, iv).constrained()))
         return false;
     }
@@ -93,9 +84,9 @@ class Collapse {
     surface_link(mesh_, v_, tools_.work.marks, tools_.work.cells, link);
     for (const Spoke& s : target_.spokes) {
       for (const auto& side : link) {
-        if (side == std::array{std::min(s.a, s.b), std::max(s.a, s.b)}) return false;
+        if (side == sorted(std::array{s.a, s.b})) return false;
         for (const VertexIndex x : {s.a, s.b})
-          if ((side[0] == x || side[1] == x) && !contains(beside, x)) return false;
+          if ((side[0] == x || side[1] == x) && std::ranges::count(beside, x) == 0) return false;
       }
     }
     return std::none_of(target_.curves.begin(), target_.curves.end(),
@@ -114,11 +105,8 @@ class Collapse {
     for (const CellIndex c : cells) old = std::min(old, mesh_.shape_of(c));
     const double needed = needed_shape(old, rule, floor);
     return std::all_of(cells.begin(), cells.end(), [&](CellIndex c) {
-      if (mesh_.topology().has_vertex(c, v_)) return true;
-      const Tetrahedron& t = mesh_.vertices(c);
-      const auto& f = face_vertices[mesh_.topology().index_of(c, u_)];
-      return mesh_.measure().shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), mesh_.point(v_)) >
-             needed;
+      return mesh_.cells().has_vertex(c, v_) ||
+             mesh_.shape(mesh_.face(c, mesh_.cells().index_of(c, u_)), mesh_.point(v_)) > needed;
     });
   }
 
@@ -138,16 +126,11 @@ class Collapse {
 
   bool guard_allows() const {
     if (tools_.guard.exact() || (star_.spokes.empty() && star_.curves.empty())) return true;
-    std::vector<SurfaceFace> before, after, around;
-    std::vector<CurvePiece> curves_before, curves_after;
-    append_surface(mesh_, star_, mesh_.point(u_), before, curves_before);
-    append_surface(mesh_, target_, mesh_.point(v_), after, curves_after);
     StarCavity about_v;
     gather_star(mesh_, v_, tools_.work.marks, about_v);
     std::erase_if(about_v.spokes, [&](const Spoke& s) { return s.a == u_ || s.b == u_; });
-    std::vector<CurvePiece> ignored;
-    append_surface(mesh_, about_v, mesh_.point(v_), around, ignored);
-    return tools_.guard.admits(before, after, around, curves_before, curves_after);
+    return tools_.guard.admits(surface_of(mesh_, star_, mesh_.point(u_)), surface_of(mesh_, target_, mesh_.point(v_)),
+                               surface_of(mesh_, about_v, mesh_.point(v_)).faces);
   }
 
   void commit() {

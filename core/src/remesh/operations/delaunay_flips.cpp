@@ -57,7 +57,7 @@ class DelaunayFlipper {
     const double r2 = s.radius * s.radius * (1 - 1e-9);
     for (unsigned i = 0; i < 4; ++i) {
       if (mesh_.tag(c, i).constrained()) continue;
-      const FaceRef n = mesh_.topology().neighbor(c, i);
+      const FaceRef n = mesh_.cells().neighbor(c, i);
       const VertexIndex apex = mesh_.vertices(n.cell())[n.face()];
       if (squared_distance(s.centre, mesh_.point(apex)) < r2 && flip(i, n, apex)) return true;
     }
@@ -70,14 +70,12 @@ class DelaunayFlipper {
   }
 
   bool flip23(CellIndex c, unsigned i, FaceRef n, VertexIndex bottom) {
-    const Tetrahedron& t = mesh_.vertices(c);
-    const VertexIndex top = t[i];
+    const Triangle f = mesh_.face(c, i);
     auto& added = tools_.work.added;
     added.clear();
     for (unsigned k = 0; k < 3; ++k) {
-      const VertexIndex x = t[face_vertices[i][k]], y = t[face_vertices[i][(k + 1) % 3]];
-      if (!is_positive(mesh_.point(x), mesh_.point(y), mesh_.point(bottom), mesh_.point(top))) return false;
-      added.push_back({{x, y, bottom, top}, mesh_.component(c), {}});
+      added.push_back({{f[k], f[(k + 1) % 3], bottom, mesh_.vertices(c)[i]}, mesh_.component(c), {}});
+      if (!mesh_.is_positive(added.back().vertices)) return false;
     }
     const std::array<CellIndex, 2> removed{c, n.cell()};
     mesh_.replace(removed, added, tools_.work.created);
@@ -86,20 +84,18 @@ class DelaunayFlipper {
 
   /// The edges of the face that has exactly three cells about it, the third between the two apexes.
   bool flip32(CellIndex c, unsigned i, VertexIndex bottom) {
-    const Tetrahedron t = mesh_.vertices(c);
+    const Triangle f = mesh_.face(c, i);
     for (unsigned k = 0; k < 3; ++k) {
-      const VertexIndex a = t[face_vertices[i][k]], b = t[face_vertices[i][(k + 1) % 3]];
+      const VertexIndex a = f[k], b = f[(k + 1) % 3];
       if (mesh_.curve_of(a, b) != no_index) continue;
       auto& cells = tools_.work.cells;
-      auto& ring = tools_.work.ring;
-      if (!edge_ring(mesh_, c, a, b, cells, ring) || cells.size() != 3 ||
-          constrained_faces_of_ring(mesh_, cells, ring, true).n > 0)
+      auto& r = tools_.work.ring;
+      if (!turn_about_edge(mesh_.cells(), c, a, b, cells, r) || cells.size() != 3 ||
+          constrained_faces_of_ring(mesh_, cells, r, true).n > 0 || std::ranges::count(r, bottom) == 0)
         continue;
-      if (std::find(ring.begin(), ring.end(), bottom) == ring.end()) continue;
-      const Vec3 &x = mesh_.point(ring[0]), &y = mesh_.point(ring[1]), &z = mesh_.point(ring[2]);
-      if (!is_positive(x, y, z, mesh_.point(b)) || !is_positive(z, y, x, mesh_.point(a))) continue;
-      tools_.work.added = {{{ring[0], ring[1], ring[2], b}, mesh_.component(c), {}},
-                           {{ring[2], ring[1], ring[0], a}, mesh_.component(c), {}}};
+      const Tetrahedron upper{r[0], r[1], r[2], b}, lower{r[2], r[1], r[0], a};
+      if (!mesh_.is_positive(upper) || !mesh_.is_positive(lower)) continue;
+      tools_.work.added = {{upper, mesh_.component(c), {}}, {lower, mesh_.component(c), {}}};
       mesh_.replace(cells, tools_.work.added, tools_.work.created);
       return true;
     }

@@ -9,33 +9,31 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// By default the worst shape must rise.
+struct RemovalRule {
+  double worst_before = 1;         ///< where lower: all new shapes must be above it, whatever they were
+  const MeanGoal* goal = nullptr;  ///< the mean must rise instead
+  bool for_surface = false;        ///< the exchange on the surface that its Delaunay criterion asks for, at a price in
+                                   ///< the shapes of cells down to `floor`
+  double floor = 0;
+};
+
 class EdgeRemoval {
  public:
-  EdgeRemoval(Toolbox& tools, VertexIndex a, VertexIndex b) : tools_(tools), mesh_(tools.mesh), a_(a), b_(b) {}
-
-  /// The exchange on the surface that its Delaunay criterion asks for, at a price in the shapes of cells down to
-  /// `floor`.
-  bool attempt_for_surface(CellIndex c, double floor) {
-    floor_ = floor;
-    for_surface_ = true;
-    return attempt(c);
-  }
-
-  /// As long as all new shapes are above `floor`.
-  bool attempt(CellIndex c, double floor) {
-    before_ = floor;
-    return attempt(c);
-  }
-
-  bool attempt(CellIndex c, const MeanGoal& goal) {
-    goal_ = &goal;
-    return attempt(c);
-  }
+  EdgeRemoval(Toolbox& tools, VertexIndex a, VertexIndex b, const RemovalRule& rule)
+      : tools_(tools),
+        mesh_(tools.mesh),
+        a_(a),
+        b_(b),
+        before_(rule.worst_before),
+        floor_(rule.floor),
+        goal_(rule.goal),
+        for_surface_(rule.for_surface) {}
 
   bool attempt(CellIndex c) {
     if (mesh_.curve_of(a_, b_) != no_index) return false;
     auto& cells = tools_.work.cells;
-    closed_ = edge_ring(mesh_, c, a_, b_, cells, tools_.work.ring);
+    closed_ = turn_about_edge(mesh_.cells(), c, a_, b_, cells, tools_.work.ring);
     if (cells.size() == 1) return shell_off(cells[0]);
     if (cells.size() > max_ring) return false;
     for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
@@ -45,11 +43,9 @@ class EdgeRemoval {
     if (goal_ && faces_.n > 0) return false;
     tools_.work.added.clear();
     if (faces_.n == 0 ? for_surface_ || !remove_inside() : !remove_on_surface()) return false;
-    const bool positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
-      return is_positive(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
-                         mesh_.point(n.vertices[3]));
-    });
-    if (!positive || (!for_surface_ && !tools_.bad_cells_may_spread && adds_bad_cells())) return false;
+    const bool is_positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(),
+                                         [&](const NewCell& n) { return mesh_.is_positive(n.vertices); });
+    if (!is_positive || (!for_surface_ && !tools_.bad_cells_may_spread && adds_bad_cells())) return false;
     mesh_.replace(cells, tools_.work.added, tools_.work.created);
     ++tools_.statistics.edge_removals;
     return true;
@@ -70,10 +66,8 @@ class EdgeRemoval {
     if (before_ >= bad) return false;
     const auto n_before = std::count_if(tools_.work.cells.begin(), tools_.work.cells.end(),
                                         [&](CellIndex c) { return mesh_.shape_of(c) < bad; });
-    const auto n_after = std::count_if(tools_.work.added.begin(), tools_.work.added.end(), [&](const NewCell& n) {
-      return mesh_.measure().shape(mesh_.point(n.vertices[0]), mesh_.point(n.vertices[1]), mesh_.point(n.vertices[2]),
-                                   mesh_.point(n.vertices[3])) < bad;
-    });
+    const auto n_after = std::count_if(tools_.work.added.begin(), tools_.work.added.end(),
+                                       [&](const NewCell& n) { return mesh_.shape(n.vertices) < bad; });
     return n_after > n_before;
   }
 
@@ -121,7 +115,7 @@ class EdgeRemoval {
   /// neighbours are the surface then.
   bool shell_off(CellIndex c) {
     if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < mesh_.measure().bad())) return false;
-    const TetMesh& topology = mesh_.topology();
+    const TetMesh& topology = mesh_.cells();
     const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
     const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)),
                   other = mesh_.tag(c, topology.index_of(c, y));  // of (a, b, y) and (a, b, x)
@@ -153,16 +147,14 @@ class EdgeRemoval {
   /// all at x are asked, or at y where those are not found.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
     if (mesh_.curve_of(x, y) != no_index) return true;
-    const auto has_both = [&](CellIndex c) {
-      return mesh_.topology().has_vertex(c, x) && mesh_.topology().has_vertex(c, y);
-    };
+    const auto has_both = [&](CellIndex c) { return mesh_.cells().has_vertex(c, x) && mesh_.cells().has_vertex(c, y); };
     if (closed_ && std::none_of(tools_.work.cells.begin(), tools_.work.cells.end(), has_both)) return false;
     if (mesh_.is_pinched(x)) std::swap(x, y);
     if (mesh_.is_pinched(x)) return true;
     std::vector<CellIndex> about_x;
     mesh_.star(x, tools_.work.marks, about_x);
     return std::any_of(about_x.begin(), about_x.end(), [&](CellIndex c) {
-      const unsigned ix = mesh_.topology().index_of(c, x), iy = mesh_.topology().index_of(c, y);
+      const unsigned ix = mesh_.cells().index_of(c, x), iy = mesh_.cells().index_of(c, y);
       if (iy > 3) return false;
       for (unsigned i = 0; i < 4; ++i)
         if (i != ix && i != iy && mesh_.tag(c, i).constrained()) return true;
@@ -172,24 +164,16 @@ class EdgeRemoval {
 
   /// The faces (x, y, a) and (x, y, b) of a new cell are the surface now.
   void tag_surface(NewCell& n, VertexIndex x, VertexIndex y, FaceTag tag) const {
-    bool has_x = false, has_y = false;
-    unsigned third = 4;
-    for (unsigned i = 0; i < 3; ++i) {
-      if (n.vertices[i] == x)
-        has_x = true;
-      else if (n.vertices[i] == y)
-        has_y = true;
-      else
-        third = i;
-    }
-    if (has_x && has_y) n.tags[third] = tag;
+    const auto at = n.vertices.begin(), end = at + 3;
+    if (std::find(at, end, x) == end || std::find(at, end, y) == end) return;
+    n.tags[std::find_if(at, end, [&](VertexIndex v) { return v != x && v != y; }) - at] = tag;
   }
 
   bool guard_allows(Index patch, VertexIndex x, VertexIndex y) const {
     if (tools_.guard.exact()) return true;
     const Vec3 &a = mesh_.point(a_), &b = mesh_.point(b_), &p = mesh_.point(x), &q = mesh_.point(y);
-    return tools_.guard.admits({{{a, b, p}, patch}, {{b, a, q}, patch}}, {{{p, a, q}, patch}, {{q, b, p}, patch}}, {},
-                               {}, {});
+    return tools_.guard.admits({{{{a, b, p}, patch}, {{b, a, q}, patch}}, {}},
+                               {{{{p, a, q}, patch}, {{q, b, p}, patch}}, {}});
   }
 
   Toolbox& tools_;
@@ -197,9 +181,9 @@ class EdgeRemoval {
   VertexIndex a_, b_;
   bool closed_ = true;
   EdgeFaces faces_;
-  double before_ = 1, floor_ = 0;
-  const MeanGoal* goal_ = nullptr;
-  bool for_surface_ = false;
+  double before_, floor_;
+  const MeanGoal* goal_;
+  bool for_surface_;
 };
 
 }  // namespace
@@ -213,16 +197,16 @@ bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b,
 }
 
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
-  return EdgeRemoval(tools, a, b).attempt(c);
+  return EdgeRemoval(tools, a, b, {}).attempt(c);
 }
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal) {
-  return EdgeRemoval(tools, a, b).attempt(c, goal);
+  return EdgeRemoval(tools, a, b, {.goal = &goal}).attempt(c);
 }
 bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
-  return EdgeRemoval(tools, a, b).attempt(c, floor);
+  return EdgeRemoval(tools, a, b, {.worst_before = floor}).attempt(c);
 }
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor) {
-  return EdgeRemoval(tools, a, b).attempt_for_surface(c, floor);
+  return EdgeRemoval(tools, a, b, {.for_surface = true, .floor = floor}).attempt(c);
 }
 
 }  // namespace geomesh::remesh

@@ -64,68 +64,51 @@ struct RescueLimits {
 };
 inline constexpr RescueLimits rescue_limits{};
 
-/// What a level of quality does, pass by pass.
+/// What a level of quality does, pass by pass; by default the standard one.
 struct ImproveSchedule {
   // Passes that raise the mean.
-  unsigned mean_rounds;            ///< before the repair: it sees the worst cells alone
+  unsigned mean_rounds = 2;        ///< before the repair: it sees the worst cells alone
   unsigned poor_mean_factor = 4;   ///< times as many rounds after a repair that left many poor cells
   double mean_floor_angle = 30;    ///< no cell falls below this for the mean
   double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
   double many_poor = 0.1;          ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
 
   // Repair, the worst cell first.
-  unsigned repair_rounds;
-  double target_angle;                   ///< cells below are repaired
-  double insertion_angle;                ///< below this also by new points
+  unsigned repair_rounds = 8;
+  double target_angle = 32;              ///< cells below are repaired
+  double insertion_angle = 26;           ///< below this also by new points
   double good_above_target = 4;          ///< degrees above the target from which a vertex is not moved further
-  unsigned smoothing_steps;              ///< of one vertex
-  double least_rise;                     ///< factor of the worst shape, > 1, that is worth a vertex's move
-  double progress;                       ///< factor of the fewest poor cells so far that the next round must reach
+  unsigned smoothing_steps = 12;         ///< of one vertex
+  double least_rise = 1.03;              ///< factor of the worst shape, > 1, that is worth a vertex's move
+  double progress = 0.9;                 ///< factor of the fewest poor cells so far that the next round must reach
   double progress_angle = 16;            ///< progress is measured on the cells below this too
   double enough_visits = 1.5;            ///< poor cells visited, by the number of all, before a lack of progress counts
   unsigned idle_rounds = 2;              ///< without a change, that end the repair
   unsigned first_round_with_points = 2;  ///< flips and moves alone in the first, contraction too in the second
 
   // Slivers, with points closer to others than sizes ask.
-  unsigned sliver_rounds;  ///< for each room
+  unsigned sliver_rounds = 8;  ///< for each room
   double sliver_angle = 12;
   std::array<double, 2> sliver_rooms{0.15, 0.03};  ///< of the asked size, the next where the last was too narrow
   double few_slivers = 0.05;                       ///< of all cells, 0..1; more are forced by the surfaces
   double forced_share = 0.001;   ///< of all cells, 0..1: so many of the worst are mended where they are forced
   double forced_room = 0.01;     ///< of the asked size
+  double flat_angle = 1.5;       ///< degrees; below 1 solvers refuse a cell: these are mended at any cost a cell
   unsigned thinning_rounds = 4;  ///< take points out again that were put near others in vain
 };
 
 constexpr ImproveSchedule schedule_of(QualityLevel level) {
-  switch (level) {
-    case QualityLevel::fast:  // about as long as refinement
-      return {.mean_rounds = 1,
-              .repair_rounds = 2,
-              .target_angle = 20,
-              .insertion_angle = 0,
-              .smoothing_steps = 6,
-              .least_rise = 1.05,
-              .progress = 0.9,
-              .sliver_rounds = 0};
-    case QualityLevel::best:  // until nothing improves
-      return {.mean_rounds = 2,
-              .repair_rounds = 60,
-              .target_angle = 36,
-              .insertion_angle = 30,
-              .smoothing_steps = 20,
-              .least_rise = 1.0005,
-              .progress = 1.02,
-              .sliver_rounds = 20};
-    default:  // one to three times as long as refinement
-      return {.mean_rounds = 2,
-              .repair_rounds = 8,
-              .target_angle = 32,
-              .insertion_angle = 26,
-              .smoothing_steps = 12,
-              .least_rise = 1.03,
-              .progress = 0.9,
-              .sliver_rounds = 8};
+  ImproveSchedule s;                  // one to three times as long as refinement
+  if (level == QualityLevel::fast) {  // about as long as refinement
+    s.mean_rounds = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
+    s.target_angle = 20, s.insertion_angle = 0;
+    s.smoothing_steps = 6, s.least_rise = 1.05;
+  } else if (level == QualityLevel::best) {  // until nothing improves
+    s.repair_rounds = 60, s.sliver_rounds = 20;
+    s.target_angle = 36, s.insertion_angle = 30;
+    s.smoothing_steps = 20, s.least_rise = 1.0005, s.progress = 1.02;
   }
+  return s;
 }
 
 }  // namespace geomesh::remesh

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/epoch_marks.hpp"
 #include "common/sort_unique.hpp"
-#include "geomesh/core/predicates.hpp"
 #include "mesh/cavity.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
@@ -15,34 +13,29 @@ namespace geomesh::remesh {
 
 namespace {
 
-Triangle corners_of(const DomainMesh& mesh, FaceRef f) {
-  const Tetrahedron& t = mesh.vertices(f.cell());
-  return {t[face_vertices[f.face()][0]], t[face_vertices[f.face()][1]], t[face_vertices[f.face()][2]]};
-}
-
 /// Face of the same patch across the edge (x, y) of a constrained face; invalid where the edge is a curve.
 FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, VertexIndex y) {
   if (mesh.curve_of(x, y) != no_index) return {};
   std::vector<CellIndex> cells;
   std::vector<VertexIndex> ring;
-  const bool closed = edge_ring(mesh, face.cell(), x, y, cells, ring);
+  const bool closed = turn_about_edge(mesh.cells(), face.cell(), x, y, cells, ring);
   const EdgeFaces faces = constrained_faces_of_ring(mesh, cells, ring, closed);
   if (faces.n != 2) return {};
   VertexIndex third = no_vertex;
-  for (const VertexIndex v : corners_of(mesh, face))
+  for (const VertexIndex v : mesh.face(face))
     if (v != x && v != y) third = v;
   const std::size_t other = ring[faces.at[0]] == third ? faces.at[1] : faces.at[0];
   const bool last = !closed && other == cells.size();
   const CellIndex c = last ? cells.back() : cells[other];
   const VertexIndex opposite = last ? ring[cells.size() - 1] : ring[(other + 1) % ring.size()];
-  return FaceRef(c, mesh.topology().index_of(c, opposite));
+  return FaceRef(c, mesh.cells().index_of(c, opposite));
 }
 
 /// Walks within the patch to the face that p is over; invalid where a curve is in the way.
 FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
   for (unsigned step = 0; step < 300; ++step) {
-    const Triangle t = corners_of(mesh, face);
-    const Vec3 &a = mesh.point(t[0]), n = cross(mesh.point(t[1]) - a, mesh.point(t[2]) - a);
+    const Triangle t = mesh.face(face);
+    const Vec3 n = mesh.normal(t);
     unsigned leave = 3;
     double worst = 0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -64,12 +57,12 @@ class SurfaceInsertion {
   std::optional<VertexIndex> attempt(FaceRef start, const InsertionRule& rule) {
     const FaceRef home = locate_on_surface(mesh_, p_, start);
     if (!home.valid() || !grow_on_surface(home, rule.spacing)) return std::nullopt;
-    if (!find_cavity(refine_ratios.surface_spacing_off * rule.spacing) || !keeps_constraints()) return std::nullopt;
+    if (!find_cavity(refine_ratios.surface_spacing_off * rule.spacing)) return std::nullopt;
     StarCavity& cavity = tools_.work.cavity;
+    if (swallows_constraint(mesh_, tools_.work, cavity.cells, cavity.link, opened_)) return std::nullopt;
     add_spokes(cavity);
     if (!(star_shape(mesh_, cavity, p_, rule.min_shape) > rule.min_shape) || !guard_allows(cavity)) return std::nullopt;
-    const VertexIndex v =
-        mesh_.add_vertex(p_, VertexKind::surface, mesh_.patch_of(mesh_.tag(home.cell(), home.face())));
+    const VertexIndex v = mesh_.add_vertex(p_, VertexKind::surface, mesh_.patch_of(mesh_.tag(home)));
     fill_with_star(mesh_, cavity, v, tools_.work);
     ++tools_.statistics.points_on_surfaces;
     return v;
@@ -82,31 +75,27 @@ class SurfaceInsertion {
   }
 
   bool in_circumcircle(const Triangle& t) const {
-    const Vec3 &a = mesh_.point(t[0]), u = mesh_.point(t[1]) - a, v = mesh_.point(t[2]) - a, n = cross(u, v);
-    const Vec3 offset = (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
-    return squared_distance(a + offset, p_) < dot(offset, offset);
+    const Vec3 offset = offset_of_circumcentre(mesh_, t);
+    return squared_distance(mesh_.point(t[0]) + offset, p_) < dot(offset, offset);
   }
 
-  bool is_opened(CellIndex c, unsigned i) const {
-    const FaceRef f(c, i);
-    return std::find(opened_.begin(), opened_.end(), f) != opened_.end();
-  }
+  bool is_opened(FaceRef f) const { return std::find(opened_.begin(), opened_.end(), f) != opened_.end(); }
 
   /// The faces of the patch whose circumcircle has p, from the one that p is in; each is listed from both sides.
   bool grow_on_surface(FaceRef home, double spacing) {
     std::vector<FaceRef> faces{home};
-    const auto both = [&](FaceRef f) { return std::array{f, mesh_.topology().mirror(f)}; };
+    const auto both = [&](FaceRef f) { return std::array{f, mesh_.cells().mirror(f)}; };
     const auto open = [&](FaceRef f) {
       for (const FaceRef g : both(f))
         if (g.valid()) opened_.push_back(g), bases_.push_back(g.cell());
     };
     open(home);
     for (std::size_t k = 0; k < faces.size() && faces.size() < 60; ++k) {
-      const Triangle t = corners_of(mesh_, faces[k]);
+      const Triangle t = mesh_.face(faces[k]);
       for (unsigned j = 0; j < 3; ++j) {
         if (squared_distance(mesh_.point(t[j]), p_) < spacing * spacing) return false;
         const FaceRef n = surface_neighbor(mesh_, faces[k], t[j], t[(j + 1) % 3]);
-        if (!n.valid() || is_opened(n.cell(), n.face()) || !in_circumcircle(corners_of(mesh_, n))) continue;
+        if (!n.valid() || is_opened(n) || !in_circumcircle(mesh_.face(n))) continue;
         open(n);
         faces.push_back(n);
       }
@@ -115,20 +104,17 @@ class SurfaceInsertion {
     return true;
   }
 
-  bool sees(FaceRef f) const {
-    const Triangle t = corners_of(mesh_, f);
-    return is_positive(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]), p_);
-  }
-
   /// The cells whose circumsphere has p, less what p does not see, with no vertex nearer than `spacing`. A shape
   /// criterion in doubles decides which cells to take; what p sees is decided exactly. False where there is none.
   bool find_cavity(double spacing) {
     constexpr std::size_t most_cells = 400;
-    const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f.cell(), f.face()).constrained(); };
-    Cavity cavity(mesh_.topology(), tools_.work.marks, tools_.work.cells, bases_);
+    const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
+    Cavity cavity(mesh_.cells(), tools_.work.marks, tools_.work.cells, bases_);
     cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); });
-    const auto is_opened_face = [&](FaceRef f) { return is_opened(f.cell(), f.face()); };
-    if (!cavity.shrink(may_cross, is_opened_face, [&](FaceRef f) { return sees(f); }) || !keeps_spacing(spacing))
+    if (!cavity.shrink(
+            may_cross, [&](FaceRef f) { return is_opened(f); },
+            [&](FaceRef f) { return mesh_.sees(p_, mesh_.face(f)); }) ||
+        !keeps_spacing(spacing))
       return false;
     tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());  // gather_cells uses the marks anew
     gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
@@ -140,7 +126,7 @@ class SurfaceInsertion {
   void drop_opened_hull_faces() {
     std::vector<Triangle> gone;
     for (const FaceRef f : opened_)
-      if (!mesh_.has_neighbor(f.cell(), f.face())) gone.push_back(corners_of(mesh_, f));
+      if (!mesh_.has_neighbor(f.cell(), f.face())) gone.push_back(mesh_.face(f));
     std::erase_if(tools_.work.cavity.link,
                   [&](const LinkFace& l) { return std::find(gone.begin(), gone.end(), l.vertices) != gone.end(); });
   }
@@ -149,11 +135,9 @@ class SurfaceInsertion {
   void add_spokes(StarCavity& cavity) const {
     std::vector<Spoke> edges;
     for (const FaceRef f : opened_) {
-      const FaceTag tag = mesh_.tag(f.cell(), f.face());
-      if (mesh_.has_neighbor(f.cell(), f.face()) && !tag.above()) continue;
-      Triangle t = corners_of(mesh_, f);
-      if (!tag.above()) std::swap(t[1], t[2]);
-      for (unsigned k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3], tag.facet()});
+      if (!mesh_.is_surface(f)) continue;
+      const Triangle t = mesh_.facet_face(f);
+      for (unsigned k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3], mesh_.tag(f).facet()});
     }
     for (const Spoke& s : edges)
       if (std::none_of(edges.begin(), edges.end(), [&](const Spoke& o) { return o.a == s.b && o.b == s.a; }))
@@ -162,16 +146,10 @@ class SurfaceInsertion {
 
   bool guard_allows(const StarCavity& cavity) const {
     if (tools_.guard.exact()) return true;
-    std::vector<SurfaceFace> before, after;
-    std::vector<CurvePiece> curves;
-    for (const FaceRef f : opened_) {
-      const FaceTag tag = mesh_.tag(f.cell(), f.face());
-      Triangle t = corners_of(mesh_, f);
-      if (!tag.above()) std::swap(t[1], t[2]);
-      before.push_back({{mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])}, mesh_.patch_of(tag)});
-    }
-    append_surface(mesh_, cavity, p_, after, curves);
-    return tools_.guard.admits(before, after, {}, {}, {});
+    SurfacePart before;
+    for (const FaceRef f : opened_)
+      before.faces.push_back({mesh_.places(mesh_.facet_face(f)), mesh_.patch_of(mesh_.tag(f))});
+    return tools_.guard.admits(before, surface_of(mesh_, cavity, p_));
   }
 
   /// All vertices of the cells are asked: those that are not on the cavity's border may not be there at all.
@@ -180,34 +158,6 @@ class SurfaceInsertion {
     for (const CellIndex c : tools_.work.cells)
       for (const VertexIndex v : mesh_.vertices(c))
         if (squared_distance(mesh_.point(v), p_) < limit) return false;
-    return true;
-  }
-
-  bool on_link(VertexIndex a, VertexIndex b) const {
-    for (const LinkFace& f : tools_.work.cavity.link) {
-      const auto has = [&](VertexIndex v) { return f.vertices[0] == v || f.vertices[1] == v || f.vertices[2] == v; };
-      if (has(a) && has(b)) return true;
-    }
-    return false;
-  }
-
-  /// No vertex, no constrained face and no curve edge may be swallowed. The marks are those of the cavity's cells.
-  bool keeps_constraints() const {
-    EpochMarks& on_border = tools_.work.vertex_marks;
-    on_border.begin(mesh_.n_vertices());
-    for (const LinkFace& f : tools_.work.cavity.link)
-      for (const VertexIndex v : f.vertices) on_border.mark(v);
-    for (const CellIndex c : tools_.work.cavity.cells) {
-      const Tetrahedron& t = mesh_.vertices(c);
-      for (unsigned i = 0; i < 4; ++i) {
-        if (!on_border.marked(t[i])) return false;
-        if (!mesh_.tag(c, i).constrained() || is_opened(c, i)) continue;
-        const FaceRef n = mesh_.topology().neighbor(c, i);
-        if (n.valid() && tools_.work.marks.marked(n.cell())) return false;
-      }
-      for (const auto& e : edge_vertices)
-        if (mesh_.curve_of(t[e[0]], t[e[1]]) != no_index && !on_link(t[e[0]], t[e[1]])) return false;
-    }
     return true;
   }
 
@@ -221,7 +171,7 @@ class SurfaceInsertion {
 }  // namespace
 
 std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule) {
-  const FaceTag tag = tools.mesh.tag(start.cell(), start.face());
+  const FaceTag tag = tools.mesh.tag(start);
   if (tag.facet() == hull_facet) return std::nullopt;
   return SurfaceInsertion(tools, tools.guard.project_to_patch(tools.mesh.patch_of(tag), p)).attempt(start, rule);
 }

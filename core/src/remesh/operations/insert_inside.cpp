@@ -2,8 +2,7 @@
 // Declared in operations.hpp.
 #include <algorithm>
 
-#include "common/epoch_marks.hpp"
-#include "geomesh/core/predicates.hpp"
+#include "common/geometry.hpp"
 #include "mesh/cavity.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -17,15 +16,19 @@ Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 }
 
 Sphere circumsphere(const DomainMesh& mesh, CellIndex c) {
-  const Tetrahedron& t = mesh.vertices(c);
-  return circumsphere(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
+  const auto [p, q, r, s] = mesh.places(mesh.vertices(c));
+  return circumsphere(p, q, r, s);
+}
+
+Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
+  const Vec3 &a = mesh.point(t[0]), u = mesh.point(t[1]) - a, v = mesh.point(t[2]) - a, n = cross(u, v);
+  return (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
 }
 
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   unsigned turn = 0;  // of the order of faces, so that the walk cannot cycle for long
   const auto end = mesh.walk(
-      p, start, 1000, [&] { return turn++ & 3u; },
-      [&](FaceRef f) { return mesh.tag(f.cell(), f.face()).constrained(); });
+      p, start, 1000, [&] { return turn++ & 3u; }, [&](FaceRef f) { return mesh.tag(f).constrained(); });
   return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
 }
 
@@ -43,18 +46,19 @@ class InsideInsertion {
     constexpr std::size_t most_cells = 400;
     if (!keeps_spacing(mesh_.vertices(home))) return false;
     const std::array bases{home};
-    Cavity cavity(mesh_.topology(), work_.marks, work_.cells, bases);
-    const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f.cell(), f.face()).constrained(); };
+    Cavity cavity(mesh_.cells(), work_.marks, work_.cells, bases);
+    const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
     cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); });
     collect_border(cavity);
-    const auto sees = [&](FaceRef f) { return sees_face(f); };
-    if (!std::all_of(border().begin(), border().end(), [&](const StarFace& f) { return sees(f.inner); })) {
+    if (!std::all_of(border().begin(), border().end(), [&](const StarFace& f) { return mesh_.sees(p_, f.vertices); })) {
       if (!cavity.shrink(
-              may_cross, [](FaceRef) { return false; }, sees))
+              may_cross, [](FaceRef) { return false; }, [&](FaceRef f) { return mesh_.sees(p_, mesh_.face(f)); }))
         return false;
       collect_border(cavity);
     }
-    return keeps_border_spacing() && swallows_nothing(cavity);
+    return std::all_of(border().begin(), border().end(),
+                       [&](const StarFace& f) { return keeps_spacing(f.vertices); }) &&
+           !swallows_constraint(mesh_, work_, cavity.cells(), border());
   }
 
   bool has_shapes() {
@@ -86,52 +90,17 @@ class InsideInsertion {
       return squared_distance(mesh_.point(v), p_) < rule_.spacing * rule_.spacing;
     });
   }
-  bool sees_face(FaceRef f) const {
-    const Tetrahedron& t = mesh_.vertices(f.cell());
-    const auto& k = face_vertices[f.face()];
-    return is_positive(mesh_.point(t[k[0]]), mesh_.point(t[k[1]]), mesh_.point(t[k[2]]), p_);
-  }
 
   void collect_border(const Cavity& cavity) {
     border().clear();
     for (const CellIndex c : cavity.cells()) {
-      const TetMesh::Cell& cell = mesh_.topology().cells()[c];
+      const TetMesh::Cell& cell = mesh_.cells().cells()[c];
       for (unsigned i = 0; i < 4; ++i) {
         const FaceRef n = cell.neighbors[i];
         if (n.valid() && cavity.has(n.cell()) && !mesh_.tag(c, i).constrained()) continue;
-        const auto& k = face_vertices[i];
-        border().push_back({{cell.vertices[k[0]], cell.vertices[k[1]], cell.vertices[k[2]]}, FaceRef(c, i), n});
+        border().push_back({face_of(cell.vertices, i), FaceRef(c, i), n});
       }
     }
-  }
-
-  bool keeps_border_spacing() {
-    return std::all_of(border().begin(), border().end(), [&](const StarFace& f) { return keeps_spacing(f.vertices); });
-  }
-
-  /// No vertex, no constrained face and no edge of a curve.
-  bool swallows_nothing(const Cavity& cavity) {
-    EpochMarks& on_border = work_.vertex_marks;
-    on_border.begin(mesh_.n_vertices());
-    for (const StarFace& f : border()) {
-      if (f.outer.valid() && cavity.has(f.outer.cell())) return false;
-      for (const VertexIndex v : f.vertices) on_border.mark(v);
-    }
-    return std::all_of(cavity.cells().begin(), cavity.cells().end(), [&](CellIndex c) {
-      const Tetrahedron& t = mesh_.vertices(c);
-      return std::all_of(t.begin(), t.end(), [&](VertexIndex v) { return on_border.marked(v); }) &&
-             std::none_of(edge_vertices.begin(), edge_vertices.end(), [&](const auto& e) {
-               return mesh_.curve_of(t[e[0]], t[e[1]]) != no_index && !is_on_border(t[e[0]], t[e[1]]);
-             });
-    });
-  }
-  bool is_on_border(VertexIndex a, VertexIndex b) {
-    return std::any_of(border().begin(), border().end(), [&](const StarFace& f) {
-      const auto has = [&](VertexIndex v) {
-        return std::find(f.vertices.begin(), f.vertices.end(), v) != f.vertices.end();
-      };
-      return has(a) && has(b);
-    });
   }
 
   DomainMesh& mesh_;

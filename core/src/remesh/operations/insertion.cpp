@@ -47,13 +47,10 @@ class CavityDigger {
   /// Of the cell that came last.
   void add_border(const Vec3& p) {
     const CellIndex c = cells_.back();
-    const Tetrahedron& t = mesh_.vertices(c);
     for (unsigned i = 0; i < 4; ++i) {
-      const FaceRef n = mesh_.topology().neighbor(c, i);
+      const FaceRef n = mesh_.cells().neighbor(c, i);
       if (n.valid() && std::find(cells_.begin(), cells_.end(), n.cell()) != cells_.end()) continue;
-      const auto& f = face_vertices[i];
-      border_.push_back({mesh_.measure().shape(mesh_.point(t[f[0]]), mesh_.point(t[f[1]]), mesh_.point(t[f[2]]), p), n,
-                         mesh_.tag(c, i).constrained()});
+      border_.push_back({mesh_.shape(mesh_.face(c, i), p), n, mesh_.tag(c, i).constrained()});
     }
   }
 
@@ -76,7 +73,7 @@ bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex 
   const DomainMesh& mesh = tools.mesh;
   const auto& cells = tools.work.cells;
   const auto& ring = tools.work.ring;
-  edge_ring(mesh, c, a, b, tools.work.cells, tools.work.ring);
+  turn_about_edge(mesh.cells(), c, a, b, tools.work.cells, tools.work.ring);
   double before = 1;
   for (const CellIndex k : cells) before = std::min(before, mesh.shape_of(k));
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -106,9 +103,8 @@ bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3
   const double limit = point_limits.thin_gap * tools.size.at(p, cavity.link[0].component);
   std::vector<Vec3> ways;  // to surfaces
   const auto closes_gap = [&](CellIndex c, unsigned i) {
-    const Tetrahedron& t = mesh.vertices(c);
-    const auto& f = face_vertices[i];
-    const Vec3 way = search::closest_on_triangle(p, mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]])) - p;
+    const auto [q, r, s] = mesh.places(mesh.face(c, i));
+    const Vec3 way = search::closest_on_triangle(p, q, r, s) - p;
     const double l = length(way);
     if (!(l < limit)) return false;
     const bool closes =
@@ -122,33 +118,10 @@ bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3
         if (closes_gap(c, i)) return true;
         continue;
       }
-      const CellIndex beside = mesh.topology().neighbor(c, i).cell();
+      const CellIndex beside = mesh.cells().neighbor(c, i).cell();
       for (unsigned k = 0; k < 4; ++k)
         if (mesh.tag(beside, k).constrained() && closes_gap(beside, k)) return true;
     }
-  return false;
-}
-
-/// No vertex, curve edge or constrained face may be inside the cavity (its cells are of one component already).
-bool swallows_constraint(const DomainMesh& mesh, const StarCavity& cavity) {
-  const auto on_link = [&](VertexIndex a, VertexIndex b) {
-    return std::any_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
-      return std::find(f.vertices.begin(), f.vertices.end(), a) != f.vertices.end() &&
-             std::find(f.vertices.begin(), f.vertices.end(), b) != f.vertices.end();
-    });
-  };
-  for (const CellIndex c : cavity.cells) {
-    const Tetrahedron& t = mesh.vertices(c);
-    for (unsigned i = 0; i < 4; ++i) {
-      if (!on_link(t[i], t[i])) return true;
-      const FaceRef n = mesh.topology().neighbor(c, i);
-      if (mesh.tag(c, i).constrained() && n.valid() &&
-          std::find(cavity.cells.begin(), cavity.cells.end(), n.cell()) != cavity.cells.end())
-        return true;
-    }
-    for (const auto& e : edge_vertices)
-      if (mesh.curve_of(t[e[0]], t[e[1]]) != no_index && !on_link(t[e[0]], t[e[1]])) return true;
-  }
   return false;
 }
 
@@ -156,8 +129,7 @@ bool swallows_constraint(const DomainMesh& mesh, const StarCavity& cavity) {
 
 bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
   DomainMesh& mesh = tools.mesh;
-  const Tetrahedron& t = mesh.vertices(c);
-  Vec3 p = 0.25 * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]) + mesh.point(t[3]));
+  Vec3 p = mesh.middle(mesh.vertices(c));
   CavityDigger digger(mesh, c);
   StarCavity& cavity = tools.work.cavity;
   StarProblem problem{tools.work.link};
@@ -170,7 +142,8 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room) {
     if (!(best.shape > removed_shape(mesh, cavity) * point_limits.least_rise) || !star_is_positive(mesh, cavity, p) ||
         tools.spoils(cavity, p))
       continue;
-    if (swallows_constraint(mesh, cavity) || !has_room(tools, cavity, p, room) || is_barred_by_gap(tools, cavity, p))
+    if (swallows_constraint(mesh, tools.work, cavity.cells, cavity.link) || !has_room(tools, cavity, p, room) ||
+        is_barred_by_gap(tools, cavity, p))
       return false;
     fill_with_star(mesh, cavity, mesh.add_vertex(p, VertexKind::inside), tools.work);
     ++tools.statistics.improving_insertions;
@@ -206,26 +179,9 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
     return false;
   if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_barred_by_gap(tools, cavity, p)))
     return false;
-  if (moves_on_patch && !tools.guard.exact()) {
-    std::vector<SurfaceFace> before_faces, after_faces;
-    std::vector<CurvePiece> curves;
-    for (const Spoke& s : cavity.spokes)
-      if (s.a == a || s.a == b)
-        before_faces.push_back(
-            {{mesh.point(s.a == a ? b : a), mesh.point(s.a), mesh.point(s.b)}, patch});  // each face once
-    append_surface(mesh, cavity, p, after_faces, curves);
-    if (!tools.guard.admits(before_faces, after_faces, {}, {}, {})) return false;
-  }
-  VertexIndex v;
-  if (curve != no_index) {
-    v = mesh.add_vertex(p, VertexKind::curve, curve);
-    mesh.erase_curve(a, b);
-    mesh.set_curve(a, v, curve);
-    mesh.set_curve(v, b, curve);
-  } else {
-    v = mesh.add_vertex(p, moves_on_patch ? VertexKind::surface : VertexKind::inside, patch);
-  }
-  fill_with_star(mesh, cavity, v, tools.work);
+  if (moves_on_patch && !tools.guard.admits({faces_at_edge(mesh, cavity, a, b), {}}, surface_of(mesh, cavity, p)))
+    return false;
+  fill_from_edge(tools, cavity, a, b, p);
   ++tools.statistics.improving_insertions;
   return true;
 }

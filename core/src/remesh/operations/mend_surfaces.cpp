@@ -15,19 +15,24 @@ constexpr double least_shape = 1e-3;  ///< a worse cell is not made for the sake
 
 /// Of a face or a curve's edge: a cell that has it and its vertices.
 struct Place {
-  CellIndex cell = no_cell;
+  CellIndex cell;
   std::vector<VertexIndex> vertices;
 };
 
 /// The constrained faces and the curves of the mesh as it was when made, to be found by place.
 class Finder {
  public:
-  explicit Finder(DomainMesh& mesh) : mesh_(mesh) {
+  explicit Finder(const DomainMesh& mesh) : mesh_(mesh) {
     std::vector<search::ClosestPointTrees::Item> faces, curves;
-    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-      for (unsigned i = 0; i < 4; ++i)
-        if (mesh.is_live(c) && mesh.tag(c, i).constrained() && mesh.tag(c, i).facet() != hull_facet)
-          add_face(c, i, faces, curves);
+    mesh.for_each_facet_face([&](FaceRef f) {
+      const Triangle t = mesh.face(f);
+      faces.push_back({mesh.places(t), mesh.patch_of(mesh.tag(f)), add({f.cell(), {t.begin(), t.end()}})});
+      for (unsigned k = 0; k < 3; ++k) {
+        const VertexIndex a = t[k], b = t[(k + 1) % 3];
+        if (const Index curve = mesh.curve_of(a, b); curve != no_index)
+          curves.push_back({mesh.places(Triangle{a, b, b}), curve, add({f.cell(), {a, b}})});
+      }
+    });
     faces_ = search::ClosestPointTrees(std::move(faces), mesh.n_patches());
     curves_ = search::ClosestPointTrees(std::move(curves), mesh.n_curve_classes());
   }
@@ -37,33 +42,18 @@ class Finder {
     const search::ClosestPoint at = (b.on_curve ? curves_ : faces_).closest(b.place, b.group);
     if (at.item == no_index) return std::nullopt;
     const Place& place = places_[at.item];
-    const auto is_there = [&](VertexIndex v) { return mesh_.topology().has_vertex(place.cell, v); };
-    if (!mesh_.is_live(place.cell) || !std::all_of(place.vertices.begin(), place.vertices.end(), is_there))
-      return std::nullopt;
-    return place;
+    const auto is_there = [&](VertexIndex v) { return mesh_.cells().has_vertex(place.cell, v); };
+    const bool is_left = mesh_.is_live(place.cell) && std::ranges::all_of(place.vertices, is_there);
+    return is_left ? std::optional(place) : std::nullopt;
   }
 
  private:
-  void add_face(CellIndex c, unsigned i, std::vector<search::ClosestPointTrees::Item>& faces,
-                std::vector<search::ClosestPointTrees::Item>& curves) {
-    const Tetrahedron& t = mesh_.vertices(c);
-    const auto& f = face_vertices[i];
-    const std::array<VertexIndex, 3> v{t[f[0]], t[f[1]], t[f[2]]};
-    const auto add = [&](std::vector<VertexIndex> vertices) {
-      places_.push_back({c, std::move(vertices)});
-      return static_cast<Index>(places_.size() - 1);
-    };
-    faces.push_back({{mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2])},
-                     mesh_.patch_of(mesh_.tag(c, i)),
-                     add({v[0], v[1], v[2]})});
-    for (unsigned k = 0; k < 3; ++k) {
-      const VertexIndex a = v[k], b = v[(k + 1) % 3];
-      if (const Index curve = mesh_.curve_of(a, b); curve != no_index)
-        curves.push_back({{mesh_.point(a), mesh_.point(b), mesh_.point(b)}, curve, add({a, b})});
-    }
+  Index add(Place place) {
+    places_.push_back(std::move(place));
+    return static_cast<Index>(places_.size() - 1);
   }
 
-  DomainMesh& mesh_;
+  const DomainMesh& mesh_;
   std::vector<Place> places_;
   search::ClosestPointTrees faces_, curves_;
 };
@@ -98,12 +88,7 @@ class Mender {
     StarCavity& cavity = tools_.work.cavity;
     gather_edge(mesh_, c, a, b, cavity);
     if (cavity.spokes.empty() && cavity.curves.empty()) return;
-    std::vector<SurfaceFace> before;
-    for (const Spoke& s : cavity.spokes)
-      if (s.a == a || s.b == a)
-        before.push_back(
-            {{mesh_.point(a), mesh_.point(b), mesh_.point(s.a == a ? s.b : s.a)}, mesh_.patch_of_facet(s.facet)});
-    consider(cavity, before, [this, c, a, b] { split_edge(tools_, c, a, b, 0, &target_); });
+    consider(cavity, faces_at_edge(mesh_, cavity, a, b), [this, c, a, b] { split_edge(tools_, c, a, b, 0, &target_); });
   }
 
   void consider_move(const Breach& breach, VertexIndex v) {
@@ -112,10 +97,7 @@ class Mender {
       return;
     StarCavity& cavity = tools_.work.cavity;
     gather_star(mesh_, v, tools_.work.marks, cavity);
-    std::vector<SurfaceFace> before;
-    std::vector<CurvePiece> ignored;
-    append_surface(mesh_, cavity, mesh_.point(v), before, ignored);
-    consider(cavity, before, [this, v] {
+    consider(cavity, surface_of(mesh_, cavity, mesh_.point(v)).faces, [this, v] {
       gather_star(mesh_, v, tools_.work.marks, tools_.work.cavity);
       mesh_.move_vertex(v, target_);
       for (const CellIndex c : tools_.work.cavity.cells) mesh_.refresh_shape(c);
@@ -132,10 +114,8 @@ class Mender {
   void consider(const StarCavity& cavity, const std::vector<SurfaceFace>& before, std::function<void()> change) {
     const double shape = star_shape(mesh_, cavity, target_, least_shape);
     if (!(shape > least_shape) || !star_is_positive(mesh_, cavity, target_)) return;
-    std::vector<SurfaceFace> faces;
-    std::vector<CurvePiece> curves;
-    append_surface(mesh_, cavity, target_, faces, curves);
-    const std::ptrdiff_t n_before = count_off(before), more_off = count_off(faces) - n_before;
+    const std::ptrdiff_t n_before = count_off(before),
+                         more_off = count_off(surface_of(mesh_, cavity, target_).faces) - n_before;
     if (more_off > 0 || (n_before > 0 && more_off == 0)) return;
     if (best_.change && std::pair(-more_off, shape) <= std::pair(-best_.more_off, best_.shape)) return;
     best_ = {more_off, shape, std::move(change)};

@@ -89,11 +89,17 @@ std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellInde
 /// it of others.
 std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule);
 
+/// Replaces the cavity of the edge by the star of a new vertex at p, which lies on the edge's curve or patch.
+VertexIndex fill_from_edge(Toolbox& tools, const StarCavity& cavity, VertexIndex a, VertexIndex b, const Vec3& p);
+
 /// Faces and curve pieces about a cavity with the apex at p, for the guard.
-void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, std::vector<SurfaceFace>& faces,
-                    std::vector<CurvePiece>& curves);
+SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
+/// Faces that go where the cavity of the edge is filled from a point of it, each once.
+std::vector<SurfaceFace> faces_at_edge(const DomainMesh& mesh, const StarCavity& cavity, VertexIndex a, VertexIndex b);
 
 Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 Sphere circumsphere(const DomainMesh& mesh, CellIndex c);
+/// Centre of the circle through its corners, from the first. Not finite where it has no area.
+Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t);
 
 }  // namespace geomesh::remesh

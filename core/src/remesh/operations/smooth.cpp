@@ -161,20 +161,13 @@ class Smoother {
     }
     if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
     const std::vector<double>& shapes = problem_.link.shapes(p);  // one by cell of the star
-    if (tools_.spoils(cavity_, shapes) || !guard_allows(p)) return false;
+    if (tools_.spoils(cavity_, shapes) ||
+        !tools_.guard.admits(surface_of(mesh_, cavity_, old_), surface_of(mesh_, cavity_, p)))
+      return false;
     mesh_.move_vertex(v_, p);
     for (std::size_t k = 0; k < cavity_.cells.size(); ++k) mesh_.set_shape(cavity_.cells[k], shapes[k]);
     tools_.forget_size(v_);
     return true;
-  }
-
-  bool guard_allows(const Vec3& p) const {
-    if (tools_.guard.exact() || (cavity_.spokes.empty() && cavity_.curves.empty())) return true;
-    std::vector<SurfaceFace> before, after;
-    std::vector<CurvePiece> curves_before, curves_after;
-    append_surface(mesh_, cavity_, old_, before, curves_before);
-    append_surface(mesh_, cavity_, p, after, curves_after);
-    return tools_.guard.admits(before, after, {}, curves_before, curves_after);
   }
 
   Toolbox& tools_;

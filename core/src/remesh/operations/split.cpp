@@ -22,11 +22,37 @@ double Toolbox::size_of_cell(CellIndex c) {
   return sum / 4;
 }
 
-void append_surface(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, std::vector<SurfaceFace>& faces,
-                    std::vector<CurvePiece>& curves) {
+SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
+  SurfacePart part;
   for (const Spoke& s : cavity.spokes)
-    faces.push_back({{p, mesh.point(s.a), mesh.point(s.b)}, mesh.patch_of_facet(s.facet)});
-  for (const CurveSpoke& s : cavity.curves) curves.push_back({p, mesh.point(s.a), s.curve});
+    part.faces.push_back({{p, mesh.point(s.a), mesh.point(s.b)}, mesh.patch_of_facet(s.facet)});
+  for (const CurveSpoke& s : cavity.curves) part.curves.push_back({p, mesh.point(s.a), s.curve});
+  return part;
+}
+
+std::vector<SurfaceFace> faces_at_edge(const DomainMesh& mesh, const StarCavity& cavity, VertexIndex a, VertexIndex b) {
+  std::vector<SurfaceFace> faces;
+  for (const Spoke& s : cavity.spokes)
+    if (s.a == a || s.a == b)
+      faces.push_back({mesh.places(Triangle{s.a == a ? b : a, s.a, s.b}), mesh.patch_of_facet(s.facet)});
+  return faces;
+}
+
+VertexIndex fill_from_edge(Toolbox& tools, const StarCavity& cavity, VertexIndex a, VertexIndex b, const Vec3& p) {
+  DomainMesh& mesh = tools.mesh;
+  const Index curve = mesh.curve_of(a, b),
+              patch = cavity.spokes.empty() ? no_index : mesh.patch_of_facet(cavity.spokes[0].facet);
+  const VertexIndex v = curve != no_index     ? mesh.add_vertex(p, VertexKind::curve, curve)
+                        : patch == no_index   ? mesh.add_vertex(p, VertexKind::inside)
+                        : patch == hull_patch ? mesh.add_vertex(p, VertexKind::corner, patch)
+                                              : mesh.add_vertex(p, VertexKind::surface, patch);
+  if (curve != no_index) {
+    mesh.erase_curve(a, b);
+    mesh.set_curve(a, v, curve);
+    mesh.set_curve(v, b, curve);
+  }
+  fill_with_star(mesh, cavity, v, tools.work);
+  return v;
 }
 
 std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double min_shape,
@@ -38,25 +64,11 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
   const Vec3 p = place ? *place : 0.5 * (mesh.point(a) + mesh.point(b));
   if (!star_is_positive(mesh, cavity, p)) return std::nullopt;
   if (min_shape > 0 && !(star_shape(mesh, cavity, p, min_shape) > min_shape)) return std::nullopt;
-  const Index curve = mesh.curve_of(a, b);
-  VertexIndex v;
-  if (curve != no_index) {
-    v = mesh.add_vertex(p, VertexKind::curve, curve);
-    ++tools.statistics.points_on_curves;
-  } else if (!cavity.spokes.empty()) {
-    const Index patch = mesh.patch_of_facet(cavity.spokes[0].facet);
-    v = mesh.add_vertex(p, patch == hull_patch ? VertexKind::corner : VertexKind::surface, patch);
-    ++tools.statistics.points_on_surfaces;
-  } else {
-    v = mesh.add_vertex(p, VertexKind::inside);
-    ++tools.statistics.points_inside;
-  }
-  if (curve != no_index) {
-    mesh.erase_curve(a, b);
-    mesh.set_curve(a, v, curve);
-    mesh.set_curve(v, b, curve);
-  }
-  fill_with_star(mesh, cavity, v, tools.work);
+  const VertexIndex v = fill_from_edge(tools, cavity, a, b, p);
+  const VertexKind kind = mesh.kind(v);
+  ++(kind == VertexKind::curve    ? tools.statistics.points_on_curves
+     : kind == VertexKind::inside ? tools.statistics.points_inside
+                                  : tools.statistics.points_on_surfaces);
   return v;
 }
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "common/parallel.hpp"
-#include "remesh/domain/mesh_part.hpp"
+#include "remesh/domain/domain_mesh.hpp"
 #include "remesh/passes/passes.hpp"
 
 namespace geomesh::remesh {

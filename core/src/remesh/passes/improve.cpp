@@ -8,7 +8,7 @@
 #include "remesh/passes/passes.hpp"
 #include "remesh/passes/worst_first_repair.hpp"
 #include "remesh/rescue/bad_cells.hpp"
-#include "remesh/rescue/rescue_sweeps.hpp"
+#include "remesh/rescue/rescue.hpp"
 
 namespace geomesh::remesh {
 
@@ -41,8 +41,7 @@ double share(std::size_t n, const DomainMesh& mesh) {
 /// The shape below which the schedule's share of all cells is.
 double low_percentile(const DomainMesh& mesh, const ImproveSchedule& schedule) {
   std::vector<double> shapes;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    if (mesh.is_live(c)) shapes.push_back(mesh.shape_of(c));
+  for (const CellIndex c : mesh.live_cells()) shapes.push_back(mesh.shape_of(c));
   const double place = schedule.floor_percentile * static_cast<double>(shapes.size());
   const auto at = shapes.begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(shapes.begin(), at, shapes.end());
@@ -117,10 +116,6 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
-bool is_poor_altogether(const DomainMesh& mesh, const ImproveSchedule& schedule) {
-  return share(cells_below(mesh, mesh.measure().of_angle(schedule.target_angle)).size(), mesh) > schedule.many_poor;
-}
-
 }  // namespace
 
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge) {
@@ -131,7 +126,11 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const OutOfTime out_of_time = [&] { return budget.is_spent(); };
   const bool may_add_points = options.size_surfaces || options.honour != Honour::exact;
   const bool rescues_bad = schedule.sliver_rounds > 0 && !tools.bad_cells_may_spread;
-  const RescueRule rescue{measure.bad(), schedule.smoothing_steps, rescue_limits.steps};
+  const auto rescue_below = [&](double shape) {
+    return RescueRule{shape, schedule.smoothing_steps, rescue_limits.steps};
+  };
+  const RescueRule rescue = rescue_below(measure.bad()),
+                   flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle));
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
   FlipsInVain flips_in_vain;
@@ -158,31 +157,27 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   passes.run({.name = "points taken out that were not needed",
               .round =
                   [&](unsigned) {
-                    std::size_t n = thin_out_inside(tools, thinning_floor, context);
-                    if (!tools.guard.exact()) n += thin_out_surfaces(tools, thinning_floor, context);
+                    std::size_t n = thin_out(tools, ShortEdges::inside, thinning_floor, context);
+                    if (!tools.guard.exact()) n += thin_out(tools, ShortEdges::on_surfaces, thinning_floor, context);
                     return n == 0 ? Next::done : Next::again;
                   },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  passes.run({.name = "bad cells mended by looking ahead",
-              .round =
-                  [&](unsigned) {
-                    rescue_bad_cells(tools, rescue, out_of_time);
-                    return Next::done;
-                  },
-              .applies = rescues_bad});
+  passes.once(
+      "bad cells mended by looking ahead", [&] { rescue_bad_cells(tools, rescue, out_of_time); }, rescues_bad);
+  // What solvers refuse is worth it at every level.
+  passes.once(
+      "cells too flat for solvers mended by looking ahead", [&] { rescue_flat_cells(tools, flat_rescue, out_of_time); },
+      !tools.bad_cells_may_spread);
+  const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
   passes.run({.name = "the mean raised where much is poor",
               .round = raise,
               .most_rounds = schedule.poor_mean_factor * schedule.mean_rounds,
-              .applies = is_poor_altogether(mesh, schedule)});
-  passes.run({.name = "bad cells searched that nothing forces",
-              .round =
-                  [&](unsigned) {
-                    rescue_free_cells(tools, rescue, *judge, out_of_time);
-                    return Next::done;
-                  },
-              .applies = rescues_bad && judge});
+              .applies = poor_share > schedule.many_poor});
+  passes.once(
+      "bad cells searched that nothing forces", [&] { rescue_free_cells(tools, rescue, *judge, out_of_time); },
+      rescues_bad && judge);
 }
 
 }  // namespace geomesh::remesh

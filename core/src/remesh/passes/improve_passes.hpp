@@ -8,7 +8,7 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/improve.hpp"
-#include "remesh/rescue/free_cell_judge.hpp"
+#include "remesh/rescue/bad_cells.hpp"
 
 namespace geomesh::remesh {
 

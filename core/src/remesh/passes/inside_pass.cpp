@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
-#include "quality/measure/shape.hpp"
-#include "remesh/domain/change_stamps.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/operations/surface_repair.hpp"
 #include "remesh/passes/passes.hpp"
@@ -61,12 +60,11 @@ class InsideRefiner {
   /// Returns the large cells.
   std::vector<CellIndex> measure_all() {
     std::vector<CellIndex> large;
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c) {
-      if (!mesh_.is_live(c)) continue;
+    for (const CellIndex c : mesh_.live_cells()) {
       measure(c);
       if (is_large(c)) large.push_back(c);
     }
-    changes_.note_all();
+    refused_ = {};
     return large;
   }
 
@@ -96,7 +94,8 @@ class InsideRefiner {
 
   /// One visit to each large cell; `large` becomes what is still large, new cells included.
   std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
-    const unsigned number = changes_.begin_pass();
+    const auto number = static_cast<unsigned>(starts_.size());
+    starts_.push_back(mesh_.tick());
     order_by_size(large);
     std::vector<CellIndex> next;
     std::size_t n = 0;
@@ -105,19 +104,15 @@ class InsideRefiner {
       const CellIndex c = large[k];
       if (!mesh_.is_live(c) || !is_large(c)) continue;
       unsigned& refused = refusal(kind, c);
-      if (refused > 0 && !changes_.changed(mesh_.vertices(c), refused)) {
-        next.push_back(c);
-        continue;
-      }
-      const auto v = kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front);
-      if (!v) {
-        refused = number;
+      const bool is_in_vain = refused > 0 && !changed_since(mesh_, mesh_.vertices(c), starts_[refused]);
+      if (is_in_vain ||
+          !(kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front))) {
+        if (!is_in_vain) refused = number;
         next.push_back(c);
         continue;
       }
       ++n;
       for (const CellIndex made : tools_.work.created) measure(made);
-      changes_.note(mesh_, tools_.work.created);
       if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
       next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
     }
@@ -127,8 +122,8 @@ class InsideRefiner {
     return n;
   }
 
-  /// By kind of pass and cell: the last one that placed no point there; 0: none. A cell's slot that was used anew is
-  /// told by the change.
+  /// By kind of pass and cell: the last one that placed no point there; 0: none. It is tried again once cells were made
+  /// at a vertex of it since that pass began, as where its slot was used anew.
   unsigned& refusal(Kind kind, CellIndex c) {
     std::vector<unsigned>& refused = refused_[static_cast<std::size_t>(kind)];
     if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
@@ -184,7 +179,7 @@ class InsideRefiner {
     const Vec3 centre = spheres_[c].centre;
     for (unsigned i = 0; i < 4; ++i) {
       const bool constrained = mesh_.tag(c, i).constrained();
-      if (!constrained && is_large(mesh_.topology().neighbor_cell(c, i))) continue;
+      if (!constrained && is_large(mesh_.cells().neighbor_cell(c, i))) continue;
       if (const auto p = ideal_apex(c, i, centre))
         if (const auto v = insert(*p, c)) return v;
     }
@@ -194,15 +189,14 @@ class InsideRefiner {
   /// `centre` of the cell's circumsphere. Above the circumcentre of face i, so far that the new edges have the asked
   /// length (the mean of those at their ends). It is not beyond the cell's circumcentre.
   std::optional<Vec3> ideal_apex(CellIndex c, unsigned i, const Vec3& centre) {
-    const Tetrahedron& t = mesh_.vertices(c);
-    const VertexIndex x = t[face_vertices[i][0]], y = t[face_vertices[i][1]], z = t[face_vertices[i][2]];
-    const Vec3 &a = mesh_.point(x), u = mesh_.point(y) - a, v = mesh_.point(z) - a, n = cross(u, v);
+    const Triangle t = mesh_.face(c, i);
+    const Vec3 n = mesh_.normal(t);
     const double nn = dot(n, n);
     if (!(nn > 0)) return std::nullopt;
-    const Vec3 offset = (0.5 / nn) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
-    const double h = (tools_.size_at(x) + tools_.size_at(y) + tools_.size_at(z)) / 3, r2 = dot(offset, offset);
-    if (r2 > h * h) return std::nullopt;                             // the face itself is too large
-    const Vec3 base = a + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
+    const Vec3 offset = offset_of_circumcentre(mesh_, t);
+    const double h = (tools_.size_at(t[0]) + tools_.size_at(t[1]) + tools_.size_at(t[2])) / 3, r2 = dot(offset, offset);
+    if (r2 > h * h) return std::nullopt;                                             // the face itself is too large
+    const Vec3 base = mesh_.point(t[0]) + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
     const auto height_of = [&](double edge) {
       return std::sqrt(std::max(edge * edge - r2, refine_ratios.least_height * edge * edge));
     };
@@ -215,7 +209,7 @@ class InsideRefiner {
 
   bool is_on_front(CellIndex c) {
     for (unsigned i = 0; i < 4; ++i)
-      if (mesh_.tag(c, i).constrained() || !is_large(mesh_.topology().neighbor_cell(c, i))) return true;
+      if (mesh_.tag(c, i).constrained() || !is_large(mesh_.cells().neighbor_cell(c, i))) return true;
     return false;
   }
 
@@ -226,17 +220,16 @@ class InsideRefiner {
     const Sphere s = spheres_[c];
     if (!(s.radius < 1e300)) return std::nullopt;
     if (const auto v = insert(s.centre, c)) return v;
-    const Tetrahedron& t = mesh_.vertices(c);
-    return insert(0.25 * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2]) + mesh_.point(t[3])), c);
+    return insert(mesh_.middle(mesh_.vertices(c)), c);
   }
 
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
   const double steepest_ = tools_.size.steepest();
-  ChangeStamps changes_;
-  std::vector<Sphere> spheres_;  // by cell
-  std::vector<bool> large_;      // by cell: its circumradius over the asked size is
+  std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
+  std::vector<Sphere> spheres_;           // by cell
+  std::vector<bool> large_;               // by cell: its circumradius over the asked size is
   std::array<std::vector<unsigned>, 3> refused_;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "geomesh/core/run_context.hpp"
@@ -30,11 +31,28 @@ class PassRunner {
       : mesh_(mesh), context_(context), out_of_time_(std::move(out_of_time)) {}
 
   /// Rounds from 0 on until one is the last, `most_rounds` were run, or time is up. None where the pass does not apply.
-  void run(const Pass& pass) const;
+  void run(const Pass& pass) const {
+    for (unsigned k = 0; pass.applies && k < pass.most_rounds && !out_of_time_(); ++k) {
+      if (pass.most_rounds > 1) context_.report(k, pass.most_rounds);
+      const Next next = pass.round(k);
+      GEOMESH_EXPENSIVE_CHECK(mesh_.validate().empty());
+      const std::string which = pass.most_rounds > 1 ? ", round " + std::to_string(k + 1) : "";
+      context_.note(LogLevel::debug,
+                    std::string(pass.name) + which + ": " + std::to_string(mesh_.n_cells()) + " cells");
+      if (next == Next::done) return;
+    }
+  }
+
+  /// A pass of one round.
+  void once(std::string_view name, const std::function<void()>& work, bool applies = true) const {
+    const auto round = [&](unsigned) {
+      work();
+      return Next::done;
+    };
+    run({.name = name, .round = round, .applies = applies});
+  }
 
  private:
-  void note(const Pass& pass, unsigned round) const;
-
   const DomainMesh& mesh_;
   const RunContext& context_;
   std::function<bool()> out_of_time_;

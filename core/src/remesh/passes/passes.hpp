@@ -3,6 +3,8 @@
 /// The passes that bring the mesh to the size field: curves, then surfaces, then the inside.
 #pragma once
 
+#include <functional>
+
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -21,17 +23,30 @@ enum class ShortEdges : bool {
 /// Collapses edges shorter than RefineRatios::collapse_edge, the shortest first. O(n log n).
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context);
 
-/// Collapses edges at inner vertices that are shorter than RefineRatios::thin_out_edge: points that turn out not to be
-/// needed. The worst shape does not fall below the lesser of what it was and `floor`. O(n log n).
-std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context);
-/// The same of edges between vertices on surfaces that are shorter than RefineRatios::thin_out_surface_edge, within the
-/// tolerance.
-std::size_t thin_out_surfaces(Toolbox& tools, double floor, const RunContext& context);
+/// Collapses edges that are shorter than RefineRatios::thin_out_edge inside, thin_out_surface_edge on surfaces (within
+/// the tolerance): points that turn out not to be needed. The worst shape does not fall below the lesser of what it was
+/// and `floor`. O(n log n).
+std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context);
 
 enum class LongEdges : bool { of_curves, of_surfaces };
 /// Splits edges longer than RefineRatios::split_edge, the longest first. Throws Error{cannot_mesh} beyond max_cells, as
 /// the other passes that add points do.
 std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_cells, const RunContext& context);
+
+/// Visits vertices parted in space, by lists of those that may move at once on as many threads, then those between. No
+/// vertex of a list shares a cell with one of another. The lists depend on the mesh alone. O(n log n).
+void for_each_block(const DomainMesh& mesh, std::vector<VertexIndex> movable, unsigned threads,
+                    const std::function<void(const std::vector<VertexIndex>&, Workspace&)>& visit);
+
+/// What was in vain on surfaces, by vertex: the mesh's time of the last that was.
+struct InVainOnSurfaces {
+  std::vector<std::uint64_t> flips, moves;
+};
+/// Faces of good shape within patches, cells allowing: rounds of surface flips towards Delaunay and of moves to the
+/// centroid of the faces. What was in vain is tried again only where something about it has changed, also from one
+/// call to the next. Moves on all cores, with the same result whatever their number. O(vertices of the mesh), and the
+/// stars of those on surfaces that have changed.
+void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context);
 
 /// Inserts points on faces larger than asked, front by front from curves and small faces.
 std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);

@@ -38,13 +38,12 @@ class MeanRaiser {
  private:
   double mean_worth() const {
     double sum = 0;
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c)) sum += mesh_.measure().worth(mesh_.shape_of(c));
+    for (const CellIndex c : mesh_.live_cells()) sum += mesh_.measure().worth(mesh_.shape_of(c));
     return sum / static_cast<double>(mesh_.n_cells());
   }
 
   bool has_edge(CellIndex c, VertexIndex a, VertexIndex b) const {
-    return mesh_.is_live(c) && mesh_.topology().has_vertex(c, a) && mesh_.topology().has_vertex(c, b);
+    return mesh_.is_live(c) && mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b);
   }
 
   /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
@@ -56,8 +55,8 @@ class MeanRaiser {
     for (const auto& [w, c] : edges_)
       if (has_edge(c, v, w)) is_flipped |= remove_edge_for_mean(tools_, c, v, w, goal_);
     for (const CellIndex c : star_)
-      if (mesh_.is_live(c) && mesh_.topology().has_vertex(c, v))
-        is_flipped |= remove_face_for_mean(tools_, c, mesh_.topology().index_of(c, v), goal_);
+      if (mesh_.is_live(c) && mesh_.cells().has_vertex(c, v))
+        is_flipped |= remove_face_for_mean(tools_, c, mesh_.cells().index_of(c, v), goal_);
     if (!is_flipped) in_vain_[v] = mesh_.tick();
   }
 

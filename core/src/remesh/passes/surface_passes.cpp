@@ -4,8 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "common/epoch_marks.hpp"
-#include "quality/measure/shape.hpp"
+#include "common/geometry.hpp"
 #include "remesh/operations/improve.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/passes/passes.hpp"
@@ -29,11 +28,10 @@ bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsign
 }
 
 /// A cell with the edge, or no_cell.
-CellIndex cell_with_edge(const DomainMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, VertexIndex a,
-                         VertexIndex b) {
-  mesh.star(a, marks, cells);
-  for (const CellIndex c : cells)
-    if (mesh.topology().has_vertex(c, b)) return c;
+CellIndex cell_with_edge(Toolbox& tools, VertexIndex a, VertexIndex b) {
+  tools.mesh.star(a, tools.work.marks, tools.work.cells);
+  for (const CellIndex c : tools.work.cells)
+    if (tools.mesh.cells().has_vertex(c, b)) return c;
   return no_cell;
 }
 
@@ -42,14 +40,13 @@ class EdgeSplitter {
   EdgeSplitter(Toolbox& tools, LongEdges which) : tools_(tools), mesh_(tools.mesh), which_(which) {}
 
   std::size_t run(std::size_t max_cells, const RunContext& context) {
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c)) push_edges(c, no_vertex);
+    for (const CellIndex c : mesh_.live_cells()) push_edges(c, no_vertex);
     std::size_t n = 0;
     while (!queue_.empty()) {
       const MeasuredEdge e = queue_.top();
       queue_.pop();
       if (n % 256 == 0) context.check_cancelled();
-      const CellIndex c = cell_with_edge(mesh_, tools_.work.marks, tools_.work.cells, e.a, e.b);
+      const CellIndex c = cell_with_edge(tools_, e.a, e.b);
       if (c == no_cell || !is_asked(c, e.a, e.b)) continue;
       const auto v = split_edge(tools_, c, e.a, e.b);
       if (!v) continue;
@@ -67,14 +64,14 @@ class EdgeSplitter {
     // Any cell about a surface edge may be at hand: look at the whole ring.
     std::vector<CellIndex> cells;
     std::vector<VertexIndex> ring;
-    const bool closed = edge_ring(mesh_, c, a, b, cells, ring);
+    const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells, ring);
     return constrained_faces_of_ring(mesh_, cells, ring, closed).n > 0;
   }
 
   void push_edges(CellIndex c, VertexIndex only) {
     const Tetrahedron& t = mesh_.vertices(c);
     for (const auto& e : edge_vertices) {
-      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+      const auto [a, b] = sorted(std::array{t[e[0]], t[e[1]]});
       if (only != no_vertex && a != only && b != only && !on_constrained_face(mesh_, c, e[0], e[1])) continue;
       const bool is_of_curve = mesh_.curve_of(a, b) != no_index;
       if (which_ == LongEdges::of_curves ? !is_of_curve : !on_constrained_face(mesh_, c, e[0], e[1])) continue;
@@ -93,13 +90,12 @@ class EdgeSplitter {
 std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio) {
   DomainMesh& mesh = tools.mesh;
   std::vector<MeasuredEdge> edges;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c) {
-    if (!mesh.is_live(c)) continue;
+  for (const CellIndex c : mesh.live_cells()) {
     const Tetrahedron& t = mesh.vertices(c);
     for (const auto& e : edge_vertices) {
-      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
-      const bool inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
-      if (inside != (which == ShortEdges::inside)) continue;
+      const auto [a, b] = sorted(std::array{t[e[0]], t[e[1]]});
+      const bool is_inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
+      if (is_inside != (which == ShortEdges::inside)) continue;
       const double size = tools.size_of_edge(a, b), squared = squared_distance(mesh.point(a), mesh.point(b));
       if (squared < ratio * ratio * size * size) edges.push_back({std::sqrt(squared) / size, a, b});
     }
@@ -121,7 +117,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
     VertexIndex u = edges[k].a, v = edges[k].b;
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
     if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes
-    if (cell_with_edge(mesh, tools.work.marks, tools.work.cells, u, v) == no_cell) continue;
+    if (cell_with_edge(tools, u, v) == no_cell) continue;
     if (try_collapse(tools, u, v, rule, floor) || try_collapse(tools, v, u, rule, floor)) ++n;
   }
   return n;
@@ -143,15 +139,10 @@ std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunCont
   return collapse_edges(tools, edges, CollapseRule::coarsen, refine_ratios.collapse_floor, context);
 }
 
-std::size_t thin_out_inside(Toolbox& tools, double floor, const RunContext& context) {
-  const std::vector<MeasuredEdge> edges = short_edges(tools, ShortEdges::inside, refine_ratios.thin_out_edge);
-  return collapse_edges(tools, edges, CollapseRule::thin_out, floor, context);
-}
-
-std::size_t thin_out_surfaces(Toolbox& tools, double floor, const RunContext& context) {
-  const std::vector<MeasuredEdge> edges =
-      short_edges(tools, ShortEdges::on_surfaces, refine_ratios.thin_out_surface_edge);
-  return collapse_edges(tools, edges, CollapseRule::thin_out, floor, context);
+std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context) {
+  const bool is_inside = which == ShortEdges::inside;
+  const double ratio = is_inside ? refine_ratios.thin_out_edge : refine_ratios.thin_out_surface_edge;
+  return collapse_edges(tools, short_edges(tools, which, ratio), CollapseRule::thin_out, floor, context);
 }
 
 }  // namespace geomesh::remesh

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quality/measure/shape.hpp"
-#include "remesh/domain/change_stamps.hpp"
+#include "common/geometry.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/passes/passes.hpp"
 
@@ -18,8 +17,7 @@ constexpr double long_squared = refine_ratios.long_edge * refine_ratios.long_edg
 struct SurfaceItem {
   FaceRef face;
   Triangle corners;
-  std::array<unsigned, 2>
-      refused{};  ///< by kind of pass: the number of the last one that placed no point here; 0: none
+  std::array<std::uint64_t, 2> refused{};  ///< by kind of pass: when the last one that placed no point here began
 };
 
 /// The front of `refine_inside` one dimension down: points at the ideal height over edges that are done, in the plane
@@ -33,8 +31,7 @@ class SurfaceRefiner {
 
   std::size_t run(const RunContext& context) {
     std::vector<SurfaceItem> large;
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      if (mesh_.is_live(c)) append_large(c, large);
+    for (const CellIndex c : mesh_.live_cells()) append_large(c, large);
     std::size_t total = 0;
     while (!large.empty()) {
       const std::size_t n_front = pass(large, Kind::front, context);
@@ -48,29 +45,18 @@ class SurfaceRefiner {
   }
 
  private:
-  Triangle corners(FaceRef f) const {
-    const Tetrahedron& t = mesh_.vertices(f.cell());
-    return {t[face_vertices[f.face()][0]], t[face_vertices[f.face()][1]], t[face_vertices[f.face()][2]]};
-  }
   bool is_current(const SurfaceItem& s) const {
-    return mesh_.is_live(s.face.cell()) && mesh_.tag(s.face.cell(), s.face.face()).constrained() &&
-           corners(s.face) == s.corners;
+    return mesh_.is_live(s.face.cell()) && mesh_.tag(s.face).constrained() && mesh_.face(s.face) == s.corners;
   }
-  /// A face with two cells is taken from above.
   void append_large(CellIndex c, std::vector<SurfaceItem>& large) {
     for (unsigned i = 0; i < 4; ++i) {
-      const FaceTag t = mesh_.tag(c, i);
-      if (!t.constrained() || t.facet() == hull_facet || (!t.above() && mesh_.has_neighbor(c, i))) continue;
-      const SurfaceItem s{FaceRef(c, i), corners(FaceRef(c, i)), {}};
-      if (is_large(s.corners)) large.push_back(s);
+      const FaceRef f(c, i);
+      if (mesh_.is_surface(f) && mesh_.tag(f).facet() != hull_facet && is_large(mesh_.face(f)))
+        large.push_back({f, mesh_.face(f)});
     }
   }
 
   double size_of(const Triangle& t) { return (tools_.size_at(t[0]) + tools_.size_at(t[1]) + tools_.size_at(t[2])) / 3; }
-  Vec3 offset_of_centre(const Triangle& t) const {
-    const Vec3 &a = mesh_.point(t[0]), u = mesh_.point(t[1]) - a, v = mesh_.point(t[2]) - a, n = cross(u, v);
-    return (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
-  }
   /// By its circumradius, and at least one edge clearly longer than asked: slim faces between short edges are left to
   /// others.
   bool is_large(const Triangle& t) {
@@ -78,30 +64,26 @@ class SurfaceRefiner {
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       longest = std::max(longest, squared_distance(mesh_.point(t[k]), mesh_.point(t[(k + 1) % 3])));
-    return longest > long_squared * h * h && !(length(offset_of_centre(t)) <= refine_ratios.large_face * h);
+    return longest > long_squared * h * h &&
+           !(length(offset_of_circumcentre(mesh_, t)) <= refine_ratios.large_face * h);
   }
 
   std::size_t pass(std::vector<SurfaceItem>& large, Kind kind, const RunContext& context) {
     std::vector<SurfaceItem> next;
     std::size_t n = 0;
-    const unsigned number = changes_.begin_pass();
+    const std::uint64_t start = mesh_.tick();
     for (std::size_t k = 0; k < large.size(); ++k) {
       if (k % 256 == 0) context.check_cancelled();
       SurfaceItem s = large[k];
       if (!is_current(s)) continue;
-      unsigned& refused = s.refused[static_cast<std::size_t>(kind)];
-      if (refused > 0 && !changes_.changed(s.corners, refused)) {
-        next.push_back(s);
-        continue;
-      }
-      const auto v = kind == Kind::front ? insert_on_front(s) : insert_at_centre(s);
-      if (!v) {
-        refused = number;
+      std::uint64_t& refused = s.refused[static_cast<std::size_t>(kind)];
+      const bool is_in_vain = refused > 0 && !changed_since(mesh_, s.corners, refused);
+      if (is_in_vain || !(kind == Kind::front ? insert_on_front(s) : insert_at_centre(s))) {
+        if (!is_in_vain) refused = start;
         next.push_back(s);
         continue;
       }
       ++n;
-      changes_.note(mesh_, tools_.work.created);
       if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
       for (const CellIndex c : tools_.work.created) append_large(c, next);
     }
@@ -118,8 +100,8 @@ class SurfaceRefiner {
   /// An edge is done where it is a curve or not longer than 1.2 times its size.
   std::optional<VertexIndex> insert_on_front(const SurfaceItem& s) {
     const Triangle& t = s.corners;
-    const Vec3 n = cross(mesh_.point(t[1]) - mesh_.point(t[0]), mesh_.point(t[2]) - mesh_.point(t[0]));
-    const Vec3 centre = mesh_.point(t[0]) + offset_of_centre(t);
+    const Vec3 n = mesh_.normal(t);
+    const Vec3 centre = mesh_.point(t[0]) + offset_of_circumcentre(mesh_, t);
     for (unsigned k = 0; k < 3; ++k) {
       const Vec3 &a = mesh_.point(t[k]), &b = mesh_.point(t[(k + 1) % 3]), middle = 0.5 * (a + b),
                  inward = cross(n, b - a);
@@ -138,16 +120,15 @@ class SurfaceRefiner {
 
   std::optional<VertexIndex> insert_at_centre(const SurfaceItem& s) {
     const Triangle& t = s.corners;
-    const Vec3 centre = mesh_.point(t[0]) + offset_of_centre(t);
+    const Vec3 centre = mesh_.point(t[0]) + offset_of_circumcentre(mesh_, t);
     if (dot(centre, centre) < std::numeric_limits<double>::infinity())
       if (const auto v = insert(centre, s)) return v;
-    return insert((1.0 / 3) * (mesh_.point(t[0]) + mesh_.point(t[1]) + mesh_.point(t[2])), s);
+    return insert(mesh_.middle(t), s);
   }
 
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
-  ChangeStamps changes_;
 };
 
 }  // namespace

@@ -9,8 +9,8 @@ BadCell bad_cell(const DomainMesh& mesh, CellIndex c) { return {mesh.shape_of(c)
 
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit) {
   std::vector<BadCell> bad;
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    if (mesh.is_live(c) && mesh.shape_of(c) < limit) bad.push_back(bad_cell(mesh, c));
+  for (const CellIndex c : mesh.live_cells())
+    if (mesh.shape_of(c) < limit) bad.push_back(bad_cell(mesh, c));
   std::sort(bad.begin(), bad.end(), [](const BadCell& a, const BadCell& b) {
     return a.shape != b.shape ? a.shape < b.shape : a.cell < b.cell;
   });
@@ -19,10 +19,6 @@ std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit) {
 
 bool is_left(const DomainMesh& mesh, const BadCell& b) {
   return mesh.is_live(b.cell) && mesh.vertices(b.cell) == b.vertices;
-}
-
-bool changed_since(const DomainMesh& mesh, const BadCell& b, std::uint64_t time) {
-  return std::any_of(b.vertices.begin(), b.vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });
 }
 
 }  // namespace geomesh::remesh

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
 #include "remesh/operations/improve.hpp"
 
@@ -42,7 +43,7 @@ class Opening {
     const auto& e = edge_vertices[choose_.below(6)];
     std::vector<CellIndex> cells;
     std::vector<VertexIndex> ring;
-    edge_ring(mesh_, seed_, t[e[0]], t[e[1]], cells, ring);
+    turn_about_edge(mesh_.cells(), seed_, t[e[0]], t[e[1]], cells, ring);
     return cells[choose_.below(cells.size())];
   }
   CellIndex one_of_star(VertexIndex v) {
@@ -76,22 +77,19 @@ class Opening {
     return split_edge(tools_, c, t[e[0]], t[e[1]], opening_shape, &p).has_value();
   }
 
-  /// Weights of at least a twentieth that sum to one.
+  /// With weights of at least a twentieth that sum to one.
   template <std::size_t n>
-  std::array<double, n> weights() {
-    std::array<double, n> w;
+  Vec3 place_in(const std::array<Vec3, n>& corners) {
+    std::array<double, n> weights;
     double sum = 0;
-    for (double& x : w) sum += x = choose_.between(0.1, 1);
-    for (double& x : w) x /= sum;
-    return w;
+    for (double& w : weights) sum += w = choose_.between(0.1, 1);
+    Vec3 p;
+    for (std::size_t k = 0; k < n; ++k) p = p + (weights[k] / sum) * corners[k];
+    return p;
   }
 
   bool insert(CellIndex c) {
-    const Tetrahedron& t = mesh_.vertices(c);
-    const auto w = weights<4>();
-    const Vec3 p =
-        w[0] * mesh_.point(t[0]) + w[1] * mesh_.point(t[1]) + w[2] * mesh_.point(t[2]) + w[3] * mesh_.point(t[3]);
-    return insert_inside(tools_, p, c, {0, opening_shape}).has_value();
+    return insert_inside(tools_, place_in(mesh_.places(mesh_.vertices(c))), c, {0, opening_shape}).has_value();
   }
 
   bool insert_on_face(CellIndex c) {
@@ -99,10 +97,7 @@ class Opening {
     for (unsigned k = 0; k < 4; ++k) {
       const unsigned i = (first + k) & 3u;
       if (!mesh_.tag(c, i).constrained()) continue;
-      const Tetrahedron& t = mesh_.vertices(c);
-      const auto& f = face_vertices[i];
-      const auto w = weights<3>();
-      const Vec3 p = w[0] * mesh_.point(t[f[0]]) + w[1] * mesh_.point(t[f[1]]) + w[2] * mesh_.point(t[f[2]]);
+      const Vec3 p = place_in(mesh_.places(mesh_.face(c, i)));
       return insert_on_surface(tools_, p, FaceRef(c, i), {0, opening_shape}).has_value();
     }
     return false;
@@ -123,5 +118,37 @@ class Opening {
 }  // namespace
 
 bool open_about_cell(Toolbox& tools, CellIndex c, Chooser& choose) { return Opening(tools, c, choose).run(); }
+
+std::vector<VertexIndex> movable_about(Toolbox& tools, const Tetrahedron& t) {
+  std::vector<CellIndex> star;
+  std::vector<VertexIndex> about;
+  for (const VertexIndex v : t) {
+    tools.mesh.star(v, tools.work.marks, star);
+    for (const CellIndex c : star)
+      for (const VertexIndex w : tools.mesh.vertices(c))
+        if (tools.mesh.kind(w) != VertexKind::corner) about.push_back(w);
+  }
+  sort_unique(about);
+  return about;
+}
+
+VertexIndex nearest_neighbour(Toolbox& tools, VertexIndex u) {
+  const DomainMesh& mesh = tools.mesh;
+  std::vector<CellIndex> star;
+  mesh.star(u, tools.work.marks, star);
+  std::pair<double, VertexIndex> nearest{std::numeric_limits<double>::infinity(), no_vertex};
+  for (const CellIndex c : star)
+    for (const VertexIndex w : mesh.vertices(c))
+      if (w != u) nearest = std::min(nearest, {squared_distance(mesh.point(u), mesh.point(w)), w});
+  return nearest.second;
+}
+
+bool clear_about(Toolbox& tools, const Tetrahedron& t) {
+  std::size_t n = 0;
+  for (const VertexIndex u : movable_about(tools, t))
+    if (tools.mesh.kind(u) == VertexKind::inside)
+      n += try_collapse(tools, u, nearest_neighbour(tools, u), CollapseRule::coarsen, opening_shape);
+  return n > 0;
+}
 
 }  // namespace geomesh::remesh

@@ -30,4 +30,14 @@ class Chooser {
 /// one that shares an edge with it, mostly. Returns whether something changed.
 bool open_about_cell(Toolbox& tools, CellIndex c, Chooser& choose);
 
+/// The cell's vertices and their neighbours that may move. Ascending.
+std::vector<VertexIndex> movable_about(Toolbox& tools, const Tetrahedron& t);
+
+/// The nearest vertex that shares an edge with u; of equally near ones the lowest.
+VertexIndex nearest_neighbour(Toolbox& tools, VertexIndex u);
+
+/// Removes the points inside about the vertices of a cell, as many as go, each into its nearest neighbour: where
+/// earlier repairs have crowded them.
+bool clear_about(Toolbox& tools, const Tetrahedron& t);
+
 }  // namespace geomesh::remesh

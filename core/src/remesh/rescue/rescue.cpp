@@ -1,72 +1,304 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/rescue/rescue.hpp"
 
-#include "remesh/rescue/neighbourhood.hpp"
-#include "remesh/rescue/openings.hpp"
-#include "remesh/rescue/rescued_place.hpp"
+#include <algorithm>
+
+#include "common/sort_unique.hpp"
+#include "remesh/operations/improve.hpp"
 #include "remesh/rescue/trial.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
 
-/// Whether operations that mend may make more cells bad.
-enum class BadCells : bool { may_not_spread, may_spread };
+using Edge = std::array<VertexIndex, 2>;
 
-class Rescue {
+/// The bad cells that a trial mends.
+enum class MendScope : bool {
+  touched,  ///< all that it touched
+  own,      ///< those that it made or changed
+};
+
+/// The place about a bad cell during a trial: how it stands beside how it was, and the repair of what is bad there.
+class RescuedPlace {
  public:
-  Rescue(Toolbox& tools, CellIndex seed, const RescueRule& rule) : tools_(tools), place_(tools, seed, rule) {}
+  RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule)
+      : tools_(tools), mesh_(tools.mesh), rule_(rule), seed_(bad_cell(mesh_, seed)) {}
 
-  bool run() {
-    return attempt(BadCells::may_spread, [&] { return place_.mend(place_.seed().cell); });
+  /// The cell that the trial is about, as it was.
+  const BadCell& seed() const { return seed_; }
+  void set_seed(CellIndex c) { seed_ = bad_cell(mesh_, c); }
+  void set_scope(MendScope scope) { scope_ = scope; }
+
+  /// One operation that raises the worst shape about the cell, the first that there is.
+  bool mend(CellIndex c) {
+    return flip_about_cell(tools_, c) || move_vertices(c) || collapse_about_cell(tools_, c) ||
+           add_point_about_cell(tools_, c, rescue_limits.room);
   }
+  /// Mends the worst, again and again, until none is left or too many were given up.
+  void mend_all() {
+    given_up_.clear();
+    for (unsigned step = 1; step < rule_.max_steps; ++step) {
+      const CellIndex worst = next_bad();
+      if (worst == no_cell) break;
+      if (mend(worst)) continue;
+      given_up_.push_back(mesh_.vertices(worst));
+      if (given_up_.size() == rescue_limits.most_given_up) break;
+    }
+  }
+  /// The worst of the bad cells in scope that was not given up, or no_cell.
+  CellIndex next_bad() const {
+    CellIndex worst = no_cell;
+    double least = rule_.bad_shape;
+    const auto consider = [&](CellIndex c) {
+      if (!mesh_.is_live(c) || !(mesh_.shape_of(c) < least)) return;
+      if (std::find(given_up_.begin(), given_up_.end(), mesh_.vertices(c)) != given_up_.end()) return;
+      least = mesh_.shape_of(c);
+      worst = c;
+    };
+    if (scope_ == MendScope::own)
+      mesh_.for_each_cell_of_trial(consider);
+    else
+      mesh_.for_each_trial_cell(consider);
+    return worst;
+  }
+  void forget_given_up() { given_up_.clear(); }
 
-  bool run_by_openings() { return run_by_openings(BadCells::may_not_spread) || run_by_openings(BadCells::may_spread); }
+  /// Whether the seed is there and hardly better: then others alone have gained.
+  bool is_seed_as_it_was() const {
+    return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > rescue_limits.notable_rise * seed_.shape);
+  }
+  Tally before() const {
+    Tally tally;
+    mesh_.for_each_cell_before_trial([&](double shape) { tally.add(shape, rule_.bad_shape); });
+    return tally;
+  }
+  Tally after() const {
+    Tally tally;
+    mesh_.for_each_trial_cell([&](CellIndex c) {
+      if (mesh_.is_live(c)) tally.add(mesh_.shape_of(c), rule_.bad_shape);
+    });
+    return tally;
+  }
+  std::vector<CellIndex> bad_cells_of_trial() const {
+    std::vector<CellIndex> bad;
+    mesh_.for_each_cell_of_trial([&](CellIndex c) {
+      if (mesh_.shape_of(c) < rule_.bad_shape) bad.push_back(c);
+    });
+    return bad;
+  }
 
  private:
-  bool run_by_openings(BadCells spread) {
-    const CellIndex seed = place_.seed().cell;
-    const Tetrahedron t = place_.seed().vertices;
-    if (attempt(spread, [&] { return place_.clear(); })) return true;
-    for (const auto& e : edge_vertices)
-      if (attempt(spread, [&] { return split_edge(tools_, seed, t[e[0]], t[e[1]], opening_shape).has_value(); }))
-        return true;
-    for (const auto& [u, v] : edges_to_collapse(tools_, t))
-      if (attempt(spread,
-                  [&, u = u, v = v] { return try_collapse(tools_, u, v, CollapseRule::coarsen, opening_shape); }))
-        return true;
-    for (const CellIndex c : cells_about(tools_, t))
-      if (attempt(spread, [&] { return insert_centroid(c); })) return true;
-    return false;
-  }
-
-  bool insert_centroid(CellIndex c) {
-    const InsertionRule rule{.spacing = 0, .min_shape = opening_shape};
-    return insert_inside(tools_, centroid(tools_.mesh, c), c, rule).has_value();
-  }
-
-  /// What comes of `open`, mended, is kept where it is worth it.
-  template <class Open>
-  bool attempt(BadCells spread, const Open& open) {
-    Trial trial(tools_);
-    if (!open()) return false;
-    tools_.bad_cells_may_spread = spread == BadCells::may_spread;
-    place_.mend_all();
-    if (place_.is_seed_as_it_was() || !place_.after().is_better_than(place_.before())) return false;
-    trial.keep();
-    return true;
+  bool move_vertices(CellIndex c) {
+    const SmoothRule rule{.max_steps = rule_.smoothing_steps,
+                          .least_rise = rescue_limits.notable_rise,
+                          .least_gain = 0,
+                          .slides_on_edges = true};
+    bool moved = false;
+    for (const VertexIndex v : Tetrahedron(mesh_.vertices(c))) moved |= smooth_vertex(tools_, v, rule);
+    return moved;
   }
 
   Toolbox& tools_;
+  DomainMesh& mesh_;
+  RescueRule rule_;
+  BadCell seed_;
+  MendScope scope_ = MendScope::touched;
+  std::vector<Tetrahedron> given_up_;  // about which all was in vain
+};
+
+/// Whether operations that mend may make more cells bad.
+enum class BadCells : bool { may_not_spread, may_spread };
+
+/// What comes of `open`, mended, is kept where it is worth it.
+template <class Open>
+bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& open) {
+  Trial trial(tools);
+  if (!open()) return false;
+  tools.bad_cells_may_spread = spread == BadCells::may_spread;
+  place.mend_all();
+  if (place.is_seed_as_it_was() || !place.after().is_better_than(place.before())) return false;
+  trial.keep();
+  return true;
+}
+
+/// Cells with at least two vertices of the cell, it among them. Ascending.
+std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
+  std::vector<CellIndex> star, cells;
+  for (const VertexIndex v : t) {
+    tools.mesh.star(v, tools.work.marks, star);
+    for (const CellIndex c : star)
+      if (std::ranges::count_if(t, [&](VertexIndex w) { return tools.mesh.cells().has_vertex(c, w); }) > 1)
+        cells.push_back(c);
+  }
+  sort_unique(cells);
+  return cells;
+}
+
+/// Pairs (u, v): each movable vertex of the cell, and of the cells about it, with each of the cell's vertices or its
+/// nearest neighbour.
+std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
+  std::vector<Edge> edges;
+  for (const VertexIndex u : movable_about(tools, t)) edges.push_back({u, nearest_neighbour(tools, u)});
+  for (const VertexIndex u : t)
+    for (const VertexIndex v : t)
+      if (u != v && tools.mesh.kind(u) != VertexKind::corner) edges.push_back({u, v});
+  return edges;
+}
+
+/// Sweeps over all bad cells with `rescue`, again where something has changed since.
+template <class Rescue>
+void sweep_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time, const Rescue& rescue) {
+  std::uint64_t last_sweep = 0;
+  for (unsigned k = 0; k < rescue_limits.bad_sweeps; ++k) {
+    const std::uint64_t this_sweep = tools.mesh.tick();
+    std::size_t n = 0;
+    for (const BadCell& b : cells_below(tools.mesh, rule.bad_shape)) {
+      if (out_of_time()) return;
+      if (changed_since(tools.mesh, b, last_sweep) && is_left(tools.mesh, b) && rescue(b.cell)) ++n;
+    }
+    if (n == 0) return;
+    last_sweep = this_sweep;
+  }
+}
+
+/// What a trial of a search is worth: nothing, no free cell, or one that is elsewhere now, from which to go on.
+enum class Outcome : std::uint8_t { none, mended, elsewhere };
+
+class Searcher {
+ public:
+  Searcher(Toolbox& tools, CellIndex seed, const RescueRule& rule, RescueSearch& search)
+      : tools_(tools), search_(search), place_(tools, seed, rule) {}
+
+  /// Openings and repair in turns. Each opening is about the worst cell that the repair before has left; the first may
+  /// be a clearing.
+  Outcome search_once() {
+    Trial trial(tools_);
+    Chooser& choose = search_.choose;
+    place_.set_scope(choose.below(4) != 0 ? MendScope::own : MendScope::touched);
+    tools_.bad_cells_may_spread = false;
+    const bool clears = choose.below(rescue_limits.trials_a_clearing) == 0;
+    CellIndex target = place_.seed().cell;
+    for (unsigned k = 0; k < rescue_limits.most_openings && target != no_cell; ++k) {
+      const bool is_open = k == 0 && clears ? clear_about(tools_, place_.seed().vertices) : open(target);
+      if (!is_open) return Outcome::none;
+      place_.mend_all();
+      if (const Outcome outcome = judge_trial(); outcome != Outcome::none) {
+        trial.keep();
+        return outcome;
+      }
+      if (place_.after().deficit > place_.before().deficit + rescue_limits.hopeless) return Outcome::none;
+      place_.forget_given_up();
+      target = place_.next_bad();
+    }
+    return Outcome::none;
+  }
+
+ private:
+  bool open(CellIndex target) {
+    for (unsigned k = 0; k < rescue_limits.most_vain_openings; ++k)
+      if (open_about_cell(tools_, target, search_.choose)) return true;
+    return false;
+  }
+
+  /// Beside cells that cannot be mended the worst tells nothing, and their number not much. What counts is that nothing
+  /// is left that is not forced. Where one such cell has made way for another, and the place is hardly worse, that one
+  /// is the seed from now on.
+  Outcome judge_trial() {
+    if (place_.is_seed_as_it_was()) return Outcome::none;
+    const Tally was = place_.before(), is = place_.after();
+    if (is.is_less_bad_than(was)) return Outcome::mended;
+    if (is.worst < was.worst || is.n_bad > was.n_bad + rescue_limits.forced_instead) return Outcome::none;
+    const std::vector<CellIndex> free = search_.judge.find_among(tools_.mesh, place_.bad_cells_of_trial());
+    if (free.empty()) return Outcome::mended;
+    if (free.size() > 1 || is.n_bad > was.n_bad || is.deficit > was.deficit + rescue_limits.detour)
+      return Outcome::none;
+    place_.set_seed(free.front());
+    return Outcome::elsewhere;
+  }
+
+  Toolbox& tools_;
+  RescueSearch& search_;
   RescuedPlace place_;
 };
 
+std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& judge) {
+  std::vector<BadCell> bad;
+  for (const CellIndex c : judge.find(mesh)) bad.push_back(bad_cell(mesh, c));
+  return bad;
+}
+
 }  // namespace
 
-bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) { return Rescue(tools, c, rule).run(); }
+bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) {
+  RescuedPlace place(tools, c, rule);
+  return attempt(tools, place, BadCells::may_spread, [&] { return place.mend(c); });
+}
 
 bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule) {
-  return Rescue(tools, c, rule).run_by_openings();
+  RescuedPlace place(tools, c, rule);
+  const Tetrahedron t = place.seed().vertices;
+  const std::vector<Edge> to_collapse = edges_to_collapse(tools, t);
+  for (const BadCells spread : {BadCells::may_not_spread, BadCells::may_spread}) {
+    const auto opens = [&](const auto& open) { return attempt(tools, place, spread, open); };
+    if (opens([&] { return clear_about(tools, t); })) return true;
+    for (const auto& e : edge_vertices)
+      if (opens([&] { return split_edge(tools, c, t[e[0]], t[e[1]], opening_shape).has_value(); })) return true;
+    for (const Edge& e : to_collapse)
+      if (opens([&] { return try_collapse(tools, e[0], e[1], CollapseRule::coarsen, opening_shape); })) return true;
+    for (const CellIndex k : cells_about(tools, t))
+      if (opens([&] {
+            const Vec3 middle = tools.mesh.middle(tools.mesh.vertices(k));
+            return insert_inside(tools, middle, k, {.spacing = 0, .min_shape = opening_shape}).has_value();
+          }))
+        return true;
+  }
+  return false;
+}
+
+bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search) {
+  Searcher searcher(tools, c, rule, search);
+  for (std::size_t k = 0; k < search.trials_a_cell && search.trials_left > 0 && !search.out_of_time(); ++k) {
+    --search.trials_left;
+    if (searcher.search_once() == Outcome::mended) return true;
+  }
+  return false;
+}
+
+void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time) {
+  sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) { return rescue_cell(tools, c, rule); });
+}
+
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time) {
+  sweep_bad_cells(tools, rule, out_of_time,
+                  [&](CellIndex c) { return rescue_cell(tools, c, rule) || rescue_cell_by_openings(tools, c, rule); });
+}
+
+void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
+                       const OutOfTime& out_of_time) {
+  const DomainMesh& mesh = tools.mesh;
+  const std::size_t n_trials =
+      std::clamp(mesh.n_cells() / rescue_limits.cells_a_trial, rescue_limits.least_trials, rescue_limits.most_trials);
+  RescueSearch search{Chooser(0), rescue_limits.first_trials, n_trials, out_of_time, judge};
+  std::vector<BadCell> bad = free_cells(mesh, judge);
+  std::uint64_t last_sweep = 0;
+  for (unsigned k = 0; k < rescue_limits.free_sweeps && !bad.empty(); ++k) {
+    const std::uint64_t this_sweep = tools.mesh.tick();
+    std::size_t n = 0;
+    for (const BadCell& b : bad) {
+      if (out_of_time()) return;
+      if (!is_left(mesh, b) || !(mesh.shape_of(b.cell) < rule.bad_shape)) continue;
+      const bool is_rescued = changed_since(mesh, b, last_sweep) &&
+                              (rescue_cell(tools, b.cell, rule) || rescue_cell_by_openings(tools, b.cell, rule));
+      n += is_rescued || rescue_cell_by_search(tools, b.cell, rule, search);
+    }
+    if (n == 0 && search.trials_left == 0) return;
+    last_sweep = this_sweep;
+    if (n < bad.size()) search.trials_a_cell *= 2;
+    const bool is_changed =
+        std::ranges::any_of(bad, [&](const BadCell& b) { return changed_since(mesh, b, this_sweep); });
+    if (is_changed) bad = free_cells(mesh, judge);
+  }
 }
 
 }  // namespace geomesh::remesh

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
-#include "quality/measure/shape.hpp"
+#include "common/geometry.hpp"
+#include "geomesh/core/error.hpp"
 #include "remesh/sizes/sizes.hpp"
 
 namespace geomesh::remesh {
@@ -39,12 +41,11 @@ struct KnownSize {
 class CellReach {
  public:
   CellReach(const DomainMesh& mesh, CellIndex c) : component_(mesh.component(c)) {
-    const Tetrahedron& t = mesh.vertices(c);
-    for (const VertexIndex v : t) box_.add(mesh.point(v));
+    for (const Vec3& p : mesh.places(mesh.vertices(c))) box_.add(p);
     for (unsigned i = 0; i < 4; ++i) {
-      const auto& f = face_vertices[i];
-      const Vec3 &a = mesh.point(t[f[0]]), n = cross(mesh.point(t[f[1]]) - a, mesh.point(t[f[2]]) - a);
-      faces_[i] = {a, n, std::abs(n.x) + std::abs(n.y) + std::abs(n.z)};
+      const Triangle f = mesh.face(c, i);
+      const Vec3 n = mesh.normal(f);
+      faces_[i] = {mesh.point(f[0]), n, std::abs(n.x) + std::abs(n.y) + std::abs(n.z)};
     }
   }
 
@@ -82,8 +83,7 @@ class VolumeOverSizes {
   VolumeOverSizes(const DomainMesh& mesh, const SizeField& size, double enough)
       : size_(size), enough_(enough), evenness_(size) {
     cells_.reserve(mesh.n_cells());
-    for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-      if (mesh.is_live(c)) cells_.emplace_back(mesh, c);
+    for (const CellIndex c : mesh.live_cells()) cells_.emplace_back(mesh, c);
   }
 
   double run() {
@@ -151,15 +151,11 @@ class AreaOverSizes {
       : mesh_(mesh), size_(size), enough_(enough), evenness_(size) {}
 
   double run() {
-    for (CellIndex c = 0; c < mesh_.n_slots(); ++c)
-      for (unsigned i = 0; mesh_.is_live(c) && i < 4; ++i) {
-        const FaceTag tag = mesh_.tag(c, i);
-        if (!tag.constrained() || (!tag.above() && mesh_.has_neighbor(c, i))) continue;
-        const Tetrahedron& t = mesh_.vertices(c);
+    for (const CellIndex c : mesh_.live_cells())
+      for (unsigned i = 0; i < 4; ++i) {
+        if (!mesh_.is_surface(FaceRef(c, i))) continue;
         component_ = mesh_.component(c);
-        visit({mesh_.point(t[face_vertices[i][0]]), mesh_.point(t[face_vertices[i][1]]),
-               mesh_.point(t[face_vertices[i][2]])},
-              0);
+        visit(mesh_.places(mesh_.face(c, i)), 0);
       }
     return sum_;
   }
@@ -205,6 +201,46 @@ double estimate_elements(const DomainMesh& mesh, const SizeField& size, const Re
   const double on_surfaces = per_area * AreaOverSizes(mesh, size, enough / per_area).run();
   const auto n_given = static_cast<double>(mesh.n_cells());
   return options.honour == Honour::exact ? inside + on_surfaces + per_given_cell * n_given : inside + on_surfaces;
+}
+
+namespace {
+
+std::string in_words(double count) { return std::to_string(static_cast<long long>(count)); }
+
+void check_estimate(double estimate, std::size_t limit) {
+  if (estimate <= static_cast<double>(limit)) return;
+  throw Error(ErrorKind::cannot_mesh, "the sizes ask for about " + in_words(estimate) +
+                                          " elements, more than the limit of " + std::to_string(limit) +
+                                          "; ask for larger sizes, a steeper gradation, or raise the limit");
+}
+
+/// The size of the whole model may be met by far fewer elements than the edges of the input ask for. The user is told
+/// before the work.
+void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
+                         const RunContext& context, RefineResult& result) {
+  constexpr double many = 250'000, most = 2;
+  const double estimate = result.statistics.estimated_elements;
+  if (!(options.size.global > 0) || !options.size.from_input_edges || !sizes_surfaces(options) || estimate < many)
+    return;
+  options.size.from_input_edges = false;
+  const double without = estimate_elements(mesh, build_size_field(plc, mesh, options).all, options);
+  if (estimate < most * without) return;
+  result.warnings.push_back(
+      "short edges of the input ask for most of the " + in_words(estimate) +
+      " elements or more to come; the sizes asked for about " + in_words(without) +
+      ": for fewer, ask for a least size, take no sizes from the input's edges, ask for sizes inside only, or allow "
+      "surfaces a tolerance");
+  context.note(LogLevel::warning, result.warnings.back());
+}
+
+}  // namespace
+
+void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
+                       const RunContext& context, RefineResult& result) {
+  result.statistics.estimated_elements = estimate_elements(mesh, result.size_field, options);
+  context.note(LogLevel::info, "about " + in_words(result.statistics.estimated_elements) + " elements to come");
+  warn_of_short_edges(plc, mesh, options, context, result);
+  check_estimate(result.statistics.estimated_elements, options.max_elements);
 }
 
 }  // namespace geomesh::remesh

@@ -5,9 +5,14 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/operations.hpp"
-#include "remesh/sizes/tolerance_field.hpp"
 
 namespace geomesh::remesh {
+
+/// Nothing where surfaces are kept. Else `options.tolerance` everywhere, or less: `options.tolerance_share` of the
+/// size that the user asks for at the place, and half of the gap to the surface that faces it. That size is of the
+/// whole model, units, surfaces, curves, places and background. `mesh` is the one that was given, before refinement.
+LocalTolerance allowed_tolerance(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
+                                 const RefineOptions& options);
 
 /// Sizes asked: from the options, the input's edges, curvature (and a tolerance that limits it; 0: none) and gaps, on
 /// the mesh as it was given; and the same without gaps.

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "common/geometry.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
-#include "quality/measure/shape.hpp"
 #include "remesh/start/mesh_anew.hpp"
 #include "remesh/start/planar_sampler.hpp"
 
@@ -16,7 +16,6 @@ namespace geomesh::remesh {
 namespace {
 
 using Edge = std::array<VertexIndex, 2>;
-Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// A frame in a facet's plane. Axes are those of space where the plane is normal to one, so that nothing is rounded off
 /// it.
@@ -27,9 +26,7 @@ struct PlaneFrame {
 };
 
 std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
-  const Vec3& o = plc.points[loop[0]];
-  Vec3 n;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) n = n + cross(plc.points[loop[i]] - o, plc.points[loop[i + 1]] - o);
+  const Vec3 &o = plc.points[loop[0]], n = loop_normal(plc.points, loop);
   const double l = length(n);
   if (!(l > 0)) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -60,9 +57,9 @@ class SurfaceSampler {
   SampledComplex run(const RunContext& context) {
     collect_edges();
     PiecewiseLinearComplex& out = out_.plc;
-    out.points = plc_.points;
+    out = without_facets(plc_);
+    out.segments.clear();
     for (auto& [edge, parts] : edges_) cut(edge, parts);
-    out.provenance_sets = plc_.provenance_sets;
     for (const auto& s : plc_.facet_segments)
       for_each_piece(s.a, s.b, [&](VertexIndex a, VertexIndex b) { out.facet_segments.push_back({s.facet, a, b}); });
     for (Index s = 0; s < plc_.segments.size(); ++s)
@@ -71,9 +68,6 @@ class SurfaceSampler {
         out_.segment.push_back(s);
       });
     out.facet_points = plc_.facet_points;
-    out.isolated_points = plc_.isolated_points;
-    out.region_seeds = plc_.region_seeds;
-    out.hole_seeds = plc_.hole_seeds;
     index_inner_parts();
     for (Index f = 0; f < plc_.n_facets(); ++f) {
       if (f % 64 == 0) context.check_cancelled();
@@ -90,14 +84,9 @@ class SurfaceSampler {
   };
 
   void collect_edges() {
-    for (Index f = 0; f < plc_.n_facets(); ++f)
-      for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
-        const auto loop = plc_.loop(l);
-        for (std::size_t i = 0; i < loop.size(); ++i)
-          edges_[edge_of(loop[i], loop[(i + 1) % loop.size()])].facets.push_back(f);
-      }
-    for (const auto& s : plc_.facet_segments) edges_[edge_of(s.a, s.b)].facets.push_back(s.facet);
-    for (const auto& s : plc_.segments) edges_[edge_of(s.a, s.b)];
+    for_each_side(plc_, [&](Index f, VertexIndex a, VertexIndex b) { edges_[sorted(Edge{a, b})].facets.push_back(f); });
+    for (const auto& s : plc_.facet_segments) edges_[sorted(Edge{s.a, s.b})].facets.push_back(s.facet);
+    for (const auto& s : plc_.segments) edges_[sorted(Edge{s.a, s.b})];
   }
 
   double size_at(const Vec3& p, std::span<const Index> facets) const {
@@ -148,7 +137,7 @@ class SurfaceSampler {
 
   template <class Visit>
   void for_each_piece(VertexIndex a, VertexIndex b, Visit visit) const {
-    std::vector<VertexIndex> chain = edges_.at(edge_of(a, b)).points;
+    std::vector<VertexIndex> chain = edges_.at(sorted(Edge{a, b})).points;
     if (a > b) std::reverse(chain.begin(), chain.end());
     chain.push_back(b);
     VertexIndex last = a;
@@ -236,19 +225,13 @@ class SurfaceSampler {
   SampledComplex out_;
 };
 
-/// Per merged facet the first of those that it was made of.
-std::vector<Index> first_facets(const MergedFacets& merged) {
-  std::vector<Index> first(merged.plc.n_facets(), no_index);
-  for (Index f = 0; f < merged.row_of_facet.size(); ++f)
-    first[merged.row_of_facet[f]] = std::min(first[merged.row_of_facet[f]], f);
-  return first;
-}
-
 /// Rows as they were for points, facets and segments.
 ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const MergedFacets& merged,
                                          const SampledComplex& sampled) {
   const std::size_t n_points = merged.plc.points.size();
-  const std::vector<Index> first = first_facets(merged);
+  std::vector<Index> first(merged.plc.n_facets(), no_index);  // of those that it was made of
+  for (Index f = 0; f < merged.row_of_facet.size(); ++f)
+    first[merged.row_of_facet[f]] = std::min(first[merged.row_of_facet[f]], f);
   for (auto& f : fresh.faces) f.facet = first[f.facet];
   std::vector<bool> on_facet(sampled.plc.points.size(), false);
   for (const auto& p : sampled.plc.facet_points) on_facet[p.v] = true;

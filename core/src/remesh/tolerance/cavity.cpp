@@ -3,30 +3,9 @@
 
 #include <algorithm>
 
-#include "geomesh/core/predicates.hpp"
-#include "quality/measure/shape.hpp"
-
 namespace geomesh::remesh {
 
 namespace {
-
-Triangle face_of(const DomainMesh& mesh, CellIndex c, unsigned i) {
-  const Tetrahedron& t = mesh.vertices(c);
-  return {t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
-}
-
-/// Face i of c in the orientation of its facet: as seen from above it.
-Triangle oriented_face(const DomainMesh& mesh, CellIndex c, unsigned i) {
-  Triangle f = face_of(mesh, c, i);
-  if (!mesh.tag(c, i).above()) std::swap(f[1], f[2]);
-  return f;
-}
-
-/// A face with two cells is taken from above only, so that it is taken once.
-bool takes_face(const DomainMesh& mesh, CellIndex c, unsigned i) {
-  const FaceTag t = mesh.tag(c, i);
-  return t.constrained() && (t.above() || !mesh.has_neighbor(c, i));
-}
 
 void add_spoke(StarCavity& cavity, const Triangle& f, VertexIndex apex, Index facet) {
   const unsigned k = f[0] == apex ? 0 : f[1] == apex ? 1 : 2;
@@ -53,18 +32,14 @@ void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarC
   cavity.clear();
   mesh.star(v, marks, cavity.cells);
   for (const CellIndex c : cavity.cells) {
-    const unsigned k = mesh.topology().index_of(c, v);
-    cavity.link.push_back({face_of(mesh, c, k), mesh.component(c)});
+    const unsigned k = mesh.cells().index_of(c, v);
+    cavity.link.push_back({mesh.face(c, k), mesh.component(c)});
     if (mesh.kind(v) == VertexKind::inside) continue;
     for (unsigned i = 0; i < 4; ++i)
-      if (i != k && takes_face(mesh, c, i)) add_spoke(cavity, oriented_face(mesh, c, i), v, mesh.tag(c, i).facet());
+      if (const FaceRef f(c, i); i != k && mesh.is_surface(f))
+        add_spoke(cavity, mesh.facet_face(f), v, mesh.tag(f).facet());
   }
   add_curves(mesh, v, cavity);
-}
-
-bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
-               std::vector<VertexIndex>& ring) {
-  return turn_about_edge(mesh.topology(), c, a, b, cells, ring);
 }
 
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,
@@ -77,7 +52,7 @@ EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<Ce
     const bool last = !closed && k == n;
     const CellIndex c = last ? cells[n - 1] : cells[k];
     const VertexIndex opposite = last ? ring[n - 1] : ring[(k + 1) % ring.size()];
-    const FaceTag t = mesh.tag(c, mesh.topology().index_of(c, opposite));
+    const FaceTag t = mesh.tag(c, mesh.cells().index_of(c, opposite));
     if (!t.constrained()) continue;
     if (faces.n < 2) {
       faces.at[faces.n] = k;
@@ -91,16 +66,14 @@ EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<Ce
 void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, StarCavity& cavity) {
   cavity.clear();
   std::vector<VertexIndex> ring;
-  edge_ring(mesh, c, a, b, cavity.cells, ring);
+  turn_about_edge(mesh.cells(), c, a, b, cavity.cells, ring);
   for (const CellIndex k : cavity.cells) {
-    const unsigned ia = mesh.topology().index_of(k, a), ib = mesh.topology().index_of(k, b);
-    cavity.link.push_back({face_of(mesh, k, ia), mesh.component(k)});
-    cavity.link.push_back({face_of(mesh, k, ib), mesh.component(k)});
+    const unsigned ia = mesh.cells().index_of(k, a), ib = mesh.cells().index_of(k, b);
+    for (const unsigned i : {ia, ib}) cavity.link.push_back({mesh.face(k, i), mesh.component(k)});
     for (unsigned i = 0; i < 4; ++i) {
-      if (i == ia || i == ib || !takes_face(mesh, k, i)) continue;
-      const Triangle f = oriented_face(mesh, k, i);
-      const Index facet = mesh.tag(k, i).facet();
-      for (const VertexIndex replaced : {a, b}) add_spoke(cavity, f, replaced, facet);
+      const FaceRef f(k, i);
+      if (i == ia || i == ib || !mesh.is_surface(f)) continue;
+      for (const VertexIndex replaced : {a, b}) add_spoke(cavity, mesh.facet_face(f), replaced, mesh.tag(f).facet());
     }
   }
   const Index curve = mesh.curve_of(a, b);
@@ -114,22 +87,20 @@ void gather_cells(const DomainMesh& mesh, EpochMarks& marks, std::span<const Cel
   for (const CellIndex c : cells) marks.mark(c);
   for (const CellIndex c : cells)
     for (unsigned i = 0; i < 4; ++i) {
-      const FaceRef n = mesh.topology().neighbor(c, i);
-      if (!n.valid() || !marks.marked(n.cell())) cavity.link.push_back({face_of(mesh, c, i), mesh.component(c)});
+      const FaceRef n = mesh.cells().neighbor(c, i);
+      if (!n.valid() || !marks.marked(n.cell())) cavity.link.push_back({mesh.face(c, i), mesh.component(c)});
     }
 }
 
 bool star_is_positive(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
-  return std::all_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
-    return is_positive(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]), mesh.point(f.vertices[2]), p);
-  });
+  return std::all_of(cavity.link.begin(), cavity.link.end(),
+                     [&](const LinkFace& f) { return mesh.sees(p, f.vertices); });
 }
 
 double star_shape(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, double enough) {
   double worst = 1;
   for (const LinkFace& f : cavity.link) {
-    worst = std::min(worst, mesh.measure().shape(mesh.point(f.vertices[0]), mesh.point(f.vertices[1]),
-                                                 mesh.point(f.vertices[2]), p));
+    worst = std::min(worst, mesh.shape(f.vertices, p));
     if (worst <= enough) break;
   }
   return worst;
@@ -141,30 +112,18 @@ double removed_shape(const DomainMesh& mesh, const StarCavity& cavity) {
   return worst;
 }
 
-namespace {
-
-/// shape_of(k): of the cell over face k of the link.
-template <class Shape>
-bool adds_bad_cells_by(const DomainMesh& mesh, const StarCavity& cavity, const Shape& shape_of) {
+bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes) {
   const double bad = mesh.measure().bad();
   std::size_t room = 0;
   for (const CellIndex c : cavity.cells) room += mesh.shape_of(c) < bad;
-  for (std::size_t k = 0; k < cavity.link.size(); ++k)
-    if (shape_of(k) < bad && room-- == 0) return true;
-  return false;
+  shapes = shapes.first(cavity.link.size());
+  return std::any_of(shapes.begin(), shapes.end(), [&](double shape) { return shape < bad && room-- == 0; });
 }
-
-}  // namespace
 
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
-  return adds_bad_cells_by(mesh, cavity, [&](std::size_t k) {
-    const Triangle& f = cavity.link[k].vertices;
-    return mesh.measure().shape(mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2]), p);
-  });
-}
-
-bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes) {
-  return adds_bad_cells_by(mesh, cavity, [&](std::size_t k) { return shapes[k]; });
+  std::vector<double> shapes;
+  for (const LinkFace& f : cavity.link) shapes.push_back(mesh.shape(f.vertices, p));
+  return adds_bad_cells(mesh, cavity, shapes);
 }
 
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,

@@ -12,6 +12,7 @@
 /// add up to that of the region, whose border they share. So positivity, decided exactly, is the whole geometric test.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -86,14 +87,38 @@ bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3
 /// The same where its shapes are known, in the order of the link.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes);
 
+/// Whether a vertex, a curve's edge or a constrained face is inside of a cavity and not on its border. The marks of the
+/// workspace are those of its cells; faces that are `opened` may be inside.
+template <class Border>
+bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<const CellIndex> cells,
+                         const Border& border, std::span<const FaceRef> opened = {}) {
+  work.vertex_marks.begin(mesh.n_vertices());
+  for (const auto& f : border)
+    for (const VertexIndex v : f.vertices) work.vertex_marks.mark(v);
+  const auto is_on_border = [&](VertexIndex a, VertexIndex b) {
+    return std::any_of(border.begin(), border.end(), [&](const auto& f) {
+      return std::ranges::count(f.vertices, a) > 0 && std::ranges::count(f.vertices, b) > 0;
+    });
+  };
+  for (const CellIndex c : cells) {
+    const Tetrahedron& t = mesh.vertices(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!work.vertex_marks.marked(t[i])) return true;
+      const FaceRef f(c, i), other = mesh.cells().mirror(f);
+      if (mesh.tag(f).constrained() && other.valid() && work.marks.marked(other.cell()) &&
+          std::ranges::count(opened, f) == 0)
+        return true;
+    }
+    for (const auto& e : edge_vertices)
+      if (mesh.curve_of(t[e[0]], t[e[1]]) != no_index && !is_on_border(t[e[0]], t[e[1]])) return true;
+  }
+  return false;
+}
+
 /// Replaces the cavity by the star of `apex`. The caller has checked that it is positive and keeps curves registered.
 /// `shapes` of the new cells in the order of the link, where they are known.
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
-
-/// See turn_about_edge. Returns whether the ring is closed.
-bool edge_ring(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
-               std::vector<VertexIndex>& ring);
 
 /// The constrained faces about an edge given by its ring: positions k in the ring with face (a, b, ring[k]) tagged.
 struct EdgeFaces {
@@ -104,9 +129,5 @@ struct EdgeFaces {
 };
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,
                                     const std::vector<VertexIndex>& ring, bool closed);
-
-inline bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return orient3d(a, b, c, d) == Sign::positive;
-}
 
 }  // namespace geomesh::remesh

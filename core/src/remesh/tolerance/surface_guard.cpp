@@ -83,9 +83,9 @@ std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
     auto operator<=>(const Side&) const = default;
   };
   std::vector<Side> sides;
-  for_each_face_of_facets(mesh, [&](Triangle t, FaceTag tag) {
-    if (!tag.above()) std::swap(t[1], t[2]);
-    for (unsigned k = 0; k < 3; ++k) sides.push_back({mesh.patch_of(tag), t[k], t[(k + 1) % 3]});
+  mesh.for_each_facet_face([&](FaceRef f) {
+    const Triangle t = mesh.facet_face(f);
+    for (unsigned k = 0; k < 3; ++k) sides.push_back({mesh.patch_of(mesh.tag(f)), t[k], t[(k + 1) % 3]});
   });
   std::sort(sides.begin(), sides.end());
   std::vector<bool> alike(mesh.n_patches(), true);
@@ -278,16 +278,16 @@ bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
   return is_proven_within(f, proven_share * reach_, over);
 }
 
-bool SurfaceGuard::admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
-                          const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
-                          const std::vector<CurvePiece>& curves_after) const {
-  if (exact()) return true;
-  if (!curves_near(curves_before, curves_after)) return false;
-  std::vector<Index> over(after.size(), no_index);
-  for (std::size_t k = 0; k < after.size(); ++k)
-    if (!is_proven_within(after[k], faces_over_samples * tolerance_, over[k])) return false;
-  return keeps_direction(before, after, over, curves_before.empty() && curves_after.empty()) &&
-         reference_near(before, after, around);
+bool SurfaceGuard::admits(const SurfacePart& before, const SurfacePart& after,
+                          const std::vector<SurfaceFace>& around) const {
+  if (exact() || (before.faces.empty() && before.curves.empty())) return true;
+  if (!curves_near(before.curves, after.curves)) return false;
+  std::vector<Index> over(after.faces.size(), no_index);
+  for (std::size_t k = 0; k < over.size(); ++k)
+    if (!is_proven_within(after.faces[k], faces_over_samples * tolerance_, over[k])) return false;
+  const bool curves_stay = before.curves.empty() && after.curves.empty();
+  return keeps_direction(before.faces, after.faces, over, curves_stay) &&
+         reference_near(before.faces, after.faces, around);
 }
 
 Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {

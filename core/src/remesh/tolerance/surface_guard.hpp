@@ -39,6 +39,11 @@ struct CurvePiece {
   Vec3 a, b;
   Index curve;
 };
+/// What an operation takes away, or puts in its place.
+struct SurfacePart {
+  std::vector<SurfaceFace> faces;
+  std::vector<CurvePiece> curves;
+};
 
 /// How surfaces are held within the tolerance.
 struct Hold {
@@ -69,9 +74,7 @@ class SurfaceGuard {
 
   /// Not for several threads at once. Whether faces and curve pieces may be exchanged; `around` are faces that stay and
   /// share a vertex with those that go.
-  bool admits(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
-              const std::vector<SurfaceFace>& around, const std::vector<CurvePiece>& curves_before,
-              const std::vector<CurvePiece>& curves_after) const;
+  bool admits(const SurfacePart& before, const SurfacePart& after, const std::vector<SurfaceFace>& around = {}) const;
 
   /// Whether all of a face is proven to be within the tolerance of the reference.
   bool is_proven_near_reference(const SurfaceFace& f) const;

@@ -58,8 +58,8 @@ double judge(const Judgement& what, const LocalTolerance& tolerance, unsigned th
 
 Items face_items(const DomainMesh& mesh) {
   Items items;
-  for_each_face_of_facets(mesh, [&](const Triangle& t, FaceTag tag) {
-    items.push_back({{mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])}, mesh.patch_of(tag), tag.facet()});
+  mesh.for_each_facet_face([&](FaceRef f) {
+    items.push_back({mesh.places(mesh.face(f)), mesh.patch_of(mesh.tag(f)), mesh.tag(f).facet()});
   });
   return items;
 }
@@ -67,7 +67,7 @@ Items face_items(const DomainMesh& mesh) {
 Items curve_items(const DomainMesh& mesh) {
   Items items;
   for (const auto& [a, b] : mesh.curve_edges())
-    items.push_back({{mesh.point(a), mesh.point(b), mesh.point(b)}, mesh.curve_of(a, b), no_index});
+    items.push_back({mesh.places(Triangle{a, b, b}), mesh.curve_of(a, b), no_index});
   return items;
 }
 
@@ -82,29 +82,22 @@ Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, co
                            unsigned threads) {
   Deviations found;
   const SurfaceItems result = surface_items(mesh, mesh);
-  const Breach face_off{.on_curve = false, .of_input = false}, curve_off{.on_curve = true, .of_input = false};
-  const Breach input_face_off{.on_curve = false, .of_input = true}, input_curve_off{.on_curve = true, .of_input = true};
-  threads = thread_count(threads);
-  const auto largest = [&](const Judgement& what) { return judge(what, tolerance, threads, found.breaches); };
-  found.result_to_input = largest({result.faces.items(), input.faces, input.open_edges, face_off});
-  found.result_to_input =
-      std::max(found.result_to_input, largest({result.curves.items(), input.curves, {}, curve_off}));
-  found.input_to_result = largest({input.faces.items(), result.faces, result.open_edges, input_face_off});
-  found.input_to_result =
-      std::max(found.input_to_result, largest({input.curves.items(), result.curves, {}, input_curve_off}));
+  const auto largest = [&](const SurfaceItems& of, const SurfaceItems& to, bool of_input) {
+    const auto judged = [&](const Judgement& j) { return judge(j, tolerance, thread_count(threads), found.breaches); };
+    const double faces = judged({of.faces.items(), to.faces, to.open_edges, {.on_curve = false, .of_input = of_input}});
+    return std::max(faces, judged({of.curves.items(), to.curves, {}, {.on_curve = true, .of_input = of_input}}));
+  };
+  found.result_to_input = largest(result, input, false);
+  found.input_to_result = largest(input, result, true);
   return found;
 }
 
 std::vector<TightZone> crossings_outside(const DomainMesh& mesh) {
   PiecewiseLinearComplex outside;
   for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) outside.points.push_back(mesh.point(v));
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    for (unsigned i = 0; i < 4; ++i) {
-      if (!mesh.is_live(c) || mesh.has_neighbor(c, i)) continue;
-      for (const unsigned k : face_vertices[i]) outside.loop_vertices.push_back(mesh.vertices(c)[k]);
-      outside.loop_offsets.push_back(static_cast<Index>(outside.loop_vertices.size()));
-      outside.facet_loops.push_back(static_cast<Index>(outside.loop_offsets.size() - 1));
-    }
+  for (const CellIndex c : mesh.live_cells())
+    for (unsigned i = 0; i < 4; ++i)
+      if (!mesh.has_neighbor(c, i)) outside.add_triangle(mesh.face(c, i));
   std::vector<TightZone> zones;
   for (const PlcCrossing& crossing : find_crossings(outside)) {
     Box3 box;

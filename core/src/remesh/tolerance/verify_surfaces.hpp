@@ -21,21 +21,6 @@ struct SurfaceItems {
 /// The faces of one mesh and the curves of another.
 SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_of);
 
-/// Visits (vertices as seen from the cell of the tag, tag) of each constrained face once, but for those that stand for
-/// no facet.
-template <class Visit>
-void for_each_face_of_facets(const DomainMesh& mesh, Visit visit) {
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    for (unsigned i = 0; i < 4; ++i) {
-      if (!mesh.is_live(c)) continue;
-      const FaceTag tag = mesh.tag(c, i);
-      if (!tag.constrained() || tag.facet() == hull_facet || (!tag.above() && mesh.has_neighbor(c, i))) continue;
-      const Tetrahedron& v = mesh.vertices(c);
-      const auto& f = face_vertices[i];
-      visit(Triangle{v[f[0]], v[f[1]], v[f[2]]}, tag);
-    }
-}
-
 /// Each constrained face once, but for those that stand for no facet: group: its patch; id: its facet.
 std::vector<search::ClosestPointTrees::Item> face_items(const DomainMesh& mesh);
 /// Each edge of a curve; group: the curve's class; no id.

@@ -44,6 +44,9 @@ const Format* format_of_name(const std::string& name);
 /// The first with this extension (with the dot). Null where there is none.
 const Format* format_of_extension(const std::string& extension);
 
+/// By the extension of a file that is there; parts of an Exodus mesh (NAME.e.N.K) too. Null where there is none.
+const Format* format_of_file(const std::filesystem::path& file);
+
 /// The name of the format of a file after `-o`, by its extension; "html" for the report as a page. Throws Error{usage}
 /// where there is none.
 std::string format_name_of(const std::filesystem::path& output);

@@ -75,6 +75,12 @@ struct Midpoints {
   bool empty() const { return of_tetrahedron.empty(); }
 };
 
+/// An edge whose midpoint, in elements of second order, is not half-way between its ends.
+struct CurvedEdge {
+  VertexIndex a, b;  ///< a < b
+  Vec3 middle;
+};
+
 /// Prism without thickness between the two sides of a split fault: vertices 0 1 2 on the minus side, 3 4 5 on the plus
 /// side, 3 at the place of 0.
 struct Prism {
@@ -140,6 +146,10 @@ struct ModelMesh {
   std::vector<Prism> prisms;  ///< only where faults were split for cohesive elements
   std::vector<CohesiveLayer> cohesive_layers;
   Midpoints midpoints;
+  std::vector<CurvedEdge> curved_edges;  ///< by ends, ascending; for add_midpoints()
+  /// Where each point was before fault zones were opened: both walls of a zone lie on the fault there. Empty where
+  /// there are no zones.
+  std::vector<Vec3> before_zones;
   Vec3 origin{0, 0, 0};    ///< was subtracted from the project's coordinates
   std::string unit = "m";  ///< of all coordinates; volumes and areas are in its powers
 };

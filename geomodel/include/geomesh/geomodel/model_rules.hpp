@@ -55,6 +55,7 @@ struct SurfaceRules {
   /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own
   /// (`extend`, flat where none) to beyond the faults; what then lies on the other side of one of them goes.
   std::vector<std::string> throw_at;
+  bool throw_auto = false;  ///< throw_at is found from the data (find_throws)
 };
 
 /// What becomes of layers of the column that are thinner than ModelRules::min_thickness.
@@ -119,6 +120,10 @@ struct BuiltSurfaces {
   std::vector<std::string> notes;     ///< what each rule did, with areas
   std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
+
+/// Fills SurfaceRules::throw_at of horizons with `throw_auto` from the surfaces as given; notes and warnings tell.
+void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes,
+                 std::vector<std::string>& warnings);
 
 /// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none.
 /// Cost: a 2D triangulation of the borders for each surface that has a rule.

@@ -17,6 +17,7 @@
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/refinement.hpp"
 #include "geomesh/geomodel/surface.hpp"
+#include "geomesh/geomodel/tops.hpp"
 #include "geomesh/geomodel/write_options.hpp"
 
 namespace geomesh::geomodel {
@@ -83,6 +84,7 @@ struct Project {
   std::optional<VolumeSpec> box;
   std::vector<SurfaceSpec> surfaces;
   std::vector<WellSpec> wells;
+  TopsSpec tops;
   std::vector<NamedPoint> points;
   /// unit, horizon, unit, horizon, ..., unit; youngest first. Empty where not given.
   std::vector<std::string> column;

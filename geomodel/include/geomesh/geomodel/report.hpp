@@ -18,6 +18,7 @@
 #include "geomesh/geomodel/model_mesh.hpp"
 #include "geomesh/geomodel/solver_verdict.hpp"
 #include "geomesh/geomodel/stack.hpp"
+#include "geomesh/geomodel/tops.hpp"
 
 namespace geomesh::geomodel {
 
@@ -51,7 +52,8 @@ struct Report {
   const ModelMesh* mesh = nullptr;
   const SettledStack* stack = nullptr;  ///< where the stack was settled
   std::vector<std::string>
-      surface_names;  ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
+      surface_names;            ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
+  std::vector<FittedTop> tops;  ///< of wells, with their misfits
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
   std::optional<SolverVerdict> solver;

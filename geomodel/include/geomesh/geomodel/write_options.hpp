@@ -35,6 +35,14 @@ struct FieldSpec {
   std::string unit;  ///< told in the files; empty: not known
 };
 
+/// Volume elements between the two sides of a fault.
+struct FaultZone {
+  std::string fault;     ///< a surface with faces inside the mesh
+  double thickness = 0;  ///< between the two walls, in the mesh's unit
+  unsigned layers = 1;   ///< of elements across
+};
+inline constexpr unsigned most_zone_layers = 100;
+
 struct WriteOptions {
   GroupChoice groups = GroupChoice::whole;
   bool inner_faces = true;  ///< faces with regions on both sides (horizons, faults)
@@ -46,8 +54,9 @@ struct WriteOptions {
   Compression compression = Compression::fast;
   std::vector<std::string> split;  ///< faults along which nodes are doubled
   bool cohesive = false;           ///< prisms without thickness between the two sides of split faults
-  unsigned partitions = 1;         ///< parts by METIS: a file for each
-  bool starter = false;            ///< a starter input of the solver beside its mesh
+  std::vector<FaultZone> fault_zones;
+  unsigned partitions = 1;  ///< parts by METIS: a file for each
+  bool starter = false;     ///< a starter input of the solver beside its mesh
   std::vector<FieldSpec> fields;
 };
 

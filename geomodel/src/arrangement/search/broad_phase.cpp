@@ -4,6 +4,8 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 #include "arrangement/model/contacts.hpp"
 #include "arrangement/model/memory_bound.hpp"
@@ -47,8 +49,12 @@ void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limi
   };
   const std::size_t n_chunks = (n + chunk - 1) / chunk;
   std::vector<Contacts> found(n_chunks);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<std::size_t> n_chunks_done{0};
   tbb::parallel_for(std::size_t{0}, n_chunks, [&](std::size_t c) {
     if (context.cancel && context.cancel->load(std::memory_order_relaxed)) return;
+    const std::size_t done = n_chunks_done.fetch_add(1, std::memory_order_relaxed);
+    if (std::this_thread::get_id() == caller) context.report(done * chunk, n);
     for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, n); ++i) {
       const std::size_t before = found[c].size();
       body(i, found[c]);

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4 };
+enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4, midpoint = 5 };
 
 /// What lies at a point of the mesh.
 struct AtPoint {
@@ -87,9 +87,12 @@ void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves,
       std::any_of(claim.trims.begin(), claim.trims.end(), [](const TrimRules& t) { return t.any(); }) ||
       std::any_of(claim.surfaces.begin(), claim.surfaces.end(), [](const auto& s) { return s.cuts_all; });
   const bool exact = claim.within == 0 && claim.merging == 0;
+  const std::set<VertexIndex> midpoints(mesh.file.midpoints.begin(), mesh.file.midpoints.end());
   FaultCollector wrong_kind("wrong_kinds"), wrong_row("wrong_input_vertices");
   for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
     const Vec3& p = mesh.point(v);
+    if (midpoints.contains(v) != (mesh.file.kind[v] == midpoint)) wrong_kind.add(v, p);
+    if (midpoints.contains(v)) continue;
     const std::int32_t row = mesh.file.input_vertex[v], here = rows.first_at(p);
     if (row >= 0) {
       const bool known = static_cast<std::size_t>(row) < claim.input_points.size();

@@ -12,6 +12,7 @@
 #include "geomesh/core/geometry.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/surface.hpp"
+#include "geomesh/geomodel/write_options.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -49,6 +50,8 @@ struct Claim {
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
   bool named = false;    ///< surfaces bear the names under which the faces file knows them
   bool refined = false;  ///< points may have been added for sizes and shapes
+
+  std::vector<FaultZone> zones;  ///< opened once the rest was meshed
 
   // Of a project alone.
   ClaimedNames names;

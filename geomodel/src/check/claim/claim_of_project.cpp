@@ -24,8 +24,9 @@ class TrimReader {
     add(project_.rules.topography, row, trim.above);
     add(project_.rules.floor, row, trim.below);
     if (spec.kind != SurfaceKind::body) trim.near_others = project_.rules.trim_overshoot;
-    trim.continuation = !spec.rules.stop_at.empty() || !spec.rules.throw_at.empty();
-    trim.given_beyond_faults = !spec.rules.throw_at.empty();
+    const bool has_throw = spec.rules.throw_auto || !spec.rules.throw_at.empty();
+    trim.continuation = !spec.rules.stop_at.empty() || has_throw;
+    trim.given_beyond_faults = has_throw;
     add_order_of_horizons(row, trim);
     add_cut_units(row, trim);
     return trim;
@@ -112,6 +113,8 @@ Claim claim_of_project(const std::filesystem::path& file) {
   settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
                Vec3{});
   if (claim.volume) ask_stack(rules, refinement, *claim.volume);
+  std::vector<std::string> found, doubts;  // the run tells them
+  find_throws(inputs.surfaces, rules, found, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
   if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others
     claim.names.fault_blocks = true;
@@ -129,6 +132,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
     claim.trims.back().n_given_triangles = (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
   claim.merging = project.tolerance;
+  claim.zones = project.output.options.fault_zones;
   claim.refined = refinement.refine;
   if (refinement.refine && refinement.honour == Honour::tolerance)
     claim.within = refinement.tolerance;  // not together with crs.z_scale

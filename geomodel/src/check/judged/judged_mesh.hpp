@@ -62,6 +62,9 @@ void check_boundary(const JudgedMesh& mesh, CheckResult& result);
 void check_point_arrays(const JudgedMesh& mesh, CheckResult& result);
 /// Region ids, names, exact volumes.
 void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result);
+/// Elements of second order: one node an edge, shared by all cells there (`wrong_midpoints`); every Bezier coefficient
+/// of every Jacobian positive (`jacobian_not_positive`), decided exactly.
+void check_second_order(const JudgedMesh& mesh, CheckResult& result);
 /// No vertex strictly inside the circumsphere of a tetrahedron across a face.
 void check_delaunay(const JudgedMesh& mesh, const FacesFile* faces, CheckResult& result);
 

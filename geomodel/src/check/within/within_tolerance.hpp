@@ -36,6 +36,9 @@ std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 /// to `checks_done`.
 void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
+/// Nodes in the middle of edges lie within what is allowed of their surfaces (`midpoints_off`).
+void check_midpoints_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+
 /// Each face names a triangle of its surface (`wrong_source_triangles`) that it comes within twice what is allowed of
 /// (`faces_off_their_triangle`). Only with names.
 void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);

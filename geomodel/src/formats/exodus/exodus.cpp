@@ -120,10 +120,14 @@ class ExodusWriter {
   }
   static bool is_solid(const CellBlock& block) { return dimension_of(block.shape) == 3; }
   void put_coordinates() {
-    std::array<std::vector<double>, 3> axis;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t v = 0; v < mesh_.n_nodes(); ++v) axis[k].push_back(mesh_.node(v)[k]);
-    require(ex_put_coord(id_, axis[0].data(), axis[1].data(), axis[2].data()));
+    std::vector<double> axis;
+    axis.reserve(mesh_.n_nodes());
+    for (std::size_t k = 0; k < 3; ++k) {
+      axis.clear();
+      for (std::size_t v = 0; v < mesh_.n_nodes(); ++v) axis.push_back(mesh_.node(v)[k]);
+      const auto of = [&](std::size_t i) { return i == k ? axis.data() : nullptr; };
+      require(ex_put_coord(id_, of(0), of(1), of(2)));
+    }
   }
   void put_blocks() {
     SolverNames names(name_limit_exodus);
@@ -133,13 +137,23 @@ class ExodusWriter {
       const char* const type = block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA4";
       require(ex_put_block(id_, EX_ELEM_BLOCK, block.id, type, static_cast<int64_t>(block.n_cells()),
                            static_cast<int64_t>(block.nodes_per_cell), 0, 0, 0));
-      std::vector<int> nodes;
-      nodes.reserve(block.nodes.size());
-      for (const VertexIndex v : block.nodes) nodes.push_back(static_cast<int>(v) + 1);
-      if (!nodes.empty()) require(ex_put_conn(id_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr));
+      put_nodes_of_cells(block);
       given.push_back(add_name(names, "element block", {block.id, 3, block.full_name, {}, block.members}));
     }
     put_names(EX_ELEM_BLOCK, given);
+  }
+  /// Some at a time: a copy of all would be as large as the block.
+  void put_nodes_of_cells(const CellBlock& block) {
+    constexpr std::size_t cells_at_once = 1 << 16;
+    std::vector<int> nodes;
+    for (std::size_t first = 0; first < block.n_cells(); first += cells_at_once) {
+      const std::size_t n = std::min(cells_at_once, block.n_cells() - first);
+      nodes.clear();
+      for (std::size_t i = first * block.nodes_per_cell; i < (first + n) * block.nodes_per_cell; ++i)
+        nodes.push_back(static_cast<int>(block.nodes[i]) + 1);
+      require(ex_put_partial_conn(id_, EX_ELEM_BLOCK, block.id, static_cast<int64_t>(first + 1),
+                                  static_cast<int64_t>(n), nodes.data(), nullptr, nullptr));
+    }
   }
   void put_sets() {
     for (const auto& [kind, sets] : {std::pair{EX_SIDE_SET, &side_sets_}, std::pair{EX_NODE_SET, &node_sets_}}) {

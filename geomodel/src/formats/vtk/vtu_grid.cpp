@@ -127,6 +127,14 @@ VtkSection point_data(const ModelMesh& mesh, const WriteOptions& options, const 
         const std::size_t row = layout.node_row(i);
         return row < n ? mesh.input_vertex[row] : -1;
       }));
+  if (!mesh.before_zones.empty())
+    section.arrays.push_back(vtk_array<double>(
+        "before_zones", 3 * layout.n_nodes(),
+        [&mesh, &layout, n](std::size_t i) {
+          const std::size_t row = layout.node_row(i / 3);
+          return (row < n ? mesh.before_zones[row] : mesh.midpoints.points[row - n])[i % 3];
+        },
+        3));
   for (const PointArray& array : mesh.point_arrays)
     section.arrays.push_back(vtk_array<double>(
         array.name, layout.n_nodes(), [&layout, &array](std::size_t i) { return array.values[layout.node_row(i)]; }));

@@ -110,6 +110,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   for (std::string& text : inputs.warnings) warn(model.warnings, context, std::move(text));
   model.surfaces = std::move(inputs.surfaces);
   model.points = std::move(inputs.points);
+  model.tops = std::move(inputs.tops);
   model.naming = project.naming;
   for (NamedPoint& seed : model.naming.seeds) seed.point = inputs.frame.point(seed.point);
   model.system = inputs.frame.system().name();
@@ -130,6 +131,10 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
                model.naming.attributes, model.origin);
   tell_sizes(model, context);
+  std::vector<std::string> found, doubts;
+  find_throws(model.surfaces, model.rules, found, doubts);
+  for (std::string& text : found) note(model.notes, context, std::move(text));
+  for (std::string& text : doubts) warn(model.warnings, context, std::move(text));
   ask_stack(model.rules, model.refinement, model.volume);
   model.input_json = describe_input(project, model);
   build(model, context);

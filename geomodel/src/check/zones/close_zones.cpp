@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh without its fault zones, declared in check/zones/judge_zones.hpp.
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "check/judged/faults.hpp"
+#include "check/zones/judge_zones.hpp"
+#include "check/zones/zone_names.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+class ZoneCloser {
+ public:
+  ZoneCloser(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<FaultZone>& zones)
+      : mesh_(mesh), faces_(faces), zones_(zones), zone_ids_(zone_ids(mesh.file.region_names, zones)) {}
+
+  ClosedFiles close(const CurvesFile* curves) {
+    close_mesh();
+    rename_surfaces();
+    close_faces();
+    if (curves) close_curves(*curves);
+    return std::move(closed_);
+  }
+
+ private:
+  bool is_zone(std::int32_t region) const { return zone_ids_.contains(region); }
+
+  void close_mesh() {
+    const MeshFile& file = mesh_.file;
+    MeshFile& out = closed_.mesh;
+    row_.assign(file.points.size(), no_vertex);
+    std::map<std::tuple<double, double, double>, VertexIndex> at;
+    std::vector<bool> used(file.points.size(), false);
+    for (std::size_t t = 0; t < mesh_.cells.size(); ++t)
+      if (!is_zone(file.region[t]))
+        for (const VertexIndex v : mesh_.cells[t]) used[v] = true;
+    for (VertexIndex v = 0; v < file.points.size(); ++v) {
+      const Vec3 p = file.before_zones[v] + Vec3{0, 0, 0};  // -0 is 0
+      const auto [entry, is_new] = at.try_emplace({p.x, p.y, p.z}, static_cast<VertexIndex>(out.points.size()));
+      if (is_new && !used[v]) {
+        at.erase(entry);  // of a zone alone
+        continue;
+      }
+      row_[v] = entry->second;
+      if (!is_new) continue;
+      out.points.push_back(p);
+      if (v < file.kind.size()) out.kind.push_back(file.kind[v]);
+      if (v < file.input_vertex.size()) out.input_vertex.push_back(file.input_vertex[v]);
+    }
+    out.format = file.format;
+    out.single_precision = file.single_precision;
+    out.region_array = file.region_array;
+    out.origin = file.origin;
+    for (const auto& [name, values] : file.cell_values) out.cell_values[name];
+    for (std::size_t t = 0; t < mesh_.cells.size(); ++t) {
+      if (is_zone(file.region[t])) continue;
+      const Tetrahedron& c = mesh_.cells[t];
+      out.tetrahedra.push_back({row_[c[0]], row_[c[1]], row_[c[2]], row_[c[3]]});
+      out.cell.push_back(file.cell[t]);
+      out.region.push_back(file.region[t]);
+      for (auto& [name, values] : out.cell_values) values.push_back(file.cell_values.at(name)[t]);
+    }
+    out.region_names = without_zones(file.region_names);
+    for (const auto& [name, regions] : file.region_groups)
+      for (const std::int32_t id : regions)
+        if (auto& kept = out.region_groups[name]; !is_zone(id)) kept.push_back(id);
+  }
+  std::map<std::int32_t, std::string> without_zones(std::map<std::int32_t, std::string> names) const {
+    std::erase_if(names, [&](const auto& entry) { return is_zone(entry.first); });
+    return names;
+  }
+
+  void rename_surfaces() {
+    FacesFile& out = closed_.faces;
+    out.region_names = without_zones(faces_.region_names);
+    auto next = static_cast<std::int32_t>(closed_.mesh.region_names.size());
+    for (const auto& [id, name] : faces_.surface_names) {
+      const auto [fault, wall] = wall_of(name, zones_);
+      if (wall == Wall::plus) continue;
+      id_of_fault_[fault] = now_[id] = ++next;
+      out.surface_names[next] = fault;
+      if (const auto kind = faces_.surface_kinds.find(id); kind != faces_.surface_kinds.end())
+        out.surface_kinds[next] = kind->second;
+    }
+    for (const auto& [id, name] : faces_.surface_names)
+      if (const auto [fault, wall] = wall_of(name, zones_); wall == Wall::plus && id_of_fault_.contains(fault))
+        now_[id] = id_of_fault_[fault];
+    for (const auto& set : faces_.surface_sets) {
+      std::set<std::int32_t> ids;
+      for (const std::int32_t id : set) ids.insert(now_.contains(id) ? now_[id] : 0);
+      out.surface_sets.emplace_back(ids.begin(), ids.end());
+    }
+    next_id_ = next;
+  }
+
+  Wall wall(std::size_t f) const {
+    const auto name = faces_.surface_names.find(faces_.surface[f]);
+    if (name != faces_.surface_names.end())
+      if (const Wall own = wall_of(name->second, zones_).second; own != Wall::none) return own;
+    const auto row = static_cast<std::size_t>(faces_.surface_set[f]);
+    if (row < faces_.surface_sets.size())
+      for (const std::int32_t id : faces_.surface_sets[row])
+        if (const auto member = faces_.surface_names.find(id); member != faces_.surface_names.end())
+          if (const Wall w = wall_of(member->second, zones_).second; w != Wall::none) return w;
+    return Wall::none;
+  }
+  Triangle nodes(std::size_t f) const {
+    Triangle t{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::size_t>(faces_.mesh_point[faces_.triangles[f][i]]);
+      t[i] = at < row_.size() ? row_[at] : no_vertex;
+    }
+    return t;
+  }
+  void close_faces() {
+    FacesFile& out = closed_.faces;
+    out.points = closed_.mesh.points;
+    for (std::size_t v = 0; v < out.points.size(); ++v) out.mesh_point.push_back(static_cast<std::int32_t>(v));
+    std::map<Triangle, std::int32_t> region_on_plus;
+    for (std::size_t f = 0; f < faces_.triangles.size(); ++f)
+      if (is_zone(faces_.region_plus[f]) && wall(f) == Wall::plus)
+        region_on_plus[sorted(nodes(f))] = faces_.region_minus[f];
+    for (std::size_t f = 0; f < faces_.triangles.size(); ++f) {
+      Triangle t = nodes(f);
+      std::int32_t minus = faces_.region_minus[f], plus = faces_.region_plus[f];
+      if (is_zone(minus) || std::find(t.begin(), t.end(), no_vertex) != t.end()) continue;
+      if (is_zone(plus)) {
+        const auto other = region_on_plus.find(sorted(t));
+        if (wall(f) != Wall::minus || other == region_on_plus.end()) continue;
+        plus = other->second;
+        if (plus < minus) {
+          std::swap(plus, minus);
+          std::swap(t[1], t[2]);
+        }
+      }
+      out.triangles.push_back(t);
+      out.surface.push_back(now_.contains(faces_.surface[f]) ? now_.at(faces_.surface[f]) : 0);
+      out.surface_set.push_back(faces_.surface_set[f]);
+      out.patch.push_back(faces_.patch[f]);
+      out.region_minus.push_back(minus);
+      out.region_plus.push_back(plus);
+      out.source_triangle.push_back(faces_.source_triangle[f]);
+    }
+  }
+
+  /// `F1.minus*top` is `F1*top`.
+  std::string closed_name(const std::string& name) const {
+    std::multiset<std::string> members;
+    std::string::size_type from = 0;
+    while (true) {
+      const auto to = name.find('*', from);
+      const auto [fault, side] = wall_of(name.substr(from, to - from), zones_);
+      if (side == Wall::none || !members.contains(fault)) members.insert(fault);
+      if (to == std::string::npos) break;
+      from = to + 1;
+    }
+    std::string joined;
+    for (const std::string& member : members) joined += (joined.empty() ? "" : "*") + member;
+    return joined;
+  }
+  void close_curves(const CurvesFile& file) {
+    CurvesFile& out = closed_.curves.emplace();
+    out.points = closed_.mesh.points;
+    out.mesh_point = closed_.faces.mesh_point;
+    const auto row = [&](VertexIndex p) {
+      const auto at = p < file.mesh_point.size() ? static_cast<std::size_t>(file.mesh_point[p]) : row_.size();
+      return at < row_.size() ? row_[at] : no_vertex;
+    };
+    std::map<std::int32_t, std::string> name_of, kind_of;
+    for (const auto& curve : file.curves) {
+      kind_of[curve.id] = curve.kind;
+      name_of[curve.id] = curve.kind == "intersection" ? closed_name(curve.name) : curve.name;
+    }
+    using Key = std::pair<std::string, std::string>;
+    std::map<Key, std::set<std::array<VertexIndex, 2>>> edges;
+    for (std::size_t e = 0; e < file.edges.size(); ++e) {
+      const VertexIndex a = row(file.edges[e][0]), b = row(file.edges[e][1]);
+      if (a == no_vertex || b == no_vertex || a == b) continue;  // in a zone
+      const std::string& kind = kind_of[file.edge_curve[e]];
+      if (kind == "intersection" && name_of[file.edge_curve[e]].find('*') == std::string::npos)
+        continue;  // where the walls meet at an end
+      edges[{kind_of[file.edge_curve[e]], name_of[file.edge_curve[e]]}].insert({std::min(a, b), std::max(a, b)});
+    }
+    std::map<Key, std::int32_t> id_of;
+    for (const auto& curve : file.curves) {
+      const Key key{curve.kind, name_of[curve.id]};
+      if (id_of.contains(key) || (curve.kind != "point" && !edges.contains(key))) continue;
+      id_of[key] = ++next_id_;
+      out.curves.push_back({next_id_, name_of[curve.id], curve.kind});
+    }
+    for (const auto& [key, list] : edges)
+      for (const auto& edge : list) {
+        out.edges.push_back(edge);
+        out.edge_curve.push_back(id_of[key]);
+      }
+    for (std::size_t v = 0; v < file.vertices.size(); ++v) {
+      out.vertices.push_back(row(file.vertices[v]));
+      out.vertex_curve.push_back(id_of[{"point", name_of[file.vertex_curve[v]]}]);
+    }
+  }
+
+  const JudgedMesh& mesh_;
+  const FacesFile& faces_;
+  const std::vector<FaultZone>& zones_;
+  std::map<std::int32_t, std::size_t> zone_ids_;
+  ClosedFiles closed_;
+  std::vector<VertexIndex> row_;              // of a point of the file; no_vertex in zones
+  std::map<std::int32_t, std::int32_t> now_;  // ids of surfaces
+  std::map<std::string, std::int32_t> id_of_fault_;
+  std::int32_t next_id_ = 0;
+};
+
+}  // namespace
+
+std::optional<ClosedFiles> close_zones(const JudgedMesh& mesh, const FacesFile& faces, const CurvesFile* curves,
+                                       const std::vector<FaultZone>& zones, CheckResult& result) {
+  const std::size_t n = mesh.file.points.size();
+  const auto in_mesh = [&](std::int32_t row) { return row >= 0 && static_cast<std::size_t>(row) < n; };
+  const bool known = mesh.file.before_zones.size() == n && mesh.file.region.size() == mesh.cells.size() &&
+                     faces.mesh_point.size() == faces.points.size() &&
+                     std::all_of(faces.mesh_point.begin(), faces.mesh_point.end(), in_mesh);
+  if (known) return ZoneCloser(mesh, faces, zones).close(curves);
+  result.faults.push_back(
+      {"wrong_fault_zones",
+       "1 array is missing or wrong: before_zones of the mesh, or mesh_point of its faces, by which zones are closed "
+       "again to judge the rest",
+       1,
+       {},
+       {}});
+  return std::nullopt;
+}
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The nodes across a fault zone: a column for each pair of nodes that face each other.
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/write_options.hpp"
+#include "solver_mesh/split_faults.hpp"
+
+namespace geomesh::geomodel {
+
+/// A pair of nodes on the two sides of a fault, one node where the fault ends there.
+struct ZoneColumn {
+  VertexIndex minus, plus;
+  std::size_t zone;                ///< row of the first zone that has it
+  std::vector<VertexIndex> nodes;  ///< from minus to plus: one a layer and one more; minus alone where both are one
+  bool is_closed() const { return minus == plus; }
+};
+
+/// A face of the fault with its three columns; the normal of the columns' minus nodes points to the plus side.
+struct ZonePrism {
+  std::array<std::size_t, 3> columns;
+  std::size_t zone;
+};
+
+struct ZoneColumns {
+  std::vector<ZoneColumn> columns;
+  std::vector<ZonePrism> prisms;
+  std::map<Triangle, std::size_t> zone_of_wall;  ///< of each face of a wall, by its nodes in rising order
+};
+
+/// From the prisms of a mesh split along the zones' faults. Throws Error{cannot_mesh} where more than two sides meet in
+/// a node, or zones of unlike thickness or layers share one; and where a fault has one side alone.
+ZoneColumns columns_of(const SplitMesh& split, const std::vector<FaultZone>& zones);
+
+/// Adds the nodes between the sides of each column, on the straight line, evenly; once the sides have moved.
+void fill_columns(ModelMesh& mesh, ZoneColumns& zone, const std::vector<FaultZone>& zones);
+
+}  // namespace geomesh::geomodel

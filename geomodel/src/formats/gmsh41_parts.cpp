@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/gmsh41_parts.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "solver_mesh/pieces.hpp"
+#include "writers/written_files.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Of one dimension and number; cells are rows of a block of the part.
+struct PartEntity {
+  int dimension;
+  std::int32_t tag;
+  std::size_t block = 0;
+  bool is_ghost = false;
+  std::vector<std::pair<std::size_t, std::size_t>> cells;  ///< block and row in it
+  std::vector<VertexIndex> owned;                          ///< nodes, numbered in the part
+};
+
+class PartWriter {
+ public:
+  PartWriter(const SolverMesh& whole, const MeshParts& parts, const SolverPart& part, const GmshGroups& groups)
+      : whole_(whole), parts_(parts), part_(part), groups_(groups), own_(part.part.number) {
+    first_tag_ = largest_id(*whole.source) + 1;
+    for (const CellBlock& block : whole.blocks) first_tag_ = std::max(first_tag_, block.id + 1);
+    std::size_t first = 1;
+    for (const CellBlock& block : whole.blocks) {
+      first_element_.push_back(first);
+      first += block.n_cells();
+    }
+    sort_cells();
+    share_nodes();
+  }
+
+  void write(OutputText& out, Encoding encoding) const {
+    write_gmsh_head(out, "4.1", encoding, groups_);
+    GmshNumbers numbers(out, encoding);
+    const auto section = [&](const char* name, auto&& body) {
+      out << "$" << name << "\n";
+      body(numbers);
+      out << (encoding == Encoding::binary ? "\n$End" : "$End") << name << "\n";
+    };
+    section("Entities", [&](GmshNumbers& n) { write_parents(n); });
+    section("PartitionedEntities", [&](GmshNumbers& n) { write_entities(n); });
+    section("Nodes", [&](GmshNumbers& n) { write_nodes(n); });
+    section("Elements", [&](GmshNumbers& n) { write_elements(n); });
+    section("GhostElements", [&](GmshNumbers& n) { write_ghosts(n); });
+  }
+
+ private:
+  std::int32_t tag_of(std::size_t block, std::int32_t part) const {
+    return first_tag_ + static_cast<std::int32_t>(block) * parts_.n_parts() + part;
+  }
+  std::int32_t ghost_tag() const { return tag_of(whole_.blocks.size(), own_); }
+
+  /// Points, edges, faces, solids; ghosts last. What is not a solid and belongs to others is theirs alone.
+  void sort_cells() {
+    for (std::size_t b = 0; b < whole_.blocks.size(); ++b) {
+      const int dimension = dimension_of(whole_.blocks[b].shape);
+      PartEntity entity{dimension, tag_of(b, own_), b, false, {}, {}};
+      for (std::size_t c = 0; c < part_.owner[b].size(); ++c)
+        if (part_.owner[b][c] == own_)
+          entity.cells.emplace_back(b, c);
+        else if (dimension == 3)
+          ghost_.cells.emplace_back(b, c);
+      if (!entity.cells.empty()) entities_.push_back(std::move(entity));
+    }
+    std::stable_sort(entities_.begin(), entities_.end(),
+                     [](const PartEntity& a, const PartEntity& b) { return a.dimension < b.dimension; });
+    ghost_.tag = ghost_tag();
+    if (!ghost_.cells.empty()) entities_.push_back(ghost_);
+  }
+  /// A node belongs to the first entity that has it; nodes of no entity's cells are left out.
+  void share_nodes() {
+    std::vector<bool> taken(part_.mesh.n_nodes(), false);
+    for (PartEntity& entity : entities_) {
+      for (const auto& [b, c] : entity.cells) {
+        const CellBlock& block = part_.mesh.blocks[b];
+        for (std::size_t i = 0; i < block.nodes_per_cell; ++i)
+          if (const VertexIndex v = block.nodes[c * block.nodes_per_cell + i]; !taken[v]) {
+            taken[v] = true;
+            entity.owned.push_back(v);
+          }
+      }
+      std::sort(entity.owned.begin(), entity.owned.end());
+    }
+  }
+
+  void write_box(GmshNumbers& numbers, const CellBlock& block, const SolverMesh& mesh) const {
+    Box3 box;
+    for (const VertexIndex v : block.nodes) box.add(mesh.node(v));
+    numbers.real(box.min);
+    if (block.shape != CellShape::vertex) numbers.real(box.max);
+  }
+  void write_groups(GmshNumbers& numbers, std::size_t block) const {
+    numbers.size(groups_.of_block[block].size());
+    for (const std::int32_t tag : groups_.of_block[block]) numbers.integer(tag);
+  }
+  /// Entities of the whole mesh.
+  void write_parents(GmshNumbers& numbers) const {
+    std::array<std::vector<std::size_t>, 4> of_dimension;
+    for (std::size_t b = 0; b < whole_.blocks.size(); ++b)
+      of_dimension[static_cast<std::size_t>(dimension_of(whole_.blocks[b].shape))].push_back(b);
+    for (const auto& blocks : of_dimension) numbers.size(blocks.size());
+    numbers.line();
+    for (std::size_t d = 0; d < 4; ++d)
+      for (const std::size_t b : of_dimension[d]) {
+        numbers.integer(whole_.blocks[b].id);
+        write_box(numbers, whole_.blocks[b], whole_);
+        write_groups(numbers, b);
+        if (d > 0) numbers.size(0);
+        numbers.line();
+      }
+  }
+  void write_entities(GmshNumbers& numbers) const {
+    numbers.size(static_cast<std::size_t>(parts_.n_parts()));
+    numbers.line();
+    numbers.size(ghost_.cells.empty() ? 0 : 1);
+    numbers.line();
+    if (!ghost_.cells.empty()) {
+      numbers.integer(ghost_.tag);
+      numbers.integer(own_ + 1);
+      numbers.line();
+    }
+    for (int d = 0; d < 4; ++d)
+      numbers.size(static_cast<std::size_t>(std::count_if(
+          entities_.begin(), entities_.end(), [&](const PartEntity& e) { return !e.is_ghost && e.dimension == d; })));
+    numbers.line();
+    for (const PartEntity& entity : entities_) {
+      if (entity.is_ghost) continue;
+      numbers.integer(entity.tag);
+      numbers.integer(entity.dimension);
+      numbers.integer(whole_.blocks[entity.block].id);
+      numbers.size(1);
+      numbers.integer(own_ + 1);
+      write_box(numbers, part_.mesh.blocks[entity.block], part_.mesh);
+      write_groups(numbers, entity.block);
+      if (entity.dimension > 0) numbers.size(0);
+      numbers.line();
+    }
+  }
+  std::size_t number_of(VertexIndex v) const { return part_.part.nodes[v] + std::size_t{1}; }
+  void write_nodes(GmshNumbers& numbers) const {
+    std::size_t n_blocks = 0, n = 0;
+    for (const PartEntity& entity : entities_) {
+      n_blocks += !entity.owned.empty();
+      n += entity.owned.size();
+    }
+    numbers.size(n_blocks);
+    numbers.size(n);
+    numbers.size(1);
+    numbers.size(whole_.n_nodes());
+    numbers.line();
+    for (const PartEntity& entity : entities_) {
+      if (entity.owned.empty()) continue;
+      numbers.integer(entity.dimension);
+      numbers.integer(entity.tag);
+      numbers.integer(0);
+      numbers.size(entity.owned.size());
+      numbers.line();
+      for (const VertexIndex v : entity.owned) {
+        numbers.size(number_of(v));
+        numbers.line();
+      }
+      for (const VertexIndex v : entity.owned) {
+        numbers.real(part_.mesh.node(v));
+        numbers.line();
+      }
+    }
+  }
+  std::size_t element(std::size_t block, std::size_t cell) const {
+    return first_element_[block] + part_.cells[block][cell];
+  }
+  void write_elements(GmshNumbers& numbers) const {
+    std::size_t n = 0, last = 0;
+    for (const PartEntity& entity : entities_) n += entity.cells.size();
+    for (std::size_t b = 0; b < whole_.blocks.size(); ++b) last = first_element_[b] + whole_.blocks[b].n_cells() - 1;
+    numbers.size(entities_.size());
+    numbers.size(n);
+    numbers.size(1);
+    numbers.size(last);
+    numbers.line();
+    for (const PartEntity& entity : entities_) {
+      numbers.integer(entity.dimension);
+      numbers.integer(entity.tag);
+      numbers.integer(gmsh_type(part_.mesh, part_.mesh.blocks[entity.cells.front().first].shape));
+      numbers.size(entity.cells.size());
+      numbers.line();
+      for (const auto& [b, c] : entity.cells) {
+        const CellBlock& block = part_.mesh.blocks[b];
+        numbers.size(element(b, c));
+        for (std::size_t i = 0; i < block.nodes_per_cell; ++i)
+          numbers.size(number_of(block.nodes[c * block.nodes_per_cell + gmsh_node(block, i)]));
+        numbers.line();
+      }
+    }
+  }
+  void write_ghosts(GmshNumbers& numbers) const {
+    numbers.size(ghost_.cells.size());
+    numbers.line();
+    for (const auto& [b, c] : ghost_.cells) {
+      numbers.size(element(b, c));
+      numbers.integer(part_.owner[b][c] + 1);
+      numbers.size(1);
+      numbers.integer(own_ + 1);
+      numbers.line();
+    }
+  }
+
+  const SolverMesh& whole_;
+  const MeshParts& parts_;
+  const SolverPart& part_;
+  const GmshGroups& groups_;
+  std::int32_t own_, first_tag_ = 0;
+  std::vector<std::size_t> first_element_;  // by block: the number of its first cell in the whole mesh
+  std::vector<PartEntity> entities_;
+  PartEntity ghost_{3, 0, 0, true, {}, {}};
+};
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_gmsh_parts(const SolverMesh& mesh, const WriteOptions& options,
+                                                    const std::filesystem::path& stem, const GmshPartBody& body) {
+  const GmshGroups groups = gmsh_groups(mesh, options);
+  const MeshParts parts(*mesh.source, static_cast<std::int32_t>(options.partitions));
+  WrittenFiles written;
+  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
+    const SolverPart part = part_of(mesh, parts, p, Ghosts::one_layer);
+    const std::filesystem::path file = stem.string() + "_" + std::to_string(p + 1) + ".msh";
+    write_output_text(file, [&](OutputText& out) { body(out, parts, part, groups); });
+    written.add(file);
+  }
+  written.add(write_sidecar(*mesh.source, groups.sidecar, stem.string() + ".msh"));
+  return written.keep();
+}
+
+std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const WriteOptions& options,
+                                                      const std::filesystem::path& stem, Encoding encoding) {
+  return write_gmsh_parts(
+      mesh, options, stem,
+      [&](OutputText& out, const MeshParts& parts, const SolverPart& part, const GmshGroups& groups) {
+        PartWriter(mesh, parts, part, groups).write(out, encoding);
+      });
+}
+
+}  // namespace geomesh::geomodel

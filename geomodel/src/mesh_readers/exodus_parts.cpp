@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_readers/exodus_parts.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <regex>
+#include <string>
+
+#include "geomesh/core/error.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw Error(ErrorKind::invalid_input, file.string() + ": " + why);
+}
+
+/// Rows of numbers that count from 1 without gaps.
+std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole) {
+  if (number < 1 || static_cast<std::size_t>(number) > n)
+    refuse(whole, "global numbers of its parts have gaps or are out of range (" + std::to_string(number) + ")");
+  return static_cast<std::size_t>(number - 1);
+}
+
+std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers) {
+  int largest = 0;
+  for (const ExodusPartMesh& part : parts)
+    for (const int number : part.*numbers) largest = std::max(largest, number);
+  return static_cast<std::size_t>(largest);
+}
+
+class PartsMerger {
+ public:
+  PartsMerger(std::vector<ExodusPartMesh> parts, const std::filesystem::path& whole)
+      : parts_(std::move(parts)), whole_(whole) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    mesh_.format = "Exodus II in parts";
+    mesh_.whole = whole;
+    mesh_.points.resize(count_numbers(parts_, &ExodusPartMesh::nodes));
+    has_point_.resize(mesh_.points.size(), false);
+    mesh_.cells[3].corners.resize(4 * count_numbers(parts_, &ExodusPartMesh::tetrahedra));
+    has_cell_.resize(mesh_.cells[3].size(), false);
+    for (const ExodusPartMesh& part : parts_) {
+      mesh_.second_order |= part.mesh.second_order;
+      for (const CellArray& array : part.mesh.cell_arrays) cell_values_.try_emplace(array.name, has_cell_.size(), none);
+      for (const PointArray& array : part.mesh.point_arrays)
+        point_values_.try_emplace(array.name, has_point_.size(), none);
+    }
+    if (mesh_.second_order) mesh_.midpoints.resize(6 * has_cell_.size());
+  }
+
+  RawMesh merge() {
+    for (const ExodusPartMesh& part : parts_) add(part);
+    if (std::find(has_point_.begin(), has_point_.end(), false) != has_point_.end() ||
+        std::find(has_cell_.begin(), has_cell_.end(), false) != has_cell_.end())
+      refuse(whole_, "global numbers of its parts have gaps: a part is missing");
+    for (auto& [key, set] : sets_) {
+      if (set.dimension == -1) {
+        std::sort(set.rows.begin(), set.rows.end());
+        set.rows.erase(std::unique(set.rows.begin(), set.rows.end()), set.rows.end());
+      }
+      mesh_.sets.push_back(std::move(set));
+    }
+    for (std::size_t t = 0; t < has_cell_.size(); ++t) mesh_.numbers.push_back(t);
+    for (auto& [name, values] : cell_values_) mesh_.cell_arrays.push_back({name, std::move(values)});
+    for (auto& [name, values] : point_values_) mesh_.point_arrays.push_back({name, std::move(values)});
+    return std::move(mesh_);
+  }
+
+ private:
+  void add(const ExodusPartMesh& part) {
+    if (part.nodes.size() != part.mesh.points.size() || part.tetrahedra.size() != part.mesh.cells[3].size())
+      refuse(whole_, "a part has no global numbers of its nodes and tetrahedra");
+    std::vector<VertexIndex> node;
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+      const std::size_t row = row_of(part.nodes[i], has_point_.size(), whole_);
+      if (has_point_[row] && !(mesh_.points[row] == part.mesh.points[i]))
+        refuse(whole_, "node " + std::to_string(row + 1) + " has different places in two parts");
+      has_point_[row] = true;
+      mesh_.points[row] = part.mesh.points[i];
+      node.push_back(static_cast<VertexIndex>(row));
+      for (const PointArray& array : part.mesh.point_arrays) point_values_[array.name][row] = array.values[i];
+    }
+    std::vector<std::size_t> cell;
+    for (std::size_t t = 0; t < part.tetrahedra.size(); ++t) {
+      const std::size_t row = row_of(part.tetrahedra[t], has_cell_.size(), whole_);
+      if (has_cell_[row]) refuse(whole_, "element " + std::to_string(row + 1) + " is in two parts");
+      has_cell_[row] = true;
+      cell.push_back(row);
+      for (std::size_t i = 0; i < 4; ++i)
+        mesh_.cells[3].corners[4 * row + i] = node[part.mesh.cells[3].corners[4 * t + i]];
+      if (part.mesh.midpoints.size() == 6 * part.tetrahedra.size())
+        for (std::size_t i = 0; i < 6; ++i) mesh_.midpoints[6 * row + i] = node[part.mesh.midpoints[6 * t + i]];
+      for (const CellArray& array : part.mesh.cell_arrays) cell_values_[array.name][row] = array.values[t];
+    }
+    const std::size_t first_face = mesh_.cells[2].size();
+    for (const VertexIndex v : part.mesh.cells[2].corners) mesh_.cells[2].corners.push_back(node[v]);
+    for (const RawSet& set : part.mesh.sets) {
+      RawSet& all =
+          sets_.try_emplace({set.dimension, set.id}, RawSet{set.name, set.id, set.dimension, {}}).first->second;
+      for (const std::size_t row : set.rows)
+        all.rows.push_back(set.dimension == 3   ? cell[row]
+                           : set.dimension == 2 ? first_face + row
+                                                : std::size_t{node[row]});
+    }
+    mesh_.n_other_solids += part.mesh.n_other_solids;
+  }
+
+  std::vector<ExodusPartMesh> parts_;
+  const std::filesystem::path& whole_;
+  RawMesh mesh_;
+  std::vector<bool> has_point_, has_cell_;
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // by dimension and id
+  std::map<std::string, std::vector<double>> cell_values_, point_values_;
+};
+
+}  // namespace
+
+std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file) {
+  static const std::regex pattern(R"((.+\.(?:e|exo|ex2|exii))\.([0-9]+)\.([0-9]+))");
+  std::smatch match;
+  const std::string name = file.filename().string();
+  constexpr std::size_t most_digits = 6;
+  if (!std::regex_match(name, match, pattern) || match[2].length() != match[3].length() ||
+      static_cast<std::size_t>(match[2].length()) > most_digits)
+    return std::nullopt;
+  const std::string all = match[2].str();
+  ExodusPartFiles files{file.parent_path() / match[1].str(), {}};
+  for (int k = 0; k < std::stoi(all); ++k) {
+    const std::string own = std::to_string(k);
+    files.parts.push_back(files.whole.string() + "." + all + "." + std::string(all.size() - own.size(), '0') + own);
+  }
+  if (files.parts.empty()) return std::nullopt;
+  return files;
+}
+
+RawMesh merge_exodus_parts(std::vector<ExodusPartMesh> parts, const std::filesystem::path& whole) {
+  return PartsMerger(std::move(parts), whole).merge();
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which faults displace a horizon, found from its points on both sides of each; declared in
+// geomesh/geomodel/model_rules.hpp.
+//
+// Near a fault, within eight of the horizon's edges, places of the horizon are taken in stretches along the strike.
+// With large triangles it is eight twentieths of the fault's length. In each, two planes of the same dip are fitted to
+// the points of the two sides; their distance along the vertical is the throw there. A fault counts where the throw is
+// more than three times the points' spread about the planes in at least a quarter of the stretches. A point counts for
+// the fault that is nearest to it alone. Cost: points of such horizons times triangles of faults.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "geomesh/geomodel/model_rules.hpp"
+#include "naming/region_facts.hpp"
+#include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr double band_of_edges = 8;     // edges of the horizon on each side of a fault
+constexpr double stretch_of_edges = 8;  // along the strike
+constexpr double least_stretches =
+    0.05;                       // spacing of places, of the fault's length: large triangles are looked at between
+constexpr int most_parts = 64;  // of a triangle's side
+constexpr std::size_t fewest_a_side = 3;  // points of a stretch
+constexpr double sure_of_spread = 3;      // of the points about the planes
+constexpr double least_of_edges = 1e-3;   // of throw: less is rounding
+constexpr double share_of_stretches = 0.25;
+constexpr double share_of_points = 0.75;  // that are fitted; the others may be overshoot
+constexpr double spread_of_all = 1.9;     // by that of the nearest three quarters, of normal errors
+constexpr int rounds_of_fit = 6;
+
+/// A fault's triangles with normals to one side, and its strike.
+class FaultSides {
+ public:
+  explicit FaultSides(const TriangulatedSurface& fault) {
+    const UpwardSides up = orient_upward(fault);
+    Vec3 sum{};
+    for (Index t = 0; t < fault.triangles.size(); ++t) {
+      const Triangle& v = fault.triangles[t];
+      const Vec3 a = fault.points[v[0]], u = fault.points[v[1]] - a, w = fault.points[v[2]] - a;
+      const Vec3 n = (up.as_stored[t] ? 1.0 : -1.0) * cross(u, w);
+      if (!(norm(n) > 0)) continue;
+      sum = sum + n;
+      Face face{a, u, w, (1 / norm(n)) * n, {}};
+      for (const VertexIndex corner : v) {
+        face.bounds.add(fault.points[corner]);
+        bounds_.add(fault.points[corner]);
+      }
+      faces_.push_back(face);
+    }
+    const double across = std::hypot(sum.x, sum.y);
+    if (across > 0) strike_ = {-sum.y / across, sum.x / across};
+  }
+
+  /// Signed distance from the nearest triangle that is over or under p along its own normal, within reach.
+  std::optional<double> distance(const Vec3& p, double reach) const {
+    std::optional<double> nearest;
+    for (const Face& f : faces_) {
+      if (p.x < f.bounds.min.x - reach || p.x > f.bounds.max.x + reach || p.y < f.bounds.min.y - reach ||
+          p.y > f.bounds.max.y + reach || p.z < f.bounds.min.z - reach || p.z > f.bounds.max.z + reach)
+        continue;
+      const double d = dot(p - f.a, f.normal);
+      if (std::abs(d) > (nearest ? std::abs(*nearest) : reach)) continue;
+      const Vec3 q = p - d * f.normal - f.a;
+      const double uu = dot(f.u, f.u), uw = dot(f.u, f.w), ww = dot(f.w, f.w), qu = dot(q, f.u), qw = dot(q, f.w);
+      const double whole = uu * ww - uw * uw, s = (ww * qu - uw * qw) / whole, t = (uu * qw - uw * qu) / whole;
+      constexpr double beside = 0.05;  // so that places between two triangles of a bend are over one of them
+      if (s >= -beside && t >= -beside && s + t <= 1 + beside) nearest = d;
+    }
+    return nearest;
+  }
+  /// In the map.
+  double extent() const { return std::hypot(bounds_.max.x - bounds_.min.x, bounds_.max.y - bounds_.min.y); }
+  bool may_be_near(const std::array<Vec3, 3>& corners, double reach) const {
+    Box3 box;
+    for (const Vec3& p : corners) box.add(p);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (box.min[i] > bounds_.max[i] + reach || box.max[i] < bounds_.min[i] - reach) return false;
+    return true;
+  }
+  double along_strike(const Vec3& p) const { return strike_.x * p.x + strike_.y * p.y; }
+
+ private:
+  struct Face {
+    Vec3 a, u, w, normal;
+    Box3 bounds;
+  };
+  std::vector<Face> faces_;
+  Box3 bounds_;
+  Vec2 strike_{1, 0};
+};
+
+/// A point of the horizon beside a fault.
+struct BesidePoint {
+  double across, along, height;
+};
+
+/// The distance of the two planes, and how the points spread about them; nothing where a side has too few points. The
+/// quarter of the points that is furthest off does not count: blocks overshoot the fault.
+struct StretchThrow {
+  double throw_there, spread;
+};
+std::optional<StretchThrow> throw_of(std::vector<BesidePoint> points) {
+  const Vec3 origin{points[0].across, points[0].along, points[0].height};
+  for (BesidePoint& p : points) p.along -= origin.y, p.height -= origin.z;
+  Eigen::Vector4d fitted = Eigen::Vector4d::Zero();  // height above, height below, dip across, dip along
+  const auto off = [&](const BesidePoint& p) {
+    return std::abs(fitted[p.across > 0 ? 0 : 1] + fitted[2] * p.across + fitted[3] * p.along - p.height);
+  };
+  std::size_t n = points.size();
+  for (int round = 0; round < rounds_of_fit; ++round) {
+    const auto n_above =
+        static_cast<std::size_t>(std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n),
+                                               [](const BesidePoint& p) { return p.across > 0; }));
+    if (n_above < fewest_a_side || n - n_above < fewest_a_side) return std::nullopt;
+    Eigen::MatrixXd terms(static_cast<Eigen::Index>(n), 4);
+    Eigen::VectorXd heights(static_cast<Eigen::Index>(n));
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      terms.row(row) << (points[k].across > 0 ? 1.0 : 0.0), (points[k].across > 0 ? 0.0 : 1.0), points[k].across,
+          points[k].along;
+      heights[row] = points[k].height;
+    }
+    fitted = terms.completeOrthogonalDecomposition().solve(heights);
+    std::sort(points.begin(), points.end(),
+              [&](const BesidePoint& p, const BesidePoint& q) { return off(p) < off(q); });
+    n = static_cast<std::size_t>(share_of_points * static_cast<double>(points.size()));
+  }
+  double squares = 0;
+  for (std::size_t k = 0; k < n; ++k) squares += off(points[k]) * off(points[k]);
+  return StretchThrow{fitted[0] - fitted[1], spread_of_all * std::sqrt(squares / static_cast<double>(n))};
+}
+
+double median_edge(const TriangulatedSurface& surface) {
+  std::vector<double> lengths;
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) lengths.push_back(norm(surface.points[t[i]] - surface.points[t[(i + 1) % 3]]));
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+/// What was found of one fault.
+struct Found {
+  std::size_t n_stretches = 0, n_with_throw = 0;
+  double greatest = 0;
+  bool displaces() const {
+    return n_with_throw > 0 &&
+           static_cast<double>(n_with_throw) >= share_of_stretches * static_cast<double>(n_stretches);
+  }
+};
+
+/// Points on the triangle, about `spacing` apart: the centres of equal parts of it.
+template <class F>
+void for_each_sample(const std::array<Vec3, 3>& corners, double spacing, F&& visit) {
+  const Vec3 u = corners[1] - corners[0], v = corners[2] - corners[0];
+  const double longest = std::max({norm(u), norm(v), norm(corners[2] - corners[1])});
+  const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, most_parts);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j) visit(corners[0] + ((i + 1.0 / 3) / n) * u + ((j + 1.0 / 3) / n) * v);
+}
+
+/// By fault: the places of the horizon that are nearest to it, by stretches along its strike.
+std::vector<Found> throws_of(const TriangulatedSurface& horizon, const std::vector<FaultSides>& faults) {
+  double edge = median_edge(horizon);
+  for (const FaultSides& fault : faults) edge = std::min(edge, least_stretches * fault.extent());
+  const double reach = band_of_edges * edge;
+  std::vector<std::map<long, std::vector<BesidePoint>>> stretches(faults.size());
+  const auto add = [&](const Vec3& p) {
+    std::size_t own = faults.size();
+    double across = reach;
+    for (std::size_t f = 0; f < faults.size(); ++f)
+      if (const auto d = faults[f].distance(p, std::abs(across))) own = f, across = *d;
+    if (own == faults.size()) return;
+    const double along = faults[own].along_strike(p);
+    stretches[own][std::lround(along / (stretch_of_edges * edge))].push_back({across, along, p.z});
+  };
+  for (const Triangle& t : horizon.triangles) {
+    const std::array<Vec3, 3> corners{horizon.points[t[0]], horizon.points[t[1]], horizon.points[t[2]]};
+    const bool is_near = std::any_of(faults.begin(), faults.end(),
+                                     [&](const FaultSides& fault) { return fault.may_be_near(corners, reach); });
+    if (is_near) for_each_sample(corners, edge, add);
+  }
+  std::vector<Found> found(faults.size());
+  for (std::size_t f = 0; f < faults.size(); ++f)
+    for (const auto& [at, points] : stretches[f]) {
+      const auto there = throw_of(points);
+      if (!there) continue;
+      ++found[f].n_stretches;
+      if (std::abs(there->throw_there) <= std::max(sure_of_spread * there->spread, least_of_edges * edge)) continue;
+      ++found[f].n_with_throw;
+      found[f].greatest = std::max(found[f].greatest, std::abs(there->throw_there));
+    }
+  return found;
+}
+
+}  // namespace
+
+void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes,
+                 std::vector<std::string>& warnings) {
+  const bool any = std::any_of(rules.surfaces.begin(), rules.surfaces.end(),
+                               [](const SurfaceRules& rule) { return rule.throw_auto; });
+  if (!any) return;
+  std::vector<FaultSides> faults;
+  std::vector<std::string> names;
+  for (const TriangulatedSurface& s : surfaces)
+    if (s.kind == SurfaceKind::fault && !s.triangles.empty()) faults.emplace_back(s), names.push_back(s.name);
+  for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
+    if (!rules.surfaces[s].throw_auto) continue;
+    const std::vector<Found> found = throws_of(surfaces[s], faults);
+    for (std::size_t f = 0; f < found.size(); ++f) {
+      if (found[f].n_stretches == 0) continue;
+      const std::string of = " of " + std::to_string(found[f].n_stretches) + " stretches along it";
+      if (found[f].displaces()) {
+        rules.surfaces[s].throw_at.push_back(names[f]);
+        notes.push_back("horizon " + surfaces[s].name + ": throw across " + names[f] +
+                        " found from the data, at most " + to_text(found[f].greatest) + " m, in " +
+                        std::to_string(found[f].n_with_throw) + of);
+      } else {
+        notes.push_back("horizon " + surfaces[s].name + ": no throw across " + names[f] +
+                        " (more than the spread of the points in " + std::to_string(found[f].n_with_throw) + of + ")");
+      }
+    }
+    if (rules.surfaces[s].throw_at.empty())
+      warnings.push_back("horizon " + surfaces[s].name +
+                         ": throw_at is auto, and no fault was found across which it has throw; name the faults");
+  }
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,184 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elements of second order on curved input: volume, tolerance, Jacobians, the order of nodes in each format, and the judge."""
+import itertools
+import math
+
+import format_readers as readers
+from geomesh_program import ProgramTest, level, main, triangles_ts
+from vtk_files import VtkFile
+
+RADIUS, CENTRE, TOLERANCE = 3.0, (5.0, 5.0, 5.0), 0.15
+EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+
+
+def ball(depth):
+    """An icosahedron's faces cut in four `depth` times, on the sphere."""
+    t = (1 + math.sqrt(5)) / 2
+    points = [(-1, t, 0), (1, t, 0), (-1, -t, 0), (1, -t, 0), (0, -1, t), (0, 1, t), (0, -1, -t), (0, 1, -t), (t, 0, -1), (t, 0, 1), (-t, 0, -1), (-t, 0, 1)]
+    triangles = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6),
+                 (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    points = [tuple(x / math.hypot(*p) for x in p) for p in points]
+    for _ in range(depth):
+        middle, cut = {}, []
+        for t3 in triangles:
+            m = []
+            for a, b in zip(t3, t3[1:] + t3[:1]):
+                key = (min(a, b), max(a, b))
+                if key not in middle:
+                    p = [x + y for x, y in zip(points[a], points[b])]
+                    middle[key] = len(points)
+                    points.append(tuple(x / math.hypot(*p) for x in p))
+                m.append(middle[key])
+            cut += [(t3[0], m[0], m[2]), (t3[1], m[1], m[0]), (t3[2], m[2], m[1]), tuple(m)]
+        triangles = cut
+    return [tuple(c + RADIUS * x for c, x in zip(CENTRE, p)) for p in points], triangles
+
+
+def minus(p, q):
+    return [a - b for a, b in zip(p, q)]
+
+
+def det(a, b, c):
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+
+
+def bezier(nodes):
+    """The 20 Bezier coefficients of six times the Jacobian's determinant, with the volume under them."""
+    at = {}
+    for i in range(4):
+        at[i, i] = nodes[i]
+    for e, (i, j) in enumerate(EDGES):
+        at[i, j] = at[j, i] = [2 * m - (a + b) / 2 for m, a, b in zip(nodes[4 + e], nodes[i], nodes[j])]
+    found, volume = [], 0
+    for corners in itertools.combinations_with_replacement(range(4), 3):
+        value = sum(det(*(minus(at[d + 1, c], at[0, c]) for d, c in enumerate(order))) for order in itertools.permutations(corners)) / 6
+        found.append(8 * value)
+        volume += 8 * value / 6 / 20
+    return found, volume
+
+
+class Curved(ProgramTest):
+    def model(self, formats="vtu", order=2, extra=""):
+        points, triangles = ball(4)
+        self.write("ball.ts", triangles_ts("ball", points, triangles))
+        self.write("project.yaml", "name: model\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: ball, kind: body, file: ball.ts}\n%s"
+                   "mesh: {size: 1.6, tolerance: %g}\noutput: {directory: ., formats: [%s], order: %d}\n" % (extra, TOLERANCE, formats, order))
+        self.run_program("project.yaml")
+        wanted = sum(det(*(points[v] for v in t)) for t in triangles) / 6
+        return abs(wanted)
+
+    def cells(self):
+        """Points of each cell of the ball, and of all."""
+        grid = VtkFile.read(self.path("model.vtu"))
+        xyz, nodes = grid["Points", "Points"].values, grid["Cells", "connectivity"].values
+        points = [tuple(xyz[3 * i:3 * i + 3]) for i in range(len(xyz) // 3)]
+        inside = grid["FieldData", "region:ball"].values[0]
+        cells = [[points[v] for v in nodes[10 * c:10 * c + 10]] for c in range(len(nodes) // 10)]
+        return [c for c, r in zip(cells, grid["CellData", "region"].values) if r == inside], cells
+
+    def test_the_volume_is_better_by_an_order_and_all_jacobians_are_positive(self):
+        wanted = self.model()
+        own, everything = self.cells()
+        straight = sum(det(minus(c[1], c[0]), minus(c[2], c[0]), minus(c[3], c[0])) for c in own) / 6
+        curved = 0
+        for c in own:
+            curved += bezier(c)[1]
+        for c in everything:
+            self.assertGreater(min(bezier(c)[0]), 0)
+        self.assertGreater(abs(straight - wanted) / wanted, 1e-3)
+        self.assertLess(abs(curved - wanted), 0.1 * abs(straight - wanted))
+        total = sum(bezier(c)[1] for c in everything)
+        self.assertAlmostEqual(total, 1000, delta=1e-8)
+        self.check(self.path("model.vtu"), "--project", self.path("project.yaml"))
+
+    def test_midpoints_are_on_the_input_within_the_tolerance(self):
+        self.model()
+        faces = VtkFile.read(self.path("model.faces.vtp"))
+        ids, nodes, rows = faces["CellData", "surface"].values, faces["Polys", "connectivity"].values, faces["PointData", "mesh_point"].values
+        ball_id = faces["FieldData", "surface:ball"].values[0]
+        grid = VtkFile.read(self.path("model.vtu"))
+        xyz, cells = grid["Points", "Points"].values, grid["Cells", "connectivity"].values
+        middle = {}
+        for c in range(len(cells) // 10):
+            for e, (i, j) in enumerate(EDGES):
+                middle[frozenset((cells[10 * c + i], cells[10 * c + j]))] = cells[10 * c + 4 + e]
+        off, straight_off = [], []
+        for f, surface in enumerate(ids):
+            if surface != ball_id:
+                continue
+            corners = [rows[n] for n in nodes[3 * f:3 * f + 3]]
+            for a, b in itertools.combinations(corners, 2):
+                m = middle[frozenset((a, b))]
+                off.append(abs(math.dist(xyz[3 * m:3 * m + 3], CENTRE) - RADIUS))
+                straight_off.append(abs(math.dist([(p + q) / 2 for p, q in zip(xyz[3 * a:3 * a + 3], xyz[3 * b:3 * b + 3])], CENTRE) - RADIUS))
+        self.assertLessEqual(max(off), TOLERANCE)
+        of_input = 0.0045  # the input's triangles lie this far inside the sphere at most
+        self.assertGreater(sum(d <= of_input for d in off), 0.9 * len(off))
+        self.assertGreater(sum(d > 2 * of_input for d in straight_off), 0.5 * len(off))
+
+    def test_every_format_has_its_own_order_of_nodes(self):
+        self.model("vtu, msh, inp, exodus, med" if "med" in self.run_program("convert", "--help") else "vtu, msh, inp, exodus")
+        try:
+            meshio = readers.need("meshio")
+        except readers.ReaderMissing:
+            self.skipTest("skipped: python3-meshio is not installed")
+        wanted = self.places(meshio.read(self.path("model.vtu")))
+        self.assertGreater(len(wanted), 100)
+        self.assertTrue(self.places(meshio.read(self.path("model.msh"))) == wanted, "the order of nodes in model.msh")
+        for ending in (".vtu", ".msh", ".inp", ".e", ".med"):
+            if ending != ".med" or "med" in self.run_program("convert", "--help"):
+                check = self.check(self.path("model" + ending), status=None)
+                self.assertTrue(any("Bezier" in text for text in check["checks_done"]), ending)
+
+    def places(self, mesh):
+        cells = [cell for block in mesh.cells if block.type == "tetra10" for cell in block.data.tolist()]
+        found = set()
+        for cell in cells:
+            at = {i: tuple(round(float(x), 9) for x in mesh.points[v]) for i, v in enumerate(cell)}
+            edges = frozenset((frozenset((at[i], at[j])), at[4 + e]) for e, (i, j) in enumerate(EDGES))
+            found.add(edges)
+        return found
+
+    def test_the_judge_names_a_midpoint_that_is_off_and_one_that_turns_an_element(self):
+        self.model()
+        grid = VtkFile.read(self.path("model.vtu"))
+        at, nodes = grid["Points", "Points"], grid["Cells", "connectivity"].values
+        original = list(at.values)
+        m = nodes[4]
+        for k in range(3):
+            at.values[3 * m + k] += 3
+        grid.write(self.path("model.vtu"))
+        self.assertIn("jacobian_not_positive", {f["id"] for f in self.check(self.path("model.vtu"), status=3)["faults"]})
+        at.values = original
+        kinds = VtkFile.read(self.path("model.faces.vtp"))
+        ball_id = kinds["FieldData", "surface:ball"].values[0]
+        face = next(f for f, s in enumerate(kinds["CellData", "surface"].values) if s == ball_id)
+        a, b = (kinds["PointData", "mesh_point"].values[n] for n in kinds["Polys", "connectivity"].values[3 * face:3 * face + 2])
+        m = next(nodes[10 * c + 4 + e] for c in range(len(nodes) // 10) for e, (i, j) in enumerate(EDGES) if {nodes[10 * c + i], nodes[10 * c + j]} == {a, b})
+        for k in range(3):
+            at.values[3 * m + k] = CENTRE[k] + (at.values[3 * m + k] - CENTRE[k]) * (1 + 1.2 * TOLERANCE / RADIUS)
+        grid.write(self.path("model.vtu"))
+        self.assertIn("midpoints_off", {f["id"] for f in self.check(self.path("model.vtu"), "--project", self.path("project.yaml"), status=3)["faults"]})
+
+    def test_edges_of_two_surfaces_stay_on_both_and_sides_stay_plane(self):
+        """A level through the ball: the circle where they meet is followed, heights on the level and on sides do not change."""
+        self.write("mid.ts", level("mid", 5))
+        self.model(extra="  - {name: mid, kind: fault, file: mid.ts}\n")
+        self.check(self.path("model.vtu"), "--project", self.path("project.yaml"))
+        grid = VtkFile.read(self.path("model.vtu"))
+        xyz, nodes = grid["Points", "Points"].values, grid["Cells", "connectivity"].values
+        curves = VtkFile.read(self.path("model.curves.vtp"))
+        circle = next(a.values[0] for a in curves.arrays if a.section == "FieldData" and a.name == "curve:ball*mid")
+        rows, lines = curves["PointData", "mesh_point"].values, curves["Lines", "connectivity"].values
+        ids = curves["CellData", "curve"].values[-(len(lines) // 2):]
+        middle = {frozenset((nodes[10 * c + i], nodes[10 * c + j])): nodes[10 * c + 4 + e] for c in range(len(nodes) // 10) for e, (i, j) in enumerate(EDGES)}
+        on = [middle[frozenset((rows[lines[2 * k]], rows[lines[2 * k + 1]]))] for k, curve in enumerate(ids) if curve == circle]
+        self.assertGreater(len(on), 6)
+        for m in on:
+            self.assertAlmostEqual(xyz[3 * m + 2], 5, delta=1e-9)
+            self.assertAlmostEqual(math.dist(xyz[3 * m:3 * m + 3], CENTRE), RADIUS, delta=0.01)
+
+
+if __name__ == "__main__":
+    main()

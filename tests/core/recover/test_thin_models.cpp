@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models a few ulps thick: each is meshed, or refused with its facets, place and advice. Neither takes more than ten
+// times as long as models of the same shape and size with room, or 0.5 CPU seconds where that is more.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "corpus_run.hpp"
+#include "judged_seeds.hpp"
+#include "thin_models.hpp"
+
+using namespace geomesh;
+using namespace geomesh::test;
+
+namespace {
+
+constexpr double most_times = 10;     ///< the median of the kind
+constexpr double least_usual = 0.05;  ///< CPU seconds of the kind: some dozen facets take less, too little to compare
+
+/// Counts of what came of the models.
+struct Outcomes {
+  unsigned n_meshed = 0, n_refused = 0;
+  double largest_ratio = 0;  ///< of times a facet, to the median of the kind
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// CPU seconds of one run on this thread.
+double seconds_of(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options) {
+  const double start = thread_cpu_seconds();
+  try {
+    tetrahedralize(plc, options);
+  } catch (const Error&) {
+  }
+  return thread_cpu_seconds() - start;
+}
+
+/// The least of several runs, while that is above `bound`: a busy machine makes single ones long.
+double least_seconds_of(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, double bound) {
+  double least = seconds_of(plc, options);
+  for (unsigned i = 0; i < 4 && least > bound; ++i) least = std::min(least, seconds_of(plc, options));
+  return least;
+}
+
+void check_refusal(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options) {
+  try {
+    tetrahedralize(plc, options);
+    FAIL("the judge was told of a refusal");
+  } catch (const Error& e) {
+    const std::string words = e.what();
+    INFO(words);
+    CHECK(e.kind() == ErrorKind::cannot_mesh);
+    CHECK(!e.context().places.empty());
+    CHECK(!e.context().facets.empty());
+    CHECK(words.find("facet") != std::string::npos);
+    CHECK(words.find("too thin for double precision: move or merge") != std::string::npos);
+    REQUIRE(e.context().excerpt);
+    CHECK(!e.context().excerpt->tetrahedra.empty());
+  }
+}
+
+/// The kind: the same shape and size with room.
+void check_kind(unsigned seed, ThinShape shape, const TetrahedralizeOptions& options, Outcomes& outcomes) {
+  std::vector<double> with_room;
+  for (const unsigned ulps : {1u << 14, 1u << 16, 1u << 18}) {
+    const CorpusRun run = run_and_judge(thin_model(seed, shape, ulps), options);
+    CHECK(run.trouble == "");
+    with_room.push_back(run.cpu_seconds);
+  }
+  const double usual = std::max(least_usual, median(with_room));
+  for (unsigned ulps = shape == ThinShape::slits ? 64 : 1; ulps <= 256; ulps *= 2) {
+    INFO(name_of(shape) << ", seed " << seed << ", " << ulps << " ulps");
+    const PiecewiseLinearComplex plc = thin_model(seed, shape, ulps);
+    const CorpusRun run = run_and_judge(plc, options);
+    if (!run.ok()) {
+      REQUIRE(run.error == ErrorKind::cannot_mesh);
+      check_refusal(plc, options);
+    }
+    ++(run.ok() ? outcomes.n_meshed : outcomes.n_refused);
+    const double ratio = least_seconds_of(plc, options, most_times * usual) / usual;
+    outcomes.largest_ratio = std::max(outcomes.largest_ratio, ratio);
+    CHECK(ratio <= most_times);
+  }
+}
+
+Outcomes check_shapes(unsigned first, unsigned count) {
+  Outcomes out;
+  for (unsigned seed = first; seed < first + count; ++seed)
+    for (unsigned shape = 0; shape < n_thin_shapes; ++shape)
+      for (const TetrahedralizeOptions& options : {constrained_mode(), preserving_mode()})
+        check_kind(seed, static_cast<ThinShape>(shape), options, out);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("models some ulps thick are meshed, or refused with facets, place and advice, as fast as models with room",
+          "[recover][judged][thin]") {
+  const Outcomes out = check_shapes(0, 2);
+  CHECK(out.n_meshed > 0);
+  CHECK(out.n_refused > 0);
+}
+
+// GEOMESH_THIN="FIRST COUNT" test_core "[thin-seeds]": any range of seeds.
+TEST_CASE("models some ulps thick of the seeds asked for", "[recover][judged][.][thin-seeds]") {
+  const std::vector<unsigned> asked = seeds_asked("GEOMESH_THIN");
+  const Outcomes out = check_shapes(asked[0], asked[1]);
+  WARN(out.n_meshed << " meshed, " << out.n_refused << " refused, at most " << out.largest_ratio
+                    << " times the median of the kind");
+}
+
+TEST_CASE("hundreds of models some ulps thick", "[recover][judged][nightly][thin]") { check_shapes(100, 50); }
