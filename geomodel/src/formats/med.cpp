@@ -13,6 +13,7 @@
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
+#include "writers/hdf5_times.hpp"
 #include "writers/room_on_disk.hpp"
 
 namespace geomesh::geomodel {
@@ -47,7 +48,7 @@ med_geometry_type geometry_of(const SolverMesh& mesh, CellShape shape) {
 class MedWriter {
  public:
   MedWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh)
-      : file_(file), mesh_(mesh) {
+      : temporary_(temporary), file_(file), mesh_(mesh) {
     collect_node_families();
     require_room(temporary, file, most_bytes());
     id_ = MEDfileOpen(temporary.c_str(), MED_ACC_CREAT);
@@ -71,6 +72,7 @@ class MedWriter {
     const med_err status = MEDfileClose(id_);
     id_ = -1;
     require(status);
+    if (!clear_hdf5_times(temporary_)) refuse_to_write(file_);
     return std::move(sidecar_);
   }
 
@@ -184,7 +186,7 @@ class MedWriter {
     }
   }
 
-  const std::filesystem::path& file_;
+  const std::filesystem::path &temporary_, &file_;
   const SolverMesh& mesh_;
   std::string name_;
   med_idt id_ = -1;
