@@ -69,9 +69,12 @@ class FoamFaces {
     std::size_t n = 0;
     for_each_face([&](const Tetrahedron& v, std::size_t cell, unsigned i) {
       const std::uint32_t other = across_[cell][i];
-      if (other != no_neighbour && other > cell) later[n++] = {other, i};
+      if (other != no_neighbour && other > cell) {
+        std::size_t at = n++;
+        for (; at > 0 && later[at - 1].first > other; --at) later[at] = later[at - 1];
+        later[at] = {other, i};
+      }
       if (i < 3) return;
-      std::sort(later.begin(), later.begin() + static_cast<std::ptrdiff_t>(n));
       for (std::size_t k = 0; k < n; ++k) f(face(v, cell, later[k].second));
       n = 0;
     });
