@@ -88,15 +88,22 @@ int run_command(const CheckCommand& command, const RunContext&, Verbosity verbos
 
 int run_command(const ConvertCommand& command, const RunContext&, Verbosity verbosity) {
   const std::filesystem::path stem = command.output.parent_path() / command.output.stem();
-  const geomodel::ModelMesh mesh = geomodel::read_model_mesh(command.mesh);
+  geomodel::ElementOrder order = geomodel::ElementOrder::first;
+  const geomodel::ModelMesh mesh = geomodel::read_model_mesh(command.mesh, &order);
+  geomodel::WriteOptions options = command.options;
+  const bool is_kept = geomodel::format_of_name(command.format)->holds.second_order && !options.cohesive;
+  if (command.keep_order && is_kept) options.order = order;
   const SignalsHeldBack held;
   if (!stem.parent_path().empty()) std::filesystem::create_directories(stem.parent_path());
   geomodel::JobResult result;
-  result.files = geomodel::write_format(mesh, command.format, stem, command.options);
+  result.files = geomodel::write_format(mesh, command.format, stem, options);
   result.summary.push_back(std::to_string(mesh.tetrahedra.size()) + " tetrahedra, " +
                            std::to_string(mesh.regions.size()) + " regions, " + std::to_string(mesh.surfaces.size()) +
                            " surfaces, " + std::to_string(mesh.curves.size() + mesh.marked_points.size()) +
                            " curves and points, " + std::to_string(mesh.node_sets.size()) + " other node sets");
+  if (order == geomodel::ElementOrder::second && options.order == geomodel::ElementOrder::first)
+    result.summary.push_back(
+        "elements of second order are written in first order: nodes in the middle of edges are left out");
   print_result(result, verbosity);
   return 0;
 }

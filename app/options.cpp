@@ -324,7 +324,7 @@ CommandLine parse_convert(int argc, const char* const* argv) {
   }
   check_file_exists(mesh);
   common.apply(line);
-  line.command = ConvertCommand{mesh, output, flags.format_of(output), flags.options()};
+  line.command = ConvertCommand{mesh, output, flags.format_of(output), flags.options(), !flags.tells_order()};
   return line;
 }
 

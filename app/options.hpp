@@ -37,6 +37,7 @@ struct ConvertCommand {
   std::filesystem::path mesh, output;
   std::string format;
   geomodel::WriteOptions options;
+  bool keep_order = false;  ///< elements are of the mesh's order, where the format holds that
 };
 struct InfoCommand {
   std::filesystem::path file;

@@ -48,9 +48,8 @@ void OutputFlags::add_to(CLI::App& app) {
       ->capture_default_str();
   app.add_flag("--no-inner-faces", no_inner_faces_, "Leave out faces between two regions");
   app.add_flag("--no-curves", no_curves_, "Leave out curves and named points");
-  app.add_option("--order", order_, "Elements of first or second order")
-      ->check(CLI::Range(1, 2))
-      ->capture_default_str();
+  app.add_option("--order", order_, "Elements of first or second order; of convert the default is that of MESH")
+      ->check(CLI::Range(1, 2));
   app.add_option("--region-array", region_array_, "VTU: name of the first cell array")
       ->check(CLI::IsMember({"region", "MaterialIDs", "attribute"}))
       ->capture_default_str();

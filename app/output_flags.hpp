@@ -16,6 +16,7 @@ class OutputFlags {
  public:
   void add_to(CLI::App& app);
   geomodel::WriteOptions options() const;
+  bool tells_order() const { return order_ != 0; }
   /// The format asked for, else that of the output's extension.
   std::string format_of(const std::filesystem::path& output) const;
 
@@ -24,7 +25,7 @@ class OutputFlags {
   std::vector<std::string> split_, zones_, fields_, point_fields_;
   bool no_inner_faces_ = false, no_curves_ = false, single_grid_ = false, node_arrays_ = false, cohesive_ = false,
        starter_ = false;
-  int order_ = 1;
+  int order_ = 0;  // 0: not said
   unsigned partitions_ = 1;
 };
 

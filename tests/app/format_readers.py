@@ -166,6 +166,86 @@ def gmsh(path, _sidecar):
     return found
 
 
+def group_numbers(sidecar, dimension):
+    return [(g["name"], g["id"]) for g in sidecar["groups"] if g["dimension"] == dimension]
+
+
+def getfem_gmsh22(path, sidecar):
+    """Volumes and areas by GetFEM's own integration. It has a face between two regions once from each side."""
+    getfem, numpy = need("getfem"), need("numpy")
+    getfem.util("warning level", 0)
+    mesh = getfem.Mesh("import", "gmsh", path)
+    method = getfem.MeshIm(mesh, getfem.Integ("IM_TETRAHEDRON(2)"))
+    found = Found(mesh.nbpts())
+    for name, number in group_numbers(sidecar, 3):
+        found.regions[name] = mesh.region(number).shape[1], float(getfem.asm_generic(method, 0, "1", number))
+    outer, own = {tuple(c) for c in mesh.outer_faces().T.tolist()}, 1 + max(mesh.regions())
+    for name, number in group_numbers(sidecar, 2):
+        n = area = 0
+        for share, is_outer in ((1, True), (0.5, False)):
+            sides = [c for c in mesh.region(number).T.tolist() if (tuple(c) in outer) == is_outer]
+            if sides:
+                mesh.set_region(own, numpy.array(sides).T)
+                n, area = n + share * len(sides), area + share * float(getfem.asm_generic(method, 0, "1", own))
+                mesh.delete_region(own)
+        found.faces[name] = n, area
+    return found
+
+
+def netgen_gmsh22(path, _sidecar):
+    """Netgen prints as it reads. Materials, faces and edges have their names in the mesh."""
+    numpy = need("numpy")
+    need("netgen")
+    from netgen.read_gmsh import ReadGmsh
+    mesh = ReadGmsh(path)
+    points = numpy.array([[p[k] for k in range(3)] for p in mesh.Points()])
+    found = Found(len(points))
+    for elements, give, into in ((mesh.Elements3D(), lambda i: mesh.GetMaterial(i), found.regions), (mesh.Elements2D(), lambda i: mesh.GetBCName(i - 1), found.faces),
+                                 (mesh.Elements1D(), lambda i: mesh.GetCD2Name(i - 1), found.curves)):
+        cells = {}
+        for e in elements:
+            nodes = [p.nr - 1 for p in (e.points if into is found.curves else e.vertices)]
+            cells.setdefault(give(e.index), []).append(nodes)
+        for name, own in cells.items():
+            into[name] = measure(points, own)
+    return found
+
+
+FREEFEM = """load "gmsh"
+mesh3 Th = gmshload3("%s");
+cout.precision(17);
+cout << "points " << Th.nv << endl;
+fespace Ph(Th, P03d);
+Ph own = region;
+%s"""
+
+
+def freefem_gmsh22(path, sidecar):
+    """FreeFem++ gives numbers alone; volumes and areas are by its own integration."""
+    lines = []
+    for name, number in group_numbers(sidecar, 3):
+        lines.append('cout << "region %s " << int3d(Th, qfV=qfV1)((own == %d) * 1.) << " " << int3d(Th, qfV=qfV1)((own == %d) / volume) << endl;' % (name, number, number))
+    for name, number in group_numbers(sidecar, 2):
+        lines.append('cout << "face %s " << int2d(Th, %d)(1.) << " 0" << endl;' % (name, number))
+    with tempfile.TemporaryDirectory() as folder:
+        script = os.path.join(folder, "read.edp")
+        with open(script, "w") as file:
+            file.write(FREEFEM % (path, "\n".join(lines)))
+        if not shutil.which("FreeFem++-nw"):
+            raise ReaderMissing("freefem++")
+        # Debian's program looks for its plugins in another folder than Debian's library has them in.
+        run = subprocess.run(["FreeFem++-nw", "-nw", "-v", "0", script], capture_output=True, text=True, timeout=100,
+                             env=dict(os.environ, FF_LOADPATH="/usr/lib/freefem++"))
+    if "Load error" in run.stdout + run.stderr:
+        raise ReaderMissing("libfreefem++")
+    if run.returncode:
+        raise AssertionError(run.stdout + run.stderr)
+    found = Found(int(re.search(r"(?m)^points (\d+)", run.stdout).group(1)))
+    for kind, name, size, n in re.findall(r"(?m)^(region|face) (\S+) (\S+) (\S+)", run.stdout):
+        {"region": found.regions, "face": found.faces}[kind][name] = round(float(n)), float(size)
+    return found
+
+
 def netcdf_exodus(path, _sidecar):
     """By the netCDF library and the Exodus II conventions, without any Exodus code."""
     netCDF4, numpy = need("netCDF4"), need("numpy")

@@ -7,9 +7,11 @@ import re
 import shutil
 import subprocess
 import sys
+from collections import Counter
 
 import format_readers as readers
 from geomesh_program import PROGRAM, SOURCE, ProgramTest, main
+from vtk_files import VtkFile
 
 
 def plain(name):
@@ -116,6 +118,15 @@ class GmshFormats(FormatTest):
 
     def test_msh22_by_meshio(self):
         self.check_format(readers.meshio_gmsh, "m.msh", ["--format", "msh22"])
+
+    def test_msh22_by_getfem(self):
+        self.check_format(readers.getfem_gmsh22, "model.msh", ("--format", "msh22"))
+
+    def test_msh22_by_netgen(self):
+        self.check_format(readers.netgen_gmsh22, "model.msh", ("--format", "msh22"), parts=("faces", "curves"))
+
+    def test_msh22_by_freefem(self):
+        self.check_format(readers.freefem_gmsh22, "model.msh", ("--format", "msh22"))
 
     def test_msh22_binary_by_gmsh(self):
         self.check_format(readers.gmsh, "m.msh", ["--format", "msh22-binary"], parts=("faces", "curves"))
@@ -287,6 +298,55 @@ class OtherFormats(FormatTest):
         with open(self.path("m_xmin.ss")) as file:
             for line in file.read().splitlines()[1:]:
                 self.assertIn(tuple(sorted(map(int, line.split()[1:]))), faces)
+
+
+class TipAndJunction(FormatTest):
+    """A fault that ends at a tip inside and crosses another: nodes are there once at the tip, four times where the two cross."""
+    SPLIT = ("--split", "west_fault", "--split", "north_fault")
+    READ_BACK = {"msh": ".msh", "msh-binary": ".msh", "msh22": ".msh", "msh22-binary": ".msh", "inp": ".inp", "exodus": ".e", "med": ".med", "mfem": ".mesh"}
+
+    def places(self, path):
+        xyz = VtkFile.read(path)["Points", "Points"].values
+        return Counter(tuple(round(x, 6) for x in xyz[3 * v:3 * v + 3]) for v in range(len(xyz) // 3))
+
+    def on_curve(self, kind, name):
+        """Places of a curve in the mesh before it is split."""
+        curves = VtkFile.read(self.stem + ".curves.vtp")
+        own = next(a.values[0] for a in curves.arrays if a.section == "FieldData" and a.name == "curve:" + name)
+        rows, lines = curves["PointData", "mesh_point"].values, curves["Lines", "connectivity"].values
+        ids = curves["CellData", "curve"].values[-(len(lines) // 2):]
+        xyz = VtkFile.read(self.stem + ".vtu")["Points", "Points"].values
+        found = {rows[v] for k, curve in enumerate(ids) if curve == own for v in lines[2 * k:2 * k + 2]}
+        self.assertGreater(len(found), 2, kind)
+        return {tuple(round(x, 6) for x in xyz[3 * v:3 * v + 3]) for v in found}
+
+    def test_every_format_has_each_node_as_often_as_it_is_due(self):
+        wanted = self.places(self.convert("split.vtu", *self.SPLIT))
+        tip, junction = self.on_curve("tip", "north_fault.tip"), self.on_curve("junction", "north_fault*west_fault")
+        self.assertEqual({wanted[p] for p in tip - junction}, {1})
+        self.assertEqual({wanted[p] for p in junction - tip}, {4})
+        formats = re.search(r"--format [^{]*\{([^}]*)\}", self.run_program("convert", "--help"), re.S).group(1).replace("\n", "").replace(" ", "").split(",")
+        counted = {"ogs": lambda: sum(self.places(self.path("m.ogs.vtu")).values()), "geos": lambda: sum(self.places(self.path("m.geos.vtu")).values()),
+                   "tetgen": lambda: int(self.first_word("m.node")), "pflotran": lambda: int(self.first_word("m.ugi", 1)),
+                   "openfoam": lambda: int(re.search(r"(?m)^(\d+)$", open(self.path("m.foam", "constant", "polyMesh", "points")).read()).group(1)),
+                   "xdmf": lambda: int(re.search(r'Dimensions="(\d+) 3"', open(self.path("m.xdmf")).read()).group(1))}
+        done = {"vtu"}
+        for name in formats:
+            if name in self.READ_BACK:
+                self.run_program("convert", self.stem + ".vtu", "-o", "m" + self.READ_BACK[name], "--format", name, *self.SPLIT)
+                self.run_program("convert", "m" + self.READ_BACK[name], "-o", "back.vtu")
+                self.assertTrue(self.places(self.path("back.vtu")) == wanted, name)
+                done.add(name)
+            elif name in counted:
+                self.run_program("convert", self.stem + ".vtu", "-o", "m", "--format", name, *self.SPLIT)
+                self.assertEqual(counted[name](), sum(wanted.values()), name)
+                done.add(name)
+        # Voronoi grids have no nodes to double.
+        self.assertEqual(set(formats) - done, {"pflotran-explicit", "tough"})
+
+    def first_word(self, name, at=0):
+        with open(self.path(name)) as file:
+            return file.readline().split()[at]
 
 
 class ByAnotherTool(FormatTest):

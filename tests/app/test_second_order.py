@@ -59,11 +59,11 @@ def bezier(nodes):
 
 
 class Curved(ProgramTest):
-    def model(self, formats="vtu", order=2, extra=""):
+    def model(self, formats="vtu", order=2, extra="", tolerance=TOLERANCE, kind="body"):
         points, triangles = ball(4)
         self.write("ball.ts", triangles_ts("ball", points, triangles))
-        self.write("project.yaml", "name: model\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: ball, kind: body, file: ball.ts}\n%s"
-                   "mesh: {size: 1.6, tolerance: %g}\noutput: {directory: ., formats: [%s], order: %d}\n" % (extra, TOLERANCE, formats, order))
+        self.write("project.yaml", "name: model\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: ball, kind: %s, file: ball.ts}\n%s"
+                   "mesh: {size: 1.6, tolerance: %g}\noutput: {directory: ., formats: [%s], order: %d}\n" % (kind, extra, tolerance, formats, order))
         self.run_program("project.yaml")
         wanted = sum(det(*(points[v] for v in t)) for t in triangles) / 6
         return abs(wanted)
@@ -178,6 +178,93 @@ class Curved(ProgramTest):
         for m in on:
             self.assertAlmostEqual(xyz[3 * m + 2], 5, delta=1e-9)
             self.assertAlmostEqual(math.dist(xyz[3 * m:3 * m + 3], CENTRE), RADIUS, delta=0.01)
+
+    def curved_faces(self, name="ball", stem="model"):
+        """Six nodes of each face of a surface."""
+        faces, grid = VtkFile.read(self.path(stem + ".faces.vtp")), VtkFile.read(self.path(stem + ".vtu"))
+        ids, nodes, rows = faces["CellData", "surface"].values, faces["Polys", "connectivity"].values, faces["PointData", "mesh_point"].values
+        own = faces["FieldData", "surface:" + name].values[0]
+        xyz, cells = grid["Points", "Points"].values, grid["Cells", "connectivity"].values
+        middle = {frozenset((cells[10 * c + i], cells[10 * c + j])): cells[10 * c + 4 + e] for c in range(len(cells) // 10) for e, (i, j) in enumerate(EDGES)}
+        for f, surface in enumerate(ids):
+            if surface == own:
+                v = [rows[n] for n in nodes[3 * f:3 * f + 3]]
+                v += [middle[frozenset((v[i], v[(i + 1) % 3]))] for i in range(3)]
+                yield [tuple(xyz[3 * n:3 * n + 3]) for n in v]
+
+    def test_whole_faces_are_within_the_tolerance_not_their_midpoints_alone(self):
+        """The tolerance is so small that faces of curved edges pass it in places where their nodes do not."""
+        self.model(tolerance=0.03)
+        farthest, n_curved = 0, 0
+        n = 8
+        for nodes in self.curved_faces():
+            n_curved += any(math.dist(nodes[3 + i], [(a + b) / 2 for a, b in zip(nodes[i], nodes[(i + 1) % 3])]) > 1e-9 for i in range(3))
+            for i in range(n + 1):
+                for j in range(n + 1 - i):
+                    at = (i / n, j / n, (n - i - j) / n)
+                    p = [sum(at[k] * (2 * at[k] - 1) * nodes[k][x] + 4 * at[k] * at[(k + 1) % 3] * nodes[3 + k][x] for k in range(3)) for x in range(3)]
+                    farthest = max(farthest, abs(math.dist(p, CENTRE) - RADIUS))
+        self.assertGreater(n_curved, 100)
+        self.assertLessEqual(farthest, 0.03 + 0.0045)  # the input's triangles lie this far inside the sphere at most
+
+    def test_edges_on_slanting_sides_are_curved_within_their_planes(self):
+        """The ball is cut by two sides of a turned box."""
+        points, triangles = ball(4)
+        self.write("ball.ts", triangles_ts("ball", points, triangles))
+        self.write("project.yaml", "name: model\nbox: {center: [5, 5], size: [4, 12], azimuth: 30, bottom: 0, top: 10}\n"
+                   "surfaces:\n  - {name: ball, kind: body, file: ball.ts}\nmesh: {size: 1.2, tolerance: 0.1}\noutput: {directory: ., order: 2}\n")
+        self.run_program("project.yaml")
+        self.check(self.path("model.vtu"), "--project", self.path("project.yaml"))
+        # The sides that cut the ball are two from the centre, across the box: x at 30 degrees clockwise.
+        across = (math.cos(math.radians(30)), -math.sin(math.radians(30)))
+        on_side, curved = 0, 0
+        for nodes in self.curved_faces():
+            for i in range(3):
+                a, b, m = nodes[i], nodes[(i + 1) % 3], nodes[3 + i]
+                off = [abs(sum(across[x] * (p[x] - 5) for x in range(2))) - 2 for p in (a, b, m)]
+                if abs(off[0]) < 1e-9 and abs(off[1]) < 1e-9:
+                    on_side += 1
+                    self.assertAlmostEqual(off[2], 0, delta=1e-9)
+                    curved += math.dist(m, [(p + q) / 2 for p, q in zip(a, b)]) > 1e-5
+                    self.assertLess(abs(math.dist(m, CENTRE) - RADIUS), 0.02)
+        self.assertGreater(on_side, 10)
+        self.assertGreater(curved, 0.8 * on_side)
+
+    def test_convert_keeps_the_order_and_every_midpoint(self):
+        """Through each format that holds them, to the last bit; what holds no second order says so."""
+        self.model()
+        wanted = self.exact_places("model")
+        formats = ["msh", "msh-binary", "msh22", "msh22-binary", "exodus"] + (["med"] if "med" in self.run_program("convert", "--help") else [])
+        ending = {"exodus": ".e", "med": ".med"}
+        for name in formats:
+            there = "there_" + name.replace("-", "_") + ending.get(name, ".msh")
+            self.run_program("convert", "model.vtu", "-o", there, "--format", name)
+            self.run_program("convert", there, "-o", "back.vtu")
+            self.assertTrue(self.exact_places("back") == wanted, name)
+        self.run_program("convert", "model.vtu", "-o", "there.inp")
+        self.run_program("convert", "there.inp", "-o", "back.vtu")
+        self.assertEqual(len(self.exact_places("back")), len(wanted))
+        self.run_program("convert", "model.vtu", "--order", "1", "-o", "first.vtu")
+        self.assertEqual(set(VtkFile.read(self.path("first.vtu"))["Cells", "types"].values), {10})
+        self.assertIn("first order", self.run_program("convert", "model.vtu", "-o", "model.mesh"))
+
+    def exact_places(self, stem):
+        grid = VtkFile.read(self.path(stem + ".vtu"))
+        self.assertEqual(set(grid["Cells", "types"].values), {24})
+        xyz, cells = grid["Points", "Points"].values, grid["Cells", "connectivity"].values
+        at = lambda v: tuple(xyz[3 * v:3 * v + 3])
+        return {(frozenset((at(cells[10 * c + i]), at(cells[10 * c + j]))), at(cells[10 * c + 4 + e])) for c in range(len(cells) // 10) for e, (i, j) in enumerate(EDGES)}
+
+    def test_a_zone_opened_later_has_straight_walls(self):
+        self.model(kind="fault")
+        self.run_program("convert", "model.vtu", "--fault-zone", "ball=0.04,1", "-o", "zone.vtu")
+        self.check(self.path("zone.vtu"))
+        for wall in ("ball.minus", "ball.plus"):
+            faces = list(self.curved_faces(wall, "zone"))
+            self.assertGreater(len(faces), 50)
+            for nodes in faces:
+                for i in range(3):
+                    self.assertLess(math.dist(nodes[3 + i], [(p + q) / 2 for p, q in zip(nodes[i], nodes[(i + 1) % 3])]), 1e-12)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ namespace geomesh {
 namespace {
 
 struct Part {
-  std::array<VertexIndex, 2> edge;
+  std::uint64_t edge;  ///< its first vertex, then its second one
   double area;
 };
 
@@ -32,16 +32,25 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
   return 0.5 * along * up;
 }
 
-void add_parts(std::span<const Vec3> points, const Tetrahedron& t, std::vector<Part>& parts) {
+/// Vertices from `from` to before `to`.
+struct Window {
+  std::size_t from, to;
+  bool has(VertexIndex v) const { return v >= from && v < to; }
+};
+
+/// Those of the edges whose first vertex is in the window.
+void add_parts(std::span<const Vec3> points, const Tetrahedron& t, const Window& window, std::vector<Part>& parts) {
+  if (std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return window.has(v); })) return;
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
   for (const auto& e : edge_vertices) {
+    if (!window.has(std::min(t[e[0]], t[e[1]]))) continue;
     std::array<unsigned, 2> rest{};
     unsigned n = 0;
     for (unsigned k = 0; k < 4; ++k)
       if (k != e[0] && k != e[1]) rest[n++] = k;
     const Vec3 &a = points[t[e[0]]], &b = points[t[e[1]]], &c = points[t[rest[0]]], &d = points[t[rest[1]]];
-    parts.push_back({{std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]])},
+    parts.push_back({std::uint64_t{std::min(t[e[0]], t[e[1]])} << 32 | std::max(t[e[0]], t[e[1]]),
                      dual_piece(a, b, c, d, *centre) + dual_piece(a, b, d, c, *centre)});
   }
 }
@@ -70,32 +79,43 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
 
 }  // namespace
 
-std::vector<DualFace> dual_faces(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
+void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
+                        const std::function<void(const DualFace&)>& use) {
+  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // by the first vertex of the edge
+  for (const Tetrahedron& t : tetrahedra)
+    for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
+  constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;
+  const std::size_t at_once = std::max(least_at_once, 6 * tetrahedra.size() / n_windows);
   std::vector<Part> parts;
-  parts.reserve(6 * tetrahedra.size());
-  for (const Tetrahedron& t : tetrahedra) add_parts(points, t, parts);
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& x, const Part& y) { return x.edge < y.edge; });
-  const auto border = border_edges(tetrahedra);
-  std::vector<DualFace> faces;
-  for (std::size_t i = 0, j = 0; i < parts.size(); i = j) {
-    double area = 0;
-    for (j = i; j < parts.size() && parts[j].edge == parts[i].edge; ++j) area += parts[j].area;
-    faces.push_back(
-        {parts[i].edge[0], parts[i].edge[1], area, std::binary_search(border.begin(), border.end(), parts[i].edge)});
+  for (std::size_t from = 0; from < points.size();) {
+    std::size_t to = from, n = 0;
+    do {
+      n += n_parts_at[to++];
+    } while (to < points.size() && n + n_parts_at[to] <= at_once);
+    parts.clear();
+    parts.reserve(n);
+    for (const Tetrahedron& t : tetrahedra) add_parts(points, t, {from, to}, parts);
+    std::stable_sort(parts.begin(), parts.end(), [](const Part& x, const Part& y) { return x.edge < y.edge; });
+    for (std::size_t i = 0, j = 0; i < parts.size(); i = j) {
+      double area = 0;
+      for (j = i; j < parts.size() && parts[j].edge == parts[i].edge; ++j) area += parts[j].area;
+      use({static_cast<VertexIndex>(parts[i].edge >> 32), static_cast<VertexIndex>(parts[i].edge), area});
+    }
+    from = to;
   }
-  return faces;
 }
 
 VoronoiDual measure_voronoi_dual(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
   VoronoiDual dual;
-  for (const DualFace& face : dual_faces(points, tetrahedra)) {
+  const auto border = border_edges(tetrahedra);
+  for_each_dual_face(points, tetrahedra, [&](const DualFace& face) {
     const double relative = face.area / squared_distance(points[face.a], points[face.b]);
     dual.least = dual.edges == 0 ? relative : std::min(dual.least, relative);
     ++dual.edges;
-    if (relative >= -1e-12) continue;
+    if (relative >= -1e-12) return;
     ++dual.negative;
-    dual.negative_on_border += face.on_border;
-  }
+    dual.negative_on_border += std::binary_search(border.begin(), border.end(), std::array{face.a, face.b});
+  });
   return dual;
 }
 

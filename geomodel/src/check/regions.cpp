@@ -65,10 +65,12 @@ void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result) {
 
 namespace {
 
+/// In long doubles: what is rounded off here must be less than what points are rounded by.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
-  const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+  using Real = long double;
+  const Real dx = Real{b.x} - a.x, dy = Real{b.y} - a.y, px = Real{p.x} - a.x, py = Real{p.y} - a.y;
+  const Real l2 = dx * dx + dy * dy, t = l2 > 0 ? std::clamp((px * dx + py * dy) / l2, Real{0}, Real{1}) : Real{0};
+  return static_cast<double>(std::hypot(px - t * dx, py - t * dy));
 }
 
 /// In the map: inside the polygon of the volume's upright sides, or nearer to one of them than `room`.

@@ -54,7 +54,9 @@ class ZoneOpener {
   ModelMesh open() {
     join_closed_faces();
     add_regions();
+    const std::vector<Vec3> before = mesh_.points;
     move_walls(mesh_, columns_, zones_);
+    move_curved_edges(before);
     fill_columns(mesh_, columns_, zones_);
     add_elements();
     require_positive();
@@ -69,6 +71,15 @@ class ZoneOpener {
   }
 
  private:
+  /// Edges with both ends on walls become straight, as those of the elements between the walls are. The middle of
+  /// another curved edge goes the mean of the ways of its ends.
+  void move_curved_edges(const std::vector<Vec3>& before) {
+    const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
+    std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {
+      return !(way(edge.a) == Vec3{0, 0, 0}) && !(way(edge.b) == Vec3{0, 0, 0});
+    });
+    for (CurvedEdge& edge : mesh_.curved_edges) edge.middle = edge.middle + 0.5 * (way(edge.a) + way(edge.b));
+  }
   /// At an end of the fault, where all three nodes of a face are one on both sides: there is no zone, and the face is
   /// there once, on the minus wall.
   void join_closed_faces() {

@@ -76,6 +76,7 @@ class InputDeck {
   void add_solids() {
     std::map<std::size_t, std::string> names;  // by block
     std::size_t element = 0;
+    region_of_.reserve(mesh_.n_solids());
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       const CellBlock& block = mesh_.blocks[b];
       if (dimension_of(block.shape) != 3) continue;
@@ -157,7 +158,7 @@ class InputDeck {
   }
   void add_side(const FaceSide& side, std::vector<ElementSide>& sides) const {
     if (side.solid == no_cell) return;
-    sides.push_back({side.solid + 1, side_opposite[side.opposite], region_of_[side.solid]});
+    sides.push_back({side.solid + std::size_t{1}, side_opposite[side.opposite], region_of_[side.solid]});
   }
 
   OutputText& text_;

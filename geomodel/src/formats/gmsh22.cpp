@@ -107,11 +107,9 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
     write_gmsh_head(out, "2.2", encoding, groups);
     write_nodes(out, encoding, mesh);
     write_elements(out, encoding, mesh, groups);
-    std::vector<GmshElement> elements;
-    for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
-      for (std::size_t g = 0; g < groups.of_block[b].size(); ++g)
-        for (std::size_t c = 0; c < mesh.blocks[b].n_cells(); ++c) elements.push_back({b, c});
-    write_gmsh_fields(out, encoding, mesh, elements);
+    std::vector<std::size_t> blocks;
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) blocks.insert(blocks.end(), groups.of_block[b].size(), b);
+    write_gmsh_fields(out, encoding, mesh, blocks);
   });
   return {file, write_sidecar(model, groups.sidecar, file)};
 }

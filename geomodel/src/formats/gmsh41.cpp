@@ -150,10 +150,9 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
     write_entities(out, encoding, mesh, entities, groups);
     write_nodes(out, encoding, mesh, entities);
     write_elements(out, encoding, mesh, entities);
-    std::vector<GmshElement> elements;
-    for (const Entity& e : entities)
-      for (std::size_t c = 0; c < mesh.blocks[e.block].n_cells(); ++c) elements.push_back({e.block, c});
-    write_gmsh_fields(out, encoding, mesh, elements);
+    std::vector<std::size_t> blocks;
+    for (const Entity& e : entities) blocks.push_back(e.block);
+    write_gmsh_fields(out, encoding, mesh, blocks);
   });
   return {file, write_sidecar(model, groups.sidecar, file)};
 }

@@ -48,32 +48,40 @@ std::size_t gmsh_node(const CellBlock& block, std::size_t i) {
 
 namespace {
 
-/// Numbers of rows are 32-bit in every version.
-template <class F>
+/// `give` calls what it is handed with each value. Numbers of rows are 32-bit in every version.
+template <class Give>
 void write_data(OutputText& out, Encoding encoding, const char* section, const std::string& name, std::size_t n,
-                F&& value) {
+                Give&& give) {
   out << "$" << section << "\n1\n\"" << transliterated(name) << "\"\n1\n0\n3\n0\n1\n" << n << "\n";
   GmshNumbers numbers(out, encoding);
-  for (std::size_t i = 0; i < n; ++i) {
-    numbers.integer(static_cast<std::int32_t>(i + 1));
-    numbers.real(value(i));
+  std::int32_t number = 0;
+  give([&](double value) {
+    numbers.integer(++number);
+    numbers.real(value);
     numbers.line();
-  }
+  });
   out << (encoding == Encoding::binary ? "\n$End" : "$End") << section << "\n";
 }
 
 }  // namespace
 
 void write_gmsh_fields(OutputText& out, Encoding encoding, const SolverMesh& mesh,
-                       const std::vector<GmshElement>& elements) {
+                       const std::vector<std::size_t>& blocks) {
+  std::size_t n = 0;
+  for (const std::size_t b : blocks) n += mesh.blocks[b].n_cells();
   for (const CellArray& array : mesh.source->cell_arrays)
-    write_data(out, encoding, "ElementData", array.name, elements.size(), [&](std::size_t i) {
-      const CellBlock& block = mesh.blocks[elements[i].block];
-      return block.shape == CellShape::tetrahedron ? array.values[block.rows[elements[i].cell]]
-                                                   : std::numeric_limits<double>::quiet_NaN();
+    write_data(out, encoding, "ElementData", array.name, n, [&](const auto& put) {
+      for (const std::size_t b : blocks) {
+        const CellBlock& block = mesh.blocks[b];
+        for (std::size_t c = 0; c < block.n_cells(); ++c)
+          put(block.shape == CellShape::tetrahedron ? array.values[block.rows[c]]
+                                                    : std::numeric_limits<double>::quiet_NaN());
+      }
     });
   for (const PointArray& array : mesh.source->point_arrays)
-    write_data(out, encoding, "NodeData", array.name, mesh.n_nodes(), [&](std::size_t i) { return array.values[i]; });
+    write_data(out, encoding, "NodeData", array.name, mesh.n_nodes(), [&](const auto& put) {
+      for (std::size_t v = 0; v < mesh.n_nodes(); ++v) put(array.values[v]);
+    });
 }
 
 void write_gmsh_head(OutputText& out, const char* version, Encoding encoding, const GmshGroups& groups) {

@@ -66,14 +66,11 @@ int gmsh_type(const SolverMesh& mesh, CellShape shape);
 /// Node `i` of a cell in Gmsh's order: the last two midpoints of a tetrahedron are exchanged.
 std::size_t gmsh_node(const CellBlock& block, std::size_t i);
 
-/// An element of the file by its number: a block, and a cell of it.
-struct GmshElement {
-  std::size_t block, cell;
-};
 /// Cell arrays as $ElementData (of elements that are no tetrahedra NaN: a much used reader wants a value for each) and
-/// point arrays as $NodeData. `elements`: in the order of the file, numbered from 1.
+/// point arrays as $NodeData. `blocks`: rows in the order of the file, one as often as its cells stand there; elements
+/// are numbered from 1.
 void write_gmsh_fields(OutputText& out, Encoding encoding, const SolverMesh& mesh,
-                       const std::vector<GmshElement>& elements);
+                       const std::vector<std::size_t>& blocks);
 
 /// The sections before the nodes that are text in every version.
 void write_gmsh_head(OutputText& out, const char* version, Encoding encoding, const GmshGroups& groups);

@@ -100,7 +100,7 @@ class MedWriter {
 
   /// A family of nodes is a combination of groups.
   void collect_node_families() {
-    std::vector<std::vector<std::size_t>> sets_of(mesh_.n_nodes());
+    std::map<VertexIndex, std::vector<std::size_t>> sets_of;  // nodes of no group are not in it
     SolverNames give(name_limit_med);
     const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
       for (const VertexIndex v : nodes) sets_of[v].push_back(node_groups_.size());
@@ -110,9 +110,10 @@ class MedWriter {
       if (group.dimension < 3) add(group, nodes_of(mesh_, group));
     for (const NodeSet& set : mesh_.source->node_sets) add({0, 0, set.name, {}, {set.id}}, set.nodes);
     node_families_[{}] = 0;
-    for (const auto& sets : sets_of)
-      family_of_node_.push_back(
-          node_families_.try_emplace(sets, static_cast<med_int>(node_families_.size())).first->second);
+    family_of_node_.assign(mesh_.n_nodes(), 0);
+    for (const auto& [node, sets] : sets_of)
+      family_of_node_[node] =
+          node_families_.try_emplace(sets, static_cast<med_int>(node_families_.size())).first->second;
   }
   /// Numbers, and what HDF5 adds for each family and each of its groups at most.
   std::size_t most_bytes() const {
@@ -125,21 +126,50 @@ class MedWriter {
     return bytes;
   }
 
+  /// Rows of `width` numbers, some at a time: a copy of all would be as large as the mesh. `add(row, list)` appends
+  /// one row's, `put(filter, list)` writes them.
+  template <class Number, class Add, class Put>
+  void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
+    constexpr std::size_t at_once = 1 << 16;
+    std::vector<Number> list;
+    for (std::size_t first = 0; first < n; first += at_once) {
+      const std::size_t count = std::min(at_once, n - first);
+      list.clear();
+      for (std::size_t row = first; row < first + count; ++row) add(row, list);
+      med_filter filter = MED_FILTER_INIT;
+      require(MEDfilterBlockOfEntityCr(id_, static_cast<med_int>(n), 1, static_cast<med_int>(width),
+                                       MED_ALL_CONSTITUENT, MED_FULL_INTERLACE, MED_COMPACT_STMODE, MED_NO_PROFILE,
+                                       first + 1, count, 1, count, 0, &filter));
+      const med_err status = put(&filter, list.data());
+      require(MEDfilterClose(&filter));
+      require(status);
+    }
+  }
+  /// The family of each entity: `family(row)`.
+  template <class F>
+  void put_families(med_entity_type entity, med_geometry_type type, std::size_t n, F&& family) {
+    put_rows<med_int>(
+        n, 1, [&](std::size_t row, std::vector<med_int>& list) { list.push_back(family(row)); },
+        [&](const med_filter* filter, const med_int* list) {
+          return MEDmeshEntityAttributeAdvancedWr(id_, name_.c_str(), MED_FAMILY_NUMBER, MED_NO_DT, MED_NO_IT, entity,
+                                                  type, filter, list);
+        });
+  }
   void put_nodes() {
-    std::vector<med_float> coordinates;
-    coordinates.reserve(3 * mesh_.n_nodes());
-    for (std::size_t v = 0; v < mesh_.n_nodes(); ++v)
-      for (std::size_t k = 0; k < 3; ++k) coordinates.push_back(mesh_.node(v)[k]);
-    const auto n = static_cast<med_int>(mesh_.n_nodes());
-    require(MEDmeshNodeCoordinateWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_FULL_INTERLACE, n,
-                                    coordinates.data()));
+    put_rows<med_float>(
+        mesh_.n_nodes(), 3,
+        [&](std::size_t v, std::vector<med_float>& list) {
+          for (std::size_t k = 0; k < 3; ++k) list.push_back(mesh_.node(v)[k]);
+        },
+        [&](const med_filter* filter, const med_float* list) {
+          return MEDmeshNodeCoordinateAdvancedWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, filter, list);
+        });
     for (const auto& [sets, number] : node_families_) {
       std::vector<std::string> groups;
       for (const std::size_t set : sets) groups.push_back(node_groups_[set]);
       if (number != 0) put_family("N" + std::to_string(number), number, groups);
     }
-    require(MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NODE, MED_NONE, n,
-                                        family_of_node_.data()));
+    put_families(MED_NODE, MED_NONE, mesh_.n_nodes(), [&](std::size_t v) { return family_of_node_[v]; });
   }
 
   /// Cells shape by shape; a block's family has the number -1 - block.
@@ -155,35 +185,35 @@ class MedWriter {
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
       put_family("E" + std::to_string(b + 1), -1 - static_cast<med_int>(b), groups_of[b]);
     for (const CellShape shape :
-         {CellShape::vertex, CellShape::edge, CellShape::triangle, CellShape::tetrahedron, CellShape::prism}) {
-      std::size_t n_cells = 0, n_entries = 0;
-      for (const CellBlock& block : mesh_.blocks)
-        if (block.shape == shape) {
-          n_cells += block.n_cells();
-          n_entries += block.nodes.size();
-        }
-      if (n_cells == 0) continue;
-      std::vector<med_int> nodes, families;
-      nodes.reserve(n_entries);
-      for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
-        const CellBlock& block = mesh_.blocks[b];
-        if (block.shape != shape) continue;
-        for (std::size_t c = 0; c < block.n_cells(); ++c)
-          for (std::size_t i = 0; i < block.nodes_per_cell; ++i)
-            nodes.push_back(static_cast<med_int>(block.nodes[c * block.nodes_per_cell + vtk_node(shape, i)]) + 1);
-      }
-      const auto n = static_cast<med_int>(n_cells);
-      const med_geometry_type type = geometry_of(mesh_, shape);
-      require(MEDmeshElementConnectivityWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_CELL, type,
-                                           MED_NODAL, MED_FULL_INTERLACE, n, nodes.data()));
-      nodes = {};
-      families.reserve(n_cells);
-      for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
-        if (mesh_.blocks[b].shape == shape)
-          families.insert(families.end(), mesh_.blocks[b].n_cells(), -1 - static_cast<med_int>(b));
-      require(
-          MEDmeshEntityFamilyNumberWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_CELL, type, n, families.data()));
+         {CellShape::vertex, CellShape::edge, CellShape::triangle, CellShape::tetrahedron, CellShape::prism})
+      put_cells_of(shape);
+  }
+  void put_cells_of(CellShape shape) {
+    std::vector<std::size_t> blocks, ends;  // where the cells of each block end
+    for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
+      if (mesh_.blocks[b].shape != shape || mesh_.blocks[b].n_cells() == 0) continue;
+      blocks.push_back(b);
+      ends.push_back((ends.empty() ? 0 : ends.back()) + mesh_.blocks[b].n_cells());
     }
+    if (blocks.empty()) return;
+    const auto place = [&](std::size_t cell) {
+      return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), cell) - ends.begin());
+    };
+    const med_geometry_type type = geometry_of(mesh_, shape);
+    const std::size_t width = mesh_.blocks[blocks.front()].nodes_per_cell;
+    put_rows<med_int>(
+        ends.back(), width,
+        [&](std::size_t cell, std::vector<med_int>& list) {
+          const std::size_t at = place(cell), row = cell - (at == 0 ? 0 : ends[at - 1]);
+          for (std::size_t i = 0; i < width; ++i)
+            list.push_back(static_cast<med_int>(mesh_.blocks[blocks[at]].nodes[row * width + vtk_node(shape, i)]) + 1);
+        },
+        [&](const med_filter* filter, const med_int* list) {
+          return MEDmeshElementConnectivityAdvancedWr(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, MED_NO_DT, MED_CELL,
+                                                      type, MED_NODAL, filter, list);
+        });
+    put_families(MED_CELL, type, ends.back(),
+                 [&](std::size_t cell) { return -1 - static_cast<med_int>(blocks[place(cell)]); });
   }
 
   const std::filesystem::path &temporary_, &file_;

@@ -7,6 +7,7 @@
 #include "formats/format_list.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "geomesh/geomodel/writers.hpp"
+#include "solver_mesh/face_sides.hpp"
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
@@ -20,82 +21,128 @@ namespace {
 constexpr std::size_t no_label = SIZE_MAX;
 
 struct FoamFace {
-  Triangle vertices;  ///< its normal points out of the owner
-  std::size_t owner, neighbour;
+  Triangle vertices;             ///< its normal points out of the owner
+  std::size_t owner, neighbour;  ///< no_neighbour: on the boundary
   std::size_t label = no_label;
   bool flipped = false;  ///< the surface's normal points to the owner
 };
 
-struct CellFace {
-  Triangle sorted, vertices;
-  std::size_t cell;
-};
-
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
-/// Every face of every cell, equal ones next to each other, the lower cell first.
-std::vector<CellFace> faces_of_cells(const SolverMesh& mesh) {
-  std::vector<CellFace> all;
-  std::size_t cell = 0;
-  for (const CellBlock& block : mesh.blocks) {
-    if (block.shape != CellShape::tetrahedron) continue;
-    for (std::size_t c = 0; c < block.n_cells(); ++c, ++cell)
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto v = [&](std::size_t k) { return block.nodes[4 * c + face_vertices[i][k]]; };
-        const Triangle outward{v(0), v(2), v(1)};
-        all.push_back({sorted(outward), outward, cell});
+/// All faces in OpenFOAM's order: inner ones by owner, then neighbour; those of the boundary by label and owner. Inner
+/// ones are made again each time they are asked for: all of them would take two times the mesh.
+class FoamFaces {
+ public:
+  explicit FoamFaces(const SolverMesh& mesh) : tetrahedra_(mesh.source->tetrahedra) {
+    std::size_t n_cells = 0;
+    for (const CellBlock& block : mesh.blocks)
+      if (block.shape == CellShape::tetrahedron && !block.rows.empty()) {
+        pieces_.emplace_back(block.rows);
+        first_cells_.push_back(n_cells);
+        n_cells += block.rows.size();
       }
+    across_ = tetrahedra_across(tetrahedra_, pieces_);
+    find_labels(mesh);
+    for_each_face([&](const Tetrahedron& v, std::size_t cell, unsigned i) {
+      if (across_[cell][i] == no_neighbour)
+        boundary_.push_back({face(v, cell, i).label, static_cast<std::uint32_t>(4 * cell + i)});
+      else
+        n_inner_ += across_[cell][i] > cell;
+    });
+    std::sort(boundary_.begin(), boundary_.end(), [](const OuterFace& a, const OuterFace& b) {
+      return a.label != b.label ? a.label < b.label : a.code < b.code;
+    });
   }
-  std::sort(all.begin(), all.end(), [](const CellFace& a, const CellFace& b) {
-    return a.sorted != b.sorted ? a.sorted < b.sorted : a.cell < b.cell;
-  });
-  return all;
-}
-
-/// Inner faces in OpenFOAM's order (owner, then neighbour), then those of the boundary by label and owner.
-std::vector<FoamFace> foam_faces(const SolverMesh& mesh) {
-  const std::vector<CellFace> all = faces_of_cells(mesh);
-  std::vector<FoamFace> faces;
-  std::vector<Triangle> keys;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool inner = i + 1 < all.size() && all[i + 1].sorted == all[i].sorted;
-    faces.push_back({all[i].vertices, all[i].cell, inner ? all[i + 1].cell : no_cell});
-    keys.push_back(all[i].sorted);
-    if (inner) ++i;
-  }
-  for (std::size_t l = 0; l < mesh.labels.size(); ++l) {
-    if (mesh.labels[l].dimension != 2) continue;
-    for (const std::size_t b : mesh.labels[l].blocks) {
-      const CellBlock& block = mesh.blocks[b];
-      for (std::size_t c = 0; c < block.n_cells(); ++c) {
-        const Triangle key = sorted({block.nodes[3 * c], block.nodes[3 * c + 1], block.nodes[3 * c + 2]});
-        const auto found = std::lower_bound(keys.begin(), keys.end(), key);
-        if (found == keys.end() || *found != key) continue;
-        FoamFace& face = faces[static_cast<std::size_t>(found - keys.begin())];
-        face.label = l;
-        face.flipped = block.sides[c][1].solid == face.owner;
-      }
+  std::size_t n_inner() const { return n_inner_; }
+  std::size_t size() const { return n_inner_ + boundary_.size(); }
+  template <class F>
+  void for_each_outer(F&& f) const {
+    for (const OuterFace& outer : boundary_) {
+      const std::size_t cell = outer.code / 4;
+      const auto piece = std::upper_bound(first_cells_.begin(), first_cells_.end(), cell) - first_cells_.begin() - 1;
+      const auto at = static_cast<std::size_t>(piece);
+      f(face(tetrahedra_[pieces_[at][cell - first_cells_[at]]], cell, outer.code % 4));
     }
   }
-  std::sort(faces.begin(), faces.end(), [](const FoamFace& a, const FoamFace& b) {
-    const bool a_inner = a.neighbour != no_cell, b_inner = b.neighbour != no_cell;
-    if (a_inner != b_inner) return a_inner;
-    if (!a_inner && a.label != b.label) return a.label < b.label;
-    if (a.owner != b.owner) return a.owner < b.owner;
-    return a.neighbour != b.neighbour ? a.neighbour < b.neighbour : a.vertices < b.vertices;
-  });
-  return faces;
-}
+
+  template <class F>
+  void for_each_inner(F&& f) const {
+    std::array<std::pair<std::uint32_t, unsigned>, 4> later;  // neighbours that come after the cell, with the face
+    std::size_t n = 0;
+    for_each_face([&](const Tetrahedron& v, std::size_t cell, unsigned i) {
+      const std::uint32_t other = across_[cell][i];
+      if (other != no_neighbour && other > cell) {
+        std::size_t at = n++;
+        for (; at > 0 && later[at - 1].first > other; --at) later[at] = later[at - 1];
+        later[at] = {other, i};
+      }
+      if (i < 3) return;
+      for (std::size_t k = 0; k < n; ++k) f(face(v, cell, later[k].second));
+      n = 0;
+    });
+  }
+  template <class F>
+  void for_each(F&& f) const {
+    for_each_inner(f);
+    for_each_outer(f);
+  }
+
+ private:
+  struct OuterFace {
+    std::size_t label;
+    std::uint32_t code;  ///< four times the cell, and the face; meshes have fewer than 2^30 cells
+  };
+  struct Label {
+    std::uint32_t code, label : 31, flipped : 1;
+  };
+  /// `f(vertices of the cell, cell, face)`.
+  template <class F>
+  void for_each_face(F&& f) const {
+    std::size_t cell = 0;
+    for (const TetrahedronRows& piece : pieces_)
+      for (const VertexIndex t : piece) {
+        for (unsigned i = 0; i < 4; ++i) f(tetrahedra_[t], cell, i);
+        ++cell;
+      }
+  }
+  void find_labels(const SolverMesh& mesh) {
+    for (std::size_t l = 0; l < mesh.labels.size(); ++l) {
+      if (mesh.labels[l].dimension != 2) continue;
+      for (const std::size_t b : mesh.labels[l].blocks)
+        for (const auto& [minus, plus] : mesh.blocks[b].sides) {
+          const bool flipped = plus.solid != no_cell && (minus.solid == no_cell || plus.solid < minus.solid);
+          const FaceSide& owner = flipped ? plus : minus;
+          if (owner.solid != no_cell)
+            labels_.push_back({4 * owner.solid + owner.opposite, static_cast<std::uint32_t>(l), flipped});
+        }
+    }
+    std::sort(labels_.begin(), labels_.end(), [](const Label& a, const Label& b) { return a.code < b.code; });
+  }
+  FoamFace face(const Tetrahedron& v, std::size_t cell, unsigned i) const {
+    const auto& corner = face_vertices[i];
+    const std::uint32_t other = across_[cell][i];
+    FoamFace made{{v[corner[0]], v[corner[2]], v[corner[1]]}, cell, other};
+    const auto code = static_cast<std::uint32_t>(4 * cell + i);
+    const auto found = std::lower_bound(labels_.begin(), labels_.end(), code,
+                                        [](const Label& a, std::uint32_t c) { return a.code < c; });
+    if (found != labels_.end() && found->code == code) {
+      made.label = found->label;
+      made.flipped = found->flipped != 0;
+    }
+    return made;
+  }
+
+  const std::vector<Tetrahedron>& tetrahedra_;
+  std::vector<TetrahedronRows> pieces_;
+  std::vector<std::size_t> first_cells_;  // by piece
+  std::vector<Neighbours> across_;
+  std::vector<Label> labels_;  // of faces on surfaces, by code
+  std::vector<OuterFace> boundary_;
+  std::size_t n_inner_ = 0;
+};
 
 class FoamCase {
  public:
   FoamCase(const SolverMesh& mesh, std::filesystem::path folder)
-      : mesh_(mesh), folder_(std::move(folder)), faces_(foam_faces(mesh)) {
-    n_inner_ = static_cast<std::size_t>(
-        std::count_if(faces_.begin(), faces_.end(), [](const FoamFace& f) { return f.neighbour != no_cell; }));
+      : mesh_(mesh), folder_(std::move(folder)), faces_(mesh) {
     SolverNames names(name_limit_plain);
     for (const CellGroup& label : mesh.labels) names_.push_back(names.give(label.full_name));
     unnamed_ = names.give("outer_boundary");
@@ -108,14 +155,18 @@ class FoamCase {
     std::filesystem::create_directories(folder_ / "constant" / "polyMesh", mesh_failed);
     std::filesystem::create_directories(folder_ / "system", system_failed);
     if (mesh_failed || system_failed) refuse_to_write(folder_);
-    write_list("points", "vectorField", mesh_.n_nodes(),
-               [&](OutputText& out, std::size_t v) { out << "(" << mesh_.node(v) << ")"; });
-    write_list("faces", "faceList", faces_.size(), [&](OutputText& out, std::size_t f) {
-      const Triangle& v = faces_[f].vertices;
-      out << "3(" << v[0] << " " << v[1] << " " << v[2] << ")";
+    write_list("points", "vectorField", mesh_.n_nodes(), [&](OutputText& out) {
+      for (std::size_t v = 0; v < mesh_.n_nodes(); ++v) out << "(" << mesh_.node(v) << ")\n";
     });
-    write_list("owner", "labelList", faces_.size(), [&](OutputText& out, std::size_t f) { out << faces_[f].owner; });
-    write_list("neighbour", "labelList", n_inner_, [&](OutputText& out, std::size_t f) { out << faces_[f].neighbour; });
+    write_list("faces", "faceList", faces_.size(), [&](OutputText& out) {
+      faces_.for_each([&](const FoamFace& f) {
+        out << "3(" << f.vertices[0] << " " << f.vertices[1] << " " << f.vertices[2] << ")\n";
+      });
+    });
+    write_list("owner", "labelList", faces_.size(),
+               [&](OutputText& out) { faces_.for_each([&](const FoamFace& f) { out << f.owner << "\n"; }); });
+    write_list("neighbour", "labelList", faces_.n_inner(),
+               [&](OutputText& out) { faces_.for_each_inner([&](const FoamFace& f) { out << f.neighbour << "\n"; }); });
     write_boundary();
     write_cell_zones();
     write_face_zones();
@@ -139,13 +190,10 @@ class FoamCase {
     written_.add(file);
   }
   template <class F>
-  void write_list(const std::string& name, const char* type, std::size_t n, F&& entry) {
+  void write_list(const std::string& name, const char* type, std::size_t n, F&& entries) {
     write_file(name, type, [&](OutputText& out) {
       out << n << "\n(\n";
-      for (std::size_t i = 0; i < n; ++i) {
-        entry(out, i);
-        out << "\n";
-      }
+      entries(out);
       out << ")\n";
     });
   }
@@ -158,10 +206,12 @@ class FoamCase {
       std::size_t label, first, n;
     };
     std::vector<Patch> patches;
-    for (std::size_t f = n_inner_; f < faces_.size(); ++f) {
-      if (patches.empty() || patches.back().label != faces_[f].label) patches.push_back({faces_[f].label, f, 0});
+    std::size_t row = faces_.n_inner();
+    faces_.for_each_outer([&](const FoamFace& face) {
+      if (patches.empty() || patches.back().label != face.label) patches.push_back({face.label, row, 0});
       ++patches.back().n;
-    }
+      ++row;
+    });
     write_file("boundary", "polyBoundaryMesh", [&](OutputText& out) {
       out << patches.size() << "\n(\n";
       for (const Patch& patch : patches)
@@ -196,18 +246,25 @@ class FoamCase {
     for (const std::size_t l : regions) note_group("cellZone", l);
   }
   void write_face_zones() {
-    std::vector<std::vector<std::size_t>> rows(mesh_.labels.size());
-    for (std::size_t f = 0; f < n_inner_; ++f)
-      if (faces_[f].label != no_label) rows[faces_[f].label].push_back(f);
+    struct ZoneFace {
+      std::size_t row;
+      bool flipped;
+    };
+    std::vector<std::vector<ZoneFace>> rows(mesh_.labels.size());
+    std::size_t row = 0;
+    faces_.for_each_inner([&](const FoamFace& face) {
+      if (face.label != no_label) rows[face.label].push_back({row, face.flipped});
+      ++row;
+    });
     const auto n = std::count_if(rows.begin(), rows.end(), [](const auto& r) { return !r.empty(); });
     write_file("faceZones", "regIOobject", [&](OutputText& out) {
       out << n << "\n(\n";
       for (std::size_t l = 0; l < rows.size(); ++l) {
         if (rows[l].empty()) continue;
         out << names_[l] << "\n{\n    type faceZone;\n    faceLabels List<label>\n" << rows[l].size() << "\n(\n";
-        for (const std::size_t f : rows[l]) out << f << "\n";
+        for (const ZoneFace& f : rows[l]) out << f.row << "\n";
         out << ");\n    flipMap List<bool>\n" << rows[l].size() << "\n(\n";
-        for (const std::size_t f : rows[l]) out << (faces_[f].flipped ? 1 : 0) << "\n";
+        for (const ZoneFace& f : rows[l]) out << (f.flipped ? 1 : 0) << "\n";
         out << ");\n}\n";
       }
       out << ")\n";
@@ -236,8 +293,7 @@ class FoamCase {
 
   const SolverMesh& mesh_;
   std::filesystem::path folder_;
-  std::vector<FoamFace> faces_;
-  std::size_t n_inner_ = 0;
+  FoamFaces faces_;
   std::vector<std::string> names_;  // by label
   std::string unnamed_;
   std::vector<SidecarGroup> sidecar_;
@@ -249,7 +305,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   WriteOptions one_label = options;
   one_label.curves = false;
   if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;  // a face is in one patch
-  const SolverMesh mesh = make_solver_mesh(model, one_label);
+  const SolverMesh mesh = make_solver_mesh(model, one_label, TetrahedronNodes::by_rows);
   return FoamCase(mesh, stem.string() + ".foam").write(model);
 }
 

@@ -4,7 +4,6 @@
 // points away from (the lower region id). Followed: the documentation of OpenGeoSys 6.5, "Boundary conditions" and
 // "Heterogeneous meshes".
 #include <algorithm>
-#include <map>
 
 #include "formats/format_list.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -36,76 +35,93 @@ std::uint8_t vtk_type(const CellBlock& block) {
   return 13;
 }
 
-/// Cells of some blocks, all in one grid with points of its own.
-struct Grid {
-  std::vector<VertexIndex> points;  ///< rows in the mesh
-  std::vector<std::int64_t> nodes, ends;
-  std::vector<std::uint8_t> types;
-  std::vector<std::uint64_t> bulk_elements;
-};
-
-Grid grid_of(const SolverMesh& mesh, const CellGroup& group) {
-  Grid grid;
-  grid.points = nodes_of(mesh, group);
-  for (const std::size_t b : group.blocks) {
-    const CellBlock& block = mesh.blocks[b];
-    for (std::size_t c = 0; c < block.n_cells(); ++c) {
-      for (std::size_t i = 0; i < block.nodes_per_cell; ++i) {
-        const VertexIndex v = block.nodes[c * block.nodes_per_cell + i];
-        grid.nodes.push_back(std::lower_bound(grid.points.begin(), grid.points.end(), v) - grid.points.begin());
-      }
-      grid.ends.push_back(static_cast<std::int64_t>(grid.nodes.size()));
-      grid.types.push_back(vtk_type(block));
-      if (block.shape != CellShape::triangle) continue;
-      const auto& [minus, plus] = block.sides[c];
-      grid.bulk_elements.push_back(minus.solid != no_cell ? minus.solid : plus.solid);
+/// Cells of some blocks, all in one grid with points of its own. Nothing of them is copied.
+class Grid {
+ public:
+  /// A grid of solids has all of the mesh's points.
+  Grid(const SolverMesh& mesh, const CellGroup& group) : mesh_(mesh), has_all_points_(group.dimension == 3) {
+    if (!has_all_points_) points_ = nodes_of(mesh, group);
+    for (const std::size_t b : group.blocks) {
+      const CellBlock& block = mesh.blocks[b];
+      parts_.push_back({&block, n_cells_, n_entries_});
+      n_cells_ += block.n_cells();
+      n_entries_ += block.nodes.size();
     }
   }
-  return grid;
-}
+  std::size_t n_points() const { return has_all_points_ ? mesh_.n_nodes() : points_.size(); }
+  std::size_t n_cells() const { return n_cells_; }
+  std::size_t n_entries() const { return n_entries_; }
+  /// A point's row in the mesh.
+  std::size_t row(std::size_t point) const { return has_all_points_ ? point : points_[point]; }
+  const CellBlock& block(std::size_t cell) const { return *part(cell).block; }
+  std::size_t row_in_block(std::size_t cell) const { return cell - part(cell).first_cell; }
+  /// Where the cell's nodes end.
+  std::size_t end(std::size_t cell) const {
+    const Part& at = part(cell);
+    return at.first_entry + (cell - at.first_cell + 1) * at.block->nodes_per_cell;
+  }
+  std::int64_t node(std::size_t entry) const {
+    const Part& at = *(std::upper_bound(parts_.begin(), parts_.end(), entry,
+                                        [](std::size_t i, const Part& p) { return i < p.first_entry; }) -
+                       1);
+    const VertexIndex v = at.block->nodes[entry - at.first_entry];
+    return has_all_points_ ? std::int64_t{v} : std::lower_bound(points_.begin(), points_.end(), v) - points_.begin();
+  }
+
+ private:
+  struct Part {
+    const CellBlock* block;
+    std::size_t first_cell, first_entry;
+  };
+  const Part& part(std::size_t cell) const {
+    return *(std::upper_bound(parts_.begin(), parts_.end(), cell,
+                              [](std::size_t i, const Part& p) { return i < p.first_cell; }) -
+             1);
+  }
+  const SolverMesh& mesh_;
+  bool has_all_points_;
+  std::vector<VertexIndex> points_;  // rows in the mesh
+  std::vector<Part> parts_;
+  std::size_t n_cells_ = 0, n_entries_ = 0;
+};
 
 VtkDocument document_of(const SolverMesh& mesh, const Grid& grid) {
   VtkDocument document;
   document.type = "UnstructuredGrid";
-  document.piece_attributes = "NumberOfPoints=\"" + std::to_string(grid.points.size()) + "\" NumberOfCells=\"" +
-                              std::to_string(grid.types.size()) + "\"";
+  document.piece_attributes = "NumberOfPoints=\"" + std::to_string(grid.n_points()) + "\" NumberOfCells=\"" +
+                              std::to_string(grid.n_cells()) + "\"";
   document.origin = origin_of(*mesh.source);
+  const auto coordinate = [&](std::size_t i) { return mesh.node(grid.row(i / 3))[i % 3]; };
+  const auto type = [&](std::size_t c) { return vtk_type(grid.block(c)); };
   document.sections = {
       {"PointData", "", {}},
       {"CellData", "", {}},
-      {"Points",
-       "",
-       {vtk_array<double>(
-           "Points", 3 * grid.points.size(), [&](std::size_t i) { return mesh.node(grid.points[i / 3])[i % 3]; }, 3)}},
+      {"Points", "", {vtk_array<double>("Points", 3 * grid.n_points(), coordinate, 3)}},
       {"Cells",
        "",
-       {vtk_array<std::int64_t>("connectivity", grid.nodes.size(), [&](std::size_t i) { return grid.nodes[i]; }),
-        vtk_array<std::int64_t>("offsets", grid.ends.size(), [&](std::size_t i) { return grid.ends[i]; }),
-        vtk_array<std::uint8_t>("types", grid.types.size(), [&](std::size_t i) { return grid.types[i]; })}}};
+       {vtk_array<std::int64_t>("connectivity", grid.n_entries(), [&](std::size_t i) { return grid.node(i); }),
+        vtk_array<std::int64_t>("offsets", grid.n_cells(), [&](std::size_t c) { return grid.end(c); }),
+        vtk_array<std::uint8_t>("types", grid.n_cells(), type)}}};
   return document;
 }
 
 /// All solids, regions by id; its points are those of the mesh.
 void write_bulk(const SolverMesh& mesh, Compression compression, const std::filesystem::path& file) {
   CellGroup all{0, 3, "", {}, {}};
-  std::vector<std::size_t> block_of;  // by cell
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
-    if (dimension_of(mesh.blocks[b].shape) == 3) {
-      all.blocks.push_back(b);
-      block_of.insert(block_of.end(), mesh.blocks[b].n_cells(), b);
-    }
-  const Grid grid = grid_of(mesh, all);
+    if (dimension_of(mesh.blocks[b].shape) == 3) all.blocks.push_back(b);
+  const Grid grid(mesh, all);
   VtkDocument document = document_of(mesh, grid);
   add_region_fields(*mesh.source, document.fields);
   VtkSection& data = document.sections[1];
   data.attributes = "Scalars=\"MaterialIDs\"";
-  data.arrays.push_back(vtk_array<std::int32_t>("MaterialIDs", block_of.size(),
-                                                [&](std::size_t c) { return mesh.blocks[block_of[c]].id - 1; }));
+  data.arrays.push_back(
+      vtk_array<std::int32_t>("MaterialIDs", grid.n_cells(), [&](std::size_t c) { return grid.block(c).id - 1; }));
   const ModelMesh& model = *mesh.source;
   const auto n_regions = static_cast<std::int32_t>(model.regions.size());
   for (const RegionAttribute& attribute : model.attributes)
-    data.arrays.push_back(vtk_array<double>(attribute.name, block_of.size(), [&, n_regions](std::size_t c) {
-      const std::int32_t id = mesh.blocks[block_of[c]].id;
+    data.arrays.push_back(vtk_array<double>(attribute.name, grid.n_cells(), [&, n_regions](std::size_t c) {
+      const std::int32_t id = grid.block(c).id;
       return id <= n_regions ? attribute.by_region[static_cast<std::size_t>(id - 1)] : 0.0;
     }));
   write_vtk_document(document, compression, file);
@@ -113,19 +129,23 @@ void write_bulk(const SolverMesh& mesh, Compression compression, const std::file
 
 void write_subset(const SolverMesh& mesh, const CellGroup& group, Compression compression,
                   const std::filesystem::path& file) {
-  const Grid grid = grid_of(mesh, group);
+  const Grid grid(mesh, group);
   VtkDocument document = document_of(mesh, grid);
   document.sections[0].arrays.push_back(
-      vtk_array<std::uint64_t>("bulk_node_ids", grid.points.size(), [&](std::size_t i) { return grid.points[i]; }));
-  if (!grid.bulk_elements.empty())
-    document.sections[1].arrays.push_back(vtk_array<std::uint64_t>(
-        "bulk_element_ids", grid.bulk_elements.size(), [&](std::size_t i) { return grid.bulk_elements[i]; }));
+      vtk_array<std::uint64_t>("bulk_node_ids", grid.n_points(), [&](std::size_t i) { return grid.row(i); }));
+  const auto element = [&](std::size_t c) {
+    const auto& [minus, plus] = grid.block(c).sides[grid.row_in_block(c)];
+    return minus.solid != no_cell ? minus.solid : plus.solid;
+  };
+  if (group.dimension == 2 && grid.n_cells() > 0)
+    document.sections[1].arrays.push_back(vtk_array<std::uint64_t>("bulk_element_ids", grid.n_cells(), element));
   write_vtk_document(document, compression, file);
 }
 
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
-  const SolverMesh mesh = make_solver_mesh(model, options);
+  SolverMesh mesh = make_solver_mesh(model, options);
+  for (CellBlock& block : mesh.blocks) block.rows = {};  // not needed here, and as large as a fourth of the mesh
   WrittenFiles written;
   const std::filesystem::path bulk = stem.string() + ".ogs.vtu";
   write_bulk(mesh, options.compression, bulk);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TOUGH2, TOUGH3 and iTOUGH2: NAME.tough, the blocks ELEME and CONNE of a MESH file, by the Voronoi dual. Fixed
 // columns: names of elements have 5 characters, numbers 10. Followed: TOUGH2 User's Guide, LBNL-43134, Appendix E.
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -37,12 +39,18 @@ std::string rock_name(std::int32_t region) {
   return text;
 }
 
-/// Ten columns, as many digits as fit.
+/// Ten columns, as many digits as fit: where that is too long, what is over is left out.
 std::string ten(double value) {
-  char text[32];
-  for (int digits = 9; digits > 0; --digits) {
-    const int n = std::snprintf(text, sizeof text, "%10.*G", digits, value);
-    if (n == 10) return text;
+  constexpr std::size_t columns = 10;
+  for (int digits = 9; digits > 0;) {
+    char buffer[32];
+    std::string text(buffer,
+                     std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr);
+    if (text.size() <= columns) {
+      std::replace(text.begin(), text.end(), 'e', 'E');
+      return std::string(columns - text.size(), ' ') + text;
+    }
+    digits -= static_cast<int>(text.size() - columns);
   }
   return "         0";
 }
@@ -59,8 +67,9 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
     const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
     const double length = std::sqrt(dot(along, along));
     // Direction 1; the last number is the cosine between the line from the first element to the second and gravity.
-    out << element_name(c.a) << element_name(c.b) << "                   1" << ten(length / 2) << ten(length / 2)
-        << ten(c.area) << ten(-along.z / length) << "\n";
+    const std::string half = ten(length / 2);
+    out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << ten(c.area)
+        << ten(-along.z / length) << "\n";
   }
   out << "\n";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
@@ -10,6 +11,7 @@
 #include "mesh_readers/file_names.hpp"
 #include "mesh_readers/raw_mesh.hpp"
 #include "solver_mesh/face_sides.hpp"
+#include "solver_mesh/second_order.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -41,7 +43,7 @@ std::string without_side(const std::string& name) {
 class ModelMeshBuilder {
  public:
   ModelMeshBuilder(RawMesh raw, const std::filesystem::path& file)
-      : raw_(std::move(raw)), names_(read_file_names(raw_.whole.empty() ? file : raw_.whole)) {
+      : raw_(std::move(raw)), file_(file), names_(read_file_names(raw_.whole.empty() ? file : raw_.whole)) {
     if (raw_.n_other_solids > 0)
       refuse(file, std::to_string(raw_.n_other_solids) +
                        " of its solids are no tetrahedra (hexahedra, prisms ...); split them "
@@ -56,6 +58,7 @@ class ModelMeshBuilder {
   ModelMesh build() {
     keep_used_points();
     add_tetrahedra();
+    add_curved_edges();
     add_regions();
     add_faces();
     add_curves();
@@ -96,6 +99,28 @@ class ModelMeshBuilder {
         std::swap(v[2], v[3]);
       mesh_.tetrahedra.push_back(v);
     }
+  }
+
+  /// Nodes in the middle of edges that are not half-way, to the last bit: what is written of them is what was read.
+  void add_curved_edges() {
+    constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+    if (raw_.midpoints.size() != 6 * mesh_.tetrahedra.size()) return;
+    std::vector<CurvedEdge>& edges = mesh_.curved_edges;
+    for (std::size_t i = 0; i < raw_.midpoints.size(); ++i) {
+      const auto& [first, second] = ends[i % 6];
+      const VertexIndex* const corner = &raw_.cells[3].corners[i / 6 * 4];
+      const auto [a, b] = std::minmax(row_[corner[first]], row_[corner[second]]);
+      const Vec3 &p = mesh_.points[a], &q = mesh_.points[b], &middle = raw_.points[raw_.midpoints[i]];
+      if (!(middle == half_way(p, q))) edges.push_back({a, b, middle});
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const CurvedEdge& p, const CurvedEdge& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+    for (std::size_t k = 1; k < edges.size(); ++k)
+      if (edges[k].a == edges[k - 1].a && edges[k].b == edges[k - 1].b && !(edges[k].middle == edges[k - 1].middle))
+        refuse(file_, "two elements of second order have their node in the middle of one edge at different places");
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                            [](const CurvedEdge& p, const CurvedEdge& q) { return p.a == q.a && p.b == q.b; }),
+                edges.end());
   }
 
   /// Attributes of regions by the JSON; arrays of cells and points that are none of these.
@@ -290,6 +315,7 @@ class ModelMeshBuilder {
   }
 
   RawMesh raw_;
+  const std::filesystem::path& file_;
   FileNames names_;
   ModelMesh mesh_;
   std::vector<VertexIndex> row_;  // of a point of the file in the mesh
@@ -302,7 +328,7 @@ ModelMesh to_model_mesh(RawMesh raw, const std::filesystem::path& file) {
   return ModelMeshBuilder(std::move(raw), file).build();
 }
 
-ModelMesh read_model_mesh(const std::filesystem::path& file) {
+ModelMesh read_model_mesh(const std::filesystem::path& file, ElementOrder* order) {
   const Format* const format = format_of_file(file);
   if (!format || !format->read) {
     std::string known;
@@ -311,7 +337,9 @@ ModelMesh read_model_mesh(const std::filesystem::path& file) {
         known += (known.empty() ? "" : ", ") + f.extensions.front();
     throw Error(ErrorKind::usage, file.string() + ": meshes of this extension are not read; read are " + known);
   }
-  return to_model_mesh(format->read(file), file);
+  RawMesh raw = format->read(file);
+  if (order) *order = raw.second_order ? ElementOrder::second : ElementOrder::first;
+  return to_model_mesh(std::move(raw), file);
 }
 
 }  // namespace geomesh::geomodel

@@ -77,7 +77,7 @@ std::vector<BorderFace> MeshParts::border_faces(std::int32_t number) const {
   std::vector<BorderFace> faces;
   for (const std::size_t t : own_[static_cast<std::size_t>(number)])
     for (unsigned i = 0; i < 4; ++i)
-      if (const std::size_t other = across_[t][i]; other != no_side && part_of_cell_[other] != number)
+      if (const std::size_t other = across_[t][i]; other != no_neighbour && part_of_cell_[other] != number)
         faces.push_back({t, i, part_of_cell_[other]});
   const auto key = [this](const BorderFace& f) {
     const std::size_t other = across_[f.cell][f.opposite];

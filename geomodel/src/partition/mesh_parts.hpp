@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/model_mesh.hpp"
+#include "solver_mesh/face_sides.hpp"
 
 namespace geomesh::geomodel {
 
@@ -59,7 +60,7 @@ class MeshParts {
 
   const ModelMesh& mesh_;
   std::int32_t n_parts_;
-  std::vector<std::array<std::size_t, 4>> across_;
+  std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
   std::vector<std::size_t> first_;  // by node, into parts_at_
   std::vector<std::int32_t> parts_at_;

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "geomesh/core/error.hpp"
-#include "solver_mesh/face_sides.hpp"
 
 namespace geomesh::geomodel {
 
@@ -25,7 +24,7 @@ constexpr std::int32_t most_parts_by_bisection = 8;
 
 }  // namespace
 
-std::vector<std::int32_t> parts_by_metis(const std::vector<std::array<std::size_t, 4>>& across, std::int32_t n_parts) {
+std::vector<std::int32_t> parts_by_metis(const std::vector<Neighbours>& across, std::int32_t n_parts) {
   const std::size_t n = across.size();
   if (n >= static_cast<std::size_t>(std::numeric_limits<idx_t>::max()) / 4)
     refuse("the mesh has more faces than the installed METIS can count");
@@ -34,8 +33,8 @@ std::vector<std::int32_t> parts_by_metis(const std::vector<std::array<std::size_
   std::vector<idx_t> first{0}, neighbours, part(n, 0);
   first.reserve(n + 1);
   for (const auto& row : across) {
-    for (const std::size_t other : row)
-      if (other != no_side) neighbours.push_back(static_cast<idx_t>(other));
+    for (const std::uint32_t other : row)
+      if (other != no_neighbour) neighbours.push_back(static_cast<idx_t>(other));
     first.push_back(static_cast<idx_t>(neighbours.size()));
   }
   idx_t options[METIS_NOPTIONS];
@@ -56,7 +55,7 @@ std::vector<std::int32_t> parts_by_metis(const std::vector<std::array<std::size_
 
 #else
 
-std::vector<std::int32_t> parts_by_metis(const std::vector<std::array<std::size_t, 4>>&, std::int32_t) {
+std::vector<std::int32_t> parts_by_metis(const std::vector<Neighbours>&, std::int32_t) {
   throw Error(ErrorKind::usage, "partitions: this program was built without METIS");
 }
 

@@ -10,8 +10,8 @@ namespace {
 /// Number in the part of each solid of the whole mesh; no_cell where it is not there. Solids are numbered block by
 /// block.
 struct Solids {
-  std::vector<std::size_t> row;    ///< of each solid: its tetrahedron
-  std::vector<std::size_t> local;  ///< of each solid: its number in the part
+  std::vector<std::size_t> row;      ///< of each solid: its tetrahedron
+  std::vector<std::uint32_t> local;  ///< of each solid: its number in the part
 };
 
 Solids solids_of(const SolverMesh& whole, const MeshPart& part) {
@@ -20,7 +20,7 @@ Solids solids_of(const SolverMesh& whole, const MeshPart& part) {
     if (dimension_of(block.shape) == 3) solids.row.insert(solids.row.end(), block.rows.begin(), block.rows.end());
   std::vector<std::size_t> kept = part.cells;
   std::sort(kept.begin(), kept.end());
-  std::size_t next = 0;
+  std::uint32_t next = 0;
   for (const std::size_t row : solids.row)
     solids.local.push_back(std::binary_search(kept.begin(), kept.end(), row) ? next++ : no_cell);
   return solids;

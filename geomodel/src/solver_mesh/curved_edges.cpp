@@ -1,54 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver_mesh/curved_edges.hpp"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
+#include <optional>
 #include <tuple>
 
+#include "geomesh/core/surface_distance.hpp"
+#include "solver_mesh/curved_face.hpp"
 #include "solver_mesh/second_order.hpp"
 
 namespace geomesh::geomodel {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
-/// Nearest points of a triangulated surface.
-class NearestPoints {
- public:
-  explicit NearestPoints(const TriangulatedSurface& surface) {
-    const auto point = [&](VertexIndex v) {
-      const Vec3& p = surface.points[v];
-      return Kernel::Point_3(p.x, p.y, p.z);
-    };
-    for (const Triangle& t : surface.triangles) {
-      const Kernel::Triangle_3 triangle(point(t[0]), point(t[1]), point(t[2]));
-      if (!triangle.is_degenerate()) triangles_.push_back(triangle);
-    }
-    tree_.insert(triangles_.begin(), triangles_.end());
-    tree_.build();
-    if (!triangles_.empty()) tree_.accelerate_distance_queries();
-  }
-  bool empty() const { return triangles_.empty(); }
-  Vec3 to(const Vec3& p) const {
-    const Kernel::Point_3 q = tree_.closest_point(Kernel::Point_3(p.x, p.y, p.z));
-    return {q.x(), q.y(), q.z()};
-  }
+/// Rounding of distances and planes there.
+double rounding_at(const Vec3& p) {
+  constexpr double share = 1e-12;  // of the largest coordinate
+  return share * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
 
- private:
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
-  std::vector<Kernel::Triangle_3> triangles_;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+/// The mean plane of a side; long doubles, so that a point put on it is off by its own rounding alone.
+struct Plane {
+  Vec3 normal{0, 0, 0}, place{0, 0, 0};
+  long double height = 0;  ///< of the plane above the place
+
+  long double height_of(const Vec3& p) const {
+    long double sum = -height;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += (static_cast<long double>(p[k]) - place[k]) * static_cast<long double>(normal[k]);
+    return sum;
+  }
+  Vec3 nearest(Vec3 p) const {
+    const long double above = height_of(p);
+    for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<double>(p[k] - above * static_cast<long double>(normal[k]));
+    return p;
+  }
 };
 
 /// What lies at an edge of faces.
@@ -56,6 +47,7 @@ struct EdgeOnSurfaces {
   VertexIndex a, b;
   std::vector<std::int32_t> surfaces;              ///< but sides of the model, ascending
   std::array<bool, 3> fixed{false, false, false};  ///< coordinates of a side along the axes
+  const Plane* slanting = nullptr;                 ///< of a side that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
   int halvings = 0;  ///< of the way to the target; stays: the edge is straight
@@ -73,23 +65,25 @@ constexpr int n_projections = 6;
 class EdgeCurver {
  public:
   EdgeCurver(const ModelMesh& mesh, const std::vector<TriangulatedSurface>& surfaces, double tolerance)
-      : mesh_(mesh), tolerance_(tolerance) {
+      : mesh_(mesh), tolerance_(tolerance), proven_(mesh.faces.size(), {-1, -1, -1}) {
     for (const NamedSurface& named : mesh.surfaces) {
       kind_of_[named.id] = named.kind;
       if (named.kind == SurfaceKind::box) continue;
       for (const TriangulatedSurface& surface : surfaces)
         if (surface.name == named.name) {
-          auto nearest = std::make_unique<NearestPoints>(surface);
-          if (!nearest->empty()) nearest_[named.id] = std::move(nearest);
+          SurfaceDistance nearest(surface.points, surface.triangles);
+          if (!nearest.empty()) nearest_.insert_or_assign(named.id, std::move(nearest));
         }
     }
   }
 
   std::vector<CurvedEdge> curve() {
+    find_side_planes();
     find_edges();
     for (EdgeOnSurfaces& edge : edges_) aim(edge);
-    straighten_far_faces();
-    straighten_unproven();
+    // A face whose edges were made less curved is another face, and is proven again.
+    do straighten_far_faces();
+    while (straighten_unproven());
     std::vector<CurvedEdge> result;
     for (const EdgeOnSurfaces& edge : edges_)
       if (const Vec3 middle = edge.middle(); !(middle == edge.straight)) result.push_back({edge.a, edge.b, middle});
@@ -131,37 +125,75 @@ class EdgeCurver {
   const std::vector<std::int32_t>& set_of(std::size_t face) const {
     return mesh_.surface_sets[static_cast<std::size_t>(mesh_.faces[face].surface_set)];
   }
-  void fix_side(std::int32_t id, EdgeOnSurfaces& edge) const {
-    bool is_along_axes = false;
-    const auto named =
-        std::find_if(mesh_.surfaces.begin(), mesh_.surfaces.end(), [&](const NamedSurface& s) { return s.id == id; });
+  /// The planes of the model's sides. A side that is bent by more than rounding has none.
+  void find_side_planes() {
+    std::map<std::int32_t, std::vector<Triangle>> faces_of;
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
+      for (const std::int32_t id : set_of(f))
+        if (kind_of_.at(id) == SurfaceKind::box) faces_of[id].push_back(mesh_.faces[f].vertices);
+    for (const auto& [id, faces] : faces_of)
+      if (const std::optional<Plane> plane = plane_of(faces)) sides_[id] = *plane;
+  }
+  std::optional<Plane> plane_of(const std::vector<Triangle>& faces) const {
+    Plane plane;
+    Box3 box;
+    for (const Triangle& t : faces) {
+      const Vec3 &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
+      plane.normal = plane.normal + cross(b - a, c - a);
+      for (const VertexIndex v : t) box.add(mesh_.points[v]);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const char* const end : {"min", "max"})
-        if (named->name == std::string(1, "xyz"[axis]) + end) {
-          edge.fixed[axis] = true;
-          is_along_axes = mesh_.points[edge.a][axis] == mesh_.points[edge.b][axis];
-        }
-    edge.may_move = edge.may_move && is_along_axes;
+      if (box.min[axis] == box.max[axis]) {
+        plane.normal = {0, 0, 0};
+        plane.normal[axis] = 1;
+      }
+    plane.normal = (1 / length(plane.normal)) * plane.normal;
+    plane.place = half_way(box.min, box.max);
+    long double sum = 0;
+    for (const Triangle& t : faces)
+      for (const VertexIndex v : t) sum += plane.height_of(mesh_.points[v]);
+    plane.height = sum / static_cast<long double>(3 * faces.size());
+    for (const Triangle& t : faces)
+      for (const VertexIndex v : t)
+        if (!(std::abs(plane.height_of(mesh_.points[v])) <= rounding_at(mesh_.points[v]))) return std::nullopt;
+    return plane;
+  }
+  /// An edge on a side stays in its plane; on two slanting sides at once it stays straight.
+  void fix_side(std::int32_t id, EdgeOnSurfaces& edge) const {
+    const auto plane = sides_.find(id);
+    if (plane == sides_.end()) {
+      edge.may_move = false;
+      return;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (plane->second.normal[axis] == 1) {
+        edge.fixed[axis] = true;
+        return;
+      }
+    edge.may_move = edge.may_move && !edge.slanting;
+    edge.slanting = &plane->second;
   }
 
   void aim(EdgeOnSurfaces& edge) const {
-    const Vec3 &a = mesh_.points[edge.a], &b = mesh_.points[edge.b];
-    for (std::size_t k = 0; k < 3; ++k) edge.straight[k] = a[k] / 2 + b[k] / 2;
+    edge.straight = half_way(mesh_.points[edge.a], mesh_.points[edge.b]);
     Vec3 p = edge.straight;
-    const bool is_one = edge.surfaces.size() == 1 && edge.fixed == std::array<bool, 3>{};
+    const bool is_one = edge.surfaces.size() == 1 && edge.fixed == std::array<bool, 3>{} && !edge.slanting;
     for (int round = 0; round < (is_one ? 1 : n_projections); ++round)
-      for (const std::int32_t id : edge.surfaces) p = within_sides(nearest_.at(id)->to(p), edge);
+      for (const std::int32_t id : edge.surfaces) p = within_sides(nearest_.at(id).closest(p), edge);
     edge.target = p;
+    const double rounding = rounding_at(p);
     for (const std::int32_t id : edge.surfaces)
-      if (!(distance(id, p) <= distance(id, edge.straight))) edge.halvings = EdgeOnSurfaces::stays;
+      if (!(distance(id, p) <= distance(id, edge.straight) + rounding)) edge.halvings = EdgeOnSurfaces::stays;
     if (!(length(p - edge.straight) <= tolerance_)) edge.halvings = EdgeOnSurfaces::stays;
+    if (edge.slanting && !(std::abs(edge.slanting->height_of(p)) <= rounding)) edge.halvings = EdgeOnSurfaces::stays;
   }
   static Vec3 within_sides(Vec3 p, const EdgeOnSurfaces& edge) {
+    if (edge.slanting) p = edge.slanting->nearest(p);
     for (std::size_t k = 0; k < 3; ++k)
       if (edge.fixed[k]) p[k] = edge.straight[k];
     return p;
   }
-  double distance(std::int32_t id, const Vec3& p) const { return length(nearest_.at(id)->to(p) - p); }
+  double distance(std::int32_t id, const Vec3& p) const { return length(nearest_.at(id).closest(p) - p); }
 
   EdgeOnSurfaces* find(VertexIndex p, VertexIndex q) {
     const std::pair key{std::min(p, q), std::max(p, q)};
@@ -171,47 +203,43 @@ class EdgeCurver {
   }
   Vec3 middle(VertexIndex p, VertexIndex q) {
     if (const EdgeOnSurfaces* const edge = find(p, q)) return edge->middle();
-    const Vec3 &a = mesh_.points[p], &b = mesh_.points[q];
-    return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
+    return half_way(mesh_.points[p], mesh_.points[q]);
   }
 
-  /// Places on a face: quarters of its edges, its middle, and the middles towards its corners.
+  /// Where a face is not proven to be within the tolerance its edges become straight.
   void straighten_far_faces() {
-    static constexpr double q = 0.25, h = 0.5, t = 1.0 / 3;
-    static constexpr double places[10][3] = {{3 * q, q, 0}, {q, 3 * q, 0}, {0, 3 * q, q}, {0, q, 3 * q}, {q, 0, 3 * q},
-                                             {3 * q, 0, q}, {t, t, t},     {h, q, q},     {q, h, q},     {q, q, h}};
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
         const Triangle& v = mesh_.faces[f].vertices;
-        std::array<EdgeOnSurfaces*, 3> edges{find(v[0], v[1]), find(v[1], v[2]), find(v[2], v[0])};
-        if (std::none_of(edges.begin(), edges.end(),
-                         [](const EdgeOnSurfaces* e) { return e && e->halvings < EdgeOnSurfaces::stays; }))
-          continue;
+        const std::array<EdgeOnSurfaces*, 3> edges{find(v[0], v[1]), find(v[1], v[2]), find(v[2], v[0])};
+        std::array<int, 3> halvings{};
+        for (std::size_t e = 0; e < 3; ++e) halvings[e] = edges[e] ? edges[e]->halvings : EdgeOnSurfaces::stays;
+        const bool is_flat =
+            halvings == std::array{EdgeOnSurfaces::stays, EdgeOnSurfaces::stays, EdgeOnSurfaces::stays};
+        if (is_flat || proven_[f] == halvings) continue;
         const std::array<Vec3, 6> nodes{mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]],
                                         middle(v[0], v[1]), middle(v[1], v[2]), middle(v[2], v[0])};
-        if (std::all_of(std::begin(places), std::end(places),
-                        [&](const double(&place)[3]) { return is_near(f, at(nodes, place)); }))
+        if (is_within(f, nodes)) {
+          proven_[f] = halvings;
           continue;
+        }
         for (EdgeOnSurfaces* const e : edges)
           if (e) e->halvings = EdgeOnSurfaces::stays;
         changed = true;
       }
     }
   }
-  static Vec3 at(const std::array<Vec3, 6>& n, const double (&l)[3]) {
-    Vec3 p{0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) p = p + (l[i] * (2 * l[i] - 1)) * n[i] + (4 * l[i] * l[(i + 1) % 3]) * n[3 + i];
-    return p;
-  }
-  bool is_near(std::size_t face, const Vec3& p) const {
+  bool is_within(std::size_t face, const std::array<Vec3, 6>& nodes) const {
     return std::all_of(set_of(face).begin(), set_of(face).end(), [&](std::int32_t id) {
-      const auto nearest = nearest_.find(id);
-      return nearest == nearest_.end() || length(nearest->second->to(p) - p) <= tolerance_;
+      const auto surface = nearest_.find(id);
+      return surface == nearest_.end() || is_face_within(nodes, surface->second, tolerance_);
     });
   }
 
-  void straighten_unproven() {
+  /// True where an edge was made less curved.
+  bool straighten_unproven() {
+    bool any = false;
     for (bool changed = true; changed;) {
       changed = false;
       for (const Tetrahedron& t : mesh_.tetrahedra) {
@@ -229,16 +257,19 @@ class EdgeCurver {
         if (jacobian_is_positive(nodes)) continue;
         for (EdgeOnSurfaces* const e : edges)
           if (e && e->halvings < EdgeOnSurfaces::stays) ++e->halvings;
-        changed = true;
+        any = changed = true;
       }
     }
+    return any;
   }
 
   const ModelMesh& mesh_;
   double tolerance_;
   std::map<std::int32_t, SurfaceKind> kind_of_;
-  std::map<std::int32_t, std::unique_ptr<NearestPoints>> nearest_;
-  std::vector<EdgeOnSurfaces> edges_;  // by ends, ascending
+  std::map<std::int32_t, SurfaceDistance> nearest_;
+  std::map<std::int32_t, Plane> sides_;     // of the model, where they are plane
+  std::vector<EdgeOnSurfaces> edges_;       // by ends, ascending
+  std::vector<std::array<int, 3>> proven_;  // by face: how curved its edges were when it was proven
 };
 
 }  // namespace

@@ -13,11 +13,12 @@ namespace geomesh::geomodel {
 /// `surfaces`: as meshed, in the mesh's frame; ModelMesh::surfaces names them.
 ///
 /// A midpoint goes to the nearest point of its surface. On an edge of several surfaces it goes to where they meet
-/// nearest (alternating projections), on a side along the axes within that side. It stays half-way where that is
-/// farther than the tolerance, where the surface ends at the edge (borders, tips), and on slanting sides. Faces are
-/// looked at in ten places: where one would be farther from its surface than the tolerance its edges stay straight.
+/// nearest (alternating projections). On a side of the model it stays in the plane of that side. It stays half-way
+/// where that is farther than the tolerance, and where the surface ends at the edge (borders, tips). So it does on
+/// sides that are not plane, and on two slanting sides at once. Each face with a curved edge is proven to lie within
+/// the tolerance of each of its surfaces, all of it (curved_face.hpp). Where that is not so its edges become straight.
 /// Where the Jacobian of an element is not proven positive (second_order.hpp), its edges' curvature is halved up to
-/// three times, then given up.
+/// three times, then given up. Its faces are then proven again.
 ///
 /// O(n log n) in the faces and the input's triangles. The same input gives the same places.
 std::vector<CurvedEdge> curved_edges(const ModelMesh& mesh, const std::vector<TriangulatedSurface>& surfaces,

@@ -25,6 +25,92 @@ Sorted sorted(Triangle t) {
   return {t, even};
 }
 
+/// Faces are paired some at a time, by their smallest vertices: a list of all would take five times the mesh.
+class AcrossFaces {
+ public:
+  AcrossFaces(const std::vector<Tetrahedron>& tetrahedra, std::span<const TetrahedronRows> pieces)
+      : tetrahedra_(tetrahedra), pieces_(pieces) {
+    VertexIndex last = 0;
+    for_each([&](std::uint32_t, const Tetrahedron& v) {
+      ++n_tetrahedra_;
+      last = std::max(last, *std::max_element(v.begin(), v.end()));
+    });
+    n_faces_at_.assign(n_tetrahedra_ > 0 ? last + std::size_t{1} : 0, 0);
+    for_each([&](std::uint32_t, const Tetrahedron& v) {
+      const auto [first, second] = two_smallest(v);
+      n_faces_at_[first] += 3;
+      ++n_faces_at_[second];
+    });
+  }
+
+  std::vector<Neighbours> find() {
+    std::vector<Neighbours> across(n_tetrahedra_, {no_neighbour, no_neighbour, no_neighbour, no_neighbour});
+    constexpr std::size_t n_windows = 32, least_at_once = 1 << 12;
+    const std::size_t at_once = std::max(least_at_once, 4 * n_tetrahedra_ / n_windows);
+    for (std::size_t from = 0; from < n_faces_at_.size();) {
+      std::size_t to = from, n = 0;
+      do {
+        n += n_faces_at_[to++];
+      } while (to < n_faces_at_.size() && n + n_faces_at_[to] <= at_once);
+      collect(from, to, n);
+      pair_up(across);
+      from = to;
+    }
+    return across;
+  }
+
+ private:
+  struct Use {
+    Triangle vertices;
+    std::uint32_t code;  ///< four times the tetrahedron, and the face; meshes have fewer than 2^30 cells
+  };
+  template <class F>
+  void for_each(F&& f) const {
+    std::uint32_t number = 0;
+    if (pieces_.empty())
+      for (const Tetrahedron& t : tetrahedra_) f(number++, t);
+    for (const TetrahedronRows& piece : pieces_)
+      for (const VertexIndex t : piece) f(number++, tetrahedra_[t]);
+  }
+  /// The smallest vertex of a tetrahedron is that of three of its faces, the second that of the fourth.
+  static std::pair<VertexIndex, VertexIndex> two_smallest(const Tetrahedron& v) {
+    const auto [a, b] = std::minmax(v[0], v[1]);
+    const auto [c, d] = std::minmax(v[2], v[3]);
+    return a < c ? std::pair{a, std::min(b, c)} : std::pair{c, std::min(a, d)};
+  }
+  /// The `n` faces whose smallest vertex is from `from` to before `to`.
+  void collect(std::size_t from, std::size_t to, std::size_t n) {
+    uses_.clear();
+    uses_.reserve(n);
+    const auto is_here = [&](VertexIndex v) { return v >= from && v < to; };
+    for_each([&](std::uint32_t t, const Tetrahedron& v) {
+      const auto [first, second] = two_smallest(v);
+      if (!is_here(first) && !is_here(second)) return;
+      for (unsigned i = 0; i < 4; ++i) {
+        const Triangle own = sorted({v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]}).vertices;
+        if (is_here(own[0])) uses_.push_back({own, 4 * t + i});
+      }
+    });
+    std::sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
+      return a.vertices != b.vertices ? a.vertices < b.vertices : a.code < b.code;
+    });
+  }
+  void pair_up(std::vector<Neighbours>& across) const {
+    for (std::size_t k = 0; k + 1 < uses_.size(); ++k) {
+      if (uses_[k].vertices != uses_[k + 1].vertices) continue;
+      const std::uint32_t a = uses_[k].code, b = uses_[k + 1].code;
+      across[a / 4][a % 4] = b / 4;
+      across[b / 4][b % 4] = a / 4;
+    }
+  }
+
+  const std::vector<Tetrahedron>& tetrahedra_;
+  std::span<const TetrahedronRows> pieces_;
+  std::size_t n_tetrahedra_ = 0;
+  std::vector<std::uint32_t> n_faces_at_;  // by smallest vertex
+  std::vector<Use> uses_;
+};
+
 }  // namespace
 
 std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vector<Tetrahedron>& tetrahedra,
@@ -64,28 +150,9 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
   return sides;
 }
 
-std::vector<std::array<std::size_t, 4>> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra) {
-  struct Use {
-    Triangle vertices;
-    std::size_t tetrahedron, face;
-  };
-  std::vector<Use> uses;
-  uses.reserve(4 * tetrahedra.size());
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& v = tetrahedra[t];
-      uses.push_back({sorted({v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]}).vertices, t, i});
-    }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-    return a.vertices != b.vertices ? a.vertices < b.vertices : a.tetrahedron < b.tetrahedron;
-  });
-  std::vector<std::array<std::size_t, 4>> across(tetrahedra.size(), {no_side, no_side, no_side, no_side});
-  for (std::size_t k = 0; k + 1 < uses.size(); ++k) {
-    if (uses[k].vertices != uses[k + 1].vertices) continue;
-    across[uses[k].tetrahedron][uses[k].face] = uses[k + 1].tetrahedron;
-    across[uses[k + 1].tetrahedron][uses[k + 1].face] = uses[k].tetrahedron;
-  }
-  return across;
+std::vector<Neighbours> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra,
+                                          std::span<const TetrahedronRows> pieces) {
+  return AcrossFaces(tetrahedra, pieces).find();
 }
 
 }  // namespace geomesh::geomodel

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geomesh/geomodel/model_mesh.hpp"
@@ -21,7 +22,15 @@ inline constexpr std::size_t no_side = SIZE_MAX;
 std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vector<Tetrahedron>& tetrahedra,
                                                                 const std::vector<Triangle>& faces);
 
-/// For each tetrahedron: those across its faces, face i opposite to vertex i; no_side on the outside. O(n log n).
-std::vector<std::array<std::size_t, 4>> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra);
+/// The tetrahedra across the faces of one: its row for the face opposite to each vertex, no_neighbour on the outside.
+using Neighbours = std::array<std::uint32_t, 4>;
+inline constexpr std::uint32_t no_neighbour = UINT32_MAX;
+
+/// Rows of some tetrahedra.
+using TetrahedronRows = std::span<const VertexIndex>;
+/// Of the tetrahedra of all pieces, numbered through; of none: of all as they are. O(n log n); takes about 3 bytes a
+/// tetrahedron beside the result.
+std::vector<Neighbours> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra,
+                                          std::span<const TetrahedronRows> pieces = {});
 
 }  // namespace geomesh::geomodel

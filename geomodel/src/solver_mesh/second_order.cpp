@@ -47,6 +47,8 @@ Bounded determinant(const Vector& a, const Vector& b, const Vector& c) {
 
 }  // namespace
 
+Vec3 half_way(const Vec3& a, const Vec3& b) { return {middle(a.x, b.x), middle(a.y, b.y), middle(a.z, b.z)}; }
+
 /// Each derivative of the map is linear: four vectors at the corners. The determinant's Bezier coefficient of the
 /// corners i <= j <= k is the mean over all ways to hand i, j and k to the three derivatives.
 bool jacobian_is_positive(const std::array<Vec3, 10>& nodes) {
@@ -107,7 +109,7 @@ void add_midpoints(ModelMesh& mesh) {
   Midpoints mid;
   for (const Edge& e : edges) {
     const Vec3 &p = mesh.points[e.a], &q = mesh.points[e.b];
-    mid.points.push_back({middle(p.x, q.x), middle(p.y, q.y), middle(p.z, q.z)});
+    mid.points.push_back(half_way(p, q));
   }
   for (const CurvedEdge& curved : mesh.curved_edges)
     if (const auto at = std::lower_bound(edges.begin(), edges.end(), edge(curved.a, curved.b));

@@ -10,6 +10,9 @@
 
 namespace geomesh::geomodel {
 
+/// Where the node in the middle of a straight edge is: each coordinate rounded.
+Vec3 half_way(const Vec3& a, const Vec3& b);
+
 /// Adds a node in the middle of every edge, or where ModelMesh::curved_edges says, the same for all cells at the edge.
 /// Throws Error{cannot_mesh} with the place where the Jacobian of an element is not proven positive.
 void add_midpoints(ModelMesh& mesh);

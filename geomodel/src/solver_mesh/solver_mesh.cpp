@@ -13,7 +13,8 @@ namespace {
 
 class SolverMeshBuilder {
  public:
-  SolverMeshBuilder(const ModelMesh& mesh, const WriteOptions& options) : mesh_(mesh), options_(options) {
+  SolverMeshBuilder(const ModelMesh& mesh, const WriteOptions& options, TetrahedronNodes nodes)
+      : mesh_(mesh), options_(options), nodes_(nodes) {
     result_.source = &mesh;
   }
 
@@ -50,22 +51,24 @@ class SolverMeshBuilder {
     std::vector<std::size_t> n_cells(mesh_.regions.size(), 0);
     for (const std::int32_t region : mesh_.tet_region) ++n_cells[static_cast<std::size_t>(region - 1)];
     for (std::size_t r = 0; r < n_cells.size(); ++r) {
-      result_.blocks[r].nodes.reserve(n_cells[r] * result_.blocks[r].nodes_per_cell);
+      if (nodes_ == TetrahedronNodes::listed)
+        result_.blocks[r].nodes.reserve(n_cells[r] * result_.blocks[r].nodes_per_cell);
       result_.blocks[r].rows.reserve(n_cells[r]);
     }
     for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
       CellBlock& block = result_.blocks[static_cast<std::size_t>(mesh_.tet_region[t] - 1)];
+      block.rows.push_back(static_cast<VertexIndex>(t));
+      if (nodes_ == TetrahedronNodes::by_rows) continue;
       block.nodes.insert(block.nodes.end(), mesh_.tetrahedra[t].begin(), mesh_.tetrahedra[t].end());
       if (second())
         block.nodes.insert(block.nodes.end(), mesh_.midpoints.of_tetrahedron[t].begin(),
                            mesh_.midpoints.of_tetrahedron[t].end());
-      block.rows.push_back(t);
     }
     if (mesh_.faces.empty()) return;
     solid_of_.resize(mesh_.tetrahedra.size());
-    std::size_t solid = 0;
+    std::uint32_t solid = 0;
     for (const CellBlock& block : result_.blocks)
-      for (const std::size_t t : block.rows) solid_of_[t] = solid++;
+      for (const VertexIndex t : block.rows) solid_of_[t] = solid++;
   }
   void add_layers() {
     for (const CohesiveLayer& layer : mesh_.cohesive_layers) {
@@ -91,7 +94,7 @@ class SolverMeshBuilder {
                       second() ? 6u : 3u,
                       {},
                       {},
-                      piece.faces};
+                      {piece.faces.begin(), piece.faces.end()}};
       for (const std::size_t f : piece.faces) {
         block.nodes.insert(block.nodes.end(), mesh_.faces[f].vertices.begin(), mesh_.faces[f].vertices.end());
         if (second())
@@ -177,8 +180,9 @@ class SolverMeshBuilder {
 
   const ModelMesh& mesh_;
   const WriteOptions& options_;
+  TetrahedronNodes nodes_;
   SolverMesh result_;
-  std::vector<std::size_t> solid_of_;
+  std::vector<std::uint32_t> solid_of_;
   std::int32_t next_id_ = 0;
 };
 
@@ -206,8 +210,8 @@ std::size_t SolverMesh::count(int dimension) const {
   return n;
 }
 
-SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options) {
-  return SolverMeshBuilder(mesh, options).build();
+SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options, TetrahedronNodes nodes) {
+  return SolverMeshBuilder(mesh, options, nodes).build();
 }
 
 std::vector<VertexIndex> nodes_of(const SolverMesh& mesh, const CellGroup& group) {

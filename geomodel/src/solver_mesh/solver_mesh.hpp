@@ -18,11 +18,11 @@ namespace geomesh::geomodel {
 enum class CellShape { vertex, edge, triangle, tetrahedron, prism };
 int dimension_of(CellShape shape);
 
-inline constexpr std::size_t no_cell = std::numeric_limits<std::size_t>::max();
+inline constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 
 /// Where a face lies at a solid: the solid's number from 0 (SolverMesh::n_solids), and the vertex it is opposite to.
 struct FaceSide {
-  std::size_t solid = no_cell;
+  std::uint32_t solid = no_cell;
   unsigned opposite = 0;
 };
 
@@ -37,8 +37,11 @@ struct CellBlock {
   std::size_t nodes_per_cell;
   std::vector<VertexIndex> nodes;              ///< in VTK's order
   std::vector<std::array<FaceSide, 2>> sides;  ///< of faces: minus, plus
-  std::vector<std::size_t> rows;               ///< of faces and tetrahedra: in the ModelMesh
-  std::size_t n_cells() const { return nodes_per_cell == 0 ? 0 : nodes.size() / nodes_per_cell; }
+  std::vector<VertexIndex> rows;               ///< of faces and tetrahedra: in the ModelMesh; they have 32 bits too
+  std::size_t n_cells() const {
+    if (!rows.empty()) return rows.size();
+    return nodes_per_cell == 0 ? 0 : nodes.size() / nodes_per_cell;
+  }
 };
 
 /// Blocks under one name.
@@ -73,8 +76,12 @@ struct SolverMesh {
   bool second_order() const { return !source->midpoints.empty(); }
 };
 
+/// Whether blocks of tetrahedra have their nodes, or their rows alone: a fifth of the memory.
+enum class TetrahedronNodes { listed, by_rows };
+
 /// The mesh must outlive the result.
-SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options);
+SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options,
+                            TetrahedronNodes nodes = TetrahedronNodes::listed);
 
 /// Nodes of a group, in rising order.
 std::vector<VertexIndex> nodes_of(const SolverMesh& mesh, const CellGroup& group);

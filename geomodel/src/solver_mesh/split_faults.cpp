@@ -117,7 +117,7 @@ class FaultSplitter {
       front.pop_back();
       mesh_.tetrahedra[t][own] = node;
       for (std::size_t i = 0; i < 4; ++i) {
-        if (i == own || (blocked_[t] >> i & 1u) != 0 || across_[t][i] == no_side) continue;
+        if (i == own || (blocked_[t] >> i & 1u) != 0 || across_[t][i] == no_neighbour) continue;
         const std::size_t other = across_[t][i];
         const Tetrahedron& vertices = before_.tetrahedra[other];
         const auto at = static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
@@ -235,7 +235,7 @@ class FaultSplitter {
   std::vector<std::int32_t> chosen_, split_of_;
   std::vector<std::array<TetrahedronSide, 2>> sides_;
   std::vector<unsigned> blocked_;  // by tetrahedron: bits of its split faces
-  std::vector<std::array<std::size_t, 4>> across_;
+  std::vector<Neighbours> across_;
   std::set<std::size_t> done_;
   std::vector<bool> turned_;           // by face
   std::vector<VertexIndex> original_;  // by node

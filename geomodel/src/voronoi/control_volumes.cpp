@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -38,7 +39,7 @@ void require_delaunay(const ModelMesh& mesh) {
     const Tetrahedron& v = mesh.tetrahedra[t];
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t other = across[t][i];
-      if (other == no_side || other < t) continue;
+      if (across[t][i] == no_neighbour || other < t) continue;
       const Tetrahedron& o = mesh.tetrahedra[other];
       const auto apex =
           std::find_if(o.begin(), o.end(), [&](VertexIndex w) { return std::find(v.begin(), v.end(), w) == v.end(); });
@@ -51,21 +52,40 @@ void require_delaunay(const ModelMesh& mesh) {
   if (n > 0) refuse(std::to_string(n) + " faces are not Delaunay", first);
 }
 
-/// Volumes of the dual cells within each region, by point.
-std::map<std::int32_t, std::vector<double>> volumes_by_region(const ModelMesh& mesh) {
-  std::map<std::int32_t, std::vector<Tetrahedron>> of_region;
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) of_region[mesh.tet_region[t]].push_back(mesh.tetrahedra[t]);
-  std::map<std::int32_t, std::vector<double>> volumes;
-  for (const auto& [region, tetrahedra] : of_region) {
-    std::vector<double>& own = volumes[region];
-    own.assign(mesh.points.size(), 0);
-    for (const DualFace& face : dual_faces(mesh.points, tetrahedra)) {
+/// The region that has the largest share of each point's cell; of equal ones the first.
+std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
+  constexpr std::int32_t none = 0, several = -1;
+  std::vector<std::int32_t> largest(mesh.points.size(), none);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    for (const VertexIndex v : mesh.tetrahedra[t]) {
+      if (largest[v] == none) largest[v] = mesh.tet_region[t];
+      if (largest[v] != mesh.tet_region[t]) largest[v] = several;
+    }
+  std::map<std::int32_t, std::vector<std::uint32_t>> rows_of;  // of tetrahedra at points of several regions
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    if (const Tetrahedron& v = mesh.tetrahedra[t];
+        std::any_of(v.begin(), v.end(), [&](VertexIndex a) { return largest[a] == several; }))
+      rows_of[mesh.tet_region[t]].push_back(static_cast<std::uint32_t>(t));
+  std::vector<double> most(mesh.points.size(), 0);
+  for (std::size_t v = 0; v < largest.size(); ++v)
+    if (largest[v] != several) most[v] = std::numeric_limits<double>::infinity();
+  for (const auto& [region, rows] : rows_of) {
+    std::vector<Tetrahedron> tetrahedra;
+    tetrahedra.reserve(rows.size());
+    for (const std::uint32_t t : rows) tetrahedra.push_back(mesh.tetrahedra[t]);
+    std::vector<double> own(mesh.points.size(), 0);
+    for_each_dual_face(mesh.points, tetrahedra, [&](const DualFace& face) {
       const double share = face.area * length_of(mesh.points[face.b] - mesh.points[face.a]) / 6;
       own[face.a] += share;
       own[face.b] += share;
-    }
+    });
+    for (std::size_t v = 0; v < own.size(); ++v)
+      if (own[v] > most[v]) {
+        most[v] = own[v];
+        largest[v] = region;
+      }
   }
-  return volumes;
+  return largest;
 }
 
 }  // namespace
@@ -74,26 +94,19 @@ ControlVolumes control_volumes(const ModelMesh& mesh) {
   require_delaunay(mesh);
   ControlVolumes result;
   result.volume.assign(mesh.points.size(), 0);
-  for (const DualFace& face : dual_faces(mesh.points, mesh.tetrahedra)) {
+  result.region = largest_regions(mesh);
+  for_each_dual_face(mesh.points, mesh.tetrahedra, [&](const DualFace& face) {
     const Vec3 along = mesh.points[face.b] - mesh.points[face.a];
     if (face.area < -rounding * dot(along, along)) ++result.n_negative_areas;
     const double share = face.area * length_of(along) / 6;
     result.volume[face.a] += share;
     result.volume[face.b] += share;
     if (face.area > rounding * dot(along, along)) result.connections.push_back({face.a, face.b, face.area});
-  }
+  });
   const auto least = std::min_element(result.volume.begin(), result.volume.end());
   if (!(*least > 0))
     refuse("circumcentres lie so far beyond the boundary that a cell has no volume",
            mesh.points[static_cast<std::size_t>(least - result.volume.begin())]);
-  std::vector<double> most(mesh.points.size(), 0);
-  result.region.assign(mesh.points.size(), 0);
-  for (const auto& [region, volume] : volumes_by_region(mesh))
-    for (std::size_t v = 0; v < volume.size(); ++v)
-      if (volume[v] > most[v]) {
-        most[v] = volume[v];
-        result.region[v] = region;
-      }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "geomesh/geomodel/model_mesh.hpp"
@@ -17,8 +18,8 @@ struct ControlVolumes {
     VertexIndex a, b;
     double area;  ///< of the face between the cells, which is perpendicular to the edge at its middle
   };
-  std::vector<Connection> connections;  ///< those with an area above zero
-  std::size_t n_negative_areas = 0;     ///< left out: at edges of the boundary beyond which circumcentres lie
+  std::deque<Connection> connections;  ///< those with an area above zero; a deque is not copied as it grows
+  std::size_t n_negative_areas = 0;    ///< left out: at edges of the boundary beyond which circumcentres lie
 };
 
 /// Fluxes between two cells along their edge are consistent only where the mesh is Delaunay. Throws Error{cannot_mesh}

@@ -3,8 +3,8 @@
 /// The faces of the Voronoi dual of a mesh: one for each edge.
 #pragma once
 
+#include <functional>
 #include <span>
-#include <vector>
 
 #include "geomesh/core/geometry.hpp"
 
@@ -13,11 +13,12 @@ namespace geomesh {
 struct DualFace {
   VertexIndex a, b;  ///< the edge, a < b
   double area;       ///< with sign; see voronoi_dual.hpp
-  bool on_border;    ///< of the mesh
 };
 
 /// In the order of the edges. The volume of the dual cell of a vertex is the sum of area times length over six of its
-/// edges; all of them together are the volume of the mesh. Tetrahedra positive. O(n log n).
-std::vector<DualFace> dual_faces(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
+/// edges; all of them together are the volume of the mesh. Tetrahedra positive. O(n log n); takes about six bytes a
+/// tetrahedron.
+void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
+                        const std::function<void(const DualFace&)>& use);
 
 }  // namespace geomesh

@@ -65,7 +65,8 @@ std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std
                                                 const std::filesystem::path& stem, const WriteOptions& options = {});
 
 /// A mesh file of any tool, by extension; sets become regions, surfaces, curves and named nodes. Throws Error{usage}
-/// where the format is not read, Error{invalid_input} where the file cannot be understood.
-ModelMesh read_model_mesh(const std::filesystem::path& file);
+/// where the format is not read, Error{invalid_input} where the file cannot be understood. Nodes in the middle of edges
+/// that are not half-way become ModelMesh::curved_edges. `order`: becomes that of the file's elements.
+ModelMesh read_model_mesh(const std::filesystem::path& file, ElementOrder* order = nullptr);
 
 }  // namespace geomesh::geomodel

@@ -46,9 +46,10 @@ class ExodusWriter {
   std::vector<SidecarGroup> write() {
     collect_sets();
     put_sizes();
+    define_blocks();
+    put_sets();
     put_coordinates();
     put_blocks();
-    put_sets();
     require(put_exodus_fields(id_, mesh_));
     if (part_) require(put_exodus_part(id_, *part_, {side_sets_.size(), node_sets_.size()}));
     const int status = ex_close(id_);
@@ -129,14 +130,26 @@ class ExodusWriter {
       require(ex_put_coord(id_, of(0), of(1), of(2)));
     }
   }
+  /// All blocks at once, and before anything large is there: the library moves what is there for each definition.
+  void define_blocks() {
+    std::vector<ex_block> defined;
+    for (const CellBlock& block : mesh_.blocks) {
+      if (!is_solid(block)) continue;
+      const std::string type = block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA4";
+      ex_block& own = defined.emplace_back();
+      own.id = block.id;
+      own.type = EX_ELEM_BLOCK;
+      std::copy(type.begin(), type.end(), own.topology);
+      own.num_entry = static_cast<int64_t>(block.n_cells());
+      own.num_nodes_per_entry = static_cast<int64_t>(block.nodes_per_cell);
+    }
+    require(ex_put_block_params(id_, defined.size(), defined.data()));
+  }
   void put_blocks() {
     SolverNames names(name_limit_exodus);
     std::vector<std::string> given;
     for (const CellBlock& block : mesh_.blocks) {
       if (!is_solid(block)) continue;
-      const char* const type = block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA4";
-      require(ex_put_block(id_, EX_ELEM_BLOCK, block.id, type, static_cast<int64_t>(block.n_cells()),
-                           static_cast<int64_t>(block.nodes_per_cell), 0, 0, 0));
       put_nodes_of_cells(block);
       given.push_back(add_name(names, "element block", {block.id, 3, block.full_name, {}, block.members}));
     }
@@ -156,14 +169,16 @@ class ExodusWriter {
     }
   }
   void put_sets() {
+    std::vector<ex_set> all;
+    for (const auto& [kind, sets] : {std::pair{EX_SIDE_SET, &side_sets_}, std::pair{EX_NODE_SET, &node_sets_}})
+      for (Set& set : *sets)
+        all.push_back({set.id, kind, static_cast<int64_t>(set.entries.size()), 0,
+                       set.entries.empty() ? nullptr : set.entries.data(),
+                       set.sides.empty() ? nullptr : set.sides.data(), nullptr});
+    if (!all.empty()) require(ex_put_sets(id_, all.size(), all.data()));
     for (const auto& [kind, sets] : {std::pair{EX_SIDE_SET, &side_sets_}, std::pair{EX_NODE_SET, &node_sets_}}) {
       std::vector<std::string> names;
-      for (const Set& set : *sets) {
-        require(ex_put_set_param(id_, kind, set.id, static_cast<int64_t>(set.entries.size()), 0));
-        if (!set.entries.empty())
-          require(ex_put_set(id_, kind, set.id, set.entries.data(), set.sides.empty() ? nullptr : set.sides.data()));
-        names.push_back(set.name);
-      }
+      for (const Set& set : *sets) names.push_back(set.name);
       put_names(kind, names);
     }
   }
