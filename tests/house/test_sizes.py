@@ -97,13 +97,7 @@ def over_the_limits():
     return found
 
 
-EXCEPTIONS = {
-    "geomodel/src/arrangement/model/arranged.cpp: class Round with run() is over 150 lines",
-    "geomodel/src/arrangement/snap/cluster.cpp: class Cluster with run() is over 150 lines",
-    "geomodel/src/arrangement/snap/snap.cpp: class Snapper with run() is over 150 lines",
-    "geomodel/src/rules/trim_soup.cpp: class Trimmer with run() is over 150 lines",
-    "geomodel/src/stack/sheet_approximation.cpp: class Approximation with run() is over 150 lines",
-}
+EXCEPTIONS = set()
 
 
 class Sizes(unittest.TestCase):
