@@ -97,20 +97,7 @@ def over_the_limits():
     return found
 
 
-EXCEPTIONS = {
-    "core/src/classify/classify.cpp: class Classifier with run() is over 150 lines",
-    "core/src/recover/model/facet_trace.cpp: class Tracer with run() is over 150 lines",
-    "core/src/recover/operations/polyhedron_filling.cpp: class Filler with run() is over 150 lines",
-    "core/src/recover/steiner_removal/boundary_points_inward.cpp: class PointRemoval with run() is over 150 lines",
-    "core/src/tetrahedralize/canonical_form.cpp: class Builder with run() is over 150 lines",
-    "geomodel/src/arrangement/arrange.cpp: class Arrangement with run() is over 150 lines",
-    "geomodel/src/arrangement/diagnosis/validate_soup.cpp: class Validator with run() is over 150 lines",
-    "geomodel/src/arrangement/model/arranged.cpp: class Round with run() is over 150 lines",
-    "geomodel/src/arrangement/snap/cluster.cpp: class Cluster with run() is over 150 lines",
-    "geomodel/src/arrangement/snap/snap.cpp: class Snapper with run() is over 150 lines",
-    "geomodel/src/rules/trim_soup.cpp: class Trimmer with run() is over 150 lines",
-    "geomodel/src/stack/sheet_approximation.cpp: class Approximation with run() is over 150 lines",
-}
+EXCEPTIONS = set()
 
 
 class Sizes(unittest.TestCase):

@@ -17,33 +17,47 @@ using recover::Subsegment;
 
 constexpr Index unvisited = no_index, outside = no_index - 1, dropped = no_index - 2;
 
-class Classifier {
+/// The component of each cell: the cells that locked faces part from all others, numbered by the facets about them.
+class Components {
  public:
-  Classifier(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
-      : mesh_(mesh), model_(model), plc_(plc), context_(context), label_(mesh.cells().n_slots(), unvisited) {}
-
-  ConstrainedTetrahedralization run() {
+  Components(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
+      : mesh_(mesh), plc_(plc), context_(context), label_(mesh.cells().n_slots(), unvisited) {
     flood_outside();
     for (const auto& seed : plc_.hole_seeds) flood_hole(seed);
-    order_subfacets();
+    order_subfacets(model.constraints);
     number_components();
-    if (out_.n_components == 0)
-      throw Error(ErrorKind::cannot_mesh,
-                  "the facets enclose no space, so there is nothing to mesh: close the surfaces, add a box, or keep "
-                  "the convex hull");
-    mark_regions();
-    emit_points();
-    emit_cells();
-    emit_faces();
-    emit_edges();
-    return std::move(out_);
+  }
+
+  Index size() const { return n_; }
+  Index of(CellIndex c) const { return label_[c]; }
+  bool kept(CellIndex c) const { return label_[c] < n_; }
+  /// Live subfacets by facet, so that numbers and output do not depend on the course of recovery.
+  const std::vector<Index>& subfacets() const { return subfacets_; }
+  /// Of each of `subfacets()` the face on its upper side.
+  const std::vector<FaceRef>& faces_above() const { return above_; }
+
+  /// The region seed in each component (no_index: none).
+  std::vector<Index> seeds() const {
+    std::vector<Index> out(n_, no_index);
+    for (const auto& seed : plc_.region_seeds) {
+      const CellIndex c = mesh_.locate(seed.point, mesh_.cell_of(0));
+      if (c == no_cell || !kept(c)) {
+        context_.note(LogLevel::warning, "a region seed lies outside every region");
+        continue;
+      }
+      Index& slot = out[label_[c]];
+      if (slot == no_index) {
+        slot = seed.id;
+      } else if (slot != seed.id) {
+        context_.note(LogLevel::warning, "two region seeds lie in one region; the first one names it");
+      }
+    }
+    return out;
   }
 
  private:
-  const TetMesh& cells() const { return mesh_.cells(); }
-
   void flood(CellIndex start, Index label) {
-    flood_cells(cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
+    flood_cells(mesh_.cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
   }
   void flood_outside() {
     for (std::size_t k = 0; k < 8; ++k) {
@@ -59,48 +73,46 @@ class Classifier {
       flood(c, dropped);
     }
   }
-
-  /// Live subfacets by facet, so that numbers and output do not depend on the course of recovery.
-  void order_subfacets() {
-    for (Index f = 0; f < model_.constraints.subfacets.size(); ++f)
-      if (model_.constraints.subfacets[f].live) subfacets_.push_back(f);
-    std::stable_sort(subfacets_.begin(), subfacets_.end(), [&](Index a, Index b) {
-      return model_.constraints.subfacets[a].facet < model_.constraints.subfacets[b].facet;
-    });
-    for (Index f : subfacets_) above_.push_back(recover::face_of_subfacet(mesh_, model_.constraints, f));
+  void order_subfacets(recover::Constraints& constraints) {
+    for (Index f = 0; f < constraints.subfacets.size(); ++f)
+      if (constraints.subfacets[f].live) subfacets_.push_back(f);
+    std::stable_sort(subfacets_.begin(), subfacets_.end(),
+                     [&](Index a, Index b) { return constraints.subfacets[a].facet < constraints.subfacets[b].facet; });
+    for (Index f : subfacets_) above_.push_back(recover::face_of_subfacet(mesh_, constraints, f));
   }
   void number_components() {
-    Index next = 0;
     for (const FaceRef above : above_)
-      for (const CellIndex c : {cells().mirror(above).cell(), above.cell()})
-        if (label_[c] == unvisited) flood(c, next++);
-    out_.n_components = next;
-  }
-  void mark_regions() {
-    out_.component_seed.assign(out_.n_components, no_index);
-    for (const auto& seed : plc_.region_seeds) {
-      const CellIndex c = mesh_.locate(seed.point, mesh_.cell_of(0));
-      if (c == no_cell || label_[c] >= out_.n_components) {
-        context_.note(LogLevel::warning, "a region seed lies outside every region");
-        continue;
-      }
-      Index& slot = out_.component_seed[label_[c]];
-      if (slot == no_index) {
-        slot = seed.id;
-      } else if (slot != seed.id) {
-        context_.note(LogLevel::warning, "two region seeds lie in one region; the first one names it");
-      }
-    }
+      for (const CellIndex c : {mesh_.cells().mirror(above).cell(), above.cell()})
+        if (label_[c] == unvisited) flood(c, n_++);
   }
 
-  bool kept(CellIndex c) const { return label_[c] < out_.n_components; }
+  ConstrainedMesh& mesh_;
+  const PiecewiseLinearComplex& plc_;
+  const RunContext& context_;
+  std::vector<Index> label_;
+  std::vector<Index> subfacets_;
+  std::vector<FaceRef> above_;
+  Index n_ = 0;
+};
 
-  void emit_points() {
+/// The kept components in plain arrays, rows in the order of the mesh.
+class Arrays {
+ public:
+  Arrays(ConstrainedMesh& mesh, DeclaredModel& model, const Components& components, ConstrainedTetrahedralization& out)
+      : mesh_(mesh), cells_(mesh.cells()), model_(model), components_(components), out_(out) {
+    add_points();
+    add_cells();
+    add_faces();
+    add_edges();
+  }
+
+ private:
+  void add_points() {
     point_.assign(mesh_.points().size(), no_vertex);
     std::vector<std::uint8_t> used(mesh_.points().size(), 0);
-    for (CellIndex c = 0; c < cells().n_slots(); ++c)
-      if (cells().is_live(c) && kept(c))
-        for (VertexIndex v : cells().vertices(c)) used[v] = 1;
+    for (CellIndex c = 0; c < cells_.n_slots(); ++c)
+      if (cells_.is_live(c) && components_.kept(c))
+        for (VertexIndex v : cells_.vertices(c)) used[v] = 1;
     for (VertexIndex v = 0; v < used.size(); ++v) {
       if (!used[v]) continue;
       point_[v] = static_cast<VertexIndex>(out_.points.size());
@@ -111,29 +123,31 @@ class Classifier {
     for (VertexIndex v : model_.isolated_points)
       if (point_[v] != no_vertex) out_.isolated_points.push_back(point_[v]);
   }
-  void emit_cells() {
-    tetrahedron_.assign(cells().n_slots(), no_index);
-    for (CellIndex c = 0; c < cells().n_slots(); ++c) {
-      if (!cells().is_live(c) || !kept(c)) continue;
+  void add_cells() {
+    tetrahedron_.assign(cells_.n_slots(), no_index);
+    for (CellIndex c = 0; c < cells_.n_slots(); ++c) {
+      if (!cells_.is_live(c) || !components_.kept(c)) continue;
       tetrahedron_[c] = static_cast<Index>(out_.tetrahedra.size());
-      const auto& v = cells().vertices(c);
+      const auto& v = cells_.vertices(c);
       out_.tetrahedra.push_back({point_[v[0]], point_[v[1]], point_[v[2]], point_[v[3]]});
-      out_.component.push_back(label_[c]);
+      out_.component.push_back(components_.of(c));
     }
     out_.recovery.tetrahedra_final = out_.tetrahedra.size();
   }
-  void emit_faces() {
-    for (std::size_t i = 0; i < subfacets_.size(); ++i) {
-      const CellIndex above = above_[i].cell(), below = cells().mirror(above_[i]).cell();
-      if (!kept(above) && !kept(below)) continue;
-      const Subfacet& f = model_.constraints.subfacets[subfacets_[i]];
+  void add_faces() {
+    const std::vector<Index>& subfacets = components_.subfacets();
+    for (std::size_t i = 0; i < subfacets.size(); ++i) {
+      const FaceRef face = components_.faces_above()[i];
+      const CellIndex above = face.cell(), below = cells_.mirror(face).cell();
+      if (!components_.kept(above) && !components_.kept(below)) continue;
+      const Subfacet& f = model_.constraints.subfacets[subfacets[i]];
       out_.faces.push_back({{point_[f.vertices[0]], point_[f.vertices[1]], point_[f.vertices[2]]},
                             f.facet,
                             tetrahedron_[below],
                             tetrahedron_[above]});
     }
   }
-  void emit_edges() {
+  void add_edges() {
     if (model_.segment_of_row.empty()) return;
     const auto& constraints = model_.constraints;
     std::vector<std::vector<Index>> parts(constraints.segments.size());
@@ -154,26 +168,32 @@ class Classifier {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;
     mesh_.ring(recover::cell_of_subsegment(mesh_, model_.constraints, subsegment), s.a, s.b, ring);
-    return std::any_of(ring.cells.begin(), ring.cells.end(), [&](CellIndex c) { return kept(c); });
+    return std::any_of(ring.cells.begin(), ring.cells.end(), [&](CellIndex c) { return components_.kept(c); });
   }
 
   ConstrainedMesh& mesh_;
+  const TetMesh& cells_;
   DeclaredModel& model_;
-  const PiecewiseLinearComplex& plc_;
-  const RunContext& context_;
-  std::vector<Index> label_;
-  std::vector<Index> subfacets_;
-  std::vector<FaceRef> above_;
-  std::vector<VertexIndex> point_;
-  std::vector<Index> tetrahedron_;
-  ConstrainedTetrahedralization out_;
+  const Components& components_;
+  ConstrainedTetrahedralization& out_;
+  std::vector<VertexIndex> point_;  ///< rows of the vertices
+  std::vector<Index> tetrahedron_;  ///< rows of the cells
 };
 
 }  // namespace
 
 ConstrainedTetrahedralization classify(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc,
                                        const RunContext& context) {
-  return Classifier(mesh, model, plc, context).run();
+  const Components components(mesh, model, plc, context);
+  if (components.size() == 0)
+    throw Error(ErrorKind::cannot_mesh,
+                "the facets enclose no space, so there is nothing to mesh: close the surfaces, add a box, or keep "
+                "the convex hull");
+  ConstrainedTetrahedralization out;
+  out.n_components = components.size();
+  out.component_seed = components.seeds();
+  Arrays(mesh, model, components, out);
+  return out;
 }
 
 }  // namespace geomesh::classify

@@ -51,15 +51,72 @@ bool begin_at_least(std::span<VertexIndex> loop) {
   return is_reversed;
 }
 
+/// The loops of a complex over other vertices, each begun at its least, and the order of facets by them.
+class TurnedLoops {
+ public:
+  /// `local`: the other vertices by the complex' rows.
+  TurnedLoops(const PiecewiseLinearComplex& plc, const std::vector<VertexIndex>& local) : plc_(plc) {
+    turned_.reserve(plc.loop_vertices.size());
+    for (const VertexIndex v : plc.loop_vertices) turned_.push_back(local[v]);
+    is_reversed_.resize(plc.n_facets());
+    for (Index f = 0; f < plc.n_facets(); ++f)
+      for (Index l = plc.facet_loops[f]; l < plc.facet_loops[f + 1]; ++l) {
+        const bool is_reversed =
+            begin_at_least({turned_.data() + plc.loop_offsets[l], turned_.data() + plc.loop_offsets[l + 1]});
+        if (l == plc.facet_loops[f]) is_reversed_[f] = is_reversed;
+      }
+  }
+
+  std::size_t n_vertices() const { return turned_.size(); }
+  bool is_reversed(Index f) const { return is_reversed_[f]; }
+  /// The least vertex of the facet's outer loop.
+  VertexIndex first(Index f) const { return turned_[plc_.loop_offsets[plc_.facet_loops[f]]]; }
+  std::span<const VertexIndex> outer(Index f) const { return loop(plc_.facet_loops[f]); }
+  /// Outer loop, then holes ascending.
+  std::vector<std::span<const VertexIndex>> ordered_loops(Index f) const {
+    std::vector<std::span<const VertexIndex>> loops;
+    for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) loops.push_back(loop(l));
+    std::sort(loops.begin() + 1, loops.end(), is_less);
+    return loops;
+  }
+  /// By outer loop, then by holes, then by the caller's number.
+  bool is_before(Index f, Index g) const {
+    const auto a = outer(f), b = outer(g);
+    if (is_less(a, b)) return true;
+    if (is_less(b, a)) return false;
+    if (plc_.n_loops(f) > 1 || plc_.n_loops(g) > 1) {
+      const auto holes_a = ordered_loops(f), holes_b = ordered_loops(g);
+      if (std::lexicographical_compare(holes_a.begin(), holes_a.end(), holes_b.begin(), holes_b.end(), is_less))
+        return true;
+      if (std::lexicographical_compare(holes_b.begin(), holes_b.end(), holes_a.begin(), holes_a.end(), is_less))
+        return false;
+    }
+    return f < g;
+  }
+
+ private:
+  std::span<const VertexIndex> loop(Index l) const {
+    return {turned_.data() + plc_.loop_offsets[l], turned_.data() + plc_.loop_offsets[l + 1]};
+  }
+  static bool is_less(std::span<const VertexIndex> a, std::span<const VertexIndex> b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+
+  const PiecewiseLinearComplex& plc_;
+  std::vector<VertexIndex> turned_;        ///< as plc_.loop_vertices
+  std::vector<std::uint8_t> is_reversed_;  ///< per facet
+};
+
+/// The complex with vertices, facets and segments in the canonical order.
 class Builder {
  public:
   explicit Builder(const PiecewiseLinearComplex& plc) : plc_(plc) {}
 
   CanonicalForm run() {
     number_vertices();
-    turn_loops();
-    number_facets();
-    add_facets();
+    const TurnedLoops loops(plc_, local_);
+    number_facets(loops);
+    add_facets(loops);
     add_inner_items();
     add_segments();
     for (const VertexIndex v : plc_.isolated_points) out_.plc.isolated_points.push_back(local_[v]);
@@ -86,68 +143,25 @@ class Builder {
     }
   }
 
-  /// Facet by facet in the caller's order: each loop, the holes of a facet in ascending order.
-  void turn_loops() {
-    turned_.reserve(plc_.loop_vertices.size());
-    for (const VertexIndex v : plc_.loop_vertices) turned_.push_back(local_[v]);
-    is_reversed_.resize(plc_.n_facets());
-    for (Index f = 0; f < plc_.n_facets(); ++f)
-      for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
-        const bool is_reversed = begin_at_least(turned_loop(l));
-        if (l == plc_.facet_loops[f]) is_reversed_[f] = is_reversed;
-      }
-  }
-  std::span<VertexIndex> turned_loop(Index l) {
-    return {turned_.data() + plc_.loop_offsets[l], turned_.data() + plc_.loop_offsets[l + 1]};
-  }
-  std::span<const VertexIndex> turned_loop(Index l) const {
-    return {turned_.data() + plc_.loop_offsets[l], turned_.data() + plc_.loop_offsets[l + 1]};
-  }
-  static bool is_less(std::span<const VertexIndex> a, std::span<const VertexIndex> b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-
-  /// Outer loop, then holes ascending.
-  std::vector<std::span<const VertexIndex>> ordered_loops(Index f) const {
-    std::vector<std::span<const VertexIndex>> loops;
-    for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) loops.push_back(turned_loop(l));
-    std::sort(loops.begin() + 1, loops.end(), is_less);
-    return loops;
-  }
-  /// By outer loop, then by holes, then by the caller's number.
-  bool is_before(Index f, Index g) const {
-    const auto a = turned_loop(plc_.facet_loops[f]), b = turned_loop(plc_.facet_loops[g]);
-    if (is_less(a, b)) return true;
-    if (is_less(b, a)) return false;
-    if (plc_.n_loops(f) > 1 || plc_.n_loops(g) > 1) {
-      const auto holes_a = ordered_loops(f), holes_b = ordered_loops(g);
-      if (std::lexicographical_compare(holes_a.begin(), holes_a.end(), holes_b.begin(), holes_b.end(), is_less))
-        return true;
-      if (std::lexicographical_compare(holes_b.begin(), holes_b.end(), holes_a.begin(), holes_a.end(), is_less))
-        return false;
-    }
-    return f < g;
-  }
   /// Sorted by first vertex at one go, then within the few that share it.
-  void number_facets() {
+  void number_facets(const TurnedLoops& loops) {
     std::vector<Index> begin(out_.plc.points.size() + 1, 0);
-    const auto first = [&](Index f) { return turned_[plc_.loop_offsets[plc_.facet_loops[f]]]; };
-    for (Index f = 0; f < plc_.n_facets(); ++f) ++begin[first(f) + 1];
+    for (Index f = 0; f < plc_.n_facets(); ++f) ++begin[loops.first(f) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<Index>& order = out_.names.facet;
     order.resize(plc_.n_facets());
     std::vector<Index> next(begin.begin(), begin.end() - 1);
-    for (Index f = 0; f < plc_.n_facets(); ++f) order[next[first(f)]++] = f;
+    for (Index f = 0; f < plc_.n_facets(); ++f) order[next[loops.first(f)]++] = f;
     for (std::size_t v = 0; v + 1 < begin.size(); ++v)
       std::sort(order.begin() + begin[v], order.begin() + begin[v + 1],
-                [&](Index f, Index g) { return is_before(f, g); });
+                [&](Index f, Index g) { return loops.is_before(f, g); });
     row_of_facet_.resize(order.size());
     for (Index row = 0; row < order.size(); ++row) row_of_facet_[order[row]] = row;
   }
 
-  void add_facets() {
+  void add_facets(const TurnedLoops& loops) {
     PiecewiseLinearComplex& out = out_.plc;
-    out.loop_vertices.reserve(turned_.size());
+    out.loop_vertices.reserve(loops.n_vertices());
     out.loop_offsets.reserve(plc_.loop_offsets.size());
     out.facet_loops.reserve(plc_.facet_loops.size());
     const auto add_loop = [&](std::span<const VertexIndex> loop) {
@@ -156,11 +170,11 @@ class Builder {
     };
     for (const Index f : out_.names.facet) {
       if (plc_.n_loops(f) == 1)
-        add_loop(turned_loop(plc_.facet_loops[f]));
+        add_loop(loops.outer(f));
       else
-        for (const auto& loop : ordered_loops(f)) add_loop(loop);
+        for (const auto& loop : loops.ordered_loops(f)) add_loop(loop);
       out.facet_loops.push_back(static_cast<Index>(out.loop_offsets.size() - 1));
-      out_.names.facet_is_reversed.push_back(is_reversed_[f]);
+      out_.names.facet_is_reversed.push_back(loops.is_reversed(f));
     }
     out.facet_provenance.assign(plc_.n_facets(), no_index);
   }
@@ -199,10 +213,8 @@ class Builder {
 
   const PiecewiseLinearComplex& plc_;
   CanonicalForm out_;
-  std::vector<VertexIndex> local_;         ///< per row of the caller's points
-  std::vector<VertexIndex> turned_;        ///< as plc_.loop_vertices
-  std::vector<std::uint8_t> is_reversed_;  ///< per facet of the caller's
-  std::vector<Index> row_of_facet_;        ///< per facet of the caller's
+  std::vector<VertexIndex> local_;   ///< per row of the caller's points
+  std::vector<Index> row_of_facet_;  ///< per facet of the caller's
 };
 
 }  // namespace

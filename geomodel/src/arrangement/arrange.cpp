@@ -25,6 +25,91 @@ void check_box(const Box3& box) {
       throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
 }
 
+double unit_in_the_last_place(const Complex& complex) {
+  double largest = 0;
+  for (const Vec3& p : complex.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
+}
+
+/// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
+double mending_distance(const Complex& complex, unsigned round) {
+  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
+}
+
+/// A point may move once a step: the sum of the largest bounds it.
+void add(const Displacement& more, Displacement& total) {
+  if (more.largest > total.largest) total.where = more.where;
+  total.largest += more.largest;
+  const auto n = static_cast<double>(total.points_moved + more.points_moved);
+  if (n > 0)
+    total.mean =
+        (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
+  total.points_moved += more.points_moved;
+}
+
+void log_round(const RunContext& context, unsigned round, const Complex& complex, const Contacts& contacts) {
+  context.note(LogLevel::debug, "arrangement round " + std::to_string(round) + ": " +
+                                    std::to_string(complex.facets.size()) + " facets, " +
+                                    std::to_string(contacts.n_pairs) + " pairs, " +
+                                    std::to_string(contacts.facets.size()) + " contacts, " +
+                                    std::to_string(contacts.overlaps.size()) + " overlaps");
+}
+
+/// Where rounding finds no end.
+[[noreturn]] void refuse(const SurfaceList& surfaces, const Complex& complex, const Contacts& contacts) {
+  ErrorContext context;
+  ModelItems items;
+  std::string names;
+  const auto add = [&](Index f) {
+    if (context.places.size() >= 10) return;
+    context.facets.push_back(f);
+    context.places.push_back(complex.points[complex.facets[f][0]]);
+    const auto& origin = complex.origins.of(f)[0];
+    const std::string& name = surfaces[origin.surface].name;
+    items.add_triangle(name, origin.triangle);
+    if (names.find(name) == std::string::npos) names += (names.empty() ? "" : ", ") + name;
+  };
+  for (const FacetContact& c : contacts.facets) add(c.facet);
+  for (const Overlap& o : contacts.overlaps) add(o.a);
+  const std::string message = "the surfaces " + names + " lie so near each other near " +
+                              (context.places.empty() ? "?" : to_text(context.places[0])) +
+                              " that no rounding to doubles keeps them apart; move them apart or merge them there";
+  throw ModelError(ErrorKind::cannot_mesh, message, std::move(items), std::move(context));
+}
+
+/// A point that is not from the input is a triple point where three surfaces meet.
+void fill_kinds(PolygonSoup& soup) {
+  std::vector<std::array<Index, 3>> at(soup.points.size(), {no_index, no_index, no_index});
+  for (Index f = 0; f < soup.facets.size(); ++f)
+    for (const VertexIndex v : soup.facets[f]) {
+      if (soup.input_point[v] != no_index) continue;
+      for (Index k = soup.origin_offsets[f]; k < soup.origin_offsets[f + 1]; ++k)
+        for (Index& slot : at[v]) {
+          if (slot == no_index) slot = soup.origins[k].surface;
+          if (slot == soup.origins[k].surface) break;
+        }
+    }
+  soup.kind.assign(soup.points.size(), SoupVertexKind::input);
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    if (soup.input_point[v] == no_index && at[v][0] != no_index)
+      soup.kind[v] = at[v][2] != no_index ? SoupVertexKind::triple_point : SoupVertexKind::intersection;
+}
+
+PolygonSoup soup_of(Complex&& complex) {
+  drop_unused_points(complex);
+  PolygonSoup soup;
+  soup.points = std::move(complex.points);
+  soup.input_point = std::move(complex.input_point);
+  soup.facets = std::move(complex.facets);
+  soup.origins = std::move(complex.origins.items);
+  soup.origin_offsets = std::move(complex.origins.offsets);
+  soup.segments = std::move(complex.segments);
+  soup.isolated_points = std::move(complex.isolated_points);
+  fill_kinds(soup);
+  return soup;
+}
+
+/// One arrangement: what is read in, and what its rounds have done so far.
 class Arrangement {
  public:
   Arrangement(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
@@ -56,7 +141,7 @@ class Arrangement {
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     if (join_rule_.restricts()) join_rule_ = JoinRule(surfaces_that_meet(ingested_.complex, contacts));
     result_.n_pairs = contacts.n_pairs;
-    log_round(0, ingested_.complex, contacts);
+    log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
     apply_tolerance(complex);
     // A soup that grows beyond these while it is mended will not end.
@@ -64,18 +149,18 @@ class Arrangement {
     for (unsigned round = 1;; ++round) {
       contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
-      log_round(round, complex, contacts);
+      log_round(context_, round, complex, contacts);
       result_.n_rounding_rounds = round;
       for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
       if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets ||
           contacts.facets.size() > most_contacts)
-        refuse(complex, contacts);
+        refuse(surfaces_, complex, contacts);
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
-    fill_soup(std::move(complex));
+    result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);
   }
@@ -101,11 +186,6 @@ class Arrangement {
     RoundingOptions rounding{0, bounds_};
     rounding.snap = mending_distance(complex, round);
     return take(round_to_doubles(arranged, complex, rounding));
-  }
-
-  /// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
-  static double mending_distance(const Complex& complex, unsigned round) {
-    return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
   }
 
   /// Brings together what lies within the mending distance among the facets that still meet.
@@ -156,88 +236,10 @@ class Arrangement {
     vanished_.insert(vanished_.end(), outcome.vanished.begin(), outcome.vanished.end());
   }
 
-  /// A point may move once a step: the sum of the largest bounds it.
-  static void add(const Displacement& more, Displacement& total) {
-    if (more.largest > total.largest) total.where = more.where;
-    total.largest += more.largest;
-    const auto n = static_cast<double>(total.points_moved + more.points_moved);
-    if (n > 0)
-      total.mean =
-          (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) /
-          n;
-    total.points_moved += more.points_moved;
-  }
-
   Complex take(Rounded&& rounded) {
     add(rounded.displacement, result_.rounding);
     vanished_.insert(vanished_.end(), rounded.vanished.begin(), rounded.vanished.end());
     return std::move(rounded.complex);
-  }
-
-  static double unit_in_the_last_place(const Complex& complex) {
-    double largest = 0;
-    for (const Vec3& p : complex.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
-  }
-
-  void log_round(unsigned round, const Complex& complex, const Contacts& contacts) const {
-    context_.note(LogLevel::debug, "arrangement round " + std::to_string(round) + ": " +
-                                       std::to_string(complex.facets.size()) + " facets, " +
-                                       std::to_string(contacts.n_pairs) + " pairs, " +
-                                       std::to_string(contacts.facets.size()) + " contacts, " +
-                                       std::to_string(contacts.overlaps.size()) + " overlaps");
-  }
-
-  [[noreturn]] void refuse(const Complex& complex, const Contacts& contacts) const {
-    ErrorContext context;
-    ModelItems items;
-    std::string names;
-    const auto add = [&](Index f) {
-      if (context.places.size() >= 10) return;
-      context.facets.push_back(f);
-      context.places.push_back(complex.points[complex.facets[f][0]]);
-      const auto& origin = complex.origins.of(f)[0];
-      const std::string& name = surfaces_[origin.surface].name;
-      items.add_triangle(name, origin.triangle);
-      if (names.find(name) == std::string::npos) names += (names.empty() ? "" : ", ") + name;
-    };
-    for (const FacetContact& c : contacts.facets) add(c.facet);
-    for (const Overlap& o : contacts.overlaps) add(o.a);
-    const std::string message = "the surfaces " + names + " lie so near each other near " +
-                                (context.places.empty() ? "?" : to_text(context.places[0])) +
-                                " that no rounding to doubles keeps them apart; move them apart or merge them there";
-    throw ModelError(ErrorKind::cannot_mesh, message, std::move(items), std::move(context));
-  }
-
-  void fill_soup(Complex&& complex) {
-    drop_unused_points(complex);
-    PolygonSoup& soup = result_.soup;
-    soup.points = std::move(complex.points);
-    soup.input_point = std::move(complex.input_point);
-    soup.facets = std::move(complex.facets);
-    soup.origins = std::move(complex.origins.items);
-    soup.origin_offsets = std::move(complex.origins.offsets);
-    soup.segments = std::move(complex.segments);
-    soup.isolated_points = std::move(complex.isolated_points);
-    fill_kinds(soup);
-  }
-
-  /// A point that is not from the input is a triple point where three surfaces meet.
-  static void fill_kinds(PolygonSoup& soup) {
-    std::vector<std::array<Index, 3>> at(soup.points.size(), {no_index, no_index, no_index});
-    for (Index f = 0; f < soup.facets.size(); ++f)
-      for (const VertexIndex v : soup.facets[f]) {
-        if (soup.input_point[v] != no_index) continue;
-        for (Index k = soup.origin_offsets[f]; k < soup.origin_offsets[f + 1]; ++k)
-          for (Index& slot : at[v]) {
-            if (slot == no_index) slot = soup.origins[k].surface;
-            if (slot == soup.origins[k].surface) break;
-          }
-      }
-    soup.kind.assign(soup.points.size(), SoupVertexKind::input);
-    for (std::size_t v = 0; v < soup.points.size(); ++v)
-      if (soup.input_point[v] == no_index && at[v][0] != no_index)
-        soup.kind[v] = at[v][2] != no_index ? SoupVertexKind::triple_point : SoupVertexKind::intersection;
   }
 
   const std::vector<Polyline>& polylines_;

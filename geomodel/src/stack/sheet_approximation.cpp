@@ -40,25 +40,181 @@ std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std
   return merged;
 }
 
+/// Sheets over a triangulation of the map: the heights of all horizons at its vertices, and how far they may be off.
+class Sheets {
+ public:
+  Sheets(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
+         const std::vector<ThinArea>& areas)
+      : samples_(samples),
+        options_(options),
+        n_(samples.n_surfaces()),
+        map_(map),
+        zone_merged_(merged_zones(map, areas)),
+        exact_(n_) {}
+
+  MergedPairs merged(Index cell) const { return zone_merged_[map_.cells()[cell].zone]; }
+
+  /// Heights at a new vertex, of planes fitted to the samples within the radius.
+  void add_vertex(VertexIndex v, double radius) {
+    if (vertex_merged_.size() <= v) {
+      vertex_merged_.resize(v + 1);
+      radius_.resize(v + 1);
+      heights_.resize((v + 1) * n_);
+    }
+    vertex_merged_[v] = merged_about(v);
+    radius_[v] = radius;
+    set_heights(v);
+  }
+
+  /// Fits the vertex anew over half of its radius.
+  void sharpen(VertexIndex v) {
+    radius_[v] *= 0.5;
+    set_heights(v);
+  }
+  /// What the fit alone puts the vertex off by, on one horizon.
+  double off_by_fit(VertexIndex v, std::size_t horizon) {
+    if (radius_[v] == 0) return 0;
+    return std::abs(heights_on_triangles(map_.points()[v], vertex_merged_[v])[horizon] - heights_[v * n_ + horizon]);
+  }
+  /// Heights of the given triangles, settled.
+  std::span<const double> heights_on_triangles(const Vec2& p, MergedPairs merged) {
+    samples_.heights_at(p, exact_);
+    settle_column(exact_, merged, options_.keepers, options_.gap);
+    return exact_;
+  }
+
+  /// Barycentric coordinates of p in a cell.
+  std::array<double, 3> weights(Index cell, const Vec2& p) const {
+    const Triangle& v = map_.cells()[cell].vertices;
+    const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
+    const double whole = twice_area(a, b, c), wb = twice_area(a, p, c) / whole, wc = twice_area(a, b, p) / whole;
+    return {1 - wb - wc, wb, wc};
+  }
+
+  double height(VertexIndex v, std::size_t k) const { return heights_[v * n_ + k]; }
+  double height(Index cell, const std::array<double, 3>& w, std::size_t k) const {
+    const Triangle& v = map_.cells()[cell].vertices;
+    return w[0] * height(v[0], k) + w[1] * height(v[1], k) + w[2] * height(v[2], k);
+  }
+  const std::vector<double>& heights() const { return heights_; }
+
+  /// Horizons that give way at a pinch-out line which the cell touches from outside. Bit k: horizon k.
+  std::uint64_t giving_way(Index cell) const {
+    const Triangle& v = map_.cells()[cell].vertices;
+    const MergedPairs about = vertex_merged_[v[0]] | vertex_merged_[v[1]] | vertex_merged_[v[2]];
+    std::uint64_t givers = 0;
+    for (std::size_t k = 0; k + 1 < n_; ++k)
+      if ((about & ~merged(cell)) >> k & 1)
+        givers |= std::uint64_t{1} << (options_.keepers[k] == Keeper::younger ? k + 1 : k);
+    return givers;
+  }
+
+  double allowed(std::uint64_t givers, std::size_t k) const {
+    return options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
+  }
+
+ private:
+  MergedPairs merged_about(VertexIndex v) {
+    map_.star(v, star_);
+    MergedPairs result = 0;
+    for (const Index cell : star_) result |= merged(cell);
+    return result;
+  }
+
+  void set_heights(VertexIndex v) {
+    const std::span<double> heights(heights_.data() + v * n_, n_);
+    if (radius_[v] < samples_.spacing()) radius_[v] = 0;
+    if (radius_[v] > 0) {
+      samples_.fitted_heights(map_.points()[v], radius_[v], heights);
+    } else {
+      samples_.heights_at(map_.points()[v], heights);
+    }
+    settle_column(heights, vertex_merged_[v], options_.keepers, options_.gap);
+  }
+
+  const MapSamples& samples_;
+  const SheetOptions& options_;
+  std::size_t n_;
+  const GrowingTriangulation& map_;
+  std::vector<MergedPairs> zone_merged_;
+  std::vector<MergedPairs> vertex_merged_;  ///< any cell about the vertex
+  std::vector<double> radius_;              ///< of the fit, per vertex; 0: on the given triangles
+  std::vector<double> heights_;             ///< settled; per vertex
+  std::vector<Index> star_;
+  std::vector<double> exact_;
+};
+
+/// The samples by the cell that holds each, with their settled heights.
+class HeldSamples {
+ public:
+  HeldSamples(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
+              const Sheets& sheets)
+      : samples_(samples), n_(samples.n_surfaces()) {
+    by_cell_.resize(map.cells().size());
+    targets_.resize(samples_.size() * n_);
+    Index near = 0;
+    for (Index s = 0; s < samples_.size(); ++s) {
+      const Index cell = map.locate(samples_.place(s), near);
+      if (cell == no_index) continue;
+      near = cell;
+      by_cell_[cell].push_back(s);
+      const std::span<const double> given = samples_.heights(s);
+      const std::span<double> target(targets_.data() + s * n_, n_);
+      std::copy(given.begin(), given.end(), target.begin());
+      settle_column(target, sheets.merged(cell), options.keepers, options.gap);
+    }
+  }
+
+  const std::vector<Index>& of(Index cell) const { return by_cell_[cell]; }
+  double target(Index sample, std::size_t k) const { return targets_[sample * n_ + k]; }
+  /// Moves what the emptied cells hold to those made.
+  void redistribute(const Sheets& sheets, std::size_t n_cells, const GrowingTriangulation::Change& change) {
+    std::vector<Index> moving;
+    for (const Index cell : change.emptied) {
+      moving.insert(moving.end(), by_cell_[cell].begin(), by_cell_[cell].end());
+      by_cell_[cell].clear();
+    }
+    by_cell_.resize(n_cells);
+    for (const Index s : moving) {
+      const Vec2 p = samples_.place(s);
+      Index best = no_index;
+      double inside = -1e300;
+      for (const Index cell : change.made) {
+        const std::array<double, 3> w = sheets.weights(cell, p);
+        const double least = std::min({w[0], w[1], w[2]});
+        if (least > inside) inside = least, best = cell;
+        if (least >= 0) break;
+      }
+      by_cell_[best].push_back(s);
+    }
+  }
+
+ private:
+  const MapSamples& samples_;
+  std::size_t n_;
+  std::vector<std::vector<Index>> by_cell_;
+  std::vector<double> targets_;  ///< per sample
+};
+
+/// The course of the approximation: the sample that is furthest off is served first.
 class Approximation {
  public:
   Approximation(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
                 const SheetOptions& options)
       : samples_(samples),
-        options_(options),
         n_(samples.n_surfaces()),
         lattice_(layout.lattice),
         map_(triangulate_layout(layout)),
-        zone_merged_(merged_zones(map_, areas)),
-        exact_(n_) {}
+        sheets_(samples, options, map_, areas),
+        held_(samples, options, map_, sheets_),
+        version_(map_.cells().size(), 0) {}
 
   MapSheets run() {
-    for (VertexIndex v = 0; v < map_.points().size(); ++v) add_vertex(v, fit_of_lattice * lattice_);
-    assign_samples();
+    for (VertexIndex v = 0; v < map_.points().size(); ++v) sheets_.add_vertex(v, fit_of_lattice * lattice_);
     for (Index cell = 0; cell < map_.cells().size(); ++cell) measure(cell);
     serve_queue();
     for (int round = 0; round < most_rounds && add_where_edges_are_off(); ++round) serve_queue();
-    return sheets();
+    return result();
   }
 
  private:
@@ -78,90 +234,18 @@ class Approximation {
     }
   };
 
-  MergedPairs merged(Index cell) const { return zone_merged_[map_.cells()[cell].zone]; }
-  MergedPairs merged_about(VertexIndex v) {
-    map_.star(v, star_);
-    MergedPairs result = 0;
-    for (const Index cell : star_) result |= merged(cell);
-    return result;
-  }
-
-  void add_vertex(VertexIndex v, double radius) {
-    if (vertex_merged_.size() <= v) {
-      vertex_merged_.resize(v + 1);
-      radius_.resize(v + 1);
-      heights_.resize((v + 1) * n_);
-    }
-    vertex_merged_[v] = merged_about(v);
-    radius_[v] = radius;
-    set_heights(v);
-  }
-
-  void set_heights(VertexIndex v) {
-    const std::span<double> heights(heights_.data() + v * n_, n_);
-    if (radius_[v] < samples_.spacing()) radius_[v] = 0;
-    if (radius_[v] > 0) {
-      samples_.fitted_heights(map_.points()[v], radius_[v], heights);
-    } else {
-      samples_.heights_at(map_.points()[v], heights);
-    }
-    settle_column(heights, vertex_merged_[v], options_.keepers, options_.gap);
-  }
-
-  void assign_samples() {
-    held_.resize(map_.cells().size());
-    version_.assign(map_.cells().size(), 0);
-    targets_.resize(samples_.size() * n_);
-    Index near = 0;
-    for (Index s = 0; s < samples_.size(); ++s) {
-      const Index cell = map_.locate(samples_.place(s), near);
-      if (cell == no_index) continue;
-      near = cell;
-      held_[cell].push_back(s);
-      const std::span<const double> given = samples_.heights(s);
-      const std::span<double> target(targets_.data() + s * n_, n_);
-      std::copy(given.begin(), given.end(), target.begin());
-      settle_column(target, merged(cell), options_.keepers, options_.gap);
-    }
-  }
-
-  /// Barycentric coordinates of p in a cell.
-  std::array<double, 3> weights(Index cell, const Vec2& p) const {
-    const Triangle& v = map_.cells()[cell].vertices;
-    const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
-    const double whole = twice_area(a, b, c), wb = twice_area(a, p, c) / whole, wc = twice_area(a, b, p) / whole;
-    return {1 - wb - wc, wb, wc};
-  }
-
   double distance(Index cell, const std::array<double, 3>& w, Index sample, std::size_t k) const {
-    const Triangle& v = map_.cells()[cell].vertices;
-    const double z = w[0] * heights_[v[0] * n_ + k] + w[1] * heights_[v[1] * n_ + k] + w[2] * heights_[v[2] * n_ + k];
-    return std::abs(z - targets_[sample * n_ + k]);
-  }
-
-  /// Horizons that give way at a pinch-out line which the cell touches from outside. Bit k: horizon k.
-  std::uint64_t giving_way(Index cell) const {
-    const Triangle& v = map_.cells()[cell].vertices;
-    const MergedPairs about = vertex_merged_[v[0]] | vertex_merged_[v[1]] | vertex_merged_[v[2]];
-    std::uint64_t givers = 0;
-    for (std::size_t k = 0; k + 1 < n_; ++k)
-      if ((about & ~merged(cell)) >> k & 1)
-        givers |= std::uint64_t{1} << (options_.keepers[k] == Keeper::younger ? k + 1 : k);
-    return givers;
-  }
-
-  double allowed(std::uint64_t givers, std::size_t k) const {
-    return options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
+    return std::abs(sheets_.height(cell, w, k) - held_.target(sample, k));
   }
 
   /// Queues the cell where one of its samples is further off than allowed.
   void measure(Index cell) {
     Worst worst{1, cell, ++version_[cell], no_index};
-    const std::uint64_t givers = giving_way(cell);
-    for (const Index s : held_[cell]) {
-      const std::array<double, 3> w = weights(cell, samples_.place(s));
+    const std::uint64_t givers = sheets_.giving_way(cell);
+    for (const Index s : held_.of(cell)) {
+      const std::array<double, 3> w = sheets_.weights(cell, samples_.place(s));
       for (std::size_t k = 0; k < n_; ++k)
-        if (const double excess = distance(cell, w, s, k) / allowed(givers, k); excess > worst.excess) {
+        if (const double excess = distance(cell, w, s, k) / sheets_.allowed(givers, k); excess > worst.excess) {
           worst.excess = excess;
           worst.sample = s;
         }
@@ -176,8 +260,8 @@ class Approximation {
     const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
     map_.add(p, worst.cell, shortest_of_spacing * samples_.spacing(), change_);
     if (change_.vertex == no_vertex) return;  // at a vertex, or too narrow for doubles
-    redistribute();
-    add_vertex(change_.vertex, std::min(fit_of_lattice * lattice_, fit_of_triangle * side));
+    take_change();
+    sheets_.add_vertex(change_.vertex, std::min(fit_of_lattice * lattice_, fit_of_triangle * side));
     for (const Index cell : change_.made) measure(cell);
     // A line's piece elsewhere may have been halved instead: the sample is still to be dealt with.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
@@ -187,7 +271,7 @@ class Approximation {
   /// the vertices have little part in it.
   bool sharpen(const Worst& worst) {
     const Triangle v = map_.cells()[worst.cell].vertices;
-    const std::array<double, 3> w = weights(worst.cell, samples_.place(worst.sample));
+    const std::array<double, 3> w = sheets_.weights(worst.cell, samples_.place(worst.sample));
     std::size_t horizon = 0;
     double off = 0;
     for (std::size_t k = 0; k < n_; ++k)
@@ -195,43 +279,22 @@ class Approximation {
     double sum = 0, greatest = 0;
     VertexIndex blunt = no_vertex;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (radius_[v[i]] == 0) continue;
-      samples_.heights_at(map_.points()[v[i]], exact_);
-      settle_column(exact_, vertex_merged_[v[i]], options_.keepers, options_.gap);
-      const double part = w[i] * std::abs(exact_[horizon] - heights_[v[i] * n_ + horizon]);
+      const double part = w[i] * sheets_.off_by_fit(v[i], horizon);
       if (std::isnan(part)) continue;
       sum += part;
       if (part > greatest) greatest = part, blunt = v[i];
     }
     if (blunt == no_vertex || sum < vertex_is_off * off) return false;
-    radius_[blunt] *= 0.5;
-    set_heights(blunt);
-    map_.star(blunt, star_);
-    const std::vector<Index> about = star_;
+    sheets_.sharpen(blunt);
+    std::vector<Index> about;
+    map_.star(blunt, about);
     for (const Index cell : about) measure(cell);
     return true;
   }
 
-  void redistribute() {
-    std::vector<Index> moving;
-    for (const Index cell : change_.emptied) {
-      moving.insert(moving.end(), held_[cell].begin(), held_[cell].end());
-      held_[cell].clear();
-    }
-    held_.resize(map_.cells().size());
+  void take_change() {
+    held_.redistribute(sheets_, map_.cells().size(), change_);
     version_.resize(map_.cells().size(), 0);
-    for (const Index s : moving) {
-      const Vec2 p = samples_.place(s);
-      Index best = no_index;
-      double inside = -1e300;
-      for (const Index cell : change_.made) {
-        const std::array<double, 3> w = weights(cell, p);
-        const double least = std::min({w[0], w[1], w[2]});
-        if (least > inside) inside = least, best = cell;
-        if (least >= 0) break;
-      }
-      held_[best].push_back(s);
-    }
   }
 
   /// The difference of two surfaces of triangles is greatest at a vertex of one of them or where their edges cross in
@@ -251,8 +314,8 @@ class Approximation {
       if (at == no_index) continue;
       map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
       if (change_.vertex == no_vertex) continue;
-      redistribute();
-      add_vertex(change_.vertex, 0);
+      take_change();
+      sheets_.add_vertex(change_.vertex, 0);
       for (const Index cell : change_.made) measure(cell);
     }
     return !off.empty();
@@ -269,42 +332,34 @@ class Approximation {
       const double dx = pb.x - pa.x, dy = pb.y - pa.y;
       const double along = ((x.x - pa.x) * dx + (x.y - pa.y) * dy) / (dx * dx + dy * dy);
       if (std::min(along, 1 - along) * std::hypot(dx, dy) < near_vertex * samples_.spacing()) return;
-      const double z = (1 - along) * heights_[a * n_ + k] + along * heights_[b * n_ + k];
-      const double most = allowed(giving_way(cell), k) * (1 + 1e-9);
+      const double z = (1 - along) * sheets_.height(a, k) + along * sheets_.height(b, k);
+      const double most = sheets_.allowed(sheets_.giving_way(cell), k) * (1 + 1e-9);
       if (!(std::abs(z - (p.z + t * (q.z - p.z))) > most)) return;
-      samples_.heights_at(x, exact_);
-      settle_column(exact_, merged(cell), options_.keepers, options_.gap);
-      if (std::abs(z - exact_[k]) > most) off.push_back(x);
+      if (std::abs(z - sheets_.heights_on_triangles(x, sheets_.merged(cell))[k]) > most) off.push_back(x);
     });
   }
 
-  MapSheets sheets() {
-    MapSheets result;
-    result.n_horizons = n_;
-    result.points = map_.points();
-    result.heights = heights_;
+  MapSheets result() {
+    MapSheets out;
+    out.n_horizons = n_;
+    out.points = map_.points();
+    out.heights = sheets_.heights();
     for (Index cell = 0; cell < map_.cells().size(); ++cell) {
-      result.triangles.push_back(map_.cells()[cell].vertices);
-      result.merged.push_back(merged(cell));
+      out.triangles.push_back(map_.cells()[cell].vertices);
+      out.merged.push_back(sheets_.merged(cell));
     }
-    return result;
+    return out;
   }
 
   const MapSamples& samples_;
-  const SheetOptions& options_;
   std::size_t n_;
   double lattice_;
   GrowingTriangulation map_;
-  std::vector<MergedPairs> zone_merged_;
-  std::vector<MergedPairs> vertex_merged_;  ///< any cell about the vertex
-  std::vector<double> radius_;              ///< of the fit, per vertex; 0: on the given triangles
-  std::vector<double> heights_, targets_;   ///< settled; per vertex and per sample
-  std::vector<std::vector<Index>> held_;    ///< samples by cell
-  std::vector<Index> version_;              ///< per cell; older entries of the queue do not count
+  Sheets sheets_;
+  HeldSamples held_;
+  std::vector<Index> version_;  ///< per cell; older entries of the queue do not count
   std::priority_queue<Worst> queue_;
   GrowingTriangulation::Change change_;
-  std::vector<Index> star_;
-  std::vector<double> exact_;
 };
 
 }  // namespace

@@ -8,10 +8,157 @@ namespace geomesh::recover {
 
 namespace {
 
+/// The trace has come to an end by this; what was touched first stays.
+void fail(FacetTrace& out, FacetTrace::Status status, VertexIndex culprit = no_vertex) {
+  if (out.status == FacetTrace::Status::touched) return;
+  out.status = status;
+  out.culprit = culprit;
+}
+
+/// The faces' border is the subfacet's: each directed edge is the border's or cancels with its reverse, and none
+/// stands twice.
+bool covers_once(const std::vector<Triangle>& faces, const std::vector<DirectedEdge>& border_list,
+                 const DirectedEdgeSet& border) {
+  DirectedEdgeSet edges;
+  for (const Triangle& t : faces)
+    for (unsigned i = 0; i < 3; ++i)
+      if (!edges.insert({t[i], t[(i + 1) % 3]})) return false;
+  for (const DirectedEdge& e : border_list)
+    if (!edges.contains(e)) return false;
+  for (const Triangle& t : faces)
+    for (unsigned i = 0; i < 3; ++i)
+      if (!border.contains({t[i], t[(i + 1) % 3]}) && !edges.contains({t[(i + 1) % 3], t[i]})) return false;
+  return true;
+}
+
+/// The edges that pierce a facet, found from one to the next through the cells about them.
+class PiercingSearch {
+ public:
+  PiercingSearch(ConstrainedMesh& mesh, const FacetSides& sides, FacetTrace& out)
+      : mesh_(mesh), sides_(sides), out_(out) {}
+
+  /// Adds to the trace the edge and all that are joined with it.
+  void follow(VertexIndex below, VertexIndex above) {
+    std::vector<PiercingEdge> queue;
+    add(below, above, queue);
+    EdgeRing ring;
+    for (std::size_t head = 0; head < queue.size() && out_.status != FacetTrace::Status::touched; ++head) {
+      const CellIndex c = mesh_.find_edge(queue[head].below, queue[head].above);
+      if (c == no_cell || !mesh_.ring(c, queue[head].below, queue[head].above, ring))
+        return fail(out_, FacetTrace::Status::unclear);
+      for (std::size_t i = 0; i < ring.ring.size(); ++i) {
+        const VertexIndex u = ring.ring[i], w = ring.ring[(i + 1) % ring.ring.size()];
+        const int side = sides_(u);
+        if (side == 0 && !sides_.is_member(u)) return fail(out_, FacetTrace::Status::touched, u);
+        add_if_pierces(u, side, queue[head], queue);
+        const int next = sides_(w);
+        if (side < 0 && next > 0) add(u, w, queue);
+        if (side > 0 && next < 0) add(w, u, queue);
+      }
+    }
+  }
+
+ private:
+  void add_if_pierces(VertexIndex u, int side, PiercingEdge e, std::vector<PiercingEdge>& queue) {
+    if (side > 0) add(e.below, u, queue);
+    if (side < 0) add(u, e.above, queue);
+  }
+  void add(VertexIndex below, VertexIndex above, std::vector<PiercingEdge>& queue) {
+    if (!seen_.insert({below, above})) return;
+    queue.push_back({below, above});
+    out_.piercing.push_back({below, above});
+  }
+
+  ConstrainedMesh& mesh_;
+  const FacetSides& sides_;
+  FacetTrace& out_;
+  DirectedEdgeSet seen_;  ///< from below
+};
+
+/// What the ring about an edge p->q of a facet has on the edge's left, in the facet or cut by it.
+/// Rows of the ring, or its size where there is none.
+class LeftOfEdge {
+ public:
+  LeftOfEdge(const ConstrainedMesh& mesh, const FacetSides& sides, const EdgeRing& ring, DirectedEdge edge,
+             VertexIndex right)
+      : mesh_(mesh), sides_(sides), ring_(ring.ring), edge_(edge), right_(right) {}
+
+  /// A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them)
+  /// the first one is taken: such cells count as above. Signs do not help here, as rounding bends the faces about an
+  /// added point.
+  std::size_t clear_member() const {
+    constexpr double clearly_left = 0.5;
+    const std::size_t n = ring_.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (may_follow(ring_[i]) && !may_follow(ring_[(i + n - 1) % n]) && leftness(mesh_.point(ring_[i])) > clearly_left)
+        return i;
+    return n;
+  }
+  /// Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so
+  /// on the left. Where rounding bends the faces about an added point several may do so: the one clearest on the left
+  /// is taken.
+  std::size_t crossing_edge() const {
+    const std::size_t n = ring_.size();
+    std::size_t best = n;
+    double best_score = -2;
+    for (std::size_t i = 0; i < n; ++i) {
+      const VertexIndex u = ring_[i], w = ring_[(i + 1) % n];
+      if (sides_(u) >= 0 || sides_(w) <= 0) continue;
+      const double score = leftness(in_plane(u, w));
+      if (score <= best_score) continue;
+      best_score = score;
+      best = i;
+    }
+    return best;
+  }
+  /// Members on the line of p-q, but for rounding, point nowhere: a face with one of them is a part of no width.
+  std::size_t thin_member() const {
+    const std::size_t n = ring_.size();
+    std::size_t thin = n;
+    for (std::size_t i = 0; i < n; ++i)
+      if (may_follow(ring_[i]) && (thin == n || leftness(mesh_.point(ring_[i])) > leftness(mesh_.point(ring_[thin]))))
+        thin = i;
+    return thin;
+  }
+  /// A vertex in the plane that is no member: it lies in the facet, for an edge of the mesh would cross the border
+  /// else.
+  std::size_t touched() const {
+    const std::size_t n = ring_.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (!sides_.is_member(ring_[i]) && sides_(ring_[i]) == 0 && sides_(ring_[(i + n - 1) % n]) < 0 &&
+          sides_(ring_[(i + 1) % n]) > 0)
+        return i;
+    return n;
+  }
+
+ private:
+  bool may_follow(VertexIndex u) const { return u != right_ && sides_.is_member(u); }
+  /// Cosine of the angle about p-q between the facet's left and the point.
+  double leftness(const Vec3& v) const {
+    const Vec3 &p = mesh_.point(edge_[0]), &q = mesh_.point(edge_[1]);
+    const Vec3 normal = sides_.normal(), turn = cross(q - p, v - p);
+    const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
+    return length > 0 ? dot(normal, turn) / length : -1;
+  }
+  /// Where edge u-v meets the plane.
+  Vec3 in_plane(VertexIndex u, VertexIndex v) const {
+    const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
+    const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());
+    return ha == hb ? b : b + hb / (hb - ha) * (a - b);
+  }
+
+  const ConstrainedMesh& mesh_;
+  const FacetSides& sides_;
+  const std::vector<VertexIndex>& ring_;
+  DirectedEdge edge_;
+  VertexIndex right_;
+};
+
+/// The faces of a facet from its border inwards, over one edge after the other.
 class Tracer {
  public:
   Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)
-      : mesh_(mesh), sides_(sides), border_list_(border) {
+      : mesh_(mesh), sides_(sides), border_list_(border), piercing_(mesh, sides, out_) {
     for (const DirectedEdge& e : border) {
       front_.push_back({e, no_cell, no_vertex});
       border_.insert(e);
@@ -26,7 +173,8 @@ class Tracer {
     }
     if (out_.status == FacetTrace::Status::complete && !out_.piercing.empty())
       out_.status = FacetTrace::Status::pierced;
-    if (out_.status == FacetTrace::Status::complete && !covers_once()) out_.status = FacetTrace::Status::unclear;
+    if (out_.status == FacetTrace::Status::complete && !covers_once(out_.faces, border_list_, border_))
+      out_.status = FacetTrace::Status::unclear;
     return std::move(out_);
   }
 
@@ -39,75 +187,21 @@ class Tracer {
     VertexIndex right;
   };
 
-  /// The faces' border is the subfacet's: each directed edge is the border's or cancels with its reverse, and none
-  /// stands twice.
-  bool covers_once() const {
-    DirectedEdgeSet edges;
-    for (const Triangle& t : out_.faces)
-      for (unsigned i = 0; i < 3; ++i)
-        if (!edges.insert({t[i], t[(i + 1) % 3]})) return false;
-    for (const DirectedEdge& e : border_list_)
-      if (!edges.contains(e)) return false;
-    for (const Triangle& t : out_.faces)
-      for (unsigned i = 0; i < 3; ++i)
-        if (!border_.contains({t[i], t[(i + 1) % 3]}) && !edges.contains({t[(i + 1) % 3], t[i]})) return false;
-    return true;
-  }
-
-  void fail(FacetTrace::Status status, VertexIndex culprit = no_vertex) {
-    if (out_.status == FacetTrace::Status::touched) return;
-    out_.status = status;
-    out_.culprit = culprit;
-  }
-
   /// What lies to the left of p->q, seen from above: a face of the facet, or a cell that the facet cuts.
   /// The face on the right is none of them, however rounding turns it.
   void advance(VertexIndex p, VertexIndex q, VertexIndex right, CellIndex hint) {
     if (!done_.insert({p, q})) return;
     const CellIndex cell = mesh_.find_edge(p, q, hint);
-    if (cell == no_cell || !mesh_.ring(cell, p, q, ring_)) return fail(FacetTrace::Status::unclear);
+    if (cell == no_cell || !mesh_.ring(cell, p, q, ring_)) return fail(out_, FacetTrace::Status::unclear);
     const std::size_t n = ring_.ring.size();
-    const auto may_follow = [&](VertexIndex u) { return u != right && sides_.is_member(u); };
     if (sides_.is_exact()) return advance_exactly(p, q, right);
-    // A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them)
-    // the first one is taken: such cells count as above. Signs do not help here, as rounding bends the faces about an
-    // added point.
-    constexpr double clearly_left = 0.5;
-    for (std::size_t i = 0; i < n; ++i) {
-      const VertexIndex u = ring_.ring[i];
-      if (may_follow(u) && !may_follow(ring_.ring[(i + n - 1) % n]) && leftness(p, q, mesh_.point(u)) > clearly_left)
-        return accept(p, q, i);
-    }
-    // Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so
-    // on the left. Where rounding bends the faces about an added point several may do so: the one clearest on the left
-    // is taken.
-    std::size_t best = n;
-    double best_score = -2;
-    for (std::size_t i = 0; i < n; ++i) {
-      const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n];
-      if (sides_(u) >= 0 || sides_(w) <= 0) continue;
-      const double score = leftness(p, q, in_plane(u, w));
-      if (score <= best_score) continue;
-      best_score = score;
-      best = i;
-    }
-    if (best < n) return pierce(ring_.ring[best], ring_.ring[(best + 1) % n]);
-    // Members on the line of p-q, but for rounding, point nowhere: a face with one of them is a part of no width.
-    std::size_t thin = n;
-    for (std::size_t i = 0; i < n; ++i)
-      if (may_follow(ring_.ring[i]) &&
-          (thin == n || leftness(p, q, mesh_.point(ring_.ring[i])) > leftness(p, q, mesh_.point(ring_.ring[thin]))))
-        thin = i;
-    if (thin < n) return accept(p, q, thin);
-    // A vertex in the plane that is no member: it lies in the facet, for an edge of the mesh would cross the border
-    // else.
-    for (std::size_t i = 0; i < n; ++i) {
-      const VertexIndex u = ring_.ring[i];
-      if (!sides_.is_member(u) && sides_(u) == 0 && sides_(ring_.ring[(i + n - 1) % n]) < 0 &&
-          sides_(ring_.ring[(i + 1) % n]) > 0)
-        return fail(FacetTrace::Status::touched, u);
-    }
-    fail(FacetTrace::Status::unclear);
+    const LeftOfEdge left(mesh_, sides_, ring_, {p, q}, right);
+    if (const std::size_t i = left.clear_member(); i < n) return accept(p, q, i);
+    if (const std::size_t i = left.crossing_edge(); i < n)
+      return piercing_.follow(ring_.ring[i], ring_.ring[(i + 1) % n]);
+    if (const std::size_t i = left.thin_member(); i < n) return accept(p, q, i);
+    if (const std::size_t i = left.touched(); i < n) return fail(out_, FacetTrace::Status::touched, ring_.ring[i]);
+    fail(out_, FacetTrace::Status::unclear);
   }
 
   /// Of the ring about p-q exactly one face, edge or vertex lies on the left in the plane.
@@ -116,24 +210,11 @@ class Tracer {
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n];
       if (sides_.is_member(u) && u != right && sides_.is_left(p, q, u)) return accept(p, q, i);
-      if (sides_(u) < 0 && sides_(w) > 0) return pierce(u, w);
+      if (sides_(u) < 0 && sides_(w) > 0) return piercing_.follow(u, w);
       if (!sides_.is_member(u) && sides_(u) == 0 && sides_.is_left(p, q, u))
-        return fail(FacetTrace::Status::touched, u);
+        return fail(out_, FacetTrace::Status::touched, u);
     }
-    fail(FacetTrace::Status::unclear);
-  }
-
-  /// Cosine of the angle about p-q between the facet's left and the point.
-  double leftness(VertexIndex p, VertexIndex q, const Vec3& v) const {
-    const Vec3 normal = sides_.normal(), turn = cross(mesh_.point(q) - mesh_.point(p), v - mesh_.point(p));
-    const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
-    return length > 0 ? dot(normal, turn) / length : -1;
-  }
-  /// Where edge u-v meets the plane.
-  Vec3 in_plane(VertexIndex u, VertexIndex v) const {
-    const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
-    const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());
-    return ha == hb ? b : b + hb / (hb - ha) * (a - b);
+    fail(out_, FacetTrace::Status::unclear);
   }
 
   /// The face of p, q and vertex i of the ring about them.
@@ -148,42 +229,13 @@ class Tracer {
       if (!done_.contains(next.edge) && !border_.contains({next.edge[1], next.edge[0]})) front_.push_back(next);
   }
 
-  void pierce(VertexIndex below, VertexIndex above) {
-    std::vector<PiercingEdge> queue;
-    add(below, above, queue);
-    EdgeRing ring;
-    for (std::size_t head = 0; head < queue.size() && out_.status != FacetTrace::Status::touched; ++head) {
-      const CellIndex c = mesh_.find_edge(queue[head].below, queue[head].above);
-      if (c == no_cell || !mesh_.ring(c, queue[head].below, queue[head].above, ring))
-        return fail(FacetTrace::Status::unclear);
-      for (std::size_t i = 0; i < ring.ring.size(); ++i) {
-        const VertexIndex u = ring.ring[i], w = ring.ring[(i + 1) % ring.ring.size()];
-        const int side = sides_(u);
-        if (side == 0 && !sides_.is_member(u)) return fail(FacetTrace::Status::touched, u);
-        add_if_pierces(u, side, queue[head], queue);
-        const int next = sides_(w);
-        if (side < 0 && next > 0) add(u, w, queue);
-        if (side > 0 && next < 0) add(w, u, queue);
-      }
-    }
-  }
-  void add_if_pierces(VertexIndex u, int side, PiercingEdge e, std::vector<PiercingEdge>& queue) {
-    if (side > 0) add(e.below, u, queue);
-    if (side < 0) add(u, e.above, queue);
-  }
-  void add(VertexIndex below, VertexIndex above, std::vector<PiercingEdge>& queue) {
-    if (!seen_.insert({below, above})) return;
-    queue.push_back({below, above});
-    out_.piercing.push_back({below, above});
-  }
-
   ConstrainedMesh& mesh_;
   const FacetSides& sides_;
   FacetTrace out_;
   std::vector<FrontEdge> front_;
   const std::vector<DirectedEdge>& border_list_;
   DirectedEdgeSet border_, done_;
-  DirectedEdgeSet seen_;  ///< piercing edges, from below
+  PiercingSearch piercing_;
   EdgeRing ring_;
 };
 

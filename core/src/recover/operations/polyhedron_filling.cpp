@@ -24,6 +24,75 @@ std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
   return {LocalTriangle{t[0], v, t[1]}, LocalTriangle{t[1], v, t[2]}, LocalTriangle{t[2], v, t[0]}};
 }
 
+/// The vertices of a polyhedron by local number, with what their places tell of cells between them.
+class Corners {
+ public:
+  Corners(const ConstrainedMesh& mesh, std::vector<VertexIndex>&& vertices)
+      : mesh_(mesh), vertices_(std::move(vertices)), sides_(mesh, vertices_) {}
+  Corners(const Corners&) = delete;
+  Corners& operator=(const Corners&) = delete;
+
+  std::size_t size() const { return vertices_.size(); }
+  VertexIndex operator[](LocalVertex v) const { return vertices_[v]; }
+  LocalVertex local(VertexIndex v) const {
+    return static_cast<LocalVertex>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
+  }
+  SideMasks::Masks sides(const LocalTriangle& t) { return sides_.sides(t); }
+
+  /// The nearer the centre of the sphere through face and vertex lies, the emptier that sphere.
+  std::size_t sort_by_sphere(const LocalTriangle& t, VertexMask candidates,
+                             std::array<LocalVertex, SideMasks::max_vertices>& order) const {
+    const Vec3 &a = point(t[0]), u = point(t[1]) - a, w = point(t[2]) - a, n = cross(u, w);
+    const Vec3 centre = 0.5 / dot(n, n) * (dot(u, u) * cross(w, n) + dot(w, w) * cross(n, u));
+    std::array<double, SideMasks::max_vertices> height;
+    std::size_t count = 0;
+    for (VertexMask left = candidates; left != 0; left &= left - 1) {
+      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
+      const Vec3 d = point(v) - a;
+      height[v] = (dot(d, d) - 2 * dot(d, centre)) / dot(d, n);
+      order[count++] = v;
+    }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+              [&](LocalVertex x, LocalVertex y) { return height[x] != height[y] ? height[x] < height[y] : x < y; });
+    return count;
+  }
+
+  /// The cell of t and the vertex of its side faces holds another vertex.
+  bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
+    return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
+             mask_of(side[0])) &
+           all();
+  }
+  /// The cell of t and v, whose side faces are given, crosses the open face h.
+  bool crosses(const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side,
+               const LocalTriangle& h) {
+    for (LocalVertex f : t)
+      if (edge_crosses(f, v, h)) return true;
+    for (const LocalTriangle& s : side)
+      for (unsigned i = 0; i < 3; ++i)
+        if (edge_crosses(h[i], h[(i + 1) % 3], s)) return true;
+    return false;
+  }
+
+ private:
+  const Vec3& point(LocalVertex v) const { return mesh_.point(vertices_[v]); }
+  VertexMask all() const { return vertices_.size() == 64 ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1; }
+
+  /// Edge a-b against triangle t, none of whose vertices it has: they meet in the inside of both, or on the border of
+  /// one.
+  bool edge_crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
+    if (mask_of(t) & (bit(a) | bit(b))) return false;
+    if (sides_.sign(t[0], t[1], t[2], a) * sides_.sign(t[0], t[1], t[2], b) >= 0) return false;
+    const int s0 = sides_.sign(a, b, t[0], t[1]), s1 = sides_.sign(a, b, t[1], t[2]),
+              s2 = sides_.sign(a, b, t[2], t[0]);
+    return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+  }
+
+  const ConstrainedMesh& mesh_;
+  std::vector<VertexIndex> vertices_;
+  SideMasks sides_;
+};
+
 /// A face not yet covered, seen from the side to be filled.
 struct OpenFace {
   LocalTriangle v{};
@@ -34,46 +103,63 @@ struct OpenFace {
   bool is_filtered = false;  ///< candidates have been tried against all open faces at this node
 };
 
+/// The open faces counted by key, with the changes since the start, so that they can be taken back.
+class OpenCounts {
+ public:
+  explicit OpenCounts(std::size_t n_keys) : n_(n_keys, 0) {}
+
+  bool has(std::uint32_t key) const { return n_[key] > 0; }
+  void open(std::uint32_t key) {
+    ++n_[key];
+    changes_.push_back({key, true});
+  }
+  void close(std::uint32_t key) {
+    --n_[key];
+    changes_.push_back({key, false});
+  }
+  std::size_t mark() const { return changes_.size(); }
+  void take_back(std::size_t mark) {
+    for (; changes_.size() > mark; changes_.pop_back()) n_[changes_.back().key] += changes_.back().is_opening ? -1 : 1;
+  }
+
+ private:
+  struct Change {
+    std::uint32_t key;
+    bool is_opening;
+  };
+  std::vector<std::int8_t> n_;
+  std::vector<Change> changes_;
+};
+
+/// The search for cells that fill a polyhedron: the face that fewest vertices fit is covered first.
 class Filler {
  public:
   Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary,
          const FillingLimits& limits)
-      : mesh_(mesh),
-        constraints_(constraints),
+      : constraints_(constraints),
         limits_(limits),
-        vertices_(vertices_of(boundary)),
-        sides_(mesh, vertices_),
-        n_open_(2 * SideMasks::n_triples(vertices_.size()), 0) {
+        corners_(mesh, vertices_of(boundary)),
+        open_(2 * SideMasks::n_triples(corners_.size())) {
     levels_.reserve(limits.max_faces + 4);
     levels_.emplace_back();
-    for (const Triangle& t : boundary) open(levels_[0], {local(t[0]), local(t[1]), local(t[2])});
-  }
-
-  static std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary) {
-    std::vector<VertexIndex> out;
-    for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
-    sort_unique(out);
-    return out;
+    for (const Triangle& t : boundary)
+      open(levels_[0], {corners_.local(t[0]), corners_.local(t[1]), corners_.local(t[2])});
   }
 
   bool run() { return solve(0); }
   std::vector<Tetrahedron> cells() const {
     std::vector<Tetrahedron> out;
-    for (const auto& c : cells_) out.push_back({vertices_[c[0]], vertices_[c[1]], vertices_[c[2]], vertices_[c[3]]});
+    for (const auto& c : cells_) out.push_back({corners_[c[0]], corners_[c[1]], corners_[c[2]], corners_[c[3]]});
     return out;
   }
 
  private:
   using Front = std::vector<OpenFace>;
 
-  LocalVertex local(VertexIndex v) const {
-    return static_cast<LocalVertex>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
-  }
   void open(Front& front, const LocalTriangle& t) {
-    const SideMasks::Masks sides = sides_.sides(t);
+    const SideMasks::Masks sides = corners_.sides(t);
     front.push_back({t, key_of(t), sides, sides.first, std::popcount(sides.first), false});
-    ++n_open_[front.back().key];
-    changes_.push_back({front.back().key, true});
+    open_.open(front.back().key);
   }
 
   bool solve(std::size_t depth) {
@@ -82,12 +168,12 @@ class Filler {
     const OpenFace face = levels_[depth][row];
     if (face.candidates == 0) return false;
     std::array<LocalVertex, SideMasks::max_vertices> order;
-    const std::size_t n = sort_by_sphere(face, order);
+    const std::size_t n = corners_.sort_by_sphere(face.v, face.candidates, order);
     if (levels_.size() < depth + 2) levels_.resize(depth + 2);
     for (std::size_t i = 0; i < n; ++i) {
       if (++n_nodes_ > limits_.max_nodes) return false;
       levels_[depth + 1] = levels_[depth];
-      const std::size_t mark = changes_.size();
+      const std::size_t mark = open_.mark();
       place(levels_[depth + 1], face.v, order[i]);
       if (solve(depth + 1)) return true;
       take_back(mark);
@@ -123,24 +209,6 @@ class Filler {
     face.is_filtered = true;
   }
 
-  /// The nearer the centre of the sphere through face and vertex lies, the emptier that sphere.
-  std::size_t sort_by_sphere(const OpenFace& face, std::array<LocalVertex, SideMasks::max_vertices>& order) const {
-    const Vec3 &a = point(face.v[0]), u = point(face.v[1]) - a, w = point(face.v[2]) - a, n = cross(u, w);
-    const Vec3 centre = 0.5 / dot(n, n) * (dot(u, u) * cross(w, n) + dot(w, w) * cross(n, u));
-    std::array<double, SideMasks::max_vertices> height;
-    std::size_t count = 0;
-    for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
-      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
-      const Vec3 d = point(v) - a;
-      height[v] = (dot(d, d) - 2 * dot(d, centre)) / dot(d, n);
-      order[count++] = v;
-    }
-    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
-              [&](LocalVertex x, LocalVertex y) { return height[x] != height[y] ? height[x] < height[y] : x < y; });
-    return count;
-  }
-  const Vec3& point(LocalVertex v) const { return mesh_.point(vertices_[v]); }
-
   static std::size_t find(const Front& front, std::uint32_t key) {
     for (std::size_t i = 0; i < front.size(); ++i)
       if (front[i].key == key) return i;
@@ -152,59 +220,35 @@ class Filler {
     unsigned n_closed = 0;
     for (const LocalTriangle& s : side) {
       const std::uint32_t key = key_of(s);
-      if (n_open_[key] > 0) {
+      if (open_.has(key)) {
         ++n_closed;
-      } else if (n_open_[key ^ 1u] > 0) {
+      } else if (open_.has(key ^ 1u)) {
         return false;
       }
     }
     if (n_closed == 3) return true;
-    if (holds_vertex(t, side) || crosses_open_face(front, t, v, side)) return false;
+    if (corners_.holds_vertex(t, side) || crosses_open_face(front, t, v, side)) return false;
     for (LocalVertex f : t)
-      if (constraints_.skips_added_points(vertices_[f], vertices_[v])) return false;
+      if (constraints_.skips_added_points(corners_[f], corners_[v])) return false;
     return true;
-  }
-  bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
-    return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
-             mask_of(side[0])) &
-           all();
-  }
-  VertexMask all() const { return vertices_.size() == 64 ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1; }
-
-  /// Edge a-b against triangle t, none of whose vertices it has: they meet in the inside of both, or on the border of
-  /// one.
-  bool edge_crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
-    if (mask_of(t) & (bit(a) | bit(b))) return false;
-    if (sides_.sign(t[0], t[1], t[2], a) * sides_.sign(t[0], t[1], t[2], b) >= 0) return false;
-    const int s0 = sides_.sign(a, b, t[0], t[1]), s1 = sides_.sign(a, b, t[1], t[2]),
-              s2 = sides_.sign(a, b, t[2], t[0]);
-    return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
   }
   bool crosses_open_face(const Front& front, const LocalTriangle& t, LocalVertex v,
                          const std::array<LocalTriangle, 3>& side) {
     const VertexMask cell = mask_of(t) | bit(v);
-    const VertexMask inner[4] = {sides_.above(t), sides_.above(side[0]), sides_.above(side[1]), sides_.above(side[2])};
+    const VertexMask inner[4] = {corners_.sides(t).first, corners_.sides(side[0]).first, corners_.sides(side[1]).first,
+                                 corners_.sides(side[2]).first};
     for (const OpenFace& h : front) {
       const VertexMask m = mask_of(h.v);
       if (!(inner[0] & m) || !(inner[1] & m) || !(inner[2] & m) || !(inner[3] & m)) continue;
       if (!(h.sides.first & cell) || !(h.sides.second & cell)) continue;
-      if (!crosses(t, v, side, h)) continue;
+      if (!corners_.crosses(t, v, side, h.v)) continue;
       return true;
     }
     return false;
   }
-  bool crosses(const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side, const OpenFace& h) {
-    for (LocalVertex f : t)
-      if (edge_crosses(f, v, h.v)) return true;
-    for (const LocalTriangle& s : side)
-      for (unsigned i = 0; i < 3; ++i)
-        if (edge_crosses(h.v[i], h.v[(i + 1) % 3], s)) return true;
-    return false;
-  }
 
   void close(Front& front, std::size_t row) {
-    --n_open_[front[row].key];
-    changes_.push_back({front[row].key, false});
+    open_.close(front[row].key);
     front[row] = front.back();
     front.pop_back();
   }
@@ -220,31 +264,29 @@ class Filler {
     }
     cells_.push_back({t[0], t[1], t[2], v});
   }
-  /// Undoes in n_open_ and cells_ what place() did.
+  /// Undoes in open_ and cells_ what place() did.
   void take_back(std::size_t mark) {
-    for (; changes_.size() > mark; changes_.pop_back())
-      n_open_[changes_.back().key] += changes_.back().is_opening ? -1 : 1;
+    open_.take_back(mark);
     cells_.pop_back();
   }
 
-  struct Change {
-    std::uint32_t key;
-    bool is_opening;
-  };
-
-  const ConstrainedMesh& mesh_;
   const Constraints& constraints_;
   FillingLimits limits_;
-  std::vector<VertexIndex> vertices_;
-  SideMasks sides_;
-  std::vector<Front> levels_;        ///< the open faces at each depth of the search
-  std::vector<std::int8_t> n_open_;  ///< by key: open faces of the level in work
-  std::vector<Change> changes_;      ///< of n_open_
+  Corners corners_;
+  std::vector<Front> levels_;  ///< the open faces at each depth of the search
+  OpenCounts open_;            ///< of the level in work
   std::vector<std::array<LocalVertex, 4>> cells_;
   std::size_t n_nodes_ = 0;
 };
 
 }  // namespace
+
+std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary) {
+  std::vector<VertexIndex> out;
+  for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
+  sort_unique(out);
+  return out;
+}
 
 std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                  std::span<const Triangle> boundary, VertexIndex v) {
@@ -263,8 +305,7 @@ std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, co
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                         std::span<const Triangle> boundary,
                                                         const FillingLimits& limits) {
-  if (boundary.size() > limits.max_faces || Filler::vertices_of(boundary).size() > SideMasks::max_vertices)
-    return std::nullopt;
+  if (boundary.size() > limits.max_faces || vertices_of(boundary).size() > SideMasks::max_vertices) return std::nullopt;
   Filler filler(mesh, constraints, boundary, limits);
   if (!filler.run()) return std::nullopt;
   return filler.cells();

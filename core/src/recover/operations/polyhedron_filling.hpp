@@ -19,6 +19,9 @@
 
 namespace geomesh::recover {
 
+/// The vertices of the triangles, sorted.
+std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary);
+
 struct FillingLimits {
   std::size_t max_faces = 120;
   std::size_t max_nodes = 400;  ///< tetrahedra tried

@@ -10,7 +10,6 @@
 /// sheets, triangles over the segment that become faces of the mesh.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
@@ -19,197 +18,25 @@
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
 #include "recover/steiner_removal/region_filling.hpp"
-#include "recover/steiner_removal/star_fans.hpp"
+#include "recover/steiner_removal/star_sectors.hpp"
 
 namespace geomesh::recover {
 
 namespace {
 
-struct Sector {
-  std::vector<CellIndex> cells;
-  std::map<std::size_t, unsigned> fans;  ///< number of the fan -> bit 1: the sector is above it, bit 2: below
-  Vec3 inward;                           ///< sum of the inner unit normals of the fans
-  std::vector<Tetrahedron> filling;
-
-  bool wraps_round() const {
-    return std::any_of(fans.begin(), fans.end(), [](const auto& f) { return f.second == 3u; });
-  }
-};
-
-class PointRemoval {
+/// Cells for the sectors of an added point's star, one sector after the other.
+class SectorFilling {
  public:
-  PointRemoval(Recovery& recovery, VertexIndex x, RefilledCells refilled)
+  SectorFilling(Recovery& recovery, VertexIndex x, const StarFans& around, RefilledCells refilled,
+                const std::vector<CellIndex>& star)
       : recovery_(recovery),
         mesh_(recovery.mesh),
         constraints_(recovery.constraints),
         x_(x),
+        around_(around),
         refilled_(refilled),
-        n_points_(recovery.mesh.points().size()) {}
+        grown_(star) {}
 
-  bool run() {
-    mesh_.star(x_, star_);
-    std::sort(star_.begin(), star_.end());
-    for (CellIndex c : star_)
-      if (mesh_.cells().is_ghost(c)) return false;
-    auto found = find_star_fans(recovery_, x_, star_);
-    if (!found) return false;
-    around_ = std::move(*found);
-    if (has_foreign_chord() || repeats_subfacet()) return false;
-    if (!fill_sectors(recovery_budget.sheets)) return false;
-    commit();
-    return true;
-  }
-
- private:
-  /// Fills all sectors, parting those that cannot be filled by up to `n_sheets` sheets. False: no point is left added.
-  bool fill_sectors(unsigned n_sheets) {
-    std::vector<Sector> sectors = gather_sectors();
-    grown_ = star_;
-    std::size_t stuck = sectors.size();
-    for (std::size_t i = 0; i < sectors.size() && stuck == sectors.size(); ++i)
-      if (!fill(sectors[i])) stuck = i;
-    if (stuck == sectors.size()) {
-      sectors_ = std::move(sectors);
-      return true;
-    }
-    drop_moved_points();
-    if (n_sheets == 0 || around_.halves.empty()) return false;
-    for (VertexIndex w : sheet_apexes(sectors[stuck])) {
-      around_.fans.push_back(sheet(w));
-      if (fill_sectors(n_sheets - 1)) return true;
-      around_.fans.pop_back();
-    }
-    return false;
-  }
-  /// The edge that is to take the place of the segment's two parts is there already. It is not the border of a thin
-  /// part of a facet.
-  bool has_foreign_chord() {
-    if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
-    return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
-  }
-  /// A triangle that a facet would get is there already: another facet's, or the thin rest of the same.
-  bool repeats_subfacet() const {
-    return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
-      return std::any_of(f.triangles.begin(), f.triangles.end(),
-                         [&](const Triangle& t) { return constraints_.subfacet_of(t[0], t[1], t[2]) != no_index; });
-    });
-  }
-  void drop_moved_points() {
-    while (mesh_.points().size() > n_points_) mesh_.drop_last_point();
-    constraints_.vertices.resize(n_points_);
-  }
-
-  Fan sheet(VertexIndex w) const {
-    Fan out;
-    out.rim = {around_.ends[0], w, around_.ends[1]};
-    out.triangles = {{out.rim[0], out.rim[1], out.rim[2]}};
-    return out;
-  }
-  /// Vertices joined with both ends inside the sector, those that part it most evenly first.
-  std::vector<VertexIndex> sheet_apexes(const Sector& s) const {
-    const VertexIndex a = around_.ends[0], b = around_.ends[1];
-    std::vector<VertexIndex> with_a, with_b, out;
-    for (CellIndex c : s.cells)
-      for (VertexIndex v : mesh_.cells().vertices(c)) {
-        if (v == x_ || v == a || v == b || is_on_fan(v)) continue;
-        if (mesh_.cells().has_vertex(c, a)) with_a.push_back(v);
-        if (mesh_.cells().has_vertex(c, b)) with_b.push_back(v);
-      }
-    for (std::vector<VertexIndex>* v : {&with_a, &with_b}) {
-      sort_unique(*v);
-    }
-    std::set_intersection(with_a.begin(), with_a.end(), with_b.begin(), with_b.end(), std::back_inserter(out));
-    const Vec3 inward = s.inward, along = mesh_.point(b) - mesh_.point(a), o = mesh_.point(x_);
-    const auto evenness = [&](VertexIndex v) {
-      const Vec3 d = mesh_.point(v) - o, across = d - dot(d, along) / dot(along, along) * along;
-      return s.wraps_round() ? -dot(away_from_fans(s), across) / length(across) : -dot(inward, across) / length(across);
-    };
-    std::stable_sort(out.begin(), out.end(), [&](VertexIndex v, VertexIndex w) { return evenness(v) < evenness(w); });
-    if (out.size() > recovery_budget.sheet_apexes) out.resize(recovery_budget.sheet_apexes);
-    return out;
-  }
-  bool is_on_fan(VertexIndex v) const {
-    return std::any_of(around_.fans.begin(), around_.fans.end(),
-                       [&](const Fan& f) { return std::find(f.rim.begin(), f.rim.end(), v) != f.rim.end(); });
-  }
-  /// From the fans of the sector across the segment.
-  Vec3 away_from_fans(const Sector& s) const {
-    const Vec3& o = mesh_.point(x_);
-    Vec3 out;
-    for (const auto& [i, side] : s.fans)
-      for (VertexIndex v : around_.fans[i].rim)
-        if (!around_.is_end(v)) out = out - (mesh_.point(v) - o);
-    return out;
-  }
-
-  /// Directed rim edges of all fans, to tell their faces and sides.
-  std::map<DirectedEdge, std::size_t> rim_edges() const {
-    std::map<DirectedEdge, std::size_t> out;
-    for (std::size_t f = 0; f < around_.fans.size(); ++f) {
-      const Fan& fan = around_.fans[f];
-      for (std::size_t i = 0; i + 1 < fan.rim.size(); ++i) out[{fan.rim[i], fan.rim[i + 1]}] = f;
-      if (fan.is_closed) out[{fan.rim.back(), fan.rim.front()}] = f;
-    }
-    return out;
-  }
-  std::vector<Sector> gather_sectors() const {
-    const auto rims = rim_edges();
-    std::vector<Sector> out;
-    std::vector<CellIndex> left = star_;
-    while (!left.empty()) {
-      Sector s;
-      s.cells.push_back(left.front());
-      left.erase(left.begin());
-      for (std::size_t i = 0; i < s.cells.size(); ++i) extend(s, s.cells[i], left, rims);
-      for (const auto& [fan, side] : s.fans) {
-        const Vec3 n = fan_normal(mesh_, x_, around_.fans[fan]);
-        const double size = length(n);
-        if (around_.fans[fan].is_thin() || side == 3u) continue;
-        if (side == 1u) s.inward = s.inward + (1 / size) * n;
-        if (side == 2u) s.inward = s.inward - (1 / size) * n;
-      }
-      out.push_back(std::move(s));
-    }
-    return out;
-  }
-  void extend(Sector& s, CellIndex c, std::vector<CellIndex>& left,
-              const std::map<DirectedEdge, std::size_t>& rims) const {
-    const TetMesh& cells = mesh_.cells();
-    for (unsigned i = 0; i < 4; ++i) {
-      if (cells.vertex(c, i) == x_) continue;
-      std::array<VertexIndex, 3> t;
-      for (unsigned k = 0; k < 3; ++k) t[k] = cells.vertex(c, face_vertices[i][k]);
-      std::rotate(t.begin(), std::find(t.begin(), t.end(), x_), t.end());
-      const auto above = rims.find({t[1], t[2]}), below = rims.find({t[2], t[1]});
-      if (above != rims.end()) {
-        s.fans[above->second] |= 1u;
-      } else if (below != rims.end()) {
-        s.fans[below->second] |= 2u;
-      } else {
-        const auto it = std::lower_bound(left.begin(), left.end(), cells.neighbor_cell(c, i));
-        if (it == left.end() || *it != cells.neighbor_cell(c, i)) continue;
-        s.cells.push_back(*it);
-        left.erase(it);
-      }
-    }
-  }
-
-  Cavity cavity_of(const Sector& s) const {
-    Cavity out(recovery_, s.cells, x_);
-    for (const Triangle& t : sheets_of(s)) out.add_sheet(t);
-    out.forbid(grown_);
-    return out;
-  }
-  /// The triangles that take the place of those at x, seen from the sector.
-  std::vector<Triangle> sheets_of(const Sector& s) const {
-    std::vector<Triangle> out;
-    for (const auto& [fan, side] : s.fans)
-      for (const Triangle& t : around_.fans[fan].triangles) {
-        if (side & 1u) out.push_back(t);
-        if (side & 2u) out.push_back({t[0], t[2], t[1]});
-      }
-    return out;
-  }
   /// Without a point, else with one. The cells taken are the sector's afterwards.
   bool fill(Sector& s) {
     Cavity cavity = cavity_of(s);
@@ -225,12 +52,20 @@ class PointRemoval {
     if (refilled_ == RefilledCells::region_about_star && fill_by_region(s)) return true;
     return !s.wraps_round() && fill_about_moved_point(s);
   }
+
+ private:
+  Cavity cavity_of(const Sector& s) const {
+    Cavity out(recovery_, s.cells, x_);
+    for (const Triangle& t : sheets_of(s, around_)) out.add_sheet(t);
+    out.forbid(grown_);
+    return out;
+  }
   /// Without a point, with cells about the sector.
   bool fill_by_region(Sector& s) {
     std::optional<Region> region =
         region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
     if (!region) return false;
-    for (const Triangle& t : sheets_of(s)) region->boundary.push_back(t);
+    for (const Triangle& t : sheets_of(s, around_)) region->boundary.push_back(t);
     auto filling = fill_region_once(recovery_, *region);
     return filling && take(s, std::move(*filling), region->cells);
   }
@@ -241,12 +76,6 @@ class PointRemoval {
     grown_.insert(grown_.end(), s.cells.begin(), s.cells.end());
     sort_unique(grown_);
     return true;
-  }
-  static std::vector<VertexIndex> vertices_of(const std::vector<Triangle>& boundary) {
-    std::vector<VertexIndex> out;
-    for (const Triangle& t : boundary) out.insert(out.end(), t.begin(), t.end());
-    sort_unique(out);
-    return out;
   }
   /// A well has no facet that would bring its segment along.
   bool has_segment(const std::vector<Tetrahedron>& filling) const {
@@ -289,6 +118,86 @@ class PointRemoval {
     }
   }
 
+  Recovery& recovery_;
+  ConstrainedMesh& mesh_;
+  Constraints& constraints_;
+  VertexIndex x_;
+  const StarFans& around_;
+  RefilledCells refilled_;
+  std::vector<CellIndex> grown_;  ///< the star and the cells that sectors have grown over, sorted
+};
+
+/// The change of facets, segment and cells that takes the point off.
+class PointRemoval {
+ public:
+  PointRemoval(Recovery& recovery, VertexIndex x, RefilledCells refilled)
+      : recovery_(recovery),
+        mesh_(recovery.mesh),
+        constraints_(recovery.constraints),
+        x_(x),
+        refilled_(refilled),
+        n_points_(recovery.mesh.points().size()) {}
+
+  bool run() {
+    mesh_.star(x_, star_);
+    std::sort(star_.begin(), star_.end());
+    for (CellIndex c : star_)
+      if (mesh_.cells().is_ghost(c)) return false;
+    auto found = find_star_fans(recovery_, x_, star_);
+    if (!found) return false;
+    around_ = std::move(*found);
+    if (has_foreign_chord() || repeats_subfacet()) return false;
+    if (!fill_sectors(recovery_budget.sheets)) return false;
+    commit();
+    return true;
+  }
+
+ private:
+  /// Fills all sectors, parting those that cannot be filled by up to `n_sheets` sheets. False: no point is left added.
+  bool fill_sectors(unsigned n_sheets) {
+    std::vector<Sector> sectors = gather_sectors(mesh_, x_, around_, star_);
+    SectorFilling filling(recovery_, x_, around_, refilled_, star_);
+    std::size_t stuck = sectors.size();
+    for (std::size_t i = 0; i < sectors.size() && stuck == sectors.size(); ++i)
+      if (!filling.fill(sectors[i])) stuck = i;
+    if (stuck == sectors.size()) {
+      sectors_ = std::move(sectors);
+      return true;
+    }
+    drop_moved_points();
+    if (n_sheets == 0 || around_.halves.empty()) return false;
+    for (VertexIndex w : sheet_apexes(mesh_, x_, around_, sectors[stuck])) {
+      around_.fans.push_back(sheet(w));
+      if (fill_sectors(n_sheets - 1)) return true;
+      around_.fans.pop_back();
+    }
+    return false;
+  }
+  /// The edge that is to take the place of the segment's two parts is there already. It is not the border of a thin
+  /// part of a facet.
+  bool has_foreign_chord() {
+    if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
+    return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
+  }
+  /// A triangle that a facet would get is there already: another facet's, or the thin rest of the same.
+  bool repeats_subfacet() const {
+    return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
+      return std::any_of(f.triangles.begin(), f.triangles.end(),
+                         [&](const Triangle& t) { return constraints_.subfacet_of(t[0], t[1], t[2]) != no_index; });
+    });
+  }
+  void drop_moved_points() {
+    while (mesh_.points().size() > n_points_) mesh_.drop_last_point();
+    constraints_.vertices.resize(n_points_);
+  }
+
+  Fan sheet(VertexIndex w) const {
+    Fan out;
+    out.rim = {around_.ends[0], w, around_.ends[1]};
+    out.triangles = {{out.rim[0], out.rim[1], out.rim[2]}};
+    return out;
+  }
+
   void commit() {
     std::vector<Tetrahedron> filling;
     std::vector<CellIndex> cells;
@@ -324,8 +233,7 @@ class PointRemoval {
   VertexIndex x_;
   RefilledCells refilled_;
   std::size_t n_points_;
-  std::vector<CellIndex> star_;   ///< sorted
-  std::vector<CellIndex> grown_;  ///< the star and the cells that sectors have grown over, sorted
+  std::vector<CellIndex> star_;  ///< sorted
   StarFans around_;
   std::vector<Sector> sectors_;
 };

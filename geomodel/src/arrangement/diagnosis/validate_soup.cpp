@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
@@ -77,9 +78,119 @@ class MedianTree {
   std::vector<Node> nodes_;
 };
 
+/// Whether two things of a soup meet anywhere but in shared vertices and edges, by exact signs.
+class MeetingTests {
+ public:
+  explicit MeetingTests(const PolygonSoup& soup) : soup_(soup) {}
+
+  /// Does edge a b meet the closed facet anywhere but in a shared vertex or as a shared edge?
+  bool edge_meets_facet(VertexIndex a, VertexIndex b, const Triangle& t) const {
+    const bool has_a = has(t, a), has_b = has(t, b);
+    if (has_a && has_b) return false;
+    if (has_a || has_b) {
+      const VertexIndex v = has_a ? a : b, w = has_a ? b : a;
+      if (side(t, w) != 0) return false;
+      const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+      return turn(t, v, t[(k + 1) % 3], w) >= 0 && turn(t, v, w, t[(k + 2) % 3]) >= 0;
+    }
+    const int sa = side(t, a), sb = side(t, b);
+    if (sa * sb > 0) return false;
+    if (sa == 0 && sb == 0) {
+      if (point_in_facet(a, t) || point_in_facet(b, t)) return true;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (coplanar_segments_meet(t, a, b, t[k], t[(k + 1) % 3])) return true;
+      return false;
+    }
+    if (sa == 0) return point_in_facet(a, t);
+    if (sb == 0) return point_in_facet(b, t);
+    int least = 1, greatest = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int s = to_int(orient3d(p(a), p(b), p(t[k]), p(t[(k + 1) % 3])));
+      least = std::min(least, s);
+      greatest = std::max(greatest, s);
+    }
+    return least * greatest >= 0;
+  }
+
+  static bool are_equal(const Triangle& a, const Triangle& b) { return has(a, b[0]) && has(a, b[1]) && has(a, b[2]); }
+  /// A corner of `a` near which the facets, which are not equal, meet.
+  std::optional<VertexIndex> facets_meet(const Triangle& a, const Triangle& b) const {
+    if (clear(a, b) || clear(b, a)) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (edge_meets_facet(a[k], a[(k + 1) % 3], b) || edge_meets_facet(b[k], b[(k + 1) % 3], a)) return a[k];
+    return std::nullopt;
+  }
+
+  bool segments_meet(const PolygonSoup::Segment& s, const PolygonSoup::Segment& t) const {
+    if (on_open_segment(t.a, s.a, s.b) || on_open_segment(t.b, s.a, s.b) || on_open_segment(s.a, t.a, t.b) ||
+        on_open_segment(s.b, t.a, t.b))
+      return true;
+    if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) return false;
+    if (orient3d(p(s.a), p(s.b), p(t.a), p(t.b)) != Sign::zero || collinear(p(s.a), p(s.b), p(t.a))) return false;
+    return coplanar_segments_meet({s.a, s.b, t.a}, s.a, s.b, t.a, t.b);
+  }
+
+  bool on_open_segment(VertexIndex v, VertexIndex a, VertexIndex b) const {
+    if (v == a || v == b || !collinear(p(a), p(b), p(v))) return false;
+    return compare_lexicographic(p(a), p(v)) * compare_lexicographic(p(v), p(b)) > 0;
+  }
+
+  bool point_meets_facet(VertexIndex v, const Triangle& t) const {
+    return !has(t, v) && side(t, v) == 0 && point_in_facet(v, t);
+  }
+
+ private:
+  const Vec3& p(VertexIndex v) const { return soup_.points[v]; }
+  static bool has(const Triangle& t, VertexIndex v) { return t[0] == v || t[1] == v || t[2] == v; }
+  int side(const Triangle& t, VertexIndex v) const {
+    return has(t, v) ? 0 : to_int(orient3d(p(t[0]), p(t[1]), p(t[2]), p(v)));
+  }
+
+  /// Sign of the area of a, b, c in the first coordinate plane in which t has an area, times that of t.
+  int turn(const Triangle& t, VertexIndex a, VertexIndex b, VertexIndex c) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const auto flat = [&](VertexIndex v) { return Vec2{p(v)[i], p(v)[j]}; };
+      const int own = to_int(orient2d(flat(t[0]), flat(t[1]), flat(t[2])));
+      if (own != 0) return own * to_int(orient2d(flat(a), flat(b), flat(c)));
+    }
+    return 0;
+  }
+
+  /// v in the plane of t: in the closed facet.
+  bool point_in_facet(VertexIndex v, const Triangle& t) const {
+    return turn(t, t[0], t[1], v) >= 0 && turn(t, t[1], t[2], v) >= 0 && turn(t, t[2], t[0], v) >= 0;
+  }
+
+  /// Coplanar segments without a common endpoint: do they meet?
+  bool coplanar_segments_meet(const Triangle& plane, VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
+    if (on_open_segment(a, c, d) || on_open_segment(b, c, d) || on_open_segment(c, a, b) || on_open_segment(d, a, b))
+      return true;
+    return turn(plane, a, b, c) * turn(plane, a, b, d) < 0 && turn(plane, c, d, a) * turn(plane, c, d, b) < 0;
+  }
+
+  /// All corners that are not shared lie strictly on one side: nothing but shared vertices and edges can meet.
+  bool clear(const Triangle& t, const Triangle& other) const {
+    int positive = 0, negative = 0, shared = 0;
+    for (const VertexIndex v : other) {
+      if (has(t, v)) {
+        ++shared;
+        continue;
+      }
+      const int s = side(t, v);
+      positive += s > 0;
+      negative += s < 0;
+    }
+    return positive == 3 - shared || negative == 3 - shared;
+  }
+
+  const PolygonSoup& soup_;
+};
+
+/// The faults of a soup, up to a limit: sizes, points, facets, then contacts.
 class Validator {
  public:
-  Validator(const PolygonSoup& soup, std::size_t limit) : soup_(soup), limit_(limit) {}
+  Validator(const PolygonSoup& soup, std::size_t limit) : soup_(soup), tests_(soup), limit_(limit) {}
 
   std::vector<SoupFault> run() {
     check_sizes();
@@ -157,23 +268,21 @@ class Validator {
     for (Index s = 0; s < boxes.size(); ++s) {
       const auto& [a, b, line] = soup_.segments[s];
       facets.query(boxes[s], [&, a = a, b = b](Index f) {
-        if (edge_meets_facet(a, b, soup_.facets[f]))
+        if (tests_.edge_meets_facet(a, b, soup_.facets[f]))
           fault("segment meets a facet outside shared vertices and edges", {f}, p(a));
       });
       segments.query(boxes[s], [&, s](Index t) {
-        if (t > s && segments_meet(soup_.segments[s], soup_.segments[t]))
+        if (t > s && tests_.segments_meet(soup_.segments[s], soup_.segments[t]))
           fault("two segments meet outside shared vertices", {}, p(soup_.segments[s].a));
       });
     }
     for (const auto& point : soup_.isolated_points) {
       const Box3 box = box_of({point.v});
       facets.query(box, [&](Index f) {
-        const Triangle& t = soup_.facets[f];
-        if (!has(t, point.v) && side(t, point.v) == 0 && point_in_facet(point.v, t))
-          fault("isolated point in a facet", {f}, p(point.v));
+        if (tests_.point_meets_facet(point.v, soup_.facets[f])) fault("isolated point in a facet", {f}, p(point.v));
       });
       segments.query(box, [&](Index s) {
-        if (on_open_segment(point.v, soup_.segments[s].a, soup_.segments[s].b))
+        if (tests_.on_open_segment(point.v, soup_.segments[s].a, soup_.segments[s].b))
           fault("isolated point on a segment", {}, p(point.v));
       });
     }
@@ -185,108 +294,17 @@ class Validator {
     return box;
   }
 
-  static bool has(const Triangle& t, VertexIndex v) { return t[0] == v || t[1] == v || t[2] == v; }
-  int side(const Triangle& t, VertexIndex v) const {
-    return has(t, v) ? 0 : to_int(orient3d(p(t[0]), p(t[1]), p(t[2]), p(v)));
-  }
-
-  /// Sign of the area of a, b, c in the first coordinate plane in which t has an area, times that of t.
-  int turn(const Triangle& t, VertexIndex a, VertexIndex b, VertexIndex c) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const auto flat = [&](VertexIndex v) { return Vec2{p(v)[i], p(v)[j]}; };
-      const int own = to_int(orient2d(flat(t[0]), flat(t[1]), flat(t[2])));
-      if (own != 0) return own * to_int(orient2d(flat(a), flat(b), flat(c)));
-    }
-    return 0;
-  }
-
-  /// v in the plane of t: in the closed facet.
-  bool point_in_facet(VertexIndex v, const Triangle& t) const {
-    return turn(t, t[0], t[1], v) >= 0 && turn(t, t[1], t[2], v) >= 0 && turn(t, t[2], t[0], v) >= 0;
-  }
-
-  bool on_open_segment(VertexIndex v, VertexIndex a, VertexIndex b) const {
-    if (v == a || v == b || !collinear(p(a), p(b), p(v))) return false;
-    return compare_lexicographic(p(a), p(v)) * compare_lexicographic(p(v), p(b)) > 0;
-  }
-
-  /// Coplanar segments without a common endpoint: do they meet?
-  bool coplanar_segments_meet(const Triangle& plane, VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
-    if (on_open_segment(a, c, d) || on_open_segment(b, c, d) || on_open_segment(c, a, b) || on_open_segment(d, a, b))
-      return true;
-    return turn(plane, a, b, c) * turn(plane, a, b, d) < 0 && turn(plane, c, d, a) * turn(plane, c, d, b) < 0;
-  }
-
-  /// Does edge a b meet the closed facet anywhere but in a shared vertex or as a shared edge?
-  bool edge_meets_facet(VertexIndex a, VertexIndex b, const Triangle& t) const {
-    const bool has_a = has(t, a), has_b = has(t, b);
-    if (has_a && has_b) return false;
-    if (has_a || has_b) {
-      const VertexIndex v = has_a ? a : b, w = has_a ? b : a;
-      if (side(t, w) != 0) return false;
-      const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-      return turn(t, v, t[(k + 1) % 3], w) >= 0 && turn(t, v, w, t[(k + 2) % 3]) >= 0;
-    }
-    const int sa = side(t, a), sb = side(t, b);
-    if (sa * sb > 0) return false;
-    if (sa == 0 && sb == 0) {
-      if (point_in_facet(a, t) || point_in_facet(b, t)) return true;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (coplanar_segments_meet(t, a, b, t[k], t[(k + 1) % 3])) return true;
-      return false;
-    }
-    if (sa == 0) return point_in_facet(a, t);
-    if (sb == 0) return point_in_facet(b, t);
-    int least = 1, greatest = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int s = to_int(orient3d(p(a), p(b), p(t[k]), p(t[(k + 1) % 3])));
-      least = std::min(least, s);
-      greatest = std::max(greatest, s);
-    }
-    return least * greatest >= 0;
-  }
-
-  /// All corners that are not shared lie strictly on one side: nothing but shared vertices and edges can meet.
-  bool clear(const Triangle& t, const Triangle& other) const {
-    int positive = 0, negative = 0, shared = 0;
-    for (const VertexIndex v : other) {
-      if (has(t, v)) {
-        ++shared;
-        continue;
-      }
-      const int s = side(t, v);
-      positive += s > 0;
-      negative += s < 0;
-    }
-    return positive == 3 - shared || negative == 3 - shared;
-  }
-
   void test_facets(Index f, Index g, std::vector<SoupFault>& out) const {
     const Triangle &a = soup_.facets[f], &b = soup_.facets[g];
-    if (has(a, b[0]) && has(a, b[1]) && has(a, b[2])) {
+    if (MeetingTests::are_equal(a, b))
       out.push_back({"two facets are equal as sets", {f, g}, p(a[0])});
-      return;
-    }
-    if (clear(a, b) || clear(b, a)) return;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (edge_meets_facet(a[k], a[(k + 1) % 3], b) || edge_meets_facet(b[k], b[(k + 1) % 3], a)) {
-        out.push_back({"two facets meet outside shared vertices and edges", {f, g}, p(a[k])});
-        return;
-      }
-  }
-
-  bool segments_meet(const PolygonSoup::Segment& s, const PolygonSoup::Segment& t) const {
-    if (on_open_segment(t.a, s.a, s.b) || on_open_segment(t.b, s.a, s.b) || on_open_segment(s.a, t.a, t.b) ||
-        on_open_segment(s.b, t.a, t.b))
-      return true;
-    if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) return false;
-    if (orient3d(p(s.a), p(s.b), p(t.a), p(t.b)) != Sign::zero || collinear(p(s.a), p(s.b), p(t.a))) return false;
-    return coplanar_segments_meet({s.a, s.b, t.a}, s.a, s.b, t.a, t.b);
+    else if (const auto at = tests_.facets_meet(a, b))
+      out.push_back({"two facets meet outside shared vertices and edges", {f, g}, p(*at)});
   }
 
   static constexpr std::size_t chunk = 1024;
   const PolygonSoup& soup_;
+  MeetingTests tests_;
   std::size_t limit_;
   std::vector<SoupFault> faults_;
 };

@@ -60,31 +60,11 @@ class Identification {
   std::vector<Index> alias_;
 };
 
-class Round {
+/// The vertices of a round: contacts' places constructed once each, and which rows are one place.
+class Places {
  public:
-  Round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes)
-      : complex_(complex),
-        contacts_(contacts),
-        context_(context),
-        memory_(max_bytes, contacts.size() * MemoryUse::per_contact),
-        result_{ExactVertices(complex.points, ExactFrame(complex.points)), {}, {}, {}, {}, {}, {}},
-        identify_(result_.vertices) {}
-
-  Arranged run() {
-    construct_points();
-    context_.check_cancelled();
-    find_clusters();
-    triangulate_clusters();
-    context_.check_cancelled();
-    number_made_points();
-    gather_facets();
-    split_segments();
-    result_.isolated_points = complex_.isolated_points;
-    return std::move(result_);
-  }
-
- private:
-  void construct_points() {
+  Places(const Complex& complex, const Contacts& contacts, ExactVertices& vertices)
+      : complex_(complex), contacts_(contacts), vertices_(vertices), identify_(vertices) {
     for (const FacetContact& c : contacts_.facets)
       for (std::size_t k = 0; k < c.n_ends; ++k) note(c.ends[k]);
     for (const SegmentContact& c : contacts_.segments) note(c.point);
@@ -97,18 +77,38 @@ class Round {
     symbols_.erase(std::unique(symbols_.begin(), symbols_.end()), symbols_.end());
     std::vector<ExactPoint> made(symbols_.size());
     std::vector<Vec3> rounded(symbols_.size());
-    const ExactFrame& frame = result_.vertices.frame();
+    const ExactFrame& frame = vertices_.frame();
     tbb::parallel_for(std::size_t{0}, symbols_.size(), [&](std::size_t k) {
       made[k] = construct(complex_, frame, symbols_[k]);
       rounded[k] = frame.to_nearest(made[k]);
     });
-    result_.vertices.append(std::move(made), std::move(rounded));
+    vertices_.append(std::move(made), std::move(rounded));
     identify();
-    result_.contact_ends.resize(contacts_.facets.size());
-    tbb::parallel_for(std::size_t{0}, contacts_.facets.size(),
-                      [&](std::size_t k) { result_.contact_ends[k] = resolve(contacts_.facets[k]); });
   }
 
+  /// Finds equal places again, as vertices were added.
+  void identify() {
+    std::vector<Index> candidates = active_;
+    for (std::size_t v = vertices_.n_given(); v < vertices_.size(); ++v) candidates.push_back(static_cast<Index>(v));
+    identify_.run(std::move(candidates));
+  }
+
+  /// The row that stands for vertex v.
+  Index operator()(Index v) const { return identify_(v); }
+  Index row_of(const Symbol& s) const {
+    if (s.is_point()) return s.a;
+    const auto at = std::lower_bound(symbols_.begin(), symbols_.end(), s) - symbols_.begin();
+    return identify_(static_cast<Index>(vertices_.n_given() + static_cast<std::size_t>(at)));
+  }
+
+  /// As in Arranged.
+  std::vector<std::array<Index, 2>> contact_ends() const {
+    std::vector<std::array<Index, 2>> out(contacts_.facets.size());
+    tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t k) { out[k] = resolve(contacts_.facets[k]); });
+    return out;
+  }
+
+ private:
   void note(const Symbol& s) {
     if (s.is_point())
       active_.push_back(s.a);
@@ -117,19 +117,6 @@ class Round {
   }
   void note_corners(Index facet) {
     active_.insert(active_.end(), complex_.facets[facet].begin(), complex_.facets[facet].end());
-  }
-
-  void identify() {
-    std::vector<Index> candidates = active_;
-    for (std::size_t v = result_.vertices.n_given(); v < result_.vertices.size(); ++v)
-      candidates.push_back(static_cast<Index>(v));
-    identify_.run(std::move(candidates));
-  }
-
-  Index row_of(const Symbol& s) const {
-    if (s.is_point()) return s.a;
-    const auto at = std::lower_bound(symbols_.begin(), symbols_.end(), s) - symbols_.begin();
-    return identify_(static_cast<Index>(result_.vertices.n_given() + static_cast<std::size_t>(at)));
   }
 
   std::array<Index, 2> resolve(const FacetContact& c) const {
@@ -144,30 +131,51 @@ class Round {
     return ends;
   }
 
-  void find_clusters() {
-    UnionFind clusters(complex_.facets.size());
-    for (const Overlap& o : contacts_.overlaps) clusters.unite(o.a, o.b);
-    for (const FacetContact& c : contacts_.facets) members_.emplace_back(clusters.find(c.facet), c.facet);
-    for (const Overlap& o : contacts_.overlaps) {
+  const Complex& complex_;
+  const Contacts& contacts_;
+  ExactVertices& vertices_;
+  Identification identify_;
+  std::vector<Index> active_;  ///< given vertices that contacts concern
+  std::vector<Symbol> symbols_;
+};
+
+/// Facets that overlap or cross others, in clusters of those that overlap; by least facet.
+class Clusters {
+ public:
+  Clusters(const Complex& complex, const Contacts& contacts) {
+    UnionFind clusters(complex.facets.size());
+    for (const Overlap& o : contacts.overlaps) clusters.unite(o.a, o.b);
+    for (const FacetContact& c : contacts.facets) members_.emplace_back(clusters.find(c.facet), c.facet);
+    for (const Overlap& o : contacts.overlaps) {
       members_.emplace_back(clusters.find(o.a), o.a);
       members_.emplace_back(clusters.find(o.b), o.b);
     }
     tbb::parallel_sort(members_.begin(), members_.end());
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
     for (std::size_t k = 0; k < members_.size(); ++k)
-      if (k == 0 || members_[k].first != members_[k - 1].first) cluster_begin_.push_back(k);
-    cluster_begin_.push_back(members_.size());
+      if (k == 0 || members_[k].first != members_[k - 1].first) begin_.push_back(k);
+    begin_.push_back(members_.size());
   }
 
-  ClusterInput cluster_input(std::size_t cluster) const {
+  std::size_t size() const { return begin_.size() - 1; }
+  Index least_facet(std::size_t cluster) const { return members_[begin_[cluster]].second; }
+  /// By facet: whether it is in a cluster.
+  std::vector<std::uint8_t> is_member(std::size_t n_facets) const {
+    std::vector<std::uint8_t> out(n_facets, 0);
+    for (const auto& m : members_) out[m.second] = 1;
+    return out;
+  }
+  /// With the contacts on its facets; `contact_ends`: as in Arranged.
+  ClusterInput input(std::size_t cluster, const Contacts& contacts,
+                     const std::vector<std::array<Index, 2>>& contact_ends) const {
     ClusterInput input;
-    for (std::size_t k = cluster_begin_[cluster]; k < cluster_begin_[cluster + 1]; ++k) {
+    for (std::size_t k = begin_[cluster]; k < begin_[cluster + 1]; ++k) {
       const Index facet = members_[k].second;
       input.members.push_back(facet);
-      const auto begin = std::lower_bound(contacts_.facets.begin(), contacts_.facets.end(), facet,
+      const auto begin = std::lower_bound(contacts.facets.begin(), contacts.facets.end(), facet,
                                           [](const FacetContact& c, Index f) { return c.facet < f; });
-      for (auto c = begin; c != contacts_.facets.end() && c->facet == facet; ++c) {
-        const auto& ends = result_.contact_ends[static_cast<std::size_t>(c - contacts_.facets.begin())];
+      for (auto c = begin; c != contacts.facets.end() && c->facet == facet; ++c) {
+        const auto& ends = contact_ends[static_cast<std::size_t>(c - contacts.facets.begin())];
         if (ends[1] == no_index)
           input.points.push_back(ends[0]);
         else
@@ -177,13 +185,54 @@ class Round {
     return input;
   }
 
-  void triangulate_clusters() {
-    pieces_.resize(cluster_begin_.size() - 1);
+ private:
+  std::vector<std::pair<Index, Index>> members_;  ///< (least facet of the cluster, facet), sorted
+  std::vector<std::size_t> begin_;
+};
+
+/// Rows of vertices on the segment, from its first end to its second.
+void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment, const ExactVertices& vertices) {
+  const Vec3 &a = vertices.rounded(segment.a), &b = vertices.rounded(segment.b);
+  std::size_t axis = 0;
+  while (a[axis] == b[axis]) ++axis;
+  const Sign along = a[axis] < b[axis] ? Sign::negative : Sign::positive;
+  std::sort(rows.begin(), rows.end(), [&](Index v, Index w) {
+    return v != w && compare_coordinate(vertices.exact(v), vertices.exact(w), axis) == along;
+  });
+}
+
+/// One exact round: its contacts' places, its clusters' pieces, then what they make of the complex.
+class Round {
+ public:
+  Round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes)
+      : complex_(complex),
+        contacts_(contacts),
+        context_(context),
+        memory_(max_bytes, contacts.size() * MemoryUse::per_contact),
+        result_{ExactVertices(complex.points, ExactFrame(complex.points)), {}, {}, {}, {}, {}, {}},
+        places_(complex, contacts, result_.vertices) {}
+
+  Arranged run() {
+    result_.contact_ends = places_.contact_ends();
+    context_.check_cancelled();
+    const Clusters clusters(complex_, contacts_);
+    triangulate(clusters);
+    context_.check_cancelled();
+    number_made_points();
+    gather_facets(clusters);
+    split_segments();
+    result_.isolated_points = complex_.isolated_points;
+    return std::move(result_);
+  }
+
+ private:
+  void triangulate(const Clusters& clusters) {
+    pieces_.resize(clusters.size());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
       if (context_.cancel && context_.cancel->load(std::memory_order_relaxed)) return;
-      pieces_[k] = triangulate_cluster(complex_, result_.vertices, cluster_input(k));
+      pieces_[k] = triangulate_cluster(complex_, result_.vertices, clusters.input(k, contacts_, result_.contact_ends));
       memory_.take(pieces_[k].facets.size(), MemoryUse::per_facet,
-                   complex_.points[complex_.facets[members_[cluster_begin_[k]].second][0]]);
+                   complex_.points[complex_.facets[clusters.least_facet(k)][0]]);
     });
   }
 
@@ -202,22 +251,21 @@ class Round {
     }
     if (made.empty()) return;
     result_.vertices.append(std::move(made), std::move(rounded));
-    identify();
+    places_.identify();
   }
 
-  void gather_facets() {
-    std::vector<std::uint8_t> is_member(complex_.facets.size(), 0);
-    for (const auto& m : members_) is_member[m.second] = 1;
+  void gather_facets(const Clusters& clusters) {
+    const std::vector<std::uint8_t> is_member = clusters.is_member(complex_.facets.size());
     std::size_t cluster = 0;
     for (Index f = 0; f < complex_.facets.size(); ++f) {
       if (!is_member[f]) {
         result_.facets.push_back(complex_.facets[f]);
         result_.origins.push(complex_.origins.of(f));
         result_.changed.push_back(0);
-      } else if (cluster < pieces_.size() && members_[cluster_begin_[cluster]].second == f) {
+      } else if (cluster < pieces_.size() && clusters.least_facet(cluster) == f) {
         const ClusterPieces& p = pieces_[cluster++];
         for (std::size_t k = 0; k < p.facets.size(); ++k) {
-          result_.facets.push_back({identify_(p.facets[k][0]), identify_(p.facets[k][1]), identify_(p.facets[k][2])});
+          result_.facets.push_back({places_(p.facets[k][0]), places_(p.facets[k][1]), places_(p.facets[k][2])});
           result_.origins.push(p.origins.of(k));
           result_.changed.push_back(1);
         }
@@ -231,22 +279,12 @@ class Round {
       const PolygonSoup::Segment& segment = complex_.segments[s];
       std::vector<Index> on{segment.a, segment.b};
       for (; contact != contacts_.segments.end() && contact->segment == s; ++contact)
-        on.push_back(row_of(contact->point));
+        on.push_back(places_.row_of(contact->point));
       std::sort(on.begin(), on.end());
       on.erase(std::unique(on.begin(), on.end()), on.end());
-      sort_along(on, segment);
+      sort_along(on, segment, result_.vertices);
       for (std::size_t k = 0; k + 1 < on.size(); ++k) result_.segments.push_back({on[k], on[k + 1], segment.polyline});
     }
-  }
-
-  void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment) const {
-    const Vec3 &a = complex_.points[segment.a], &b = complex_.points[segment.b];
-    std::size_t axis = 0;
-    while (a[axis] == b[axis]) ++axis;
-    const Sign along = a[axis] < b[axis] ? Sign::negative : Sign::positive;
-    std::sort(rows.begin(), rows.end(), [&](Index v, Index w) {
-      return v != w && compare_coordinate(result_.vertices.exact(v), result_.vertices.exact(w), axis) == along;
-    });
   }
 
   const Complex& complex_;
@@ -254,11 +292,7 @@ class Round {
   const RunContext& context_;
   MemoryUse memory_;
   Arranged result_;
-  Identification identify_;
-  std::vector<Index> active_;
-  std::vector<Symbol> symbols_;
-  std::vector<std::pair<Index, Index>> members_;  ///< (least facet of the cluster, facet), sorted
-  std::vector<std::size_t> cluster_begin_;
+  Places places_;
   std::vector<ClusterPieces> pieces_;
 };
 

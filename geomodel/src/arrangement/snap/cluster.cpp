@@ -10,6 +10,105 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
+/// Points by rows of a coarse lattice, to and fro: neighbours in the order are near in the plane.
+void sort_in_rows(std::vector<int>& order, const std::vector<PlanarPoint>& points, const Projection& frame) {
+  Box3 box;
+  for (const int p : order) box.add(points[p].rounded);
+  const double rows = std::sqrt(static_cast<double>(order.size()) / 2), height = box.max[frame.j] - box.min[frame.j];
+  struct Key {
+    long row;
+    double x;
+    int p;
+    bool operator<(const Key& o) const { return row != o.row ? row < o.row : x != o.x ? x < o.x : p < o.p; }
+  };
+  std::vector<Key> keys;
+  for (const int p : order) {
+    const Vec3& q = points[p].rounded;
+    const long row = height > 0 ? static_cast<long>((q[frame.j] - box.min[frame.j]) / height * rows) : 0;
+    keys.push_back({row, row % 2 == 0 ? q[frame.i] : -q[frame.i], p});
+  }
+  std::sort(keys.begin(), keys.end());
+  for (std::size_t k = 0; k < keys.size(); ++k) order[k] = keys[k].p;
+}
+
+/// The lines of a cluster's constraints and the points made where two of them cross.
+class Crossings {
+ public:
+  Crossings(const Complex& complex, const ExactFrame& frame, Index plane)
+      : complex_(complex), frame_(frame), plane_(plane) {}
+
+  int add(const Line& line) {
+    lines_.push_back(line);
+    return static_cast<int>(lines_.size()) - 1;
+  }
+  /// The point where two lines cross, which the triangulation has as `row`.
+  PlanarPoint make(int row_a, int row_b, std::size_t row) {
+    const Line a = lines_[row_a], b = lines_[row_b];
+    ExactPoint p;
+    if (a.is_edge() && b.is_edge())
+      p = line_line_point(frame_, point(a.a), point(a.b), point(b.a), point(b.b));
+    else if (a.is_edge())
+      p = line_plane_point(frame_, point(a.a), point(a.b), plane_of(b.a));
+    else if (b.is_edge())
+      p = line_plane_point(frame_, point(b.a), point(b.b), plane_of(a.a));
+    else
+      p = three_planes_point(frame_, plane_of(plane_), plane_of(a.a), plane_of(b.a));
+    made_.push_back(std::move(p));
+    rows_.push_back(static_cast<int>(row));
+    return {frame_.to_nearest(made_.back()), &made_.back()};
+  }
+  /// Number of a made point by its row in the triangulation.
+  Index number(int row) const {
+    return static_cast<Index>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
+  }
+  /// Hands over the points, with their doubles in the triangulation.
+  void move_to(ClusterPieces& pieces, const std::vector<PlanarPoint>& points) {
+    for (std::size_t k = 0; k < made_.size(); ++k) {
+      pieces.made_rounded.push_back(points[rows_[k]].rounded);
+      pieces.made.push_back(std::move(made_[k]));
+    }
+  }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
+  PlanePoints plane_of(Index facet) const {
+    const Triangle& t = complex_.facets[facet];
+    return {point(t[0]), point(t[1]), point(t[2])};
+  }
+
+  const Complex& complex_;
+  const ExactFrame& frame_;
+  Index plane_;  ///< a facet of the cluster
+  std::vector<Line> lines_;
+  std::deque<ExactPoint> made_;
+  std::vector<int> rows_;  ///< of made_, ascending
+};
+
+/// Marks the faces inside a member, given its corners turning left: a flood from its border that does not cross it.
+void cover(const PlanarTriangulation& mesh, const std::array<int, 3>& corners, Index member,
+           std::vector<std::vector<Index>>& members_of) {
+  std::vector<std::pair<int, int>> border;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::vector<int> chain = mesh.chain(corners[k], corners[(k + 1) % 3]);
+    for (std::size_t s = 0; s + 1 < chain.size(); ++s) border.push_back(mesh.left_face(chain[s], chain[s + 1]));
+  }
+  std::sort(border.begin(), border.end());
+  const auto is_in = [&](int f) { return !members_of[f].empty() && members_of[f].back() == member; };
+  std::vector<int> stack{border.front().first};
+  members_of[stack.back()].push_back(member);
+  while (!stack.empty()) {
+    const int f = stack.back();
+    stack.pop_back();
+    for (int e = 0; e < 3; ++e) {
+      const int g = mesh.faces()[f].neighbour[e];
+      if (std::binary_search(border.begin(), border.end(), std::pair{f, e}) || is_in(g)) continue;
+      members_of[g].push_back(member);
+      stack.push_back(g);
+    }
+  }
+}
+
+/// The triangulation of a cluster in its plane, and the pieces taken from it.
 class Cluster {
  public:
   Cluster(const Complex& complex, const ExactVertices& vertices, ClusterInput input)
@@ -17,7 +116,9 @@ class Cluster {
         vertices_(vertices),
         input_(std::move(input)),
         frame_(projection_of(point(base()[0]), point(base()[1]), point(base()[2]))),
-        mesh_(vertices.frame(), frame_.i, frame_.j, [this](int a, int b) { return crossing(a, b); }) {}
+        crossings_(complex, vertices.frame(), input_.members.front()),
+        mesh_(vertices.frame(), frame_.i, frame_.j,
+              [this](int a, int b) { return crossings_.make(a, b, mesh_.points().size()); }) {}
 
   ClusterPieces run() {
     add_points();
@@ -26,7 +127,7 @@ class Cluster {
     else
       start_with_a_frame();
     insert_points();
-    for (const auto& c : input_.constraints) mesh_.insert_constraint(local(c.a), local(c.b), line_row(c.line));
+    for (const auto& c : input_.constraints) mesh_.insert_constraint(local(c.a), local(c.b), crossings_.add(c.line));
     if (input_.members.size() == 1)
       take_all();
     else
@@ -37,19 +138,13 @@ class Cluster {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
   const Triangle& base() const { return complex_.facets[input_.members.front()]; }
-  PlanePoints plane_of(Index facet) const {
-    const Triangle& t = complex_.facets[facet];
-    return {point(t[0]), point(t[1]), point(t[2])};
-  }
   int local(Index v) const { return static_cast<int>(std::lower_bound(ids_.begin(), ids_.end(), v) - ids_.begin()); }
-  int line_row(const Line& line) {
-    lines_.push_back(line);
-    return static_cast<int>(lines_.size()) - 1;
-  }
   Sign sign_of(Index member) const {
     const Triangle& t = complex_.facets[member];
     return mesh_.orient(local(t[0]), local(t[1]), local(t[2]));
   }
+  /// Its corners in the triangulation.
+  std::array<int, 3> local_corners(const Triangle& t) const { return {local(t[0]), local(t[1]), local(t[2])}; }
   Triangle turning_left(Index member) const {
     Triangle t = complex_.facets[member];
     if (sign_of(member) == Sign::negative) std::swap(t[1], t[2]);
@@ -68,8 +163,8 @@ class Cluster {
   void start_with_the_facet() {
     const Triangle t = turning_left(input_.members.front());
     mesh_.start(local(t[0]), local(t[1]), local(t[2]));
-    mesh_.constrain_border(
-        {line_row(Line::edge(t[1], t[2])), line_row(Line::edge(t[2], t[0])), line_row(Line::edge(t[0], t[1]))});
+    mesh_.constrain_border({crossings_.add(Line::edge(t[1], t[2])), crossings_.add(Line::edge(t[2], t[0])),
+                            crossings_.add(Line::edge(t[0], t[1]))});
   }
 
   /// A triangle around all members, of coordinates that are integers in the exact frame; no piece that touches it is
@@ -102,64 +197,18 @@ class Cluster {
                              input_.constraints.end());
   }
 
-  /// In rows of a coarse lattice, to and fro: neighbours in the order are near in the plane, so each walk is short.
+  /// In an order in which each walk is short.
   void insert_points() {
     const int n = static_cast<int>(ids_.size());
     std::vector<int> order(n);
     for (int k = 0; k < n; ++k) order[k] = k;
-    if (n > 16) sort_in_rows(order);
+    if (n > 16) sort_in_rows(order, mesh_.points(), frame_);
     for (const int p : order) mesh_.insert_point(p);
-  }
-
-  void sort_in_rows(std::vector<int>& order) const {
-    Box3 box;
-    for (const int p : order) box.add(mesh_.points()[p].rounded);
-    const double rows = std::sqrt(static_cast<double>(order.size()) / 2),
-                 height = box.max[frame_.j] - box.min[frame_.j];
-    struct Key {
-      long row;
-      double x;
-      int p;
-      bool operator<(const Key& o) const { return row != o.row ? row < o.row : x != o.x ? x < o.x : p < o.p; }
-    };
-    std::vector<Key> keys;
-    for (const int p : order) {
-      const Vec3& q = mesh_.points()[p].rounded;
-      const long row = height > 0 ? static_cast<long>((q[frame_.j] - box.min[frame_.j]) / height * rows) : 0;
-      keys.push_back({row, row % 2 == 0 ? q[frame_.i] : -q[frame_.i], p});
-    }
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t k = 0; k < keys.size(); ++k) order[k] = keys[k].p;
-  }
-
-  PlanarPoint crossing(int row_a, int row_b) {
-    const Line a = lines_[row_a], b = lines_[row_b];
-    const ExactFrame& frame = vertices_.frame();
-    ExactPoint p;
-    if (a.is_edge() && b.is_edge())
-      p = line_line_point(frame, point(a.a), point(a.b), point(b.a), point(b.b));
-    else if (a.is_edge())
-      p = line_plane_point(frame, point(a.a), point(a.b), plane_of(b.a));
-    else if (b.is_edge())
-      p = line_plane_point(frame, point(b.a), point(b.b), plane_of(a.a));
-    else
-      p = three_planes_point(frame, plane_of(input_.members.front()), plane_of(a.a), plane_of(b.a));
-    made_.push_back(std::move(p));
-    made_rows_.push_back(static_cast<int>(mesh_.points().size()));
-    return {frame.to_nearest(made_.back()), &made_.back()};
   }
 
   VertexIndex id_of(int p) const {
     if (p < static_cast<int>(ids_.size())) return ids_[p];
-    const auto row = std::lower_bound(made_rows_.begin(), made_rows_.end(), p) - made_rows_.begin();
-    return ClusterPieces::made_here | static_cast<Index>(row);
-  }
-
-  void finish_points() {
-    for (std::size_t k = 0; k < made_.size(); ++k) {
-      pieces_.made_rounded.push_back(mesh_.points()[made_rows_[k]].rounded);
-      pieces_.made.push_back(std::move(made_[k]));
-    }
+    return ClusterPieces::made_here | crossings_.number(p);
   }
 
   void push(const PlanarTriangulation::Face& face, std::vector<Origin> origins, Sign orientation) {
@@ -174,36 +223,12 @@ class Cluster {
     const auto list = complex_.origins.of(m);
     const std::vector<Origin> origins(list.begin(), list.end());
     for (const auto& face : mesh_.faces()) push(face, origins, sign_of(m));
-    finish_points();
-  }
-
-  /// Marks the faces inside a member: a flood from its border that does not cross it.
-  void cover(Index member, std::vector<std::vector<Index>>& members_of) const {
-    const Triangle t = turning_left(member);
-    std::vector<std::pair<int, int>> border;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::vector<int> chain = mesh_.chain(local(t[k]), local(t[(k + 1) % 3]));
-      for (std::size_t s = 0; s + 1 < chain.size(); ++s) border.push_back(mesh_.left_face(chain[s], chain[s + 1]));
-    }
-    std::sort(border.begin(), border.end());
-    const auto is_in = [&](int f) { return !members_of[f].empty() && members_of[f].back() == member; };
-    std::vector<int> stack{border.front().first};
-    members_of[stack.back()].push_back(member);
-    while (!stack.empty()) {
-      const int f = stack.back();
-      stack.pop_back();
-      for (int e = 0; e < 3; ++e) {
-        const int g = mesh_.faces()[f].neighbour[e];
-        if (std::binary_search(border.begin(), border.end(), std::pair{f, e}) || is_in(g)) continue;
-        members_of[g].push_back(member);
-        stack.push_back(g);
-      }
-    }
+    crossings_.move_to(pieces_, mesh_.points());
   }
 
   void take_covered() {
     std::vector<std::vector<Index>> members_of(mesh_.faces().size());
-    for (const Index m : input_.members) cover(m, members_of);
+    for (const Index m : input_.members) cover(mesh_, local_corners(turning_left(m)), m, members_of);
     for (std::size_t f = 0; f < mesh_.faces().size(); ++f) {
       std::vector<Origin> origins;
       for (const Index m : members_of[f])
@@ -215,18 +240,16 @@ class Cluster {
       const bool right = normalise_origins(origins);
       push(mesh_.faces()[f], std::move(origins), right ? Sign::negative : Sign::positive);
     }
-    finish_points();
+    crossings_.move_to(pieces_, mesh_.points());
   }
 
   const Complex& complex_;
   const ExactVertices& vertices_;
   ClusterInput input_;
   Projection frame_;
+  Crossings crossings_;
   PlanarTriangulation mesh_;
   std::vector<Index> ids_;
-  std::vector<Line> lines_;
-  std::deque<ExactPoint> made_;
-  std::vector<int> made_rows_;  ///< rows in mesh_ of made_
   int n_points_ = 0;
   ClusterPieces pieces_;
 };

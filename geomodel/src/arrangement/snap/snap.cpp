@@ -11,6 +11,132 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
+/// Pieces of edges between vertices of one facet: facets that share the vertices then share the edge.
+std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
+  std::sort(vertices.begin(), vertices.end());
+  std::vector<EdgeKey> found;
+  for (const VertexIndex v : vertices)
+    for (auto at = std::lower_bound(pieces.begin(), pieces.end(), EdgeKey{v, 0}); at != pieces.end() && at->first == v;
+         ++at)
+      if (v < at->second && std::binary_search(vertices.begin(), vertices.end(), at->second)) found.push_back(*at);
+  return found;
+}
+
+/// The facets and segments of a complex with what is inserted in them.
+class Rebuilding {
+ public:
+  /// `edges`: of the facets that were snapped; `touched`: facets of which a corner merged.
+  Rebuilding(Complex& complex, const Insertions& insertions, const std::vector<EdgeKey>& edges,
+             const std::set<Index>& touched, SnapOutcome& outcome)
+      : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
+
+  void rebuild_facets() {
+    const std::vector<EdgeKey> pieces = list_pieces();
+    Complex out;
+    for (Index f = 0; f < complex_.facets.size(); ++f) {
+      const Triangle& t = complex_.facets[f];
+      const std::vector<VertexIndex> border = border_of(t);
+      const auto inside = insertions_.in_facet.find(f);
+      if (border.size() == 3 && inside == insertions_.in_facet.end() && !touched_.contains(f)) {
+        push(out, t, f, complex_.dirty_facet[f]);
+        continue;
+      }
+      const std::vector<VertexIndex> none;
+      const std::vector<VertexIndex>& in = inside == insertions_.in_facet.end() ? none : inside->second;
+      std::vector<VertexIndex> all = border;
+      all.insert(all.end(), in.begin(), in.end());
+      const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
+      if (!split)
+        push(out, t, f, 1);
+      else if (split->empty())
+        note_vanished(t, f);
+      else
+        for (const Triangle& piece : *split) push(out, piece, f, 1);
+    }
+    complex_.facets = std::move(out.facets);
+    complex_.origins = std::move(out.origins);
+    complex_.dirty_facet = std::move(out.dirty_facet);
+    outcome_.n_facets_merged = merge_equal_facets(complex_);
+  }
+
+  void rebuild_segments() {
+    std::vector<PolygonSoup::Segment> segments;
+    std::vector<std::uint8_t> dirty;
+    for (std::size_t s = 0; s < complex_.segments.size(); ++s) {
+      const PolygonSoup::Segment& segment = complex_.segments[s];
+      if (segment.a == segment.b) continue;
+      std::vector<VertexIndex> walk;
+      walk_edge(segment.a, segment.b, walk);
+      walk.push_back(segment.b);
+      for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
+        segments.push_back({walk[k], walk[k + 1], segment.polyline});
+        dirty.push_back(1);
+      }
+    }
+    complex_.segments = std::move(segments);
+    complex_.dirty_segment = std::move(dirty);
+    remove_repeated_segments(complex_);
+  }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
+
+  /// From a to b with what is inserted between; without b.
+  void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
+    walk.push_back(a);
+    const auto on = insertions_.on_edge.find(edge_key(a, b));
+    if (on == insertions_.on_edge.end()) return;
+    if (a < b)
+      walk.insert(walk.end(), on->second.begin(), on->second.end());
+    else
+      walk.insert(walk.end(), on->second.rbegin(), on->second.rend());
+  }
+  std::vector<VertexIndex> border_of(const Triangle& t) const {
+    std::vector<VertexIndex> walk;
+    for (std::size_t k = 0; k < 3; ++k) walk_edge(t[k], t[(k + 1) % 3], walk);
+    return walk;
+  }
+
+  /// Pieces of the active facets' edges from both ends, sorted.
+  std::vector<EdgeKey> list_pieces() const {
+    std::vector<EdgeKey> pieces;
+    for (const EdgeKey& e : edges_) {
+      std::vector<VertexIndex> walk;
+      walk_edge(e.first, e.second, walk);
+      walk.push_back(e.second);
+      for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
+        pieces.emplace_back(walk[k], walk[k + 1]);
+        pieces.emplace_back(walk[k + 1], walk[k]);
+      }
+    }
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
+  }
+
+  void note_vanished(const Triangle& t, Index from) {
+    outcome_.vanished.push_back({complex_.origins.of(from)[0].surface, point(t[0])});
+  }
+
+  void push(Complex& out, const Triangle& t, Index from, std::uint8_t dirty) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+        projection_of(point(t[0]), point(t[1]), point(t[2])).sign == Sign::zero) {
+      note_vanished(t, from);
+      return;
+    }
+    out.facets.push_back(t);
+    out.origins.push(complex_.origins.of(from));
+    out.dirty_facet.push_back(dirty);
+  }
+
+  Complex& complex_;
+  const Insertions& insertions_;
+  const std::vector<EdgeKey>& edges_;
+  const std::set<Index>& touched_;
+  SnapOutcome& outcome_;
+};
+
+/// The course of snapping: vertices merged, then inserted in edges and facets that are near.
 class Snapper {
  public:
   Snapper(Complex& complex, const std::vector<std::uint8_t>& active, SnapOptions options)
@@ -33,11 +159,13 @@ class Snapper {
     std::vector<VertexIndex> standing;
     for (const VertexIndex v : vertices_)
       if (now_[v] == v) standing.push_back(v);
-    insertions_ = find_insertions(complex_, active_facets_, edges_, std::move(standing), grid_, options_);
-    for (const auto& [edge, on] : insertions_.on_edge) note_insertions(edge, on);
-    for (const auto& [facet, in] : insertions_.in_facet) outcome_.n_vertices_inserted += in.size();
-    rebuild_facets();
-    rebuild_segments();
+    const Insertions insertions =
+        find_insertions(complex_, active_facets_, edges_, std::move(standing), grid_, options_);
+    for (const auto& [edge, on] : insertions.on_edge) note_insertions(edge, on);
+    for (const auto& [facet, in] : insertions.in_facet) outcome_.n_vertices_inserted += in.size();
+    Rebuilding rebuilding(complex_, insertions, edges_, touched_, outcome_);
+    rebuilding.rebuild_facets();
+    rebuilding.rebuild_segments();
     for (auto& p : complex_.isolated_points) p.v = now_[p.v];
     if (outcome_.moved.points_moved > 0) outcome_.moved.mean /= static_cast<double>(outcome_.moved.points_moved);
     return outcome_;
@@ -135,113 +263,6 @@ class Snapper {
     for (const VertexIndex v : on) note_move(length(cross(point(v) - point(edge.first), d)) / length(d), point(v));
   }
 
-  /// From a to b with what is inserted between; without b.
-  void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
-    walk.push_back(a);
-    const auto on = insertions_.on_edge.find(edge_key(a, b));
-    if (on == insertions_.on_edge.end()) return;
-    if (a < b)
-      walk.insert(walk.end(), on->second.begin(), on->second.end());
-    else
-      walk.insert(walk.end(), on->second.rbegin(), on->second.rend());
-  }
-  std::vector<VertexIndex> border_of(const Triangle& t) const {
-    std::vector<VertexIndex> walk;
-    for (std::size_t k = 0; k < 3; ++k) walk_edge(t[k], t[(k + 1) % 3], walk);
-    return walk;
-  }
-
-  /// Pieces of the active facets' edges from both ends, sorted.
-  std::vector<EdgeKey> list_pieces() const {
-    std::vector<EdgeKey> pieces;
-    for (const EdgeKey& e : edges_) {
-      std::vector<VertexIndex> walk;
-      walk_edge(e.first, e.second, walk);
-      walk.push_back(e.second);
-      for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
-        pieces.emplace_back(walk[k], walk[k + 1]);
-        pieces.emplace_back(walk[k + 1], walk[k]);
-      }
-    }
-    std::sort(pieces.begin(), pieces.end());
-    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
-    return pieces;
-  }
-
-  /// Pieces of edges between vertices of one facet: facets that share the vertices then share the edge.
-  static std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
-    std::sort(vertices.begin(), vertices.end());
-    std::vector<EdgeKey> found;
-    for (const VertexIndex v : vertices)
-      for (auto at = std::lower_bound(pieces.begin(), pieces.end(), EdgeKey{v, 0});
-           at != pieces.end() && at->first == v; ++at)
-        if (v < at->second && std::binary_search(vertices.begin(), vertices.end(), at->second)) found.push_back(*at);
-    return found;
-  }
-
-  void rebuild_facets() {
-    const std::vector<EdgeKey> pieces = list_pieces();
-    Complex out;
-    for (Index f = 0; f < complex_.facets.size(); ++f) {
-      const Triangle& t = complex_.facets[f];
-      const std::vector<VertexIndex> border = border_of(t);
-      const auto inside = insertions_.in_facet.find(f);
-      if (border.size() == 3 && inside == insertions_.in_facet.end() && !touched_.contains(f)) {
-        push(out, t, f, complex_.dirty_facet[f]);
-        continue;
-      }
-      const std::vector<VertexIndex> none;
-      const std::vector<VertexIndex>& in = inside == insertions_.in_facet.end() ? none : inside->second;
-      std::vector<VertexIndex> all = border;
-      all.insert(all.end(), in.begin(), in.end());
-      const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
-      if (!split)
-        push(out, t, f, 1);
-      else if (split->empty())
-        note_vanished(t, f);
-      else
-        for (const Triangle& piece : *split) push(out, piece, f, 1);
-    }
-    complex_.facets = std::move(out.facets);
-    complex_.origins = std::move(out.origins);
-    complex_.dirty_facet = std::move(out.dirty_facet);
-    outcome_.n_facets_merged = merge_equal_facets(complex_);
-  }
-
-  void note_vanished(const Triangle& t, Index from) {
-    outcome_.vanished.push_back({complex_.origins.of(from)[0].surface, point(t[0])});
-  }
-
-  void push(Complex& out, const Triangle& t, Index from, std::uint8_t dirty) {
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
-        projection_of(point(t[0]), point(t[1]), point(t[2])).sign == Sign::zero) {
-      note_vanished(t, from);
-      return;
-    }
-    out.facets.push_back(t);
-    out.origins.push(complex_.origins.of(from));
-    out.dirty_facet.push_back(dirty);
-  }
-
-  void rebuild_segments() {
-    std::vector<PolygonSoup::Segment> segments;
-    std::vector<std::uint8_t> dirty;
-    for (std::size_t s = 0; s < complex_.segments.size(); ++s) {
-      const PolygonSoup::Segment& segment = complex_.segments[s];
-      if (segment.a == segment.b) continue;
-      std::vector<VertexIndex> walk;
-      walk_edge(segment.a, segment.b, walk);
-      walk.push_back(segment.b);
-      for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
-        segments.push_back({walk[k], walk[k + 1], segment.polyline});
-        dirty.push_back(1);
-      }
-    }
-    complex_.segments = std::move(segments);
-    complex_.dirty_segment = std::move(dirty);
-    remove_repeated_segments(complex_);
-  }
-
   Complex& complex_;
   SnapOptions options_;
   BoxPlanes planes_;
@@ -250,7 +271,6 @@ class Snapper {
   std::vector<VertexIndex> vertices_, now_;
   std::vector<EdgeKey> edges_;
   std::set<Index> touched_;  ///< facets of which a corner merged
-  Insertions insertions_;
   SnapOutcome outcome_;
 };
 
