@@ -109,7 +109,7 @@ EXCEPTIONS = {
     "geomodel/src/arrangement/snap/cluster.cpp: class Cluster with run() is over 150 lines",
     "geomodel/src/arrangement/snap/snap.cpp: class Snapper with run() is over 150 lines",
     "geomodel/src/rules/trim_soup.cpp: class Trimmer with run() is over 150 lines",
-    "geomodel/src/stack/sheet_approximation.cpp: class Approximation with run() is over 150 lines",
+    "geomodel/src/stack/sheets/sheet_approximation.cpp: class Approximation with run() is over 150 lines",
 }
 
 

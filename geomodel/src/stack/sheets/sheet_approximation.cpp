@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/sheet_approximation.hpp"
+#include "stack/sheets/sheet_approximation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +151,7 @@ class Approximation {
   }
 
   double allowed(std::uint64_t givers, std::size_t k) const {
-    return options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
+    return (1 - share_for_centring) * options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
   }
 
   /// Queues the cell where one of its samples is further off than allowed.
