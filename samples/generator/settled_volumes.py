@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Volumes of units of settled stacks, integrated over the generators' own grids with nothing of geomesh.
 
-The rules of docs/model-building.md ("The stack") are applied on a raster of the map: order, shared surfaces where a unit is thin in the mean
-over half of the size, the least thickness elsewhere, and what the row of triangles along the pinch-out lines takes away. Nodes without a value
-have that of the nearest node with one. Standard library only.
+The rules of docs/model-building.md ("The stack") are applied on a raster of the map to the grids as delivered, with their noise: order, shared
+surfaces where a unit is thin in the mean over half of the size, the least thickness elsewhere. Nodes without a value have that of the nearest
+node with one. Standard library only.
 """
 import importlib.util
 import math
@@ -11,14 +11,13 @@ import os
 
 SAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 PIXELS_A_CELL = 5       # of thickness; a cell of mean thicknesses is a quarter of the size
-ROW_OF_THICKNESS = 12   # least thicknesses from a pinch-out line to where the unit has one
+CELLS_BEYOND = 2        # the rectangle
 
 
 def generator_of(sample):
     spec = importlib.util.spec_from_file_location(sample.replace("-", "_"), os.path.join(SAMPLES, sample, "make_surfaces.py"))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    module.add_noise = lambda *arguments: None  # it is within the tolerance, and settled surfaces are smooth
     return module
 
 
@@ -97,13 +96,19 @@ def groups_of(rows, is_member):
     return groups
 
 
-def thin_cells(columns, least):
-    """Per cell of mean thicknesses, whether the unit is too thin there; `columns`: rows of pixels of thicknesses. Openings and thin areas below
-    two squares of the size are dropped, but for openings more than three times as thick as the least."""
-    n, m, k = len(columns) // PIXELS_A_CELL, len(columns[0]) // PIXELS_A_CELL, PIXELS_A_CELL
-    means = [[sum(sum(columns[j * k + q][i * k:(i + 1) * k]) for q in range(k)) / (k * k) for i in range(m)] for j in range(n)]
-    rows = [list(row) for row in smoothed(means)]
-    fewest = 2 * 16  # cells of a quarter of the size
+def in_order(thicknesses):
+    """Of units under each other at one place: none below zero, what a unit has too much is missing in the next."""
+    ordered, debt = [], 0.0
+    for t in thicknesses:
+        t -= debt
+        debt = max(0.0, -t)
+        ordered.append(max(0.0, t))
+    return ordered
+
+
+def without_islands(rows, least):
+    """Openings and thin areas below two squares of the size are dropped, but for openings more than three times as thick as the least."""
+    n, m, fewest = len(rows), len(rows[0]), 2 * 16  # cells of a quarter of the size
     for group in groups_of(rows, lambda t: t >= least):
         most = max(rows[j][i] for j, i in group)
         if len(group) < n * m and most <= 3 * least and (len(group) < fewest or most <= 1.5 * least):
@@ -113,13 +118,18 @@ def thin_cells(columns, least):
         if len(group) < n * m and (len(group) < fewest or min(rows[j][i] for j, i in group) >= 0.75 * least):
             for j, i in group:
                 rows[j][i] = 1.25 * least
-    return [[t < least for t in row] for row in rows]
+    return rows
 
 
-def line_length(cells, cell):
-    """Of the line between thin cells and others. Sides of cells are longer than a line in any direction by 4 / pi in the mean."""
-    n = sum(a != b for row in cells for a, b in zip(row, row[1:])) + sum(a != b for rows in zip(cells, cells[1:]) for a, b in zip(*rows))
-    return math.pi / 4 * n * cell
+def between(rows, j, i):
+    """Linear both ways between the centres of cells, at the middle of pixel (j, i)."""
+    def place(pixel, n):
+        at = max(0.0, min((pixel + 0.5) / PIXELS_A_CELL - 0.5, n - 1.0))
+        first = min(int(at), max(0, n - 2))
+        return first, min(first + 1, n - 1), at - first
+    j0, j1, v = place(j, len(rows))
+    i0, i1, u = place(i, len(rows[0]))
+    return (1 - v) * ((1 - u) * rows[j0][i0] + u * rows[j0][i1]) + v * ((1 - u) * rows[j1][i0] + u * rows[j1][i1])
 
 
 class Model:
@@ -128,28 +138,46 @@ class Model:
     def __init__(self, units, corner, lengths, size, least, heights):
         self.units, self.corner, self.lengths, self.size, self.least, self.heights = units, corner, lengths, size, least, heights
 
+    def thin_areas(self, pixels):
+        """By unit, mean thicknesses by cell, smoothed and in order; thin where below the least."""
+        n, m, k = len(pixels) // PIXELS_A_CELL, len(pixels[0]) // PIXELS_A_CELL, PIXELS_A_CELL
+        units = range(len(self.units))
+
+        def mean(j, i, unit):
+            return sum(h[unit] - h[unit + 1] for row in pixels[j * k:(j + 1) * k] for h in row[i * k:(i + 1) * k]) / (k * k)
+        means = [smoothed([[mean(j, i, unit) for i in range(m)] for j in range(n)]) for unit in units]
+        ordered = [[in_order([means[unit][j][i] for unit in units]) for i in range(m)] for j in range(n)]
+        return [without_islands([[cell[unit] for cell in row] for row in ordered], self.least) for unit in units]
+
     def volumes(self):
-        """By unit, in m3."""
-        pixel = self.size / 4 / PIXELS_A_CELL
-        n, m = (max(1, round(length / (self.size / 4))) * PIXELS_A_CELL for length in self.lengths)
+        """By unit, in m3. The raster reaches half of the size beyond the rectangle: areas are as large as they are there."""
+        k, rim = PIXELS_A_CELL, CELLS_BEYOND * PIXELS_A_CELL
+        n, m = (max(1, round(length / (self.size / 4))) * k for length in self.lengths)
         du, dv = self.lengths[0] / n, self.lengths[1] / m
-        columns = [[self.heights(self.corner[0] + du * (i + 0.5), self.corner[1] + dv * (j + 0.5)) for i in range(n)] for j in range(m)]
-        thin = [thin_cells([[max(0.0, h[k] - h[k + 1]) for h in row] for row in columns], self.least) for k in range(len(self.units))]
+        pixels = [[self.heights(self.corner[0] + du * (i + 0.5), self.corner[1] + dv * (j + 0.5)) for i in range(-rim, n + rim)]
+                  for j in range(-rim, m + rim)]
+        thin = self.thin_areas(pixels)
         sums = [0.0] * len(self.units)
-        for j, row in enumerate(columns):
-            for i, heights in enumerate(row):
-                top = heights[0]
-                for k in range(len(self.units)):
-                    cells = thin[k]
-                    base = top if cells[j // PIXELS_A_CELL][i // PIXELS_A_CELL] else min(heights[k + 1], top - self.least)
-                    sums[k] += (top - base) * du * dv
-                    top = base
-        for k in range(len(self.units)):  # the older horizon gives way: what the row takes from a unit goes to the next
-            taken = 0.5 * ROW_OF_THICKNESS * self.least ** 2 * line_length(thin[k], pixel * PIXELS_A_CELL)
-            sums[k] -= taken
-            if k + 1 < len(self.units):
-                sums[k + 1] += taken
+        for cell_j in range(rim, m + rim, k):
+            for cell_i in range(rim, n + rim, k):
+                places = [(j, i) for j in range(cell_j, cell_j + k) for i in range(cell_i, cell_i + k)]
+                for unit, thickness in enumerate(self.column(places, pixels, thin)):
+                    sums[unit] += thickness * du * dv
         return dict(zip(self.units, sums))
+
+    def column(self, places, pixels, thin):
+        """Sums of thicknesses over the pixels of a cell, by unit."""
+        tops, sums = {(j, i): pixels[j][i][0] for j, i in places}, []
+        for unit in range(len(self.units)):
+            there = [p for p in places if between(thin[unit], *p) >= self.least]
+            bases = {(j, i): pixels[j][i][unit + 1] for j, i in there}
+            if there:  # the mean over a cell is at least the least: noise from node to node adds nothing
+                missing = max(0.0, self.least - sum(tops[p] - bases[p] for p in there) / len(there))
+                for p in there:
+                    bases[p] -= missing
+            sums.append(sum(tops[p] - bases[p] for p in there))
+            tops.update(bases)
+        return sums
 
 
 def basin(nodes=40, size=10000.0, tolerance=60.0):

@@ -33,6 +33,9 @@ class StackVolumes(ProgramTest):
     def test_units_of_the_reservoir_have_the_volumes_that_its_grids_have_by_the_rules(self):
         self.assert_volumes("reservoir")
 
+    def test_units_of_grids_with_undefined_nodes_have_the_volumes_that_the_grids_have_by_the_rules(self):
+        self.assert_volumes("blank-grids")
+
     def test_units_of_the_exploration_model_have_the_volumes_that_its_grids_have(self):
         self.assert_volumes("exploration")
 

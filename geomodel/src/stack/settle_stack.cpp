@@ -6,10 +6,11 @@
 
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
-#include "stack/closing_rows.hpp"
 #include "stack/map/map_frame.hpp"
 #include "stack/settled_report.hpp"
-#include "stack/sheet_approximation.hpp"
+#include "stack/sheets/centred_sheets.hpp"
+#include "stack/sheets/closing_rows.hpp"
+#include "stack/sheets/sheet_approximation.hpp"
 #include "stack/single_valued.hpp"
 #include "stack/thickness_sizes.hpp"
 
@@ -23,6 +24,7 @@ constexpr double few_samples = 0.01;             // share of those in the wrong 
 constexpr double thickness_of_size = 1.0 / 150;  // least thickness where none is given, or half of the tolerance
 constexpr double room_of_thickness = 2;          // at pinch-out lines
 constexpr double row_of_thickness = 12;          // over which a unit closes: at 5 degrees
+constexpr double most_shift = 0.15;              // of the size: of pinch-out lines, by half of that row
 constexpr double edge_of_thickness = 24;         // edges in a unit are at most so long
 constexpr double margin_of_size = 0.25;          // about an outline that is no box along the axes
 
@@ -164,14 +166,13 @@ class Group {
     const double thickness = least_thickness();
     const SheetOptions options{stack_.keepers, stack_share * rules_.stack.tolerance, thickness,
                                room_of_thickness * thickness};
-    const std::vector<ThinArea> areas = find_thin_areas(samples, layout_.bounds, stack_.keepers, {size, thickness});
+    const double shift = std::min(0.5 * row_of_thickness * thickness, most_shift * size);
+    const std::vector<ThinArea> areas =
+        find_thin_areas(samples, layout_.bounds, stack_.keepers, {size, thickness, shift});
     const bool is_thin = std::any_of(areas.begin(), areas.end(), [](const ThinArea& a) { return a.any(); });
     const bool is_wanted = (is_thin && rules_.min_thickness > 0) || crosses_by_mistake(samples);
     if (!is_wanted && !has_many_triangles(horizons_, layout_.bounds, size)) return false;
-    for (const ThinArea& area : areas)
-      layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
-    MapSheets sheets = approximate_sheets(samples, layout_, areas, options);
-    close_units(sheets, options, row_of_thickness * thickness);
+    const MapSheets sheets = draw_sheets(samples, areas, options);
     told_ = describe_settled(sheets, samples, areas, layout_.bounds, options);
     told_.min_thickness = thickness;
     ask_for_sizes(sheets, thickness);
@@ -200,6 +201,15 @@ class Group {
   double least_thickness() const {
     if (rules_.min_thickness > 0) return rules_.min_thickness;
     return std::max(stack_share * rules_.stack.tolerance, thickness_of_size * rules_.stack.size);
+  }
+
+  MapSheets draw_sheets(const MapSamples& samples, const std::vector<ThinArea>& areas, const SheetOptions& options) {
+    for (const ThinArea& area : areas)
+      layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
+    MapSheets sheets = approximate_sheets(samples, layout_, areas, options);
+    close_units(sheets, samples, options, row_of_thickness * options.gap);
+    centre_sheets(sheets, samples, areas, options);
+    return sheets;
   }
 
   void ask_for_sizes(const MapSheets& sheets, double thickness) {

@@ -6,7 +6,7 @@
 
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
-#include "stack/sheet_locator.hpp"
+#include "stack/sheets/sheet_locator.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "geomesh/geomodel/stack.hpp"
-#include "stack/sheet_approximation.hpp"
+#include "stack/sheets/sheet_approximation.hpp"
 
 namespace geomesh::geomodel {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "stack/map/map_raster.hpp"
-#include "stack/sheet_locator.hpp"
+#include "stack/sheets/sheet_locator.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geomesh/core/size_field.hpp"
-#include "stack/sheet_approximation.hpp"
+#include "stack/sheets/sheet_approximation.hpp"
 
 namespace geomesh::geomodel {
 

@@ -10,8 +10,8 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/name_regions.hpp"
-#include "stack/column_heights.hpp"
 #include "stack/map/growing_triangulation.hpp"
+#include "stack/sheets/column_heights.hpp"
 #include "stack/single_valued.hpp"
 
 using namespace geomesh;

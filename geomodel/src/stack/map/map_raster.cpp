@@ -6,6 +6,11 @@
 #include <map>
 
 namespace geomesh::geomodel {
+namespace {
+
+constexpr double most_move = 0.25;  // of a piece of a divided curve, so that its sides keep their areas
+
+}  // namespace
 
 MapRaster::MapRaster(const MapBounds& bounds, double cell)
     : origin(bounds.min),
@@ -19,6 +24,17 @@ std::size_t MapRaster::cell_of(Vec2 p) const {
     return std::min(n - 1, static_cast<std::size_t>(std::max(0.0, (at - from) / step + 0.5)));
   };
   return row_of(p.y, origin.y, n_rows) * n_columns + row_of(p.x, origin.x, n_columns);
+}
+
+double MapRaster::between(Vec2 p) const {
+  const auto place = [this](double at, double from, std::size_t n) {
+    const double cells = std::clamp((at - from) / step, 0.0, static_cast<double>(n - 1));
+    const std::size_t first = std::min(n - 2, static_cast<std::size_t>(cells));
+    return std::pair(first, cells - static_cast<double>(first));
+  };
+  const auto [i, u] = place(p.x, origin.x, n_columns);
+  const auto [j, v] = place(p.y, origin.y, n_rows);
+  return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) + v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
 }
 
 namespace {
@@ -167,6 +183,54 @@ std::vector<std::vector<Vec2>> zero_curves(const MapRaster& r) {
   return joiner.curves();
 }
 
+namespace {
+
+/// Twice the area that a chain of points and the way back enclose, positive where it runs counter-clockwise.
+double twice_area(const std::vector<Vec2>& chain) {
+  double sum = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Vec2 &p = chain[i], &q = chain[(i + 1) % chain.size()], &from = chain[0];
+    sum += (p.x - from.x) * (q.y - from.y) - (p.y - from.y) * (q.x - from.x);
+  }
+  return sum;
+}
+
+Vec2 on_piece(const Vec2& p, const Vec2& q, double t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
+
+/// A point of a divided curve: on the piece of the curve before row `at`, at a share of it.
+struct Division {
+  std::size_t at;
+  double share;
+};
+
+/// Moves points so that as much area lies on each side of the divided curve as of the one it stands for.
+void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, const std::vector<Vec2>& curve,
+               double length) {
+  const std::size_t n = divided.size() - 1;  // pieces
+  const bool closed = n > 2 && divided.front() == divided.back();
+  std::vector<double> twice(n), lengths(n);
+  const auto of = [&](const Division& d) { return on_piece(curve[d.at - 1], curve[d.at], d.share); };
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<Vec2> chain{divided[k + 1], divided[k], of(from[k])};
+    for (std::size_t i = from[k].at; i < from[k + 1].at; ++i) chain.push_back(curve[i]);
+    chain.push_back(of(from[k + 1]));
+    twice[k] = -twice_area(chain);  // positive where the curve runs on the left of the piece
+    lengths[k] = std::hypot(divided[k + 1].x - divided[k].x, divided[k + 1].y - divided[k].y);
+  }
+  const std::vector<Vec2> before = divided;
+  for (std::size_t k = closed ? 0 : 1; k < n; ++k) {
+    const std::size_t last = k == 0 ? n - 1 : k - 1;
+    const Vec2 along{before[k + 1].x - before[last].x, before[k + 1].y - before[last].y};
+    const double norm = std::hypot(along.x, along.y), most = most_move * length;
+    if (!(norm > 0)) continue;
+    const double move = std::clamp(0.5 * (twice[last] + twice[k]) / (lengths[last] + lengths[k]), -most, most);
+    divided[k] = {before[k].x - move * along.y / norm, before[k].y + move * along.x / norm};
+  }
+  if (closed) divided.back() = divided.front();
+}
+
+}  // namespace
+
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length) {
   constexpr int passes = 4;
   std::vector<Vec2> smoothed = curve;
@@ -185,16 +249,36 @@ std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length) {
     along.push_back(along.back() + std::hypot(smoothed[i].x - smoothed[i - 1].x, smoothed[i].y - smoothed[i - 1].y));
   const auto n_pieces = static_cast<std::size_t>(std::max(closed ? 3.0 : 1.0, std::round(along.back() / length)));
   std::vector<Vec2> divided{smoothed.front()};
+  std::vector<Division> from{{1, 0.0}};
   std::size_t at = 1;
   for (std::size_t k = 1; k < n_pieces; ++k) {
     const double wanted = along.back() * static_cast<double>(k) / static_cast<double>(n_pieces);
     while (at + 1 < n && along[at] < wanted) ++at;
     const double span = along[at] - along[at - 1], t = span > 0 ? (wanted - along[at - 1]) / span : 0;
-    divided.push_back({smoothed[at - 1].x + t * (smoothed[at].x - smoothed[at - 1].x),
-                       smoothed[at - 1].y + t * (smoothed[at].y - smoothed[at - 1].y)});
+    divided.push_back(on_piece(smoothed[at - 1], smoothed[at], t));
+    from.push_back({at, t});
   }
   divided.push_back(smoothed.back());
+  from.push_back({n - 1, 1.0});
+  keep_area(divided, from, curve, along.back() / static_cast<double>(n_pieces));
   return divided;
+}
+
+std::vector<Vec2> beside(const std::vector<Vec2>& curve, double left) {
+  std::vector<Vec2> moved = curve;
+  const std::size_t n = curve.size();
+  const bool closed = n > 3 && curve.front() == curve.back();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &before = i > 0    ? curve[i - 1]
+                         : closed ? curve[n - 2]
+                                  : curve[0],
+               &after = i + 1 < n ? curve[i + 1]
+                        : closed  ? curve[1]
+                                  : curve[n - 1];
+    const double dx = after.x - before.x, dy = after.y - before.y, norm = std::hypot(dx, dy);
+    if (norm > 0) moved[i] = {curve[i].x - left * dy / norm, curve[i].y + left * dx / norm};
+  }
+  return moved;
 }
 
 }  // namespace geomesh::geomodel

@@ -27,6 +27,8 @@ struct MapRaster {
   double at(std::size_t column, std::size_t row) const { return values[row * n_columns + column]; }
   /// The cell that holds p or is nearest to it.
   std::size_t cell_of(Vec2 p) const;
+  /// Linear both ways between the centres of cells; beyond the rim the nearest one's.
+  double between(Vec2 p) const;
 };
 
 /// Cells without a value take that of the nearest one by steps along rows and columns.
@@ -47,7 +49,11 @@ CellGroups groups_of(const MapRaster& raster, bool below);
 /// ones end with their first point; open ones end at the rim of the raster.
 std::vector<std::vector<Vec2>> zero_curves(const MapRaster& raster);
 
-/// The curve smoothed and divided anew into pieces of about `length`. Ends stay.
+/// The curve smoothed and divided anew into pieces of about `length`. Its sides keep their areas, where that moves no
+/// point further than a quarter of a piece. Ends stay.
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length);
+
+/// The curve with each point moved to its left.
+std::vector<Vec2> beside(const std::vector<Vec2>& curve, double left);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/thin_areas.hpp"
+#include "stack/sheets/thin_areas.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,38 +9,56 @@ namespace {
 
 constexpr double cells_a_size = 4;
 constexpr double most_cells = 1e6;
+constexpr std::uint32_t few_samples = 4;  // of a cell
+constexpr int places_a_side = 3;          // of a cell with few samples
 constexpr int smoothing_passes = 4;
 constexpr double least_squares = 2;       // area of an island, in squares of the size
 constexpr double surely_thin = 0.75;      // of the least thickness
 constexpr double surely_thick = 1.5;      // of the least thickness
 constexpr double kept_however_small = 3;  // of the least thickness
 constexpr double line_piece = 0.7;        // of the size
-constexpr double led_from = 0.25;         // of the size
+constexpr double led_from = 0.12;         // of the size
 constexpr double same_line = 0.35;        // of the size
 
-/// Means of each horizon's height over each cell's samples, or its height at the centre where there is none.
+/// Means of each horizon's height over places of one cell, evenly spaced; where some horizon is not there at any of
+/// them, heights at the centre.
+void average_places(const MapSamples& samples, const MapRaster& like, std::size_t cell, std::vector<MapRaster>& means) {
+  const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
+  std::vector<double> heights(means.size()), sums(means.size(), 0);
+  int n = 0;
+  for (int j = 0; j < places_a_side; ++j)
+    for (int i = 0; i < places_a_side; ++i) {
+      const double u = (i + 0.5) / places_a_side - 0.5, v = (j + 0.5) / places_a_side - 0.5;
+      samples.heights_at({centre.x + u * like.step, centre.y + v * like.step}, heights);
+      if (std::any_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); })) continue;
+      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += heights[k];
+      ++n;
+    }
+  if (n == 0) samples.heights_at(centre, heights);
+  for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
+}
+
+/// Means of each horizon's height over each cell's samples, or over places where there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);
   for (MapRaster& m : means) std::fill(m.values.begin(), m.values.end(), 0.0);
-  std::vector<std::uint32_t> counts(like.size() * n, 0);
+  std::vector<std::uint32_t> counts(like.size(), 0);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const std::size_t cell = like.cell_of(samples.place(s));
     const std::span<const double> heights = samples.heights(s);
     // Only samples where all are: the means of neighbours then stand for the same places.
     const bool complete = std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); });
     if (!complete) continue;
-    for (std::size_t k = 0; k < n; ++k) {
-      means[k].values[cell] += heights[k];
-      ++counts[cell * n + k];
+    for (std::size_t k = 0; k < n; ++k) means[k].values[cell] += heights[k];
+    ++counts[cell];
+  }
+  for (std::size_t cell = 0; cell < like.size(); ++cell)
+    if (counts[cell] < few_samples) {
+      average_places(samples, like, cell, means);
+    } else {
+      for (MapRaster& m : means) m.values[cell] /= counts[cell];
     }
-  }
-  std::vector<double> at_centre(n);
-  for (std::size_t cell = 0; cell < like.size(); ++cell) {
-    if (counts[cell * n] == 0) samples.heights_at(like.centre(cell % like.n_columns, cell / like.n_columns), at_centre);
-    for (std::size_t k = 0; k < n; ++k)
-      means[k].values[cell] = counts[cell * n] == 0 ? at_centre[k] : means[k].values[cell] / counts[cell * n + k];
-  }
   return means;
 }
 
@@ -130,14 +148,14 @@ std::vector<Vec2> led_through(const std::vector<Vec2>& line, const std::vector<V
 }
 
 /// Pinch-out lines of all pairs, smooth, in pieces of about the size, which meet in points or stay apart.
-void draw_lines(std::vector<ThinArea>& areas, double size) {
+void draw_lines(std::vector<ThinArea>& areas, double size, double shift) {
   std::vector<Vec2> points;
   for (ThinArea& area : areas) {
     const std::size_t n_earlier = points.size();
     const std::vector<Vec2> earlier(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n_earlier));
     for (const std::vector<Vec2>& curve : zero_curves(area.excess)) {
       std::vector<Vec2> line;
-      for (const Vec2& p : smooth_curve(curve, line_piece * size)) {
+      for (const Vec2& p : beside(smooth_curve(curve, line_piece * size), shift)) {
         const Vec2 q = snapped(p, earlier, same_line * size);
         if (line.empty() || !(line.back() == q)) line.push_back(q);
       }
@@ -171,7 +189,7 @@ std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds
     area.n_islands = drop_islands(area.excess, options);
     areas.push_back(std::move(area));
   }
-  draw_lines(areas, options.size);
+  draw_lines(areas, options.size, options.shift);
   return areas;
 }
 

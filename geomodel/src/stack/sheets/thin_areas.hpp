@@ -5,14 +5,15 @@
 
 #include <vector>
 
-#include "stack/column_heights.hpp"
 #include "stack/map/map_raster.hpp"
+#include "stack/sheets/column_heights.hpp"
 
 namespace geomesh::geomodel {
 
 struct ThinAreaOptions {
   double size = 0;       ///< edge length asked in the map, m: pinch-out lines are smooth at it
   double thickness = 0;  ///< least thickness of a unit, m
+  double shift = 0;      ///< of pinch-out lines into the shared area, m
 };
 
 /// One pair of neighbours of the stack.
@@ -26,7 +27,8 @@ struct ThinArea {
 /// One entry a pair. Thicknesses are averaged over about half of the size, so that noise from node to node makes no
 /// islands. An area is shared where the thickness falls below three quarters of the least one somewhere in it. An
 /// opening in it stays where the thickness exceeds one and a half times the least one; both only from ten squares of
-/// the size on, but for openings thicker than three times the least.
+/// the size on, but for openings thicker than three times the least. Pinch-out lines keep the areas on their sides, but
+/// for the shift.
 std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds,
                                       const std::vector<Keeper>& keepers, const ThinAreaOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/column_heights.hpp"
+#include "stack/sheets/column_heights.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/sheet_approximation.hpp"
+#include "stack/sheets/sheet_approximation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ class Sheets {
   }
 
   double allowed(std::uint64_t givers, std::size_t k) const {
-    return options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
+    return (1 - share_for_centring) * options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
   }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/sheet_locator.hpp"
+#include "stack/sheets/sheet_locator.hpp"
 
 namespace geomesh::geomodel {
 namespace {

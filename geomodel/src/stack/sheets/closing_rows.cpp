@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/closing_rows.hpp"
+#include "stack/sheets/closing_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -9,6 +10,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double most_of_edge = 0.5;  // an edge is cut no further from the pinch-out line than here
+constexpr double fit_of_edge = 0.35;  // radius about a cut in which heights are averaged
 
 using Edge = std::pair<VertexIndex, VertexIndex>;  // the lesser first
 
@@ -17,8 +19,8 @@ Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a,
 /// The row of triangles along the pinch-out lines of one pair of neighbours.
 class ClosingRow {
  public:
-  ClosingRow(MapSheets& sheets, const SheetOptions& options, double width, std::size_t pair)
-      : sheets_(sheets), options_(options), width_(width), bit_(MergedPairs{1} << pair) {}
+  ClosingRow(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options, double width, std::size_t pair)
+      : sheets_(sheets), samples_(samples), options_(options), width_(width), bit_(MergedPairs{1} << pair) {}
 
   void cut() {
     mark_lines();
@@ -34,6 +36,32 @@ class ClosingRow {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f)
       if (sheets_.merged[f] & bit_)
         for (const VertexIndex v : sheets_.triangles[f]) on_line_[v] = true;
+    std::map<Edge, std::array<bool, 2>> sides;  // whether the unit is shared, and whether it is there, beside an edge
+    for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
+      const Triangle& t = sheets_.triangles[f];
+      for (std::size_t i = 0; i < 3; ++i)
+        if (on_line_[t[i]] && on_line_[t[(i + 1) % 3]])
+          sides[edge_of(t[i], t[(i + 1) % 3])][sheets_.merged[f] & bit_ ? 0 : 1] = true;
+    }
+    for (const auto& [edge, side] : sides) {
+      if (!side[0] || !side[1]) continue;
+      along_line_[edge.first].push_back(edge.second);
+      along_line_[edge.second].push_back(edge.first);
+    }
+  }
+
+  /// Distance from the pinch-out line through vertex `from`, which it leaves to both sides, of the direction to q.
+  double distance_from_line(VertexIndex from, const Vec2& q) const {
+    const Vec2& p = sheets_.points[from];
+    const double dx = q.x - p.x, dy = q.y - p.y;
+    double least = std::hypot(dx, dy);
+    const auto line = along_line_.find(from);
+    if (line == along_line_.end()) return least;
+    for (const VertexIndex v : line->second) {
+      const double ux = sheets_.points[v].x - p.x, uy = sheets_.points[v].y - p.y;
+      if (ux * dx + uy * dy > 0) least = std::min(least, std::abs(ux * dy - uy * dx) / std::hypot(ux, uy));
+    }
+    return least;
   }
 
   bool is_cut(VertexIndex a, VertexIndex b) const { return on_line_[a] != on_line_[b]; }
@@ -52,11 +80,16 @@ class ClosingRow {
     if (const auto at = cuts_.find(edge); at != cuts_.end()) return at->second;
     const VertexIndex from = on_line_[a] ? a : b, to = on_line_[a] ? b : a;
     const Vec2 p = sheets_.points[from], q = sheets_.points[to];
-    const double t = std::min(most_of_edge, width_ / std::hypot(q.x - p.x, q.y - p.y));
+    const double length = std::hypot(q.x - p.x, q.y - p.y);
+    const double t = std::min(most_of_edge, width_ / distance_from_line(from, q));
     const auto v = static_cast<VertexIndex>(sheets_.points.size());
     sheets_.points.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
-    for (std::size_t k = 0; k < sheets_.n_horizons; ++k)
-      sheets_.heights.push_back((1 - t) * sheets_.height(from, k) + t * sheets_.height(to, k));
+    std::vector<double> given(sheets_.n_horizons);
+    samples_.fitted_heights(sheets_.points.back(), fit_of_edge * length, given);
+    for (std::size_t k = 0; k < sheets_.n_horizons; ++k) {
+      const double on_edge = (1 - t) * sheets_.height(from, k) + t * sheets_.height(to, k);
+      sheets_.heights.push_back(std::isnan(on_edge) || std::isnan(given[k]) ? on_edge : given[k]);
+    }
     const std::span<double> heights(sheets_.heights.data() + v * sheets_.n_horizons, sheets_.n_horizons);
     settle_column(heights, merged_beside_.at(edge), options_.keepers, options_.gap);
     cuts_.emplace(edge, v);
@@ -92,18 +125,21 @@ class ClosingRow {
   }
 
   MapSheets& sheets_;
+  const MapSamples& samples_;
   const SheetOptions& options_;
   double width_;
   MergedPairs bit_;
   std::vector<bool> on_line_;  // points before the cut; every edge that is cut has its ends among them
+  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;  // neighbours on the pinch-out line
   std::map<Edge, MergedPairs> merged_beside_;
   std::map<Edge, VertexIndex> cuts_;
 };
 
 }  // namespace
 
-void close_units(MapSheets& sheets, const SheetOptions& options, double width) {
-  for (std::size_t pair = 0; pair + 1 < sheets.n_horizons; ++pair) ClosingRow(sheets, options, width, pair).cut();
+void close_units(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options, double width) {
+  for (std::size_t pair = 0; pair + 1 < sheets.n_horizons; ++pair)
+    ClosingRow(sheets, samples, options, width, pair).cut();
 }
 
 }  // namespace geomesh::geomodel

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "rules/planar/map_locator.hpp"
-#include "stack/sheet_approximation.hpp"
+#include "stack/sheets/sheet_approximation.hpp"
 
 namespace geomesh::geomodel {
 

@@ -5,12 +5,15 @@
 
 #include <vector>
 
-#include "stack/column_heights.hpp"
 #include "stack/map/map_layout.hpp"
 #include "stack/map/map_samples.hpp"
-#include "stack/thin_areas.hpp"
+#include "stack/sheets/column_heights.hpp"
+#include "stack/sheets/thin_areas.hpp"
 
 namespace geomesh::geomodel {
+
+/// Of the distance that is allowed: what sheets may move by once they are there (stack/sheets/centred_sheets.hpp).
+inline constexpr double share_for_centring = 0.15;
 
 struct SheetOptions {
   std::vector<Keeper> keepers;    ///< one a pair
@@ -33,6 +36,7 @@ struct MapSheets {
 /// is allowed there. A vertex has the height of a plane fitted to the samples about it. The radius of the fit shrinks
 /// where the fit is what is off; at radius zero it lies on the given triangles. At last the crossings of edges in the
 /// map are looked at, between which and the vertices the difference is linear. Cost: near-linear in the samples.
+/// Distances are at most (1 - `share_for_centring`) of those allowed.
 MapSheets approximate_sheets(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
                              const SheetOptions& options);
 

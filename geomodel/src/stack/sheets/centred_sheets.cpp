@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stack/sheets/centred_sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "stack/sheets/sheet_locator.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr int rounds = 20;
+constexpr int hops = 6;  // over which a round passes on what vertices could not take
+constexpr double most_places = 1e5;
+constexpr double place_of_cell = 0.25;      // distance of places, at most, of the cells of mean thicknesses
+constexpr double fit_of_spacing = 2;        // radius in which the data are averaged, of the samples' distance
+constexpr double fit_of_cell = 0.5;         // at most, of the cells of mean thicknesses
+constexpr double more_where_closing = 0.5;  // of the least thickness
+
+/// A place of the map, and the heights that data and rules give there; NaN: none.
+struct RuledPlace {
+  SheetLocator::Place at;
+  std::vector<double> heights;
+};
+
+/// Pairs that share one surface at a place by the thickness averaged there.
+MergedPairs merged_at(const std::vector<ThinArea>& areas, const Vec2& p) {
+  MergedPairs merged = 0;
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (areas[k].excess.between(p) < 0) merged |= MergedPairs{1} << k;
+  return merged;
+}
+
+class Centring {
+ public:
+  Centring(MapSheets& sheets, const SheetOptions& options)
+      : sheets_(sheets),
+        options_(options),
+        n_(sheets.n_horizons),
+        merged_about_(sheets.points.size(), 0),
+        first_(sheets.heights),
+        most_(sheets.heights.size(), share_for_centring * options.allowed) {
+    std::set<std::pair<VertexIndex, VertexIndex>> edges;
+    for (std::size_t f = 0; f < sheets.triangles.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VertexIndex v = sheets.triangles[f][i], w = sheets.triangles[f][(i + 1) % 3];
+        merged_about_[v] |= sheets.merged[f];
+        edges.emplace(v, w);
+        edges.emplace(w, v);
+      }
+    neighbours_.resize(sheets.points.size());
+    for (const auto& [v, w] : edges) neighbours_[v].push_back(w);
+    leave_room_where_units_close();
+  }
+
+  void look_at(const MapSamples& samples, const std::vector<ThinArea>& areas) {
+    MapBounds bounds;
+    for (const Vec2& p : sheets_.points) bounds.add(p);
+    const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
+    double step = samples.spacing(), radius = fit_of_spacing * samples.spacing();
+    for (const ThinArea& area : areas) {
+      step = std::min(step, place_of_cell * area.excess.step);
+      radius = std::min(radius, fit_of_cell * area.excess.step);
+    }
+    step = std::max(step, std::sqrt(width * height / most_places));
+    const auto n_columns = static_cast<std::size_t>(std::max(1.0, std::round(width / step))),
+               n_rows = static_cast<std::size_t>(std::max(1.0, std::round(height / step)));
+    const double dx = width / static_cast<double>(n_columns), dy = height / static_cast<double>(n_rows);
+    const SheetLocator locator(sheets_);
+    for (std::size_t j = 0; j < n_rows; ++j)
+      for (std::size_t i = 0; i < n_columns; ++i) {
+        const Vec2 p{bounds.min.x + dx * (static_cast<double>(i) + 0.5),
+                     bounds.min.y + dy * (static_cast<double>(j) + 0.5)};
+        RuledPlace place{locator.find(p), std::vector<double>(n_)};
+        if (place.at.triangle == no_index) continue;
+        samples.fitted_heights(p, radius, place.heights);
+        settle_column(place.heights, merged_at(areas, p), options_.keepers, options_.gap);
+        places_.push_back(std::move(place));
+      }
+  }
+
+  void round() {
+    sum_distances();
+    std::vector<double> left = sums_;
+    for (int hop = 0; hop < hops; ++hop) left = passed_on(moved_by(left));
+  }
+
+ private:
+  /// Of a pair that shares one surface, the horizon that gives way.
+  std::size_t giver(std::size_t pair) const { return options_.keepers[pair] == Keeper::younger ? pair + 1 : pair; }
+  bool follows(VertexIndex v, std::size_t horizon) const {
+    for (std::size_t k = 0; k + 1 < n_; ++k)
+      if ((merged_about_[v] >> k & 1) && giver(k) == horizon) return true;
+    return false;
+  }
+
+  /// Vertices that a triangle joins to a pinch-out line.
+  void leave_room_where_units_close() {
+    for (VertexIndex v = 0; v < neighbours_.size(); ++v)
+      for (const VertexIndex w : neighbours_[v])
+        for (std::size_t k = 0; k + 1 < n_; ++k)
+          if ((merged_about_[w] & ~merged_about_[v]) >> k & 1)
+            most_[v * n_ + giver(k)] = share_for_centring * options_.allowed + more_where_closing * options_.gap;
+  }
+
+  /// By how much a vertex answers to what its neighbours could not take.
+  double taking(VertexIndex v, std::size_t horizon) const {
+    return follows(v, horizon) ? 0 : weights_[v * n_ + horizon];
+  }
+
+  void sum_distances() {
+    sums_.assign(sheets_.heights.size(), 0);
+    weights_.assign(sheets_.heights.size(), 0);
+    for (const RuledPlace& place : places_) {
+      const Triangle& t = sheets_.triangles[place.at.triangle];
+      for (std::size_t k = 0; k < n_; ++k) {
+        double off = place.heights[k];
+        for (std::size_t i = 0; i < 3; ++i) off -= place.at.weights[i] * sheets_.height(t[i], k);
+        if (std::isnan(off)) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+          sums_[t[i] * n_ + k] += place.at.weights[i] * off;
+          weights_[t[i] * n_ + k] += place.at.weights[i];
+        }
+      }
+    }
+  }
+
+  /// Moves vertices by sums over their weights, as far as they may; gives what is left of the sums.
+  std::vector<double> moved_by(std::vector<double> sums) {
+    std::vector<double> before(n_);
+    for (VertexIndex v = 0; v < sheets_.points.size(); ++v) {
+      const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
+      std::copy(heights.begin(), heights.end(), before.begin());
+      for (std::size_t k = 0; k < n_; ++k) {
+        const std::size_t row = v * n_ + k;
+        if (weights_[row] > 0)
+          heights[k] =
+              std::clamp(heights[k] + sums[row] / weights_[row], first_[row] - most_[row], first_[row] + most_[row]);
+      }
+      settle_column(heights, merged_about_[v], options_.keepers, options_.gap);
+      for (std::size_t k = 0; k < n_; ++k)
+        if (const double moved = heights[k] - before[k]; !std::isnan(moved))
+          sums[v * n_ + k] -= moved * weights_[v * n_ + k];
+    }
+    return sums;
+  }
+
+  /// Sums of vertices given to their neighbours.
+  std::vector<double> passed_on(const std::vector<double>& left) const {
+    std::vector<double> passed(left.size(), 0);
+    for (VertexIndex v = 0; v < neighbours_.size(); ++v)
+      for (std::size_t k = 0; k < n_; ++k) {
+        double all = 0;
+        for (const VertexIndex w : neighbours_[v]) all += taking(w, k);
+        if (!(all > 0)) continue;
+        for (const VertexIndex w : neighbours_[v]) passed[w * n_ + k] += left[v * n_ + k] * taking(w, k) / all;
+      }
+    return passed;
+  }
+
+  MapSheets& sheets_;
+  const SheetOptions& options_;
+  std::size_t n_;
+  std::vector<MergedPairs> merged_about_;  ///< per vertex, of any triangle
+  std::vector<std::vector<VertexIndex>> neighbours_;
+  std::vector<double> first_, most_;    ///< heights before the first round, and how far they may move
+  std::vector<double> sums_, weights_;  ///< of distances, per vertex and horizon
+  std::vector<RuledPlace> places_;
+};
+
+}  // namespace
+
+void centre_sheets(MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
+                   const SheetOptions& options) {
+  Centring centring(sheets, options);
+  centring.look_at(samples, areas);
+  for (int k = 0; k < rounds; ++k) centring.round();
+}
+
+}  // namespace geomesh::geomodel
