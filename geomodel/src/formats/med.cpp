@@ -27,21 +27,14 @@ std::size_t vtk_node(CellShape shape, std::size_t i) {
   return shape == CellShape::tetrahedron ? tetrahedron[i] : shape == CellShape::prism ? prism[i] : i;
 }
 
+/// By shape; of first and of second order.
 med_geometry_type geometry_of(const SolverMesh& mesh, CellShape shape) {
-  const bool second = mesh.second_order();
-  switch (shape) {
-    case CellShape::vertex:
-      return MED_POINT1;
-    case CellShape::edge:
-      return second ? MED_SEG3 : MED_SEG2;
-    case CellShape::triangle:
-      return second ? MED_TRIA6 : MED_TRIA3;
-    case CellShape::tetrahedron:
-      return second ? MED_TETRA10 : MED_TETRA4;
-    case CellShape::prism:
-      break;
-  }
-  return MED_PENTA6;
+  constexpr std::array<std::array<med_geometry_type, 2>, 5> types{{{MED_POINT1, MED_POINT1},
+                                                                   {MED_SEG2, MED_SEG3},
+                                                                   {MED_TRIA3, MED_TRIA6},
+                                                                   {MED_TETRA4, MED_TETRA10},
+                                                                   {MED_PENTA6, MED_PENTA6}}};
+  return types[static_cast<std::size_t>(shape)][mesh.second_order() ? 1 : 0];
 }
 
 /// A MED file being written. Every failure of the library is a failure to write the file.
