@@ -113,7 +113,40 @@ class Sheets {
     return (1 - share_for_centring) * options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
   }
 
+  /// The difference of two surfaces of triangles is greatest at a vertex of one of them or where their edges cross in
+  /// the map. Samples are the given vertices, and the sheets' own lie on the data or near a sample; these are the
+  /// crossings that are further off than allowed.
+  std::vector<Vec2> crossings_off() {
+    std::vector<Vec2> off;
+    for (std::size_t k = 0; k < n_; ++k) {
+      const TriangulatedSurface& s = samples_.surface(k);
+      Index near = 0;
+      for (const Triangle& t : s.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+          if (t[i] < t[(i + 1) % 3]) look_along(s.points[t[i]], s.points[t[(i + 1) % 3]], k, near, off);
+    }
+    return off;
+  }
+
  private:
+  void look_along(const Vec3& p, const Vec3& q, std::size_t k, Index& near, std::vector<Vec2>& off) {
+    const Vec2 from{p.x, p.y}, to{q.x, q.y};
+    const Index start = map_.locate(from, near);
+    if (start == no_index) return;
+    near = start;
+    map_.walk(from, start, to, [&](Index cell, VertexIndex a, VertexIndex b, double t) {
+      const Vec2 x{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+      const Vec2 &pa = map_.points()[a], &pb = map_.points()[b];
+      const double dx = pb.x - pa.x, dy = pb.y - pa.y;
+      const double along = ((x.x - pa.x) * dx + (x.y - pa.y) * dy) / (dx * dx + dy * dy);
+      if (std::min(along, 1 - along) * std::hypot(dx, dy) < near_vertex * samples_.spacing()) return;
+      const double z = (1 - along) * height(a, k) + along * height(b, k);
+      const double most = allowed(giving_way(cell), k) * (1 + 1e-9);
+      if (!(std::abs(z - (p.z + t * (q.z - p.z))) > most)) return;
+      if (std::abs(z - heights_on_triangles(x, merged(cell))[k]) > most) off.push_back(x);
+    });
+  }
+
   MergedPairs merged_about(VertexIndex v) {
     map_.star(v, star_);
     MergedPairs result = 0;
@@ -297,18 +330,9 @@ class Approximation {
     version_.resize(map_.cells().size(), 0);
   }
 
-  /// The difference of two surfaces of triangles is greatest at a vertex of one of them or where their edges cross in
-  /// the map. Samples are the given vertices, and the sheets' own lie on the data or near a sample; this looks at the
-  /// crossings, and adds those that are off as vertices. False where there are none.
+  /// Adds as vertices the crossings of edges that are off. False where there are none.
   bool add_where_edges_are_off() {
-    std::vector<Vec2> off;
-    for (std::size_t k = 0; k < n_; ++k) {
-      const TriangulatedSurface& s = samples_.surface(k);
-      Index near = 0;
-      for (const Triangle& t : s.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-          if (t[i] < t[(i + 1) % 3]) look_along(s.points[t[i]], s.points[t[(i + 1) % 3]], k, near, off);
-    }
+    const std::vector<Vec2> off = sheets_.crossings_off();
     for (const Vec2& p : off) {
       const Index at = map_.locate(p, 0);
       if (at == no_index) continue;
@@ -319,24 +343,6 @@ class Approximation {
       for (const Index cell : change_.made) measure(cell);
     }
     return !off.empty();
-  }
-
-  void look_along(const Vec3& p, const Vec3& q, std::size_t k, Index& near, std::vector<Vec2>& off) {
-    const Vec2 from{p.x, p.y}, to{q.x, q.y};
-    const Index start = map_.locate(from, near);
-    if (start == no_index) return;
-    near = start;
-    map_.walk(from, start, to, [&](Index cell, VertexIndex a, VertexIndex b, double t) {
-      const Vec2 x{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-      const Vec2 &pa = map_.points()[a], &pb = map_.points()[b];
-      const double dx = pb.x - pa.x, dy = pb.y - pa.y;
-      const double along = ((x.x - pa.x) * dx + (x.y - pa.y) * dy) / (dx * dx + dy * dy);
-      if (std::min(along, 1 - along) * std::hypot(dx, dy) < near_vertex * samples_.spacing()) return;
-      const double z = (1 - along) * sheets_.height(a, k) + along * sheets_.height(b, k);
-      const double most = sheets_.allowed(sheets_.giving_way(cell), k) * (1 + 1e-9);
-      if (!(std::abs(z - (p.z + t * (q.z - p.z))) > most)) return;
-      if (std::abs(z - sheets_.heights_on_triangles(x, sheets_.merged(cell))[k]) > most) off.push_back(x);
-    });
   }
 
   MapSheets result() {
