@@ -73,20 +73,30 @@ complete -o filenames -F _geomesh geomesh
 """ % (cases, project, names)
 
 
-def quoted(text):
-    return "'" + re.sub(r"['\[\]:]", " ", text) + "'"
+def zsh_quoted(*parts):
+    """One word in single quotes of what is given, joined: zsh reads ' as '\\''."""
+    return "'" + "".join(parts).replace("'", "'\\''") + "'"
+
+
+def zsh_plain(text):
+    """Text in which brackets and colons mean nothing to _describe and _arguments."""
+    return re.sub(r"([\[\]:\\])", r"\\\1", text)
 
 
 def zsh(summaries, helps):
-    lines = ["#compdef geomesh", "local -a commands", "commands=("]
-    lines += ["  %s" % quoted(name)[:-1] + ":" + quoted(text)[1:] for name, text in summaries if name != "PROJECT.yaml"]
-    lines += [")", "if (( CURRENT == 2 )); then", "  _describe command commands", "  _files", "  return", "fi", "case $words[2] in"]
+    lines = ["#compdef geomesh", "local -a geomesh_commands", "geomesh_commands=("]
+    lines += ["  " + zsh_quoted(name, ":", zsh_plain(text)) for name, text in summaries if name != "PROJECT.yaml"]
+    lines += [")", "if (( CURRENT == 2 )); then", "  _describe command geomesh_commands", "  _files", "  return", "fi", "case $words[2] in"]
     for name, text in helps.items():
         pattern = "*" if name == "PROJECT.yaml" else name
-        options = " ".join("'%s[%s]'" % (o, quoted(what)[1:-1]) for o, what in options_of(text))
+        options = " ".join(zsh_quoted(o, "[", zsh_plain(what), "]") for o, what in options_of(text))
         lines.append("  %s) _arguments %s '*:file:_files' ;;" % (pattern, options))
     order = [line for line in lines if not line.startswith("  *)")] + [line for line in lines if line.startswith("  *)")]
     return "\n".join(order + ["esac"]) + "\n"
+
+
+def fish_quoted(text):
+    return "'" + re.sub(r"([\\'])", r"\\\1", text) + "'"
 
 
 def fish(summaries, helps):
@@ -94,12 +104,12 @@ def fish(summaries, helps):
     names = " ".join(name for name in helps if name != "PROJECT.yaml")
     for name, text in summaries:
         if name != "PROJECT.yaml":
-            lines.append("complete -c geomesh -n __fish_use_subcommand -a %s -d %s" % (name, quoted(text)))
+            lines.append("complete -c geomesh -n __fish_use_subcommand -a %s -d %s" % (name, fish_quoted(text)))
     for name, text in helps.items():
         when = "not __fish_seen_subcommand_from %s" % names if name == "PROJECT.yaml" else "__fish_seen_subcommand_from " + name
         for option, what in options_of(text):
             flag = "-l " + option[2:] if option.startswith("--") else "-s " + option[1:]
-            lines.append("complete -c geomesh -n '%s' %s -d %s" % (when, flag, quoted(what)))
+            lines.append("complete -c geomesh -n '%s' %s -d %s" % (when, flag, fish_quoted(what)))
     return "\n".join(lines) + "\n"
 
 

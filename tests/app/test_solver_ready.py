@@ -133,6 +133,8 @@ class Defaults(ProgramTest):
             printed = self.run_program(self.write("faults.yaml", text + mesh), "-o", self.folder)
             report = self.report(self.path("faults.report.json"))
             self.assertEqual(report["solver"]["passes"], is_fit, printed)
+            self.assertEqual(any("brought together" in note for note in report["notes"]), is_fit)
+            self.assertEqual(report["quality"]["min_dihedral"] > 20, is_fit, report["quality"])
             self.check(self.path("faults.vtu"), "--project", self.path("faults.yaml"))
         self.assertTrue(report["quality"]["min_dihedral"] < 1)
 

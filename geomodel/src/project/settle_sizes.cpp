@@ -84,14 +84,17 @@ void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAt
 double merging_distance(const RefinementSettings& settings) {
   constexpr double share_of_tolerance = 0.2;
   const NamedSizes& size = settings.size;
-  if (!settings.refine || !(settings.tolerance_share > 0) || !size.background.empty()) return 0;
-  double least = settings.tolerance / settings.tolerance_share;
+  const bool is_within_tolerance = settings.refine && settings.honour == Honour::tolerance && settings.tolerance > 0;
+  if (!is_within_tolerance || !size.background.empty()) return 0;
+  const double share = settings.tolerance_share > 0 ? settings.tolerance_share : default_tolerance_share;
+  double least = settings.tolerance / share;
+  if (size.base.global > 0) least = std::min(least, size.base.global);
   const auto ask = [&](const AskedSize& asked) { least = asked.size > 0 ? std::min(least, asked.size) : least; };
   for (const auto* named : {&size.units, &size.surfaces, &size.curves})
     for (const auto& [name, asked] : *named) ask(asked);
   for (const PlaceSize& near : size.near) ask(near.asked);
   for (const auto& row : size.by_depth) ask({row.size, 0});
-  return share_of_tolerance * settings.tolerance_share * least;
+  return share_of_tolerance * share * least;
 }
 
 RefinementSettings preview_settings() {

@@ -8,19 +8,12 @@
 #include "corpus_run.hpp"
 #include "corpus_transform.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "thin_models.hpp"
 
 using namespace geomesh;
 using namespace geomesh::test;
 
 namespace {
-
-/// The model with `size` ulps for a unit.
-PiecewiseLinearComplex in_ulps(const char* name, double size) {
-  const double far = 0x1p52;  // where doubles are one apart
-  return mapped(as_triangles(corpus_model(name).make()), [=](const Vec3& p) {
-    return Vec3{far + std::round(size * p.x), far + std::round(size * p.y), far + std::round(size * p.z)};
-  });
-}
 
 void check_excerpt(const MeshExcerpt& e) {
   CHECK(!e.culprits.empty());

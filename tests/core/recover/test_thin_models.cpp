@@ -105,6 +105,16 @@ TEST_CASE("models some ulps thick are meshed, or refused with facets, place and 
   CHECK(out.n_refused > 0);
 }
 
+TEST_CASE("lines of 8 by 8 slits that pass at 40 ulps and more are meshed, with the boundary kept too",
+          "[recover][judged][thin]") {
+  for (const char* name : {"chazelle_4", "chazelle_8"})
+    for (double unit = 0x1p12; unit <= 0x1p18; unit *= 4)  // a hundred times the ulps between the lines
+      for (const TetrahedralizeOptions& options : {constrained_mode(), preserving_mode()}) {
+        INFO(name << ", " << unit << " ulps for a unit");
+        CHECK(run_and_judge(in_ulps(name, unit), options).trouble == "");
+      }
+}
+
 // GEOMESH_THIN="FIRST COUNT" test_core "[thin-seeds]": any range of seeds.
 TEST_CASE("models some ulps thick of the seeds asked for", "[recover][judged][.][thin-seeds]") {
   const std::vector<unsigned> asked = seeds_asked("GEOMESH_THIN");

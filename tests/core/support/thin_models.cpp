@@ -33,10 +33,7 @@ class Dice {
 
 PiecewiseLinearComplex slits(Dice& dice, unsigned ulps) {
   const char* names[] = {"chazelle_2", "chazelle_2", "chazelle_4", "chazelle_8"};
-  const double unit = std::max(64u, ulps);
-  return mapped(as_triangles(corpus_model(names[static_cast<unsigned>(dice.whole(0, 3))]).make()), [=](const Vec3& p) {
-    return Vec3{far_out + std::round(unit * p.x), far_out + std::round(unit * p.y), far_out + std::round(unit * p.z)};
-  });
+  return in_ulps(names[static_cast<unsigned>(dice.whole(0, 3))], std::max(64u, ulps));
 }
 
 /// Rows and columns of one sheet, before the shear.
@@ -155,6 +152,12 @@ const char* name_of(ThinShape shape) {
       return "needles";
   }
   return "";
+}
+
+PiecewiseLinearComplex in_ulps(const char* name, double unit) {
+  return mapped(as_triangles(corpus_model(name).make()), [=](const Vec3& p) {
+    return Vec3{far_out + std::round(unit * p.x), far_out + std::round(unit * p.y), far_out + std::round(unit * p.z)};
+  });
 }
 
 PiecewiseLinearComplex thin_model(unsigned seed, ThinShape shape, unsigned ulps) {

@@ -17,6 +17,9 @@ enum class ThinShape {
 inline constexpr unsigned n_thin_shapes = 4;
 const char* name_of(ThinShape shape);
 
+/// A model of the corpus with `unit` ulps for a unit, as triangles, from 2^52 on.
+PiecewiseLinearComplex in_ulps(const char* name, double unit);
+
 /// Triangles alone, no two of which cross (searched exactly): one closed solid. Sheets are sheared by whole numbers, so
 /// that most lie in no plane of two axes; the slits are not. `ulps`: from 1 to 2^20.
 PiecewiseLinearComplex thin_model(unsigned seed, ThinShape shape, unsigned ulps);

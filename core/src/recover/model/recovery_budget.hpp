@@ -96,9 +96,9 @@ struct RecoveryBudget {
 
   // Rounding (rounding.cpp).
   unsigned rounding_runs = 3;        ///< each after points have been taken off segments and facets
-  unsigned rounding_rounds = 4;      ///< over the points of a run: neighbours that have moved leave more room
-  unsigned centring_sweeps = 3;      ///< in each round
-  int centring_steps = 60;           ///< thirds of an interval: 2/3 to the 60th is below 2^-35
+  unsigned rounding_rounds = 8;      ///< over the points of a run: neighbours that have moved leave more room
+  unsigned centring_sweeps = 10;     ///< in each round
+  unsigned centring_steps = 100;     ///< from vertex to vertex of a linear program: some ten are taken
   double centring_gain = 1.01;       ///< of the least height, below which a point stays
   double least_centring_part = 0.1;  ///< of a step: below, the height has been misjudged
   int ulps = 2;                      ///< from the nearest double

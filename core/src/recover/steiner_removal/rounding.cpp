@@ -4,16 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "common/sort_unique.hpp"
 #include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
+#include "recover/steiner_removal/chebyshev_centre.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
 namespace geomesh::recover {
 
 namespace {
+
+/// A direction in which an exact point may move, and the step of place_moved that goes its length.
+struct Freedom {
+  Vec3 direction, step;
+};
 
 /// The star of one exact vertex, as heights of its faces over the vertex.
 class Star {
@@ -26,55 +34,38 @@ class Star {
     });
   }
 
-  /// How far to go in a direction so that the least height over the star's faces is greatest. 0 where there is no
-  /// gain.
-  double best_step(const Vec3& direction) const {
-    std::vector<Height> heights;
-    double low = -std::numeric_limits<double>::infinity(), high = -low;
+  /// How far to go in each direction so that the least height over the star's faces is greatest. Nothing where there
+  /// is no gain.
+  std::optional<std::array<double, 3>> best_steps(std::span<const Freedom> freedoms) const {
+    std::vector<LinearHeight> heights;
     for (const CellIndex c : cells_) {
-      const Height h = height_in(c, direction);
-      if (!(h.at > 0) || !std::isfinite(h.slope)) return 0;
-      if (h.slope > 0) low = std::max(low, -h.at / h.slope);
-      if (h.slope < 0) high = std::min(high, -h.at / h.slope);
+      const LinearHeight h = height_of(c, freedoms);
+      if (!(h.at > 0) || !std::isfinite(length(Vec3{h.slope[0], h.slope[1], h.slope[2]}))) return std::nullopt;
       heights.push_back(h);
     }
-    if (!std::isfinite(low) || !std::isfinite(high)) return 0;
-    const auto least = [&](double s) {
-      double out = std::numeric_limits<double>::infinity();
-      for (const Height& h : heights) out = std::min(out, h.at + s * h.slope);
-      return out;
-    };
-    const double start = least(0);
-    for (int i = 0; i < recovery_budget.centring_steps; ++i) {  // the least of linear functions is concave
-      const double p = low + (high - low) / 3, q = high - (high - low) / 3;
-      (least(p) < least(q) ? low : high) = least(p) < least(q) ? p : q;
-    }
-    const double best = 0.5 * (low + high);
-    return least(best) > recovery_budget.centring_gain * start ? best : 0;
+    const unsigned n_directions = static_cast<unsigned>(freedoms.size());
+    const std::array<double, 3> steps = chebyshev_centre(heights, n_directions, recovery_budget.centring_steps);
+    if (!(least_height(heights, steps) > recovery_budget.centring_gain * least_height(heights, {})))
+      return std::nullopt;
+    return steps;
   }
 
  private:
-  struct Height {
-    double at, slope;
-  };
-  Height height_in(CellIndex c, const Vec3& direction) const {
+  LinearHeight height_of(CellIndex c, std::span<const Freedom> freedoms) const {
     const unsigned i = mesh_.cells().index_of(c, x_);
     const Tetrahedron& v = mesh_.cells().vertices(c);
     const auto& f = face_vertices[i];
     const Vec3 n = cross(mesh_.offset(v[f[0]], v[f[1]]), mesh_.offset(v[f[0]], v[f[2]]));
-    const double area = std::sqrt(dot(n, n));
+    const double area = length(n);
     const double volume = mesh_.exact_places().rough_volume(mesh_.points(), {v[f[0]], v[f[1]], v[f[2]], x_});
-    return {volume / area, dot(n, direction) / area};
+    LinearHeight out{volume / area, {}};
+    for (std::size_t k = 0; k < freedoms.size(); ++k) out.slope[k] = dot(n, freedoms[k].direction) / area;
+    return out;
   }
 
   ConstrainedMesh& mesh_;
   VertexIndex x_;
   std::vector<CellIndex> cells_;
-};
-
-/// A direction in which an exact point may move, and the step of place_moved that goes its length.
-struct Freedom {
-  Vec3 direction, step;
 };
 
 std::vector<Freedom> freedoms(const ConstrainedMesh& mesh, VertexIndex x) {
@@ -94,17 +85,19 @@ std::vector<Freedom> freedoms(const ConstrainedMesh& mesh, VertexIndex x) {
 }
 
 void centre(ConstrainedMesh& mesh, VertexIndex x) {
-  for (const Freedom& f : freedoms(mesh, x)) {
-    const Star star(mesh, x);
-    const ExactPlace before = mesh.exact_places().of(x);
-    for (double step = star.best_step(f.direction), part = 1; step != 0 && part > recovery_budget.least_centring_part;
-         part /= 2) {
-      ExactPlace place = place_moved(mesh, x, part * step * f.step);
-      if (!place.is_safe()) continue;
-      mesh.move_point(x, std::move(place));
-      if (star.is_positive()) break;
-      mesh.move_point(x, before);
-    }
+  const std::vector<Freedom> ways = freedoms(mesh, x);
+  const Star star(mesh, x);
+  const auto steps = star.best_steps(ways);
+  if (!steps) return;
+  Vec3 move;
+  for (std::size_t k = 0; k < ways.size(); ++k) move = move + (*steps)[k] * ways[k].step;
+  const ExactPlace before = mesh.exact_places().of(x);
+  for (double part = 1; part > recovery_budget.least_centring_part; part /= 2) {
+    ExactPlace place = place_moved(mesh, x, part * move);
+    if (!place.is_safe()) continue;
+    mesh.move_point(x, std::move(place));
+    if (star.is_positive()) return;
+    mesh.move_point(x, before);
   }
 }
 
@@ -130,6 +123,20 @@ bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
 }  // namespace
 
 namespace {
+
+/// Rounded Steiner points beside x are centred again, each to another double: that can leave x more room.
+void make_room(Recovery& recovery, VertexIndex x) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  for (const VertexIndex y : mesh.neighbors(x)) {
+    if (y < first_added(recovery) || mesh.is_exact(y) || is_on_boundary(recovery, y)) continue;
+    const Vec3 before = mesh.point(y);
+    ExactPlace place;
+    for (std::size_t i = 0; i < 3; ++i) place.coordinates[i] = mesh.coordinate(y, i);
+    mesh.move_point(y, std::move(place));
+    centre(mesh, y);
+    if (!round_point(mesh, y)) mesh.move_point(y, before);
+  }
+}
 
 /// Exact vertices that the result will have. What is in no cell, or inside the part that is left out, stays as it is.
 std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
@@ -195,6 +202,7 @@ std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
     for (unsigned sweep = 0; sweep < recovery_budget.centring_sweeps; ++sweep)
       for (const VertexIndex v : left) centre(mesh, v);
     std::erase_if(left, [&](VertexIndex v) { return round_point(mesh, v); });
+    for (const VertexIndex v : left) make_room(recovery, v);
   }
   std::erase_if(left, [&](VertexIndex v) { return round_elsewhere(recovery, v); });
   return left;

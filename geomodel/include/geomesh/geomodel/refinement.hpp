@@ -75,8 +75,9 @@ double wavelength_size(const NamedSizes& sizes, const std::map<std::string, doub
 /// sizes. `origin` was subtracted from the model's coordinates. Throws Error{usage} where a frequency has no velocity.
 void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
                   const Vec3& origin);
-/// Where the tolerance follows the sizes: how near to each other surfaces that meet are brought together before they
-/// are meshed, a share of the least size asked. 0: not at all, as where sizes come from a file.
+/// How near to each other surfaces that meet are brought together before they are meshed within a tolerance: a share of
+/// the tolerance, and of the one that the least size asked would get by itself. 0: not at all, as where sizes come from
+/// a file.
 double merging_distance(const RefinementSettings& settings);
 /// A coarse mesh in seconds: about 10,000 elements of one size, nothing else asked for.
 RefinementSettings preview_settings();
