@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the sets of a file to regions, surfaces, curves and named nodes.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -101,7 +102,20 @@ class ModelMeshBuilder {
     }
   }
 
-  /// Nodes in the middle of edges that are not half-way, to the last bit: what is written of them is what was read.
+  /// Values of the arrays at a node in the middle of an edge. Nothing where all are the means of the ends.
+  std::vector<double> values_at(VertexIndex middle, VertexIndex first, VertexIndex second) const {
+    std::vector<double> values;
+    bool are_means = true;
+    for (const PointArray& array : raw_.point_arrays) {
+      const double value = array.values[middle], mean = half_way(array.values[first], array.values[second]);
+      are_means = are_means && (value == mean || (std::isnan(value) && std::isnan(mean)));
+      values.push_back(value);
+    }
+    return are_means ? std::vector<double>{} : values;
+  }
+
+  /// Nodes in the middle of edges that are not half-way, to the last bit, or have values of their own: what is written
+  /// of them is what was read.
   void add_curved_edges() {
     constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
     if (raw_.midpoints.size() != 6 * mesh_.tetrahedra.size()) return;
@@ -111,7 +125,8 @@ class ModelMeshBuilder {
       const VertexIndex* const corner = &raw_.cells[3].corners[i / 6 * 4];
       const auto [a, b] = std::minmax(row_[corner[first]], row_[corner[second]]);
       const Vec3 &p = mesh_.points[a], &q = mesh_.points[b], &middle = raw_.points[raw_.midpoints[i]];
-      if (!(middle == half_way(p, q))) edges.push_back({a, b, middle});
+      std::vector<double> values = values_at(raw_.midpoints[i], corner[first], corner[second]);
+      if (!(middle == half_way(p, q)) || !values.empty()) edges.push_back({a, b, middle, std::move(values)});
     }
     std::sort(edges.begin(), edges.end(),
               [](const CurvedEdge& p, const CurvedEdge& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });

@@ -21,8 +21,6 @@ struct Edge {
 };
 Edge edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-double middle(double a, double b) { return a / 2 + b / 2; }
-
 /// A value with a bound of its error: every operation adds half a unit in the last place of its result.
 struct Bounded {
   double value, error;
@@ -47,7 +45,8 @@ Bounded determinant(const Vector& a, const Vector& b, const Vector& c) {
 
 }  // namespace
 
-Vec3 half_way(const Vec3& a, const Vec3& b) { return {middle(a.x, b.x), middle(a.y, b.y), middle(a.z, b.z)}; }
+double half_way(double a, double b) { return a / 2 + b / 2; }
+Vec3 half_way(const Vec3& a, const Vec3& b) { return {half_way(a.x, b.x), half_way(a.y, b.y), half_way(a.z, b.z)}; }
 
 /// Each derivative of the map is linear: four vectors at the corners. The determinant's Bezier coefficient of the
 /// corners i <= j <= k is the mean over all ways to hand i, j and k to the three derivatives.
@@ -111,12 +110,16 @@ void add_midpoints(ModelMesh& mesh) {
     const Vec3 &p = mesh.points[e.a], &q = mesh.points[e.b];
     mid.points.push_back(half_way(p, q));
   }
-  for (const CurvedEdge& curved : mesh.curved_edges)
-    if (const auto at = std::lower_bound(edges.begin(), edges.end(), edge(curved.a, curved.b));
-        at != edges.end() && *at == edge(curved.a, curved.b))
-      mid.points[static_cast<std::size_t>(at - edges.begin())] = curved.middle;
   for (PointArray& array : mesh.point_arrays)
-    for (const Edge& e : edges) array.values.push_back(middle(array.values[e.a], array.values[e.b]));
+    for (const Edge& e : edges) array.values.push_back(half_way(array.values[e.a], array.values[e.b]));
+  for (const CurvedEdge& curved : mesh.curved_edges) {
+    const auto found = std::lower_bound(edges.begin(), edges.end(), edge(curved.a, curved.b));
+    if (found == edges.end() || !(*found == edge(curved.a, curved.b))) continue;
+    const auto row = static_cast<std::size_t>(found - edges.begin());
+    mid.points[row] = curved.middle;
+    for (std::size_t k = 0; k < std::min(curved.values.size(), mesh.point_arrays.size()); ++k)
+      mesh.point_arrays[k].values[n + row] = curved.values[k];
+  }
   for (const Tetrahedron& t : mesh.tetrahedra) {
     std::array<VertexIndex, 6> nodes{};
     for (std::size_t e = 0; e < 6; ++e) nodes[e] = node(t[edge_ends[e][0]], t[edge_ends[e][1]]);

@@ -10,10 +10,12 @@
 
 namespace geomesh::geomodel {
 
-/// Where the node in the middle of a straight edge is: each coordinate rounded.
+/// The mean of two values, rounded; and where the node in the middle of a straight edge is, by coordinates.
+double half_way(double a, double b);
 Vec3 half_way(const Vec3& a, const Vec3& b);
 
 /// Adds a node in the middle of every edge, or where ModelMesh::curved_edges says, the same for all cells at the edge.
+/// Point arrays get the means of the edge's ends there, or the values of the curved edge.
 /// Throws Error{cannot_mesh} with the place where the Jacobian of an element is not proven positive.
 void add_midpoints(ModelMesh& mesh);
 

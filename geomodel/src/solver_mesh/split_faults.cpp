@@ -202,15 +202,16 @@ class FaultSplitter {
   /// A curved edge is curved alike on both sides.
   void move_curved_edges() {
     if (before_.curved_edges.empty()) return;
-    std::map<std::pair<VertexIndex, VertexIndex>, Vec3> middle, now;
-    for (const CurvedEdge& e : before_.curved_edges) middle[{e.a, e.b}] = e.middle;
+    std::map<std::pair<VertexIndex, VertexIndex>, const CurvedEdge*> before, now;
+    for (const CurvedEdge& e : before_.curved_edges) before[{e.a, e.b}] = &e;
     for (std::size_t t = 0; t < before_.tetrahedra.size(); ++t)
       for (const auto& [i, j] : edge_vertices) {
-        const auto found = middle.find(std::minmax(before_.tetrahedra[t][i], before_.tetrahedra[t][j]));
-        if (found != middle.end()) now[std::minmax(mesh_.tetrahedra[t][i], mesh_.tetrahedra[t][j])] = found->second;
+        const auto found = before.find(std::minmax(before_.tetrahedra[t][i], before_.tetrahedra[t][j]));
+        if (found != before.end()) now[std::minmax(mesh_.tetrahedra[t][i], mesh_.tetrahedra[t][j])] = found->second;
       }
     mesh_.curved_edges.clear();
-    for (const auto& [ends, place] : now) mesh_.curved_edges.push_back({ends.first, ends.second, place});
+    for (const auto& [ends, edge] : now)
+      mesh_.curved_edges.push_back({ends.first, ends.second, edge->middle, edge->values});
   }
   /// Not where all three nodes are at a tip: nothing opens there.
   void add_prisms() {

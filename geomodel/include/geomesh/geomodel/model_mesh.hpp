@@ -75,10 +75,11 @@ struct Midpoints {
   bool empty() const { return of_tetrahedron.empty(); }
 };
 
-/// An edge whose midpoint, in elements of second order, is not half-way between its ends.
+/// An edge whose midpoint, in elements of second order, is not half-way between its ends, or has values of its own.
 struct CurvedEdge {
   VertexIndex a, b;  ///< a < b
   Vec3 middle;
+  std::vector<double> values{};  ///< by row of ModelMesh::point_arrays; of arrays beyond, the means of the ends
 };
 
 /// Prism without thickness between the two sides of a split fault: vertices 0 1 2 on the minus side, 3 4 5 on the plus
