@@ -56,15 +56,23 @@ void build_body(TriangulatedSurface& body, const SurfaceRules& rule, const std::
 
 /// Ramps across faults made anew, where all faults of the horizon go through the model; else told.
 RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults,
-                            const std::vector<std::string>& stopped, const BuildLog& log) {
+                            const std::vector<std::string>& stopped, const std::vector<TriangulatedSurface>& surfaces,
+                            const BuildLog& log) {
   std::vector<const TriangulatedSurface*> through, short_of;
   for (const ThrowFault& f : faults) {
     const bool stops = std::find(stopped.begin(), stopped.end(), f.surface->name) != stopped.end();
     (stops || f.first_made < f.surface->triangles.size() ? short_of : through).push_back(f.surface);
   }
-  if (short_of.empty()) return restore_smeared_throw(horizon, through, log);
+  std::vector<const TriangulatedSurface*> others, all;
+  for (const TriangulatedSurface& s : surfaces) {
+    if (s.kind != SurfaceKind::fault) continue;
+    all.push_back(&s);
+    if (std::none_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return f.surface == &s; }))
+      others.push_back(&s);
+  }
+  if (short_of.empty()) return restore_smeared_throw(horizon, through, others, log);
   for (const ThrowFault& f : faults)
-    if (has_smeared_throw(horizon, *f.surface))
+    if (has_smeared_throw(horizon, *f.surface, all))
       log.warnings.push_back("horizon " + horizon.name + ": its throw is smeared across " + f.surface->name +
                              ", and the ramp stays, since " + short_of.front()->name +
                              " ends inside the model or at another surface; let it reach through the model (extent: "
@@ -85,7 +93,7 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     if (!rules.of(row).stop_at.empty()) stopped.push_back(name);
   }
   RestoredThrow restored;
-  if (rule.cut_smeared) restored = restore_ramps(surface, faults, stopped, log);
+  if (rule.cut_smeared) restored = restore_ramps(surface, faults, stopped, built.surfaces, log);
   if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
   std::vector<Index> block = sort_into_blocks(surface, faults, how, *rules.box, log, restored.sheet);

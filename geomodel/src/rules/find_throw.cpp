@@ -223,7 +223,7 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
     const std::vector<Found> found = throws_of(surfaces[s], faults);
     for (std::size_t f = 0; f < found.size(); ++f) {
       if (!found[f].displaces() && rules.surfaces[s].cut_smeared &&
-          has_smeared_throw(surfaces[s], *fault_surfaces[f])) {
+          has_smeared_throw(surfaces[s], *fault_surfaces[f], fault_surfaces)) {
         rules.surfaces[s].throw_at.push_back(names[f]);
         notes.push_back("horizon " + surfaces[s].name + ": throw across " + names[f] +
                         " found from the data, smeared along it");

@@ -23,8 +23,8 @@ namespace {
 
 // Lengths in median edges of the horizon in the map.
 constexpr double stretch_length = 8;
-constexpr double ring_from = 10, ring_to = 18;  // where the slope beside a ramp is taken
-constexpr long most_bins = 9;                   // of one edge, on each side of the fault: the widest ramp
+constexpr double ring_from = 8, ring_to = 16;  // where the slope beside a ramp is taken
+constexpr long most_bins = 7;                  // of one edge, on each side of the fault: the widest ramp
 constexpr double margin_of_ramp = 1;
 constexpr double fit_radius = 3;
 constexpr std::size_t fewest_in_ring = 6;
@@ -33,7 +33,8 @@ constexpr double sure_of_difference = 2;  // of the slopes on the two sides
 constexpr double least_slope = 0.02;      // steeper than beside the ramp
 constexpr double ramp_ends_at = 0.1;      // of its greatest slope
 constexpr double share_of_stretches = 0.25;
-constexpr std::size_t least_sheet = 24;  // triangles; fewer between ramps belong to them
+constexpr double most_of_step = 2, least_of_step = 0.25;  // of the ramps, for the throw restored
+constexpr std::size_t least_sheet = 24;                   // triangles; fewer between ramps belong to them
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -59,6 +60,7 @@ Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 /// A place beside a fault.
 struct Beside {
+  double distance;
   double across;   ///< in the map at the place's own height, positive above the fault
   double along;    ///< the strike
   Vec2 direction;  ///< of `across`
@@ -103,7 +105,8 @@ class FaultPlanes {
     if (nearest == nullptr) return std::nullopt;
     const Vec3& n = nearest->normal;
     const double level = std::hypot(n.x, n.y);
-    return Beside{dot(p - nearest->corners[0], n) / level,
+    return Beside{least,
+                  dot(p - nearest->corners[0], n) / level,
                   strike_.x * p.x + strike_.y * p.y,
                   {n.x / level, n.y / level},
                   is_within};
@@ -148,6 +151,7 @@ struct RampWidth {
 /// The ramp in one stretch. Nothing where the slope beside it is not known on both sides.
 struct StretchRamp {
   bool is_ramp = false;
+  double step = 0;  ///< its height, in edges
   RampWidth width;
 };
 std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
@@ -183,6 +187,7 @@ std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
   long first = steepest, last = steepest;
   while (is_steep(first - 1)) --first;
   while (is_steep(last + 1)) ++last;
+  for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
   if (first <= -most_bins || last >= most_bins - 1)
     return StretchRamp{};  // a slope of the horizon, as wide as it is looked for
   found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
@@ -192,7 +197,9 @@ std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
 /// The ramp along a fault, by stretches.
 struct Ramp {
   std::map<long, RampWidth> at;
+  std::vector<double> steps;  ///< m, by stretch that has it
   std::size_t n_stretches = 0;
+  double length = 0;  ///< of the stretches that have it
   bool is_there() const {
     return !at.empty() && static_cast<double>(at.size()) >= share_of_stretches * static_cast<double>(n_stretches);
   }
@@ -211,14 +218,24 @@ struct Ramp {
 
 long stretch_at(double along, double edge) { return std::lround(along / (stretch_length * edge)); }
 
-Ramp find_ramp(const TriangulatedSurface& horizon, const FaultPlanes& fault, double edge) {
+/// Triangles that are nearer to one of the others do not count.
+Ramp find_ramp(const TriangulatedSurface& horizon, const FaultPlanes& fault, const std::vector<FaultPlanes>& others,
+               double edge) {
   std::map<long, std::vector<SlopeBeside>> stretches;
+  std::map<long, std::pair<double, double>> ends;
   for (const Triangle& t : horizon.triangles) {
     const Vec3 &a = horizon.points[t[0]], &b = horizon.points[t[1]], &c = horizon.points[t[2]];
     const Vec3 n = cross(b - a, c - a);
     if (n.z == 0) continue;
-    const auto beside = fault.at((1.0 / 3) * (a + b + c), ring_to * edge);
+    const Vec3 centre = (1.0 / 3) * (a + b + c);
+    const auto beside = fault.at(centre, ring_to * edge);
     if (!beside || !beside->is_within) continue;
+    const bool is_of_other = std::any_of(others.begin(), others.end(), [&](const FaultPlanes& other) {
+      return other.at(centre, beside->distance).has_value();
+    });
+    if (is_of_other) continue;
+    auto& [from, to] = ends.try_emplace(stretch_at(beside->along, edge), beside->along, beside->along).first->second;
+    from = std::min(from, beside->along), to = std::max(to, beside->along);
     const double slope = -(n.x * beside->direction.x + n.y * beside->direction.y) / n.z;
     stretches[stretch_at(beside->along, edge)].push_back({beside->across / edge, slope});
   }
@@ -227,7 +244,10 @@ Ramp find_ramp(const TriangulatedSurface& horizon, const FaultPlanes& fault, dou
     const auto found = ramp_in(slopes);
     if (!found) continue;
     ++ramp.n_stretches;
-    if (found->is_ramp) ramp.at[k] = found->width;
+    if (!found->is_ramp) continue;
+    ramp.at[k] = found->width;
+    ramp.steps.push_back(found->step * edge);
+    ramp.length += ends.at(k).second - ends.at(k).first;
   }
   return ramp;
 }
@@ -285,7 +305,8 @@ std::optional<double> carried_height(const TriangulatedSurface& s, const NodeCel
 /// One horizon and the faults whose ramps it has.
 class Restorer {
  public:
-  Restorer(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults, const BuildLog& log)
+  Restorer(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults,
+           const std::vector<const TriangulatedSurface*>& others, const BuildLog& log)
       : horizon_(horizon),
         faults_(faults),
         log_(log),
@@ -293,7 +314,11 @@ class Restorer {
         in_strip_(horizon.triangles.size(), 0) {
     for (const TriangulatedSurface* fault : faults) {
       planes_.emplace_back(*fault);
-      ramps_.push_back(find_ramp(horizon, planes_.back(), edge_));
+      std::vector<FaultPlanes> beside;
+      for (const auto* list : {&faults, &others})
+        for (const TriangulatedSurface* other : *list)
+          if (other != fault) beside.emplace_back(*other);
+      ramps_.push_back(find_ramp(horizon, planes_.back(), beside, edge_));
     }
   }
 
@@ -302,6 +327,7 @@ class Restorer {
   }
 
   RestoredThrow restore() {
+    const TriangulatedSurface before = horizon_;
     nearest_fault_.assign(horizon_.points.size(), {no_index, std::numeric_limits<double>::infinity()});
     for (std::size_t f = 0; f < faults_.size(); ++f) mark_strip(f);
     find_sheets();
@@ -315,7 +341,18 @@ class Restorer {
       }
     restored.n_given = static_cast<Index>(horizon_.triangles.size());
     for (const Index sheet : numbers_) carry(given, sheet, restored);
-    tell(given.size() - restored.n_given);
+    std::vector<ThrowRestored> throws;
+    for (std::size_t f = 0; f < faults_.size(); ++f) throws.push_back(throw_at(f));
+    for (std::size_t f = 0; f < faults_.size(); ++f)
+      if (ramps_[f].is_there() && !throws[f].fits(ramps_[f])) {
+        log_.warnings.push_back("horizon " + horizon_.name + ": throw smeared across " + faults_[f]->name +
+                                " is not restored, and the ramps stay: what lies beside it gives a throw of " +
+                                to_text(throws[f].mean) + " m on average, the ramp " +
+                                to_text(median(ramps_[f].steps)) + " m");
+        horizon_ = before;
+        return {};
+      }
+    tell(throws, given.size() - restored.n_given);
     return restored;
   }
 
@@ -403,25 +440,38 @@ class Restorer {
     }
   }
 
-  void tell(std::size_t n_taken) const {
+  struct ThrowRestored {
+    std::size_t n = 0;
+    double least = std::numeric_limits<double>::infinity(), mean = 0, largest = 0;
+    bool fits(const Ramp& ramp) const {
+      return n > 0 && largest <= most_of_step * *std::max_element(ramp.steps.begin(), ramp.steps.end()) &&
+             mean >= least_of_step * median(ramp.steps);
+    }
+  };
+  ThrowRestored throw_at(std::size_t fault) const {
+    ThrowRestored found;
+    double sum = 0;
+    for (const auto& [v, heights] : heights_) {
+      if (nearest_fault_[v].first != fault || nearest_fault_[v].second > edge_ || heights.size() != 2) continue;
+      const double across = std::abs(heights[0] - heights[1]);
+      found.least = std::min(found.least, across), found.largest = std::max(found.largest, across);
+      sum += across, ++found.n;
+    }
+    if (found.n > 0) found.mean = sum / static_cast<double>(found.n);
+    return found;
+  }
+
+  void tell(const std::vector<ThrowRestored>& throws, std::size_t n_taken) const {
     for (std::size_t f = 0; f < faults_.size(); ++f) {
       if (!ramps_[f].is_there()) continue;
-      double width = 0, least = std::numeric_limits<double>::infinity(), largest = 0, sum = 0;
-      std::size_t n = 0;
+      double width = 0;
       for (const auto& [k, w] : ramps_[f].at) width += (w.below + w.above) * edge_;
-      for (const auto& [v, heights] : heights_) {
-        if (nearest_fault_[v].first != f || nearest_fault_[v].second > edge_ || heights.size() != 2) continue;
-        const double across = std::abs(heights[0] - heights[1]);
-        least = std::min(least, across), largest = std::max(largest, across), sum += across, ++n;
-      }
-      const double in_edges = static_cast<double>(ramps_[f].at.size()) * stretch_length;
       log_.notes.push_back("horizon " + horizon_.name + ": throw smeared across " + faults_[f]->name + " over " +
-                           to_text(in_edges * edge_) + " m along it (" + std::to_string(ramps_[f].at.size()) + " of " +
+                           to_text(ramps_[f].length) + " m along it (" + std::to_string(ramps_[f].at.size()) + " of " +
                            std::to_string(ramps_[f].n_stretches) + " stretches), " +
-                           to_text(width / static_cast<double>(ramps_[f].at.size())) + " m wide on average; restored" +
-                           (n == 0 ? std::string()
-                                   : ": least " + to_text(least) + ", mean " + to_text(sum / static_cast<double>(n)) +
-                                         ", largest " + to_text(largest) + " m"));
+                           to_text(width / static_cast<double>(ramps_[f].at.size())) +
+                           " m wide on average; restored: least " + to_text(throws[f].least) + ", mean " +
+                           to_text(throws[f].mean) + ", largest " + to_text(throws[f].largest) + " m");
     }
     log_.notes.push_back("horizon " + horizon_.name + ": " + std::to_string(n_taken) +
                          " triangles along its faults made anew from both sides");
@@ -441,15 +491,19 @@ class Restorer {
 
 }  // namespace
 
-bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSurface& fault) {
+bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSurface& fault,
+                       const std::vector<const TriangulatedSurface*>& others) {
   if (!is_single_valued(horizon)) return false;
-  return find_ramp(horizon, FaultPlanes(fault), median_map_edge(horizon)).is_there();
+  std::vector<FaultPlanes> beside;
+  for (const TriangulatedSurface* other : others)
+    if (other != &fault) beside.emplace_back(*other);
+  return find_ramp(horizon, FaultPlanes(fault), beside, median_map_edge(horizon)).is_there();
 }
 
 RestoredThrow restore_smeared_throw(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults,
-                                    const BuildLog& log) {
+                                    const std::vector<const TriangulatedSurface*>& others, const BuildLog& log) {
   if (!is_single_valued(horizon)) return {};
-  Restorer restorer(horizon, faults, log);
+  Restorer restorer(horizon, faults, others, log);
   if (!restorer.any()) return {};
   return restorer.restore();
 }

@@ -11,8 +11,10 @@ namespace geomesh::geomodel {
 
 /// Whether the horizon crosses the fault as a ramp in at least a quarter of the stretches along the fault. A ramp is
 /// steeper across the fault than the median slope further out on both sides, by three times the spread of slopes there.
-/// Horizons that are not single-valued have none. Cost: nodes near the fault times its triangles.
-bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSurface& fault);
+/// Horizons that are not single-valued have none. Places that are nearer to one of `others` do not count. Cost: nodes
+/// near the fault times its triangles.
+bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSurface& fault,
+                       const std::vector<const TriangulatedSurface*>& others);
 
 /// What became of a horizon whose throw was restored.
 struct RestoredThrow {
@@ -24,7 +26,8 @@ struct RestoredThrow {
 /// planes fitted to its own nodes, as two sheets that overshoot the fault. Nodes and triangles off the ramps stay. All
 /// `faults` must go through the model: where the horizon crosses one without a ramp, it is parted there too. Notes tell
 /// the length and the width of each ramp, and the throw. Nothing is done where there is no ramp.
+/// Nor is it, with a warning, where the throw carried is far from the height of the ramp.
 RestoredThrow restore_smeared_throw(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults,
-                                    const BuildLog& log);
+                                    const std::vector<const TriangulatedSurface*>& others, const BuildLog& log);
 
 }  // namespace geomesh::geomodel

@@ -71,7 +71,7 @@ Restored restore(const Faulted& model, double fault_at = 2000) {
   Restored r;
   r.given = r.made = model.horizon();
   const TriangulatedSurface fault = model.fault(fault_at);
-  r.rows = restore_smeared_throw(r.made, {&fault}, {r.notes, r.warnings});
+  r.rows = restore_smeared_throw(r.made, {&fault}, {}, {r.notes, r.warnings});
   return r;
 }
 
