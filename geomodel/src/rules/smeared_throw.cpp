@@ -23,8 +23,9 @@ namespace {
 
 // Lengths in median edges of the horizon in the map.
 constexpr double stretch_length = 8;
-constexpr double ring_from = 8, ring_to = 16;  // where the slope beside a ramp is taken
-constexpr long most_bins = 7;                  // of one edge, on each side of the fault: the widest ramp
+constexpr double ring_width = 8, furthest = 16;
+constexpr std::array<long, 3> rings{8, 5,
+                                    3};  // where the slope beside a ramp is taken from on, nearer where others are near
 constexpr double margin_of_ramp = 1;
 constexpr double fit_radius = 3;
 constexpr std::size_t fewest_in_ring = 6;
@@ -154,19 +155,21 @@ struct StretchRamp {
   double step = 0;  ///< its height, in edges
   RampWidth width;
 };
-std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
+std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, long ring_from) {
   std::vector<double> ring[2], off;
   std::map<long, std::vector<double>> bins;
   for (const SlopeBeside& s : slopes) {
     const double d = std::abs(s.across);
-    if (d > ring_from && d <= ring_to) ring[s.across > 0 ? 1 : 0].push_back(s.slope);
-    if (d < most_bins) bins[static_cast<long>(std::floor(s.across))].push_back(s.slope);
+    if (d > static_cast<double>(ring_from) && d <= static_cast<double>(ring_from) + ring_width)
+      ring[s.across > 0 ? 1 : 0].push_back(s.slope);
+    if (d < static_cast<double>(ring_from)) bins[static_cast<long>(std::floor(s.across))].push_back(s.slope);
   }
   if (ring[0].size() < fewest_in_ring || ring[1].size() < fewest_in_ring) return std::nullopt;
   const double low = median(ring[0]), high = median(ring[1]);
   for (const double s : ring[0]) off.push_back(std::abs(s - low));
   for (const double s : ring[1]) off.push_back(std::abs(s - high));
-  constexpr double normal_by_median = 1.4826, middle = 0.5 * (ring_from + ring_to);
+  constexpr double normal_by_median = 1.4826, half_ring = 0.5 * ring_width;
+  const double middle = static_cast<double>(ring_from) + half_ring;
   const double spread = normal_by_median * median(off);
   std::map<long, double> excess;
   for (const auto& [bin, values] : bins) {
@@ -188,10 +191,15 @@ std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
   while (is_steep(first - 1)) --first;
   while (is_steep(last + 1)) ++last;
   for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
-  if (first <= -most_bins || last >= most_bins - 1)
-    return StretchRamp{};  // a slope of the horizon, as wide as it is looked for
+  if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};  // a slope of the horizon, and no ramp
   found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
   return found;
+}
+
+std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
+  for (const long ring_from : rings)
+    if (const auto found = ramp_within(slopes, ring_from)) return found;
+  return std::nullopt;
 }
 
 /// The ramp along a fault, by stretches.
@@ -228,7 +236,7 @@ Ramp find_ramp(const TriangulatedSurface& horizon, const FaultPlanes& fault, con
     const Vec3 n = cross(b - a, c - a);
     if (n.z == 0) continue;
     const Vec3 centre = (1.0 / 3) * (a + b + c);
-    const auto beside = fault.at(centre, ring_to * edge);
+    const auto beside = fault.at(centre, furthest * edge);
     if (!beside || !beside->is_within) continue;
     const bool is_of_other = std::any_of(others.begin(), others.end(), [&](const FaultPlanes& other) {
       return other.at(centre, beside->distance).has_value();
@@ -318,6 +326,7 @@ class Restorer {
       for (const auto* list : {&faults, &others})
         for (const TriangulatedSurface* other : *list)
           if (other != fault) beside.emplace_back(*other);
+      n_across_.push_back(0);
       ramps_.push_back(find_ramp(horizon, planes_.back(), beside, edge_));
     }
   }
@@ -358,7 +367,7 @@ class Restorer {
 
  private:
   void mark_strip(std::size_t f) {
-    const double reach = ring_to * edge_;
+    const double reach = furthest * edge_;
     std::vector<std::optional<Beside>> beside(horizon_.points.size());
     std::vector<std::uint8_t> inside(horizon_.points.size(), 0);
     for (std::size_t v = 0; v < beside.size(); ++v) {
@@ -379,7 +388,7 @@ class Restorer {
         is_above = is_above || (beside[v] && beside[v]->across >= 0);
         is_below = is_below || (beside[v] && beside[v]->across <= 0);
       }
-      if (is_above && is_below) in_strip_[t] = 1;
+      if (is_above && is_below) in_strip_[t] = 1, ++n_across_[f];
     }
   }
 
@@ -461,9 +470,18 @@ class Restorer {
     return found;
   }
 
+  void tell_no_ramp(std::size_t f) const {
+    log_.warnings.push_back("horizon " + horizon_.name + ": it runs on across " + faults_[f]->name +
+                            " and no ramp was found there (in " + std::to_string(ramps_[f].n_stretches) +
+                            " stretches along it): it is parted with the throw of its nodes beside the fault");
+  }
+
   void tell(const std::vector<ThrowRestored>& throws, std::size_t n_taken) const {
     for (std::size_t f = 0; f < faults_.size(); ++f) {
-      if (!ramps_[f].is_there()) continue;
+      if (!ramps_[f].is_there()) {
+        if (n_across_[f] > 0) tell_no_ramp(f);
+        continue;
+      }
       double width = 0;
       for (const auto& [k, w] : ramps_[f].at) width += (w.below + w.above) * edge_;
       log_.notes.push_back("horizon " + horizon_.name + ": throw smeared across " + faults_[f]->name + " over " +
@@ -483,6 +501,7 @@ class Restorer {
   double edge_, widest_ = 0;
   std::vector<FaultPlanes> planes_;
   std::vector<Ramp> ramps_;
+  std::vector<std::size_t> n_across_;                    ///< triangles that cross each fault
   std::vector<std::uint8_t> in_strip_;                   ///< per given triangle
   std::vector<std::pair<Index, double>> nearest_fault_;  ///< per given node, with the distance across
   std::vector<Index> sheet_, numbers_;                   ///< per given triangle; those that are there
