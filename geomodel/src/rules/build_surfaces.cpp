@@ -80,6 +80,17 @@ RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<Thro
   return {};
 }
 
+/// One sheet on both sides of all of its faults, which go through the model: parting it would take one side away.
+bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults) {
+  TriangulatedSurface copy = horizon;
+  std::vector<std::string> notes, warnings;
+  return std::all_of(faults.begin(), faults.end(),
+                     [&](const ThrowFault& f) {
+                       return f.first_made == f.surface->triangles.size() && lies_on_both_sides(horizon, *f.surface);
+                     }) &&
+         BuiltRows::n_blocks(sort_into_blocks(copy, faults, Extend::flat, {}, {notes, warnings})) == 1;
+}
+
 /// The blocks of a horizon with throw, each continued on its own.
 void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, const BuildLog& log) {
   TriangulatedSurface& surface = built.surfaces[s];
@@ -95,6 +106,13 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   RestoredThrow restored;
   if (rule.cut_smeared) restored = restore_ramps(surface, faults, stopped, built.surfaces, log);
   if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
+  const bool is_whole = restored.sheet.empty() && stays_whole(surface, faults);
+  if (is_whole) {
+    log.warnings.push_back("horizon " + surface.name + ": it runs on across " + faults.front().surface->name +
+                           " as one sheet, and no throw is restored: it stays as given (give it block by block)");
+    if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
+    return;
+  }
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
   std::vector<Index> block = sort_into_blocks(surface, faults, how, *rules.box, log, restored.sheet);
   if (BuiltRows::n_blocks(block) == 1)

@@ -24,8 +24,8 @@ namespace {
 // Lengths in median edges of the horizon in the map.
 constexpr double stretch_length = 8;
 constexpr double ring_width = 8, furthest = 16;
-constexpr std::array<long, 3> rings{8, 5,
-                                    3};  // where the slope beside a ramp is taken from on, nearer where others are near
+// Where the slope beside a ramp is taken from on, nearer where others are near.
+constexpr std::array<long, 3> rings{8, 5, 3};
 constexpr double margin_of_ramp = 1;
 constexpr double fit_radius = 3;
 constexpr std::size_t fewest_in_ring = 6;
@@ -35,7 +35,8 @@ constexpr double least_slope = 0.02;      // steeper than beside the ramp
 constexpr double ramp_ends_at = 0.1;      // of its greatest slope
 constexpr double share_of_stretches = 0.25;
 constexpr double most_of_step = 2, least_of_step = 0.25;  // of the ramps, for the throw restored
-constexpr std::size_t least_sheet = 24;                   // triangles; fewer between ramps belong to them
+constexpr double least_of_sides = 0.1;
+constexpr std::size_t least_sheet = 24;  // triangles; fewer between ramps belong to them
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -517,6 +518,18 @@ bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSur
   for (const TriangulatedSurface* other : others)
     if (other != &fault) beside.emplace_back(*other);
   return find_ramp(horizon, FaultPlanes(fault), beside, median_map_edge(horizon)).is_there();
+}
+
+bool lies_on_both_sides(const TriangulatedSurface& horizon, const TriangulatedSurface& fault) {
+  if (!is_single_valued(horizon)) return false;
+  const FaultPlanes planes(fault);
+  double above = 0, below = 0;
+  for (const Triangle& t : horizon.triangles) {
+    const Vec3 &a = horizon.points[t[0]], &b = horizon.points[t[1]], &c = horizon.points[t[2]];
+    const auto beside = planes.at((1.0 / 3) * (a + b + c), std::numeric_limits<double>::infinity());
+    if (beside) (beside->across > 0 ? above : below) += triangle_area(a, b, c);
+  }
+  return std::min(above, below) > least_of_sides * (above + below);
 }
 
 RestoredThrow restore_smeared_throw(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults,

@@ -16,6 +16,9 @@ namespace geomesh::geomodel {
 bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSurface& fault,
                        const std::vector<const TriangulatedSurface*>& others);
 
+/// Whether the horizon is single-valued and a tenth of its area at least lies on either side of the fault.
+bool lies_on_both_sides(const TriangulatedSurface& horizon, const TriangulatedSurface& fault);
+
 /// What became of a horizon whose throw was restored.
 struct RestoredThrow {
   std::vector<Index> sheet;  ///< per triangle: those of one number are one sheet; empty: nothing was done
