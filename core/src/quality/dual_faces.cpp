@@ -15,8 +15,9 @@ namespace geomesh {
 
 namespace {
 
+/// Of the dual of an edge, listed by its first vertex.
 struct Part {
-  std::uint64_t edge;  ///< its first vertex, then its second one
+  VertexIndex second;
   double area;
 };
 
@@ -32,15 +33,17 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
   return 0.5 * along * up;
 }
 
-/// Vertices from `from` to before `to`.
+/// Vertices from `from` to before `to`, and the parts of edges that have them first.
 struct Window {
   std::size_t from, to;
-  bool has(VertexIndex v) const { return v >= from && v < to; }
+  std::vector<std::size_t>& end_of;  ///< by vertex, from `from` on: where its parts end in `parts`
+  std::vector<Part>& parts;
+  bool has(VertexIndex v) const { return v - from < to - from; }  // of unsigned numbers
 };
 
 /// Those of the edges whose first vertex is in the window.
-void add_parts(std::span<const Vec3> points, const Tetrahedron& t, const Window& window, std::vector<Part>& parts) {
-  if (std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return window.has(v); })) return;
+void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
+  if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;  // one branch, not four
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
   for (const auto& e : edge_vertices) {
@@ -50,8 +53,9 @@ void add_parts(std::span<const Vec3> points, const Tetrahedron& t, const Window&
     for (unsigned k = 0; k < 4; ++k)
       if (k != e[0] && k != e[1]) rest[n++] = k;
     const Vec3 &a = points[t[e[0]]], &b = points[t[e[1]]], &c = points[t[rest[0]]], &d = points[t[rest[1]]];
-    parts.push_back({std::uint64_t{std::min(t[e[0]], t[e[1]])} << 32 | std::max(t[e[0]], t[e[1]]),
-                     dual_piece(a, b, c, d, *centre) + dual_piece(a, b, d, c, *centre)});
+    const auto [first, second] = std::minmax(t[e[0]], t[e[1]]);
+    window.parts[window.end_of[first - window.from]++] = {
+        second, dual_piece(a, b, c, d, *centre) + dual_piece(a, b, d, c, *centre)};
   }
 }
 
@@ -86,20 +90,32 @@ void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedro
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;
   const std::size_t at_once = std::max(least_at_once, 6 * tetrahedra.size() / n_windows);
-  std::vector<Part> parts;
+  // For the largest of all windows, so that it never grows.
+  std::vector<Part> parts(
+      points.empty()
+          ? 0
+          : std::min(6 * tetrahedra.size(),
+                     std::max<std::size_t>(at_once, *std::max_element(n_parts_at.begin(), n_parts_at.end()))));
+  std::vector<std::size_t> begin_of, end_of;
   for (std::size_t from = 0; from < points.size();) {
     std::size_t to = from, n = 0;
     do {
       n += n_parts_at[to++];
     } while (to < points.size() && n + n_parts_at[to] <= at_once);
-    parts.clear();
-    parts.reserve(n);
-    for (const Tetrahedron& t : tetrahedra) add_parts(points, t, {from, to}, parts);
-    std::stable_sort(parts.begin(), parts.end(), [](const Part& x, const Part& y) { return x.edge < y.edge; });
-    for (std::size_t i = 0, j = 0; i < parts.size(); i = j) {
-      double area = 0;
-      for (j = i; j < parts.size() && parts[j].edge == parts[i].edge; ++j) area += parts[j].area;
-      use({static_cast<VertexIndex>(parts[i].edge >> 32), static_cast<VertexIndex>(parts[i].edge), area});
+    begin_of.assign(1, 0);
+    for (std::size_t v = from; v < to; ++v) begin_of.push_back(begin_of.back() + n_parts_at[v]);
+    end_of.assign(begin_of.begin(), begin_of.end() - 1);
+    Window window{from, to, end_of, parts};
+    for (const Tetrahedron& t : tetrahedra) add_parts(points, t, window);
+    for (std::size_t v = from; v < to; ++v) {
+      const auto begin = parts.begin() + static_cast<std::ptrdiff_t>(begin_of[v - from]),
+                 end = parts.begin() + static_cast<std::ptrdiff_t>(end_of[v - from]);
+      std::stable_sort(begin, end, [](const Part& x, const Part& y) { return x.second < y.second; });
+      for (auto i = begin, j = begin; i != end; i = j) {
+        double area = 0;
+        for (j = i; j != end && j->second == i->second; ++j) area += j->area;
+        use({static_cast<VertexIndex>(v), i->second, area});
+      }
     }
     from = to;
   }

@@ -40,36 +40,45 @@ std::string rock_name(std::int32_t region) {
 }
 
 /// Ten columns, as many digits as fit: where that is too long, what is over is left out.
-std::string ten(double value) {
-  constexpr std::size_t columns = 10;
-  for (int digits = 9; digits > 0;) {
-    char buffer[32];
-    std::string text(buffer,
-                     std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr);
-    if (text.size() <= columns) {
-      std::replace(text.begin(), text.end(), 'e', 'E');
-      return std::string(columns - text.size(), ' ') + text;
+class Ten {
+ public:
+  explicit Ten(double value) {
+    std::fill_n(text_, columns, ' ');
+    // Of nine digits a sign and "0." take one or two columns too many: that need not be tried.
+    for (int digits = 9 - (std::signbit(value) ? 1 : 0) - (std::abs(value) < 1 ? 1 : 0); digits > 0;) {
+      char buffer[32];
+      char* const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+      const auto size = static_cast<std::size_t>(end - buffer);
+      if (size <= columns) {
+        std::replace_copy(buffer, end, text_ + columns - size, 'e', 'E');
+        return;
+      }
+      digits -= static_cast<int>(size - columns);
     }
-    digits -= static_cast<int>(text.size() - columns);
+    text_[columns - 1] = '0';
   }
-  return "         0";
-}
+  operator std::string_view() const { return {text_, columns}; }
+
+ private:
+  static constexpr std::size_t columns = 10;
+  char text_[columns];
+};
 
 void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& grid) {
   out << "ELEME----1----*----2----*----3----*----4----*----5----*----6----*----7----*----8\n";
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const Vec3& p = mesh.points[v];
-    out << element_name(v) << "          " << rock_name(grid.region[v]) << ten(grid.volume[v]) << "                    "
-        << ten(p.x) << ten(p.y) << ten(p.z) << "\n";
+    out << element_name(v) << "          " << rock_name(grid.region[v]) << Ten(grid.volume[v]) << "                    "
+        << Ten(p.x) << Ten(p.y) << Ten(p.z) << "\n";
   }
   out << "\nCONNE----1----*----2----*----3----*----4----*----5----*----6----*----7----*----8\n";
   for (const auto& c : grid.connections) {
     const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
     const double length = std::sqrt(dot(along, along));
     // Direction 1; the last number is the cosine between the line from the first element to the second and gravity.
-    const std::string half = ten(length / 2);
-    out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << ten(c.area)
-        << ten(-along.z / length) << "\n";
+    const Ten half(length / 2);
+    out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << Ten(c.area)
+        << Ten(-along.z / length) << "\n";
   }
   out << "\n";
 }

@@ -74,9 +74,9 @@ class AcrossFaces {
   }
   /// The smallest vertex of a tetrahedron is that of three of its faces, the second that of the fourth.
   static std::pair<VertexIndex, VertexIndex> two_smallest(const Tetrahedron& v) {
-    const auto [a, b] = std::minmax(v[0], v[1]);
-    const auto [c, d] = std::minmax(v[2], v[3]);
-    return a < c ? std::pair{a, std::min(b, c)} : std::pair{c, std::min(a, d)};
+    // Without branches: which vertex is smaller cannot be foretold.
+    const VertexIndex a = std::min(v[0], v[1]), c = std::min(v[2], v[3]);
+    return {std::min(a, c), std::min(std::max(a, c), std::min(std::max(v[0], v[1]), std::max(v[2], v[3])))};
   }
   /// The `n` faces whose smallest vertex is from `from` to before `to`.
   void collect(std::size_t from, std::size_t to, std::size_t n) {
@@ -91,8 +91,11 @@ class AcrossFaces {
         if (is_here(own[0])) uses_.push_back({own, 4 * t + i});
       }
     });
-    std::sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
-      return a.vertices != b.vertices ? a.vertices < b.vertices : a.code < b.code;
+    const auto rest = [](const Use& a) { return std::uint64_t{a.vertices[1]} << 32 | a.vertices[2]; };
+    std::sort(uses_.begin(), uses_.end(), [&](const Use& a, const Use& b) {
+      if (a.vertices[0] != b.vertices[0]) return a.vertices[0] < b.vertices[0];
+      const std::uint64_t of_a = rest(a), of_b = rest(b);
+      return of_a != of_b ? of_a < of_b : a.code < b.code;
     });
   }
   void pair_up(std::vector<Neighbours>& across) const {

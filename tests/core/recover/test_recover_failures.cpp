@@ -49,7 +49,7 @@ TEST_CASE("where doubles leave no room recovery ends with the place and the cell
 }
 
 TEST_CASE("where the boundary cannot be kept recovery ends with the place and the cells there", "[recover]") {
-  check_failure(in_ulps("chazelle_2", 64), preserving_mode(), ErrorKind::cannot_mesh);
+  check_failure(in_ulps("chazelle_4", 64), preserving_mode(), ErrorKind::cannot_mesh);
 }
 
 TEST_CASE("where segments cross recovery ends with the place and the cells there", "[recover]") {
