@@ -46,7 +46,7 @@ void read_extent(const YamlValue& value, SurfaceSpec& spec) {
 
 const std::vector<std::string_view>& surface_rule_keys() {
   static const std::vector<std::string_view> keys{"cuts", "extend",   "fill_holes", "extent",
-                                                  "base", "throw_at", "thickness"};
+                                                  "base", "throw_at", "thickness",  "smeared_throw"};
   return keys;
 }
 
@@ -78,6 +78,11 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
     if (!spec.rules.throw_auto) spec.rules.throw_at = read_names(*v);
     if (spec.kind != SurfaceKind::horizon)
       v->problem("only a horizon has throw; name the faults at the horizons that they displace");
+  }
+  if (const auto v = map.find("smeared_throw")) {
+    spec.rules.cut_smeared = v->choice({"cut", "keep"}) != "keep";
+    if (!spec.rules.throw_auto && spec.rules.throw_at.empty())
+      v->problem("it goes with throw_at, which names the faults across which the horizon has throw");
   }
   if (const auto v = map.find("base")) {
     const auto word = v->choice({"conformable", "erode", "onlap"});

@@ -8,6 +8,7 @@
 #include "rules/dyke.hpp"
 #include "rules/extend.hpp"
 #include "rules/fault_ends.hpp"
+#include "rules/smeared_throw.hpp"
 #include "rules/thin_layers.hpp"
 #include "rules/throw_blocks.hpp"
 #include "stack/settle_stack.hpp"
@@ -53,23 +54,72 @@ void build_body(TriangulatedSurface& body, const SurfaceRules& rule, const std::
   }
 }
 
+/// Ramps across faults made anew, where all faults of the horizon go through the model; else told.
+RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults,
+                            const std::vector<std::string>& stopped, const std::vector<TriangulatedSurface>& surfaces,
+                            const BuildLog& log) {
+  std::vector<const TriangulatedSurface*> through, short_of;
+  for (const ThrowFault& f : faults) {
+    const bool stops = std::find(stopped.begin(), stopped.end(), f.surface->name) != stopped.end();
+    (stops || f.first_made < f.surface->triangles.size() ? short_of : through).push_back(f.surface);
+  }
+  std::vector<const TriangulatedSurface*> others, all;
+  for (const TriangulatedSurface& s : surfaces) {
+    if (s.kind != SurfaceKind::fault) continue;
+    all.push_back(&s);
+    if (std::none_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return f.surface == &s; }))
+      others.push_back(&s);
+  }
+  if (short_of.empty()) return restore_smeared_throw(horizon, through, others, log);
+  for (const ThrowFault& f : faults)
+    if (has_smeared_throw(horizon, *f.surface, all))
+      log.warnings.push_back("horizon " + horizon.name + ": its throw is smeared across " + f.surface->name +
+                             ", and the ramp stays, since " + short_of.front()->name +
+                             " ends inside the model or at another surface; let it reach through the model (extent: "
+                             "to_box)");
+  return {};
+}
+
+/// One sheet on both sides of all of its faults, which go through the model: parting it would take one side away.
+bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults) {
+  TriangulatedSurface copy = horizon;
+  std::vector<std::string> notes, warnings;
+  return std::all_of(faults.begin(), faults.end(),
+                     [&](const ThrowFault& f) {
+                       return f.first_made == f.surface->triangles.size() && lies_on_both_sides(horizon, *f.surface);
+                     }) &&
+         BuiltRows::n_blocks(sort_into_blocks(copy, faults, Extend::flat, {}, {notes, warnings})) == 1;
+}
+
 /// The blocks of a horizon with throw, each continued on its own.
-std::vector<Index> build_blocks(TriangulatedSurface& surface, const SurfaceRules& rule,
-                                const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& rows,
-                                const Box3& box, const BuildLog& log) {
+void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, const BuildLog& log) {
+  TriangulatedSurface& surface = built.surfaces[s];
+  const SurfaceRules rule = rules.of(s);
   std::vector<ThrowFault> faults;
+  std::vector<std::string> stopped;
   for (const std::string& name : rule.throw_at) {
-    const std::size_t row = throw_fault(surfaces, surface, name);
-    const auto n = static_cast<Index>(surfaces[row].triangles.size());
-    faults.push_back({&surfaces[row], std::min(n, rows.first_only_parting[row])});
+    const std::size_t row = throw_fault(built.surfaces, surface, name);
+    const auto n = static_cast<Index>(built.surfaces[row].triangles.size());
+    faults.push_back({&built.surfaces[row], std::min(n, built.rows.first_only_parting[row])});
+    if (!rules.of(row).stop_at.empty()) stopped.push_back(name);
+  }
+  RestoredThrow restored;
+  if (rule.cut_smeared) restored = restore_ramps(surface, faults, stopped, built.surfaces, log);
+  if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
+  const bool is_whole = restored.sheet.empty() && stays_whole(surface, faults);
+  if (is_whole) {
+    log.warnings.push_back("horizon " + surface.name + ": it runs on across " + faults.front().surface->name +
+                           " as one sheet, and no throw is restored: it stays as given (give it block by block)");
+    if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
+    return;
   }
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
-  std::vector<Index> block = sort_into_blocks(surface, faults, how, box, log);
+  std::vector<Index> block = sort_into_blocks(surface, faults, how, *rules.box, log, restored.sheet);
   if (BuiltRows::n_blocks(block) == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
-  extend_blocks(surface, block, how, box, log);
-  return block;
+  extend_blocks(surface, block, how, *rules.box, log);
+  built.rows.block_of_triangle[s] = std::move(block);
 }
 
 }  // namespace
@@ -106,7 +156,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
     if (surface.kind == SurfaceKind::body) {
       build_body(surface, rule, rules.box, log);
     } else if (!rule.throw_at.empty() && !surface.triangles.empty()) {
-      built.rows.block_of_triangle[s] = build_blocks(surface, rule, built.surfaces, built.rows, *rules.box, log);
+      build_blocks(built, s, rules, log);
     } else if (rule.extend != Extend::none) {
       extend_to_box(surface, rule.extend, *rules.box, log);
     }

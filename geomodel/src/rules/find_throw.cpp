@@ -18,6 +18,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
+#include "rules/smeared_throw.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -210,12 +211,24 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
   if (!any) return;
   std::vector<FaultSides> faults;
   std::vector<std::string> names;
+  std::vector<const TriangulatedSurface*> fault_surfaces;
   for (const TriangulatedSurface& s : surfaces)
-    if (s.kind == SurfaceKind::fault && !s.triangles.empty()) faults.emplace_back(s), names.push_back(s.name);
+    if (s.kind == SurfaceKind::fault && !s.triangles.empty()) {
+      faults.emplace_back(s);
+      names.push_back(s.name);
+      fault_surfaces.push_back(&s);
+    }
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     if (!rules.surfaces[s].throw_auto) continue;
     const std::vector<Found> found = throws_of(surfaces[s], faults);
     for (std::size_t f = 0; f < found.size(); ++f) {
+      if (!found[f].displaces() && rules.surfaces[s].cut_smeared &&
+          has_smeared_throw(surfaces[s], *fault_surfaces[f], fault_surfaces)) {
+        rules.surfaces[s].throw_at.push_back(names[f]);
+        notes.push_back("horizon " + surfaces[s].name + ": throw across " + names[f] +
+                        " found from the data, smeared along it");
+        continue;
+      }
       if (found[f].n_stretches == 0) continue;
       const std::string of = " of " + std::to_string(found[f].n_stretches) + " stretches along it";
       if (found[f].displaces()) {

@@ -208,13 +208,14 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, co
 }  // namespace
 
 std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, Extend how,
-                                    const Box3& box, const BuildLog& log) {
+                                    const Box3& box, const BuildLog& log, const std::vector<Index>& sheet) {
   const bool one_ends_inside = std::any_of(
       faults.begin(), faults.end(), [](const ThrowFault& f) { return f.first_made < f.surface->triangles.size(); });
   if (!one_ends_inside) {
-    const std::vector<Index> sheet =
-        sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
-    return blocks_of_sheets(horizon, sheet, faults, [](Index) { return true; });
+    const auto all = [](Index, Index) { return true; };
+    const std::vector<Index> joined =
+        sheet.empty() ? sheets_of(horizon.triangles.size(), neighbours_in(horizon), all) : sheet;
+    return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
   }
   const Ends ends(horizon, faults);
   std::vector<Index> block = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });

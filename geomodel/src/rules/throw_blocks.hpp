@@ -25,8 +25,11 @@ struct ThrowFault {
 /// a gap there, triangles that join them come too, which are appended to the horizon. What crosses the fault itself,
 /// and what lies beyond it without going round its tip, is in no block (BuiltRows::of_no_block): the blocks are
 /// continued to the fault in its place.
+///
+/// With `sheet`, one number per triangle, those of one number are a sheet; else those that hang together by edges.
+/// Faults that end inside take no sheets from there.
 std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, Extend how,
-                                    const Box3& box, const BuildLog& log);
+                                    const Box3& box, const BuildLog& log, const std::vector<Index>& sheet = {});
 
 /// Continues each block to beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then run
 /// through each other; trim_soup ends them at the faults.

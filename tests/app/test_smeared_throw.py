@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Horizon grids that run across their faults as ramps: with throw_at the throw is restored, told, and the blocks have their true volumes."""
+import math
+
+from geomesh_program import ProgramTest, main, plane_ts, triangles_ts
+
+STEP, WIDTH, LENGTH, BOTTOM = 50.0, 4000.0, 2000.0, -2000.0
+COTANGENT = 1 / math.tan(math.radians(60))
+
+
+class SmearedThrow(ProgramTest):
+    """Box of 3.6 by 1.6 km; a fault (or two) along y that dips to the east; the horizon h lies lower by the throw east of each."""
+
+    def fault(self, name, at):
+        off = 1000 * COTANGENT
+        self.write(name + ".ts", plane_ts(name, [(at - off, 100, 0), (at - off, 1900, 0), (at + off, 1900, BOTTOM), (at + off, 100, BOTTOM)]))
+
+    @staticmethod
+    def level(x):
+        return -1000 + 0.04 * (x - 2000)
+
+    def horizon(self, faults, half_width, torn=False):
+        """`faults`: (place, throw) by fault."""
+        nx, ny = round(WIDTH / STEP) + 1, round(LENGTH / STEP) + 1
+        points, there = [], []
+        for j in range(ny):
+            for i in range(nx):
+                x, z, stays = STEP * i, self.level(STEP * i), True
+                for at, throw in faults:
+                    d = x - at + (z + 1000) * COTANGENT
+                    stays = stays and (not torn or abs(d) > half_width)
+                    z -= throw * (0.5 + 0.5 * max(-1.0, min(1.0, d / half_width)))
+                points.append((x, STEP * j, z))
+                there.append(stays)
+        corners = [(j * nx + i, j * nx + i + 1) for j in range(ny - 1) for i in range(nx - 1)]
+        triangles = [t for a, b in corners for t in ((a, b, b + nx), (a, b + nx, a + nx)) if all(there[v] for v in t)]
+        self.write("h.ts", triangles_ts("h", points, triangles))
+
+    def mesh(self, names, rule):
+        entries = "".join(f"  - {{name: {name}, kind: fault, file: {name}.ts, extent: to_box}}\n" for name in names)
+        project = self.write("model.yaml", "name: model\nbox: {min: [200, 200, -2000], max: [3800, 1800, 0]}\nsurfaces:\n"
+                             f"  - {{name: h, kind: horizon, file: h.ts, {rule}}}\n" + entries +
+                             "column: [upper, h, lower]\nrules: {fault_blocks: true}\noutput: {directory: out}\n")
+        self.run_program(project)
+        report = self.report(self.path("out", "model.report.json"))
+        check = self.check(self.path("out", "model.vtu"), "--project", project)
+        return report, {region["name"]: region["volume"] for region in check["regions"]}
+
+    def lower_volumes(self, faults):
+        """Of the blocks from west to east, below h: integrated over levels of the fault planes."""
+        volumes, down = [], 0.0
+        west = None
+        for at, throw in faults + [(None, 0.0)]:
+            area, n = 0.0, 4000
+            for k in range(n):  # slices of z
+                z = BOTTOM + (k + 0.5) * -BOTTOM / n
+                low = 200.0 if west is None else west - (z + 1000) * COTANGENT
+                high = 3800.0 if at is None else at - (z + 1000) * COTANGENT
+                # h lies above z where level(x) - down > z
+                low = max(low, 2000 + (z + down + 1000) / 0.04)
+                area += max(0.0, high - low) * -BOTTOM / n
+            volumes.append(1600 * area)
+            west, down = at, down + throw
+        return volumes
+
+    def assert_restored(self, faults, half_width, rule, torn=False):
+        names = [f"f{k + 1}" for k in range(len(faults))]
+        for name, (at, _) in zip(names, faults):
+            self.fault(name, at)
+        self.horizon(faults, half_width, torn)
+        report, volumes = self.mesh(names, rule)
+        self.assertEqual(sorted(volumes), sorted(f"{unit}__B{k + 1}" for unit in ("upper", "lower") for k in range(len(names) + 1)), report["warnings"])
+        found = sorted(v for name, v in volumes.items() if name.startswith("lower"))
+        for one, other in zip(found, sorted(self.lower_volumes(faults))):
+            self.assertAlmostEqual(one, other, delta=0.003 * 60 * 2000 * 1600)
+        self.assertAlmostEqual(sum(volumes.values()), 3600 * 1600 * 2000, delta=10)
+        return report
+
+    def test_one_fault_named(self):
+        report = self.assert_restored([(2000, 60)], 120, "throw_at: [f1]")
+        told = [text for text in report["notes"] if "throw smeared across f1" in text]
+        self.assertEqual(len(told), 1, report["notes"])
+        throws = [float(told[0].split(word + " ")[1].split(",")[0].split()[0]) for word in ("least", "mean", "largest")]
+        for throw in throws:
+            self.assertAlmostEqual(throw, 60, delta=0.6)
+
+    def test_two_faults_found(self):
+        report = self.assert_restored([(1300, 60), (2900, 40)], 90, "throw_at: auto")
+        for fault in ("f1", "f2"):
+            self.assertTrue(any("throw smeared across " + fault in text for text in report["notes"]), report["notes"])
+
+    def test_undefined_strips(self):
+        self.assert_restored([(1300, 60), (2900, 40)], 90, "throw_at: auto, extend: tangent", torn=True)
+
+    def test_a_ramp_that_is_kept(self):
+        self.fault("f1", 2000)
+        self.horizon([(2000, 60)], 120)
+        report, volumes = self.mesh(["f1"], "throw_at: [f1], smeared_throw: keep")
+        self.assertEqual(sorted(volumes), ["lower__B1", "lower__B2", "upper__B1", "upper__B2"])
+        self.assertTrue(any("stays as given" in text for text in report["warnings"]), report["warnings"])
+        self.assertFalse(any("smeared" in text for text in report["notes"]), report["notes"])
+
+    def test_a_fault_that_ends_inside(self):
+        self.write("f1.ts", plane_ts("f1", [(2000, 100, 0), (2000, 1000, 0), (2000, 1000, BOTTOM), (2000, 100, BOTTOM)]))
+        self.horizon([(2000, 60)], 120)
+        project = self.write("model.yaml", "name: model\nbox: {min: [200, 200, -2000], max: [3800, 1800, 0]}\nsurfaces:\n"
+                             "  - {name: h, kind: horizon, file: h.ts, throw_at: [f1]}\n  - {name: f1, kind: fault, file: f1.ts}\n"
+                             "column: [upper, h, lower]\noutput: {directory: out}\n")
+        self.run_program(project)
+        report = self.report(self.path("out", "model.report.json"))
+        self.assertTrue(any("smeared across f1" in text and "the ramp stays" in text for text in report["warnings"]), report["warnings"])
+
+
+if __name__ == "__main__":
+    main()
