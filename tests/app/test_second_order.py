@@ -249,12 +249,12 @@ class Curved(ProgramTest):
         self.assertIn("first order", self.run_program("convert", "model.vtu", "-o", "model.mesh"))
 
     def test_convert_keeps_values_at_midpoints(self):
-        """A quadratic function of the place, of another tool: at midpoints it is not the mean of the ends."""
+        """A quadratic function of the place, of another tool, without faces: at midpoints it is not the mean of the ends."""
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
         places = corners + [tuple((p + q) / 2 for p, q in zip(corners[i], corners[j])) for i, j in ((0, 1), (1, 2), (2, 0), (0, 3), (2, 3), (1, 3))]
         value = {p: p[0] ** 2 + 3 * p[1] * p[2] - 0.1 * p[1] + 7 for p in places}
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", "10"] + ["%d %g %g %g" % (i + 1, *p) for i, p in enumerate(places)]
-        lines += ["$EndNodes", "$Elements", "2", "1 11 2 1 1 1 2 3 4 5 6 7 8 9 10", "2 9 2 2 2 1 3 2 7 6 5", "$EndElements", "$NodeData", "1", '"heat"', "1", "0", "3", "0", "1", "10"]
+        lines += ["$EndNodes", "$Elements", "1", "1 11 2 1 1 1 2 3 4 5 6 7 8 9 10", "$EndElements", "$NodeData", "1", '"heat"', "1", "0", "3", "0", "1", "10"]
         self.write("other.msh", "\n".join(lines + ["%d %.17g" % (i + 1, value[p]) for i, p in enumerate(places)] + ["$EndNodeData"]) + "\n")
         self.run_program("convert", "other.msh", "-o", "model.vtu")
         self.assertEqual(self.values_by_place("model", "heat"), value)

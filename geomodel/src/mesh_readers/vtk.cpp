@@ -65,7 +65,7 @@ class QuietVtk {
   int before_;
 };
 
-/// A mesh holds points; a model may have no curve.
+/// A mesh holds points; a model may have no curve, and another tool's mesh no face.
 enum class May { not_be_empty, be_empty };
 
 /// Runs the reader; refuses where it left nothing.
@@ -369,7 +369,9 @@ MeshFile read_vtk_mesh(const std::filesystem::path& path) {
 
 FacesFile read_faces_file(const std::filesystem::path& path) {
   vtkNew<vtkXMLPolyDataReader> reader;
-  read_xml(*reader, path);
+  require_readable(path);
+  const bool says_none = text_of(path).find("NumberOfPoints=\"0\"") != std::string::npos;
+  read_xml(*reader, path, says_none ? May::be_empty : May::not_be_empty);
   vtkPolyData& data = *reader->GetOutput();
   FacesFile faces;
   bool single_precision = false;
