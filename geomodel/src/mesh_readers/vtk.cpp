@@ -85,9 +85,10 @@ void read_xml(Reader& reader, const std::filesystem::path& path, May may = May::
   require_readable(path);
   if (!reader.CanReadFile(path.string().c_str()))
     refuse(path, "is not a VTK XML file of the kind that its extension says");
-  const std::string fault = fault_of_vtk_elements(text_of(path), std::filesystem::file_size(path));
+  const std::string text = text_of(path), fault = fault_of_vtk_elements(text, std::filesystem::file_size(path));
   if (!fault.empty()) refuse(path, fault);
-  update(reader, path, may);
+  const bool says_none = text.find("NumberOfPoints=\"0\"") != std::string::npos;  // a read that failed leaves none too
+  update(reader, path, says_none ? may : May::not_be_empty);
 }
 
 std::vector<Vec3> points_of(vtkPointSet& data, bool& single_precision) {
@@ -369,9 +370,7 @@ MeshFile read_vtk_mesh(const std::filesystem::path& path) {
 
 FacesFile read_faces_file(const std::filesystem::path& path) {
   vtkNew<vtkXMLPolyDataReader> reader;
-  require_readable(path);
-  const bool says_none = text_of(path).find("NumberOfPoints=\"0\"") != std::string::npos;
-  read_xml(*reader, path, says_none ? May::be_empty : May::not_be_empty);
+  read_xml(*reader, path, May::be_empty);
   vtkPolyData& data = *reader->GetOutput();
   FacesFile faces;
   bool single_precision = false;

@@ -10,6 +10,7 @@
 #include "rules/fault_ends.hpp"
 #include "rules/smeared_throw.hpp"
 #include "rules/thin_layers.hpp"
+#include "rules/throw/throw_ramp.hpp"
 #include "rules/throw_blocks.hpp"
 #include "stack/settle_stack.hpp"
 
@@ -63,17 +64,18 @@ RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<Thro
     const bool stops = std::find(stopped.begin(), stopped.end(), f.surface->name) != stopped.end();
     (stops || f.first_made < f.surface->triangles.size() ? short_of : through).push_back(f.surface);
   }
-  std::vector<const TriangulatedSurface*> others, all;
-  for (const TriangulatedSurface& s : surfaces) {
-    if (s.kind != SurfaceKind::fault) continue;
-    all.push_back(&s);
-    if (std::none_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return f.surface == &s; }))
-      others.push_back(&s);
-  }
+  std::vector<const TriangulatedSurface*> others;
+  for (const TriangulatedSurface& surface : surfaces)
+    if (surface.kind == SurfaceKind::fault &&
+        std::none_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return f.surface == &surface; }))
+      others.push_back(&surface);
   if (short_of.empty()) return restore_smeared_throw(horizon, through, others, log);
-  for (const ThrowFault& f : faults)
-    if (has_smeared_throw(horizon, *f.surface, all))
-      log.warnings.push_back("horizon " + horizon.name + ": its throw is smeared across " + f.surface->name +
+  std::vector<FaultFaces> faces;
+  for (const ThrowFault& f : faults) faces.emplace_back(*f.surface);
+  for (const TriangulatedSurface* other : others) faces.emplace_back(*other);
+  for (std::size_t f = 0; f < faults.size(); ++f)
+    if (has_smeared_throw(horizon, faces, f))
+      log.warnings.push_back("horizon " + horizon.name + ": its throw is smeared across " + faults[f].surface->name +
                              ", and the ramp stays, since " + short_of.front()->name +
                              " ends inside the model or at another surface; let it reach through the model (extent: "
                              "to_box)");
@@ -86,7 +88,8 @@ bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFaul
   std::vector<std::string> notes, warnings;
   return std::all_of(faults.begin(), faults.end(),
                      [&](const ThrowFault& f) {
-                       return f.first_made == f.surface->triangles.size() && lies_on_both_sides(horizon, *f.surface);
+                       return f.first_made == f.surface->triangles.size() &&
+                              lies_on_both_sides(horizon, FaultFaces(*f.surface));
                      }) &&
          BuiltRows::n_blocks(sort_into_blocks(copy, faults, Extend::flat, {}, {notes, warnings})) == 1;
 }

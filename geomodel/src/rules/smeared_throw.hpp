@@ -9,16 +9,6 @@
 
 namespace geomesh::geomodel {
 
-/// Whether the horizon crosses the fault as a ramp in at least a quarter of the stretches along the fault. A ramp is
-/// steeper across the fault than the median slope further out on both sides, by three times the spread of slopes there.
-/// Horizons that are not single-valued have none. Places that are nearer to one of `others` do not count. Cost: nodes
-/// near the fault times its triangles.
-bool has_smeared_throw(const TriangulatedSurface& horizon, const TriangulatedSurface& fault,
-                       const std::vector<const TriangulatedSurface*>& others);
-
-/// Whether the horizon is single-valued and a tenth of its area at least lies on either side of the fault.
-bool lies_on_both_sides(const TriangulatedSurface& horizon, const TriangulatedSurface& fault);
-
 /// What became of a horizon whose throw was restored.
 struct RestoredThrow {
   std::vector<Index> sheet;  ///< per triangle: those of one number are one sheet; empty: nothing was done

@@ -18,7 +18,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
-#include "rules/smeared_throw.hpp"
+#include "rules/throw/throw_ramp.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -35,67 +35,6 @@ constexpr double share_of_stretches = 0.25;
 constexpr double share_of_points = 0.75;  // that are fitted; the others may be overshoot
 constexpr double spread_of_all = 1.9;     // by that of the nearest three quarters, of normal errors
 constexpr int rounds_of_fit = 6;
-
-/// A fault's triangles with normals to one side, and its strike.
-class FaultSides {
- public:
-  explicit FaultSides(const TriangulatedSurface& fault) {
-    const UpwardSides up = orient_upward(fault);
-    Vec3 sum{};
-    for (Index t = 0; t < fault.triangles.size(); ++t) {
-      const Triangle& v = fault.triangles[t];
-      const Vec3 a = fault.points[v[0]], u = fault.points[v[1]] - a, w = fault.points[v[2]] - a;
-      const Vec3 n = (up.as_stored[t] ? 1.0 : -1.0) * cross(u, w);
-      if (!(norm(n) > 0)) continue;
-      sum = sum + n;
-      Face face{a, u, w, (1 / norm(n)) * n, {}};
-      for (const VertexIndex corner : v) {
-        face.bounds.add(fault.points[corner]);
-        bounds_.add(fault.points[corner]);
-      }
-      faces_.push_back(face);
-    }
-    const double across = std::hypot(sum.x, sum.y);
-    if (across > 0) strike_ = {-sum.y / across, sum.x / across};
-  }
-
-  /// Signed distance from the nearest triangle that is over or under p along its own normal, within reach.
-  std::optional<double> distance(const Vec3& p, double reach) const {
-    std::optional<double> nearest;
-    for (const Face& f : faces_) {
-      if (p.x < f.bounds.min.x - reach || p.x > f.bounds.max.x + reach || p.y < f.bounds.min.y - reach ||
-          p.y > f.bounds.max.y + reach || p.z < f.bounds.min.z - reach || p.z > f.bounds.max.z + reach)
-        continue;
-      const double d = dot(p - f.a, f.normal);
-      if (std::abs(d) > (nearest ? std::abs(*nearest) : reach)) continue;
-      const Vec3 q = p - d * f.normal - f.a;
-      const double uu = dot(f.u, f.u), uw = dot(f.u, f.w), ww = dot(f.w, f.w), qu = dot(q, f.u), qw = dot(q, f.w);
-      const double whole = uu * ww - uw * uw, s = (ww * qu - uw * qw) / whole, t = (uu * qw - uw * qu) / whole;
-      constexpr double beside = 0.05;  // so that places between two triangles of a bend are over one of them
-      if (s >= -beside && t >= -beside && s + t <= 1 + beside) nearest = d;
-    }
-    return nearest;
-  }
-  /// In the map.
-  double extent() const { return std::hypot(bounds_.max.x - bounds_.min.x, bounds_.max.y - bounds_.min.y); }
-  bool may_be_near(const std::array<Vec3, 3>& corners, double reach) const {
-    Box3 box;
-    for (const Vec3& p : corners) box.add(p);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (box.min[i] > bounds_.max[i] + reach || box.max[i] < bounds_.min[i] - reach) return false;
-    return true;
-  }
-  double along_strike(const Vec3& p) const { return strike_.x * p.x + strike_.y * p.y; }
-
- private:
-  struct Face {
-    Vec3 a, u, w, normal;
-    Box3 bounds;
-  };
-  std::vector<Face> faces_;
-  Box3 bounds_;
-  Vec2 strike_{1, 0};
-};
 
 /// A point of the horizon beside a fault.
 struct BesidePoint {
@@ -142,10 +81,7 @@ double median_edge(const TriangulatedSurface& surface) {
   std::vector<double> lengths;
   for (const Triangle& t : surface.triangles)
     for (std::size_t i = 0; i < 3; ++i) lengths.push_back(norm(surface.points[t[i]] - surface.points[t[(i + 1) % 3]]));
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
 /// What was found of one fault.
@@ -169,16 +105,16 @@ void for_each_sample(const std::array<Vec3, 3>& corners, double spacing, F&& vis
 }
 
 /// By fault: the places of the horizon that are nearest to it, by stretches along its strike.
-std::vector<Found> throws_of(const TriangulatedSurface& horizon, const std::vector<FaultSides>& faults) {
+std::vector<Found> throws_of(const TriangulatedSurface& horizon, const std::vector<FaultFaces>& faults) {
   double edge = median_edge(horizon);
-  for (const FaultSides& fault : faults) edge = std::min(edge, least_stretches * fault.extent());
+  for (const FaultFaces& fault : faults) edge = std::min(edge, least_stretches * fault.extent());
   const double reach = band_of_edges * edge;
   std::vector<std::map<long, std::vector<BesidePoint>>> stretches(faults.size());
   const auto add = [&](const Vec3& p) {
     std::size_t own = faults.size();
     double across = reach;
     for (std::size_t f = 0; f < faults.size(); ++f)
-      if (const auto d = faults[f].distance(p, std::abs(across))) own = f, across = *d;
+      if (const auto d = faults[f].distance_over(p, std::abs(across))) own = f, across = *d;
     if (own == faults.size()) return;
     const double along = faults[own].along_strike(p);
     stretches[own][std::lround(along / (stretch_of_edges * edge))].push_back({across, along, p.z});
@@ -186,7 +122,7 @@ std::vector<Found> throws_of(const TriangulatedSurface& horizon, const std::vect
   for (const Triangle& t : horizon.triangles) {
     const std::array<Vec3, 3> corners{horizon.points[t[0]], horizon.points[t[1]], horizon.points[t[2]]};
     const bool is_near = std::any_of(faults.begin(), faults.end(),
-                                     [&](const FaultSides& fault) { return fault.may_be_near(corners, reach); });
+                                     [&](const FaultFaces& fault) { return fault.may_be_near(corners, reach); });
     if (is_near) for_each_sample(corners, edge, add);
   }
   std::vector<Found> found(faults.size());
@@ -209,21 +145,18 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
   const bool any = std::any_of(rules.surfaces.begin(), rules.surfaces.end(),
                                [](const SurfaceRules& rule) { return rule.throw_auto; });
   if (!any) return;
-  std::vector<FaultSides> faults;
+  std::vector<FaultFaces> faults;
   std::vector<std::string> names;
-  std::vector<const TriangulatedSurface*> fault_surfaces;
   for (const TriangulatedSurface& s : surfaces)
     if (s.kind == SurfaceKind::fault && !s.triangles.empty()) {
       faults.emplace_back(s);
       names.push_back(s.name);
-      fault_surfaces.push_back(&s);
     }
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     if (!rules.surfaces[s].throw_auto) continue;
     const std::vector<Found> found = throws_of(surfaces[s], faults);
     for (std::size_t f = 0; f < found.size(); ++f) {
-      if (!found[f].displaces() && rules.surfaces[s].cut_smeared &&
-          has_smeared_throw(surfaces[s], *fault_surfaces[f], fault_surfaces)) {
+      if (!found[f].displaces() && rules.surfaces[s].cut_smeared && has_smeared_throw(surfaces[s], faults, f)) {
         rules.surfaces[s].throw_at.push_back(names[f]);
         notes.push_back("horizon " + surfaces[s].name + ": throw across " + names[f] +
                         " found from the data, smeared along it");

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/throw/fault_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "naming/sheets.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 u = b - a;
+  const double uu = dot(u, u);
+  return uu > 0 ? a + std::clamp(dot(p - a, u) / uu, 0.0, 1.0) * u : a;
+}
+
+}  // namespace
+
+FaultFaces::FaultFaces(const TriangulatedSurface& fault) {
+  const UpwardSides up = orient_upward(fault);
+  Vec3 sum{};
+  for (Index t = 0; t < fault.triangles.size(); ++t) {
+    const Triangle& v = fault.triangles[t];
+    Face face{{fault.points[v[0]], fault.points[v[1]], fault.points[v[2]]}, {}, {}};
+    const Vec3 n =
+        (up.as_stored[t] ? 1.0 : -1.0) * cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
+    if (!(norm(n) > 0)) continue;
+    sum = sum + n;
+    face.normal = (1 / norm(n)) * n;
+    for (const Vec3& p : face.corners) {
+      face.bounds.add(p);
+      bounds_.add(p);
+    }
+    faces_.push_back(face);
+  }
+  const double level = std::hypot(sum.x, sum.y);
+  if (level > 0) strike_ = {-sum.y / level, sum.x / level};
+}
+
+bool FaultFaces::Face::is_further(const Vec3& p, double reach) const {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < bounds.min[i] - reach || p[i] > bounds.max[i] + reach) return true;
+  return false;
+}
+
+std::pair<double, bool> FaultFaces::Face::distance(const Vec3& p) const {
+  const double off = dot(p - corners[0], normal);
+  const Vec3 foot = p - off * normal, n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  bool is_over = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+    is_over = is_over && dot(cross(b - a, foot - a), n) >= 0;
+    nearest = std::min(nearest, norm(p - nearest_on_segment(p, a, b)));
+  }
+  constexpr double over_a_bend = 1.1;
+  return is_over ? std::pair(std::abs(off), true) : std::pair(nearest, nearest <= over_a_bend * std::abs(off));
+}
+
+std::optional<double> FaultFaces::distance_over(const Vec3& p, double reach) const {
+  std::optional<double> nearest;
+  for (const Face& f : faces_) {
+    if (f.is_further(p, reach)) continue;
+    const Vec3 &a = f.corners[0], u = f.corners[1] - a, w = f.corners[2] - a;
+    const double d = dot(p - a, f.normal);
+    if (std::abs(d) > (nearest ? std::abs(*nearest) : reach)) continue;
+    const Vec3 q = p - d * f.normal - a;
+    const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), qu = dot(q, u), qw = dot(q, w);
+    const double whole = uu * ww - uw * uw, s = (ww * qu - uw * qw) / whole, t = (uu * qw - uw * qu) / whole;
+    constexpr double outside = 0.05;  // so that places between two triangles of a bend are over one of them
+    if (s >= -outside && t >= -outside && s + t <= 1 + outside) nearest = d;
+  }
+  return nearest;
+}
+
+std::optional<Beside> FaultFaces::beside(const Vec3& p, double reach) const {
+  const Face* nearest = nullptr;
+  double least = reach;
+  bool is_within = false;
+  for (const Face& f : faces_) {
+    if (f.is_further(p, least) || std::hypot(f.normal.x, f.normal.y) == 0) continue;
+    const auto [distance, is_over] = f.distance(p);
+    if (distance >= least) continue;
+    least = distance, nearest = &f, is_within = is_over;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  const Vec3& n = nearest->normal;
+  const double level = std::hypot(n.x, n.y);
+  return Beside{least, dot(p - nearest->corners[0], n) / level, along_strike(p), {n.x / level, n.y / level}, is_within};
+}
+
+bool FaultFaces::may_be_near(const std::array<Vec3, 3>& corners, double reach) const {
+  Box3 box;
+  for (const Vec3& p : corners) box.add(p);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (box.min[i] > bounds_.max[i] + reach || box.max[i] < bounds_.min[i] - reach) return false;
+  return true;
+}
+
+double FaultFaces::extent() const { return std::hypot(bounds_.max.x - bounds_.min.x, bounds_.max.y - bounds_.min.y); }
+
+}  // namespace geomesh::geomodel

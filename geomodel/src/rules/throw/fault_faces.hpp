@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A fault as its triangles: on which side of it a place lies, how far off, and where along its strike.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geomesh/geomodel/surface.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+/// A place beside a fault.
+struct Beside {
+  double distance;
+  double across;   ///< in the map at the place's own height, positive above the fault
+  double along;    ///< the strike
+  Vec2 direction;  ///< of `across`
+  bool is_within;  ///< not beyond the fault's end
+};
+
+/// Triangles with normals to one side, boxes about them, and the strike of all. Each query costs O(triangles).
+class FaultFaces {
+ public:
+  explicit FaultFaces(const TriangulatedSurface& fault);
+
+  /// Signed distance from the nearest triangle that is over or under p along its own normal, within reach.
+  std::optional<double> distance_over(const Vec3& p, double reach) const;
+  /// From the nearest triangle that is not level; beyond the fault's ends its plane goes on. Nothing further off than
+  /// reach.
+  std::optional<Beside> beside(const Vec3& p, double reach) const;
+  bool may_be_near(const std::array<Vec3, 3>& corners, double reach) const;
+  double along_strike(const Vec3& p) const { return strike_.x * p.x + strike_.y * p.y; }
+  /// In the map.
+  double extent() const;
+
+ private:
+  struct Face {
+    std::array<Vec3, 3> corners;
+    Vec3 normal;
+    Box3 bounds;
+    bool is_further(const Vec3& p, double reach) const;
+    /// Over the triangle, or nearly so over a bend between two.
+    std::pair<double, bool> distance(const Vec3& p) const;
+  };
+
+  std::vector<Face> faces_;
+  Box3 bounds_;
+  Vec2 strike_{1, 0};
+};
+
+}  // namespace geomesh::geomodel

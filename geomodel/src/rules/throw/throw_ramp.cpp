@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ramps are found in stretches along the fault, from the slopes of triangles across it.
+#include "rules/throw/throw_ramp.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "stack/single_valued.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+// Lengths in median edges of the horizon in the map.
+constexpr double stretch_length = 8;
+constexpr double ring_width = 8;
+// Where the slope beside a ramp is taken from on, nearer where others are near.
+constexpr std::array<long, 3> rings{8, 5, 3};
+constexpr std::size_t fewest_in_ring = 6;
+constexpr double sure_of_spread = 3;      // of slopes in the rings
+constexpr double sure_of_difference = 2;  // of the slopes on the two sides
+constexpr double least_slope = 0.02;      // steeper than beside the ramp
+constexpr double ramp_ends_at = 0.1;      // of its greatest slope
+constexpr double share_of_stretches = 0.25;
+constexpr double least_of_sides = 0.1;
+
+/// The slope of a triangle of the horizon across the fault.
+struct SlopeBeside {
+  double across, slope;
+};
+
+/// The ramp in one stretch. Nothing where the slope beside it is not known on both sides.
+struct StretchRamp {
+  bool is_ramp = false;
+  double step = 0;  ///< its height, in edges
+  RampWidth width;
+};
+std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, long ring_from) {
+  std::vector<double> ring[2], off;
+  std::map<long, std::vector<double>> bins;
+  for (const SlopeBeside& s : slopes) {
+    const double d = std::abs(s.across);
+    if (d > static_cast<double>(ring_from) && d <= static_cast<double>(ring_from) + ring_width)
+      ring[s.across > 0 ? 1 : 0].push_back(s.slope);
+    if (d < static_cast<double>(ring_from)) bins[static_cast<long>(std::floor(s.across))].push_back(s.slope);
+  }
+  if (ring[0].size() < fewest_in_ring || ring[1].size() < fewest_in_ring) return std::nullopt;
+  const double low = median(ring[0]), high = median(ring[1]);
+  for (const double s : ring[0]) off.push_back(std::abs(s - low));
+  for (const double s : ring[1]) off.push_back(std::abs(s - high));
+  constexpr double normal_by_median = 1.4826, half_ring = 0.5 * ring_width;
+  const double middle = static_cast<double>(ring_from) + half_ring;
+  const double spread = normal_by_median * median(off);
+  std::map<long, double> excess;
+  for (const auto& [bin, values] : bins) {
+    const double place = static_cast<double>(bin) + 0.5;
+    excess[bin] = median(values) - (low + (high - low) * (place + middle) / (2 * middle));
+  }
+  long steepest = 0;
+  double greatest = 0;
+  for (const long bin : {-1L, 0L, -2L, 1L})
+    if (excess.contains(bin) && std::abs(excess[bin]) > std::abs(greatest)) steepest = bin, greatest = excess[bin];
+  StretchRamp found;
+  found.is_ramp =
+      std::abs(greatest) > std::max({sure_of_spread * spread, sure_of_difference * std::abs(high - low), least_slope});
+  if (!found.is_ramp) return found;
+  const auto is_steep = [&](long bin) {
+    return excess.contains(bin) && excess[bin] / greatest > std::max(ramp_ends_at, spread / std::abs(greatest));
+  };
+  long first = steepest, last = steepest;
+  while (is_steep(first - 1)) --first;
+  while (is_steep(last + 1)) ++last;
+  for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
+  if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};  // a slope of the horizon, and no ramp
+  found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
+  return found;
+}
+
+std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
+  for (const long ring_from : rings)
+    if (const auto found = ramp_within(slopes, ring_from)) return found;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool Ramp::is_there() const {
+  return !at.empty() && static_cast<double>(at.size()) >= share_of_stretches * static_cast<double>(n_stretches);
+}
+
+RampWidth Ramp::width(long stretch) const {
+  RampWidth widest;
+  long nearest = at.begin()->first;
+  for (const auto& [k, width] : at) {
+    if (std::abs(k - stretch) < std::abs(nearest - stretch)) nearest = k;
+    if (std::abs(k - stretch) > 1) continue;
+    widest = {std::max(widest.below, width.below), std::max(widest.above, width.above)};
+  }
+  return widest.below + widest.above > 0 ? widest : at.at(nearest);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double median_map_edge(const TriangulatedSurface& s) {
+  std::vector<double> lengths;
+  for (const Triangle& t : s.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 u = s.points[t[(i + 1) % 3]] - s.points[t[i]];
+      lengths.push_back(std::hypot(u.x, u.y));
+    }
+  return lengths.empty() ? 0 : median(std::move(lengths));
+}
+
+long stretch_at(double along, double edge) { return std::lround(along / (stretch_length * edge)); }
+
+Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own, double edge) {
+  std::map<long, std::vector<SlopeBeside>> stretches;
+  std::map<long, std::pair<double, double>> ends;
+  for (const Triangle& t : horizon.triangles) {
+    const Vec3 &a = horizon.points[t[0]], &b = horizon.points[t[1]], &c = horizon.points[t[2]];
+    const Vec3 n = cross(b - a, c - a);
+    if (n.z == 0) continue;
+    const Vec3 centre = (1.0 / 3) * (a + b + c);
+    const auto beside = faults[own].beside(centre, furthest_beside * edge);
+    if (!beside || !beside->is_within) continue;
+    const bool is_of_other = std::any_of(faults.begin(), faults.end(), [&](const FaultFaces& other) {
+      return &other != &faults[own] && other.beside(centre, beside->distance).has_value();
+    });
+    if (is_of_other) continue;
+    auto& [from, to] = ends.try_emplace(stretch_at(beside->along, edge), beside->along, beside->along).first->second;
+    from = std::min(from, beside->along), to = std::max(to, beside->along);
+    const double slope = -(n.x * beside->direction.x + n.y * beside->direction.y) / n.z;
+    stretches[stretch_at(beside->along, edge)].push_back({beside->across / edge, slope});
+  }
+  Ramp ramp;
+  for (const auto& [k, slopes] : stretches) {
+    const auto found = ramp_in(slopes);
+    if (!found) continue;
+    ++ramp.n_stretches;
+    if (!found->is_ramp) continue;
+    ramp.at[k] = found->width;
+    ramp.steps.push_back(found->step * edge);
+    ramp.length += ends.at(k).second - ends.at(k).first;
+  }
+  return ramp;
+}
+
+bool has_smeared_throw(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own) {
+  return is_single_valued(horizon) && find_ramp(horizon, faults, own, median_map_edge(horizon)).is_there();
+}
+
+bool lies_on_both_sides(const TriangulatedSurface& horizon, const FaultFaces& fault) {
+  if (!is_single_valued(horizon)) return false;
+  double above = 0, below = 0;
+  for (const Triangle& t : horizon.triangles) {
+    const Vec3 &a = horizon.points[t[0]], &b = horizon.points[t[1]], &c = horizon.points[t[2]];
+    const auto beside = fault.beside((1.0 / 3) * (a + b + c), std::numeric_limits<double>::infinity());
+    if (beside) (beside->across > 0 ? above : below) += triangle_area(a, b, c);
+  }
+  return std::min(above, below) > least_of_sides * (above + below);
+}
+
+}  // namespace geomesh::geomodel
