@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The one generator of choices: the same from the same seed on every machine. Good enough to walk and to shuffle by,
-/// and cheap enough for each step of a walk. The search for the last bad cells alone has another, since it draws real
-/// numbers too (remesh/rescue/openings.hpp).
+/// The one generator of choices: the same from the same seed on every machine. Good enough to walk, to shuffle and to
+/// try places by, and cheap enough for each step of a walk.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +16,8 @@ class Random {
   constexpr unsigned byte() { return advance() >> 24; }
   /// Below n, which is at most 2^16.
   constexpr unsigned below(unsigned n) { return (advance() >> 16) % n; }
+  /// Of 2^24 values from low on, below high.
+  constexpr double between(double low, double high) { return low + (high - low) * 0x1p-24 * (advance() >> 8); }
 
  private:
   constexpr std::uint32_t advance() { return state_ = state_ * 1664525u + 1013904223u; }

@@ -144,7 +144,7 @@ const FreeCellJudge one_is_free{{}, first_of},
 /// A search of its own about each cell.
 template <std::size_t n_trials>
 bool rescue_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule) {
-  RescueSearch search{Chooser(c), n_trials, n_trials, [] { return false; }, several_are_free};
+  RescueSearch search{Random(c), n_trials, n_trials, [] { return false; }, several_are_free};
   return rescue_cell_by_search(tools, c, rule, search);
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("A search makes no cell worse than the worst, and more bad ones only w
       const Tetrahedron vertices = copy.vertices(c);
       double before = 1, after = 1;
       const std::size_t n_before = n_below(copy, rule.bad_shape, before);
-      RescueSearch search{Chooser(c), 3, 3, [] { return false; }, *judge};
+      RescueSearch search{Random(c), 3, 3, [] { return false; }, *judge};
       const bool is_mended = rescue_cell_by_search(bench.tools, c, rule, search);
       const std::size_t n_after = n_below(bench.mesh, rule.bad_shape, after);
       CHECK(after >= before);
@@ -247,13 +247,13 @@ TEST_CASE("A search tries no more often than it may, and not at all when time is
   Bench bench(std::move(model));
   const RescueRule rule{DihedralMeasure::of_angle(60), 12,
                         30};  // nothing is that good, so all is in vain or little is gained
-  RescueSearch search{Chooser(1), 3, 4, [] { return false; }, several_are_free};
+  RescueSearch search{Random(1), 3, 4, [] { return false; }, several_are_free};
   CellIndex c = 0;
   while (!bench.mesh.is_live(c)) ++c;
   const bool first = rescue_cell_by_search(bench.tools, c, rule, search);
   CHECK(search.trials_left >= 1);
   if (!first) CHECK(search.trials_left == 1);
-  RescueSearch late{Chooser(1), 3, 4, [] { return true; }, several_are_free};
+  RescueSearch late{Random(1), 3, 4, [] { return true; }, several_are_free};
   CHECK_FALSE(rescue_cell_by_search(bench.tools, c, rule, late));
   CHECK(late.trials_left == 4);
 }
@@ -263,7 +263,7 @@ TEST_CASE("Openings open cells however flat, and not only those about them", "[t
   CellIndex flat = 0;
   while (!bench.mesh.is_live(flat) || bench.mesh.shape_of(flat) > 1e-3) ++flat;
   const BadCell seed = bad_cell(bench.mesh, flat);
-  Chooser choose(1);
+  Random choose(1);
   std::size_t n = 0;
   for (unsigned k = 0; k < 200; ++k) {
     const Trial trial(bench.tools);
@@ -275,7 +275,7 @@ TEST_CASE("Openings open cells however flat, and not only those about them", "[t
 TEST_CASE("Openings keep the mesh valid and its domain, and are the same from the same seed", "[trial]") {
   Bench bench(box_with_well(4)), same(box_with_well(4));
   const double before = bench.volume();
-  Chooser choose(7), again(7);
+  Random choose(7), again(7);
   std::size_t n = 0;
   for (CellIndex c = 0; c < 400; ++c) {
     if (!bench.mesh.is_live(c)) continue;

@@ -13,7 +13,7 @@ namespace {
 
 class Opening {
  public:
-  Opening(Toolbox& tools, CellIndex c, Chooser& choose) : tools_(tools), mesh_(tools.mesh), choose_(choose), seed_(c) {}
+  Opening(Toolbox& tools, CellIndex c, Random& choose) : tools_(tools), mesh_(tools.mesh), choose_(choose), seed_(c) {}
 
   bool run() {
     const CellIndex c = choose_cell();
@@ -30,7 +30,7 @@ class Opening {
       case 5:
         return flip_edge(c);
       default:
-        return remove_face_above(tools_, c, static_cast<unsigned>(choose_.below(4)), opening_shape);
+        return remove_face_above(tools_, c, choose_.below(4), opening_shape);
     }
   }
 
@@ -44,12 +44,12 @@ class Opening {
     std::vector<CellIndex> cells;
     std::vector<VertexIndex> ring;
     turn_about_edge(mesh_.cells(), seed_, t[e[0]], t[e[1]], cells, ring);
-    return cells[choose_.below(cells.size())];
+    return cells[choose_.below(static_cast<unsigned>(cells.size()))];
   }
   CellIndex one_of_star(VertexIndex v) {
     std::vector<CellIndex> star;
     mesh_.star(v, tools_.work.marks, star);
-    return star[choose_.below(star.size())];
+    return star[choose_.below(static_cast<unsigned>(star.size()))];
   }
 
   /// Into the first neighbour that takes it, from a chosen one on.
@@ -63,7 +63,7 @@ class Opening {
         if (v != u && (mesh_.kind(u) != VertexKind::curve || mesh_.curve_of(u, v) != no_index)) neighbours.push_back(v);
     sort_unique(neighbours);
     if (neighbours.empty()) return false;
-    std::rotate(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(choose_.below(neighbours.size())),
+    std::rotate(neighbours.begin(), neighbours.begin() + choose_.below(static_cast<unsigned>(neighbours.size())),
                 neighbours.end());
     return std::any_of(neighbours.begin(), neighbours.end(),
                        [&](VertexIndex v) { return try_collapse(tools_, u, v, CollapseRule::coarsen, opening_shape); });
@@ -93,7 +93,7 @@ class Opening {
   }
 
   bool insert_on_face(CellIndex c) {
-    const auto first = static_cast<unsigned>(choose_.below(4));
+    const auto first = choose_.below(4);
     for (unsigned k = 0; k < 4; ++k) {
       const unsigned i = (first + k) & 3u;
       if (!mesh_.tag(c, i).constrained()) continue;
@@ -111,13 +111,13 @@ class Opening {
 
   Toolbox& tools_;
   DomainMesh& mesh_;
-  Chooser& choose_;
+  Random& choose_;
   CellIndex seed_;
 };
 
 }  // namespace
 
-bool open_about_cell(Toolbox& tools, CellIndex c, Chooser& choose) { return Opening(tools, c, choose).run(); }
+bool open_about_cell(Toolbox& tools, CellIndex c, Random& choose) { return Opening(tools, c, choose).run(); }
 
 std::vector<VertexIndex> movable_about(Toolbox& tools, const Tetrahedron& t) {
   std::vector<CellIndex> star;

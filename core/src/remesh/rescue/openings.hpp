@@ -3,8 +3,7 @@
 /// Changes about a bad cell that may make the place worse: what sequences of repair open with.
 #pragma once
 
-#include <random>
-
+#include "common/random.hpp"
 #include "remesh/operations/operations.hpp"
 
 namespace geomesh::remesh {
@@ -12,23 +11,10 @@ namespace geomesh::remesh {
 /// No flatter cell may an opening leave: far flatter than bad ones may be, else those themselves could not be opened.
 inline constexpr double opening_shape = 1e-7;
 
-/// The same choices from the same seed, on every machine.
-class Chooser {
- public:
-  explicit Chooser(std::uint64_t seed) : engine_(seed) {}
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
-  double between(double low, double high) {
-    return low + (high - low) * 0x1p-53 * static_cast<double>(engine_() >> 11);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 /// One change about the live cell c, of a kind and at a place that are chosen: a vertex removed (curves and surfaces
 /// keep theirs), an edge split; an edge or a face removed; a point put into a cell or onto a face; in the cell or in
 /// one that shares an edge with it, mostly. Returns whether something changed.
-bool open_about_cell(Toolbox& tools, CellIndex c, Chooser& choose);
+bool open_about_cell(Toolbox& tools, CellIndex c, Random& choose);
 
 /// The cell's vertices and their neighbours that may move. Ascending.
 std::vector<VertexIndex> movable_about(Toolbox& tools, const Tetrahedron& t);

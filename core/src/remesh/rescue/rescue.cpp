@@ -174,7 +174,7 @@ class Searcher {
   /// be a clearing.
   Outcome search_once() {
     Trial trial(tools_);
-    Chooser& choose = search_.choose;
+    Random& choose = search_.choose;
     place_.set_scope(choose.below(4) != 0 ? MendScope::own : MendScope::touched);
     tools_.bad_cells_may_spread = false;
     const bool clears = choose.below(rescue_limits.trials_a_clearing) == 0;
@@ -279,7 +279,7 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
   const DomainMesh& mesh = tools.mesh;
   const std::size_t n_trials =
       std::clamp(mesh.n_cells() / rescue_limits.cells_a_trial, rescue_limits.least_trials, rescue_limits.most_trials);
-  RescueSearch search{Chooser(0), rescue_limits.first_trials, n_trials, out_of_time, judge};
+  RescueSearch search{Random(0), rescue_limits.first_trials, n_trials, out_of_time, judge};
   std::vector<BadCell> bad = free_cells(mesh, judge);
   std::uint64_t last_sweep = 0;
   for (unsigned k = 0; k < rescue_limits.free_sweeps && !bad.empty(); ++k) {

@@ -29,7 +29,7 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
 
 /// What searches share, one after the other.
 struct RescueSearch {
-  Chooser choose;
+  Random choose;
   std::size_t trials_a_cell;
   std::size_t trials_left;  ///< of all together
   OutOfTime out_of_time;
