@@ -162,7 +162,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// positivity; new cells: last_created(). O(k).
   void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
 
-  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
+  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers). Why it
+  /// is not remeshing's journal: docs/decisions/house.md.
   std::size_t mark();
   void roll_back(std::size_t mark);
   /// Ends what mark() began, keeping the changes.
