@@ -169,6 +169,10 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   passes.once(
       "cells too flat for solvers mended by looking ahead", [&] { rescue_flat_cells(tools, flat_rescue, out_of_time); },
       !tools.bad_cells_may_spread);
+  const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle));
+  passes.once(
+      "the last poor cells mended by looking ahead", [&] { rescue_flat_cells(tools, aim_rescue, out_of_time); },
+      rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
   const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
   passes.run({.name = "the mean raised where much is poor",
