@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sizes as a geologist asks for them, typed into a project file: elements across a unit, a frequency, depths, a number of elements."""
-from geomesh_program import USAGE, ProgramTest, level, main
+import random
+
+from geomesh_program import USAGE, ProgramTest, level, main, triangles_ts
 
 BOX = "box: {min: [0, 0, -1000], max: [1000, 1000, 0]}\n"
 
@@ -62,6 +64,26 @@ class SizesAsked(ProgramTest):
         for wanted in (8_000, 20_000):
             report, _ = self.mesh([500, 700], "{target_elements: %d}" % wanted)
             self.assertAlmostEqual(report["tetrahedra"] / wanted, 1, delta=0.1)
+
+    def rough(self, name, n, z, noise, rng):
+        """A horizon of n by n points with noise."""
+        points = [(-10 + 1020 * i / (n - 1), -10 + 1020 * j / (n - 1), z + rng.uniform(-noise, noise)) for j in range(n) for i in range(n)]
+        cells = [i + j * n for j in range(n - 1) for i in range(n - 1)]
+        self.write(name + ".ts", triangles_ts(name, points, [t for c in cells for t in ((c, c + 1, c + n), (c + 1, c + n + 1, c + n))]))
+
+    def test_more_elements_than_asked_where_surfaces_touch_all_over(self):
+        """Horizons that coincide but for noise ask for more than the target at every size that leaves anything of them: a mesh comes all the
+        same, and a warning tells. Hundreds of elements between them stay flat; that they are searched in vain is bounded."""
+        rng = random.Random(3)
+        for k in range(3):
+            self.rough("h%d" % k, 8, -500 + 0.1 * k, 2, rng)
+        text = "name: model\n" + BOX + "surfaces:\n" + "".join("  - {name: h%d, kind: horizon, file: h%d.ts}\n" % (k, k) for k in range(3))
+        self.run_program(self.write("model.yaml", text + "mesh: {target_elements: 100, quality: fast}\n"), "-o", self.folder)
+        self.check(self.path("model.vtu"), "--project", self.path("model.yaml"))
+        report = self.report(self.path("model.report.json"))
+        self.assertTrue(any("whatever the size" in warning for warning in report["warnings"]), report["warnings"])
+        self.assertGreater(report["tetrahedra"], 200)
+        self.assertLess(report["input"]["mesh"]["tolerance"], 0.1 * 1733)
 
     def test_a_preview_is_coarse_whatever_the_project_asks(self):
         self.write("h0.ts", level("h0", -500, size=1000.0))

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "geomesh/geomodel/words.hpp"
 #include "pipeline/refine_model.hpp"
@@ -13,13 +15,24 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double near_enough = 0.1;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Elements go with the cube of the size; where surfaces take their share, with less.
 double next_factor(double factor, double count, double target) { return factor * std::cbrt(count / target); }
 
-/// By the estimate alone.
+/// Beyond it the tolerance that follows the sizes would be refused.
+double greatest_factor(const PreparedModel& model, const RefineOptions& options) {
+  constexpr double most_of_diagonal = 0.05;
+  if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
+  Box3 box;
+  for (const Vec3& p : model.plc.plc.points) box.add(p);
+  const Vec3 extent = box.max - box.min;
+  return std::max(most_of_diagonal * std::sqrt(dot(extent, extent)) / options.tolerance, 1.0);
+}
+
+/// By the estimate alone; at most `most`, however many elements surfaces ask for that cross and touch all over.
 double first_factor(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
-                    double target) {
+                    double target, double most) {
   constexpr unsigned most_rounds = 6;
   constexpr double enough = 0.02;
   options.max_elements = std::max(options.max_elements, static_cast<std::size_t>(10 * target));
@@ -27,7 +40,8 @@ double first_factor(const PreparedModel& model, const ConstrainedTetrahedralizat
   for (unsigned round = 0; round < most_rounds; ++round) {
     const double count = estimate_elements(model.plc.plc, mesh, scaled_sizes(options, factor));
     if (!(count > 0) || std::abs(count / target - 1) < enough) break;
-    factor = next_factor(factor, count, target);
+    const double before = std::exchange(factor, std::min(next_factor(factor, count, target), most));
+    if (factor == before) break;
   }
   return factor;
 }
@@ -54,8 +68,9 @@ RefineOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedr
   RefineOptions counted = options;
   counted.max_elements = static_cast<std::size_t>(100 * settings.derived_elements);
   if (estimate_elements(model.plc.plc, mesh, counted) <= many_more * settings.derived_elements) return options;
-  const double factor = first_factor(model, mesh, counted, settings.derived_elements);
-  options = scaled_sizes(std::move(options), std::min(factor, most_growth));
+  const double most = std::min(most_growth, greatest_factor(model, options));
+  const double factor = first_factor(model, mesh, counted, settings.derived_elements, most);
+  options = scaled_sizes(std::move(options), factor);
   settle(model, options);
   note(model.notes, context,
        "the model's surfaces ask for more elements than its volume: edges of about " +
@@ -83,7 +98,8 @@ RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedrali
                              const RefineOptions& options, const RunContext& context) {
   constexpr unsigned most_runs = 4;
   const double target = model.refinement.target_elements;
-  double factor = first_factor(model, mesh, options, target);
+  const double most = greatest_factor(model, options);
+  double factor = first_factor(model, mesh, options, target, most);
   const std::vector<std::string> warnings = model.warnings;
   for (unsigned run = 1;; ++run) {
     model.warnings = warnings;
@@ -92,7 +108,7 @@ RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedrali
     const auto count = static_cast<double>(result.mesh.tetrahedra.size());
     const bool is_near = std::abs(count / target - 1) <= near_enough;
     if (!is_near && run < most_runs) {
-      factor = next_factor(factor, count, target);
+      factor = std::min(next_factor(factor, count, target), most);
       continue;
     }
     if (!is_near)

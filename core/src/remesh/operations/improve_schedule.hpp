@@ -60,6 +60,9 @@ struct RescueLimits {
   std::size_t first_trials = 200;  ///< about one cell in the first sweep, twice as many after each sweep in vain
   std::size_t least_trials = 500;  ///< of all cells together, whatever the size of the mesh
   std::size_t most_trials = 60'000;
+  std::size_t cells_a_vain_opening = 10;  ///< one sequence in vain for so many cells of the mesh
+  std::size_t least_vain = 4'000;         ///< of all cells together, whatever the size of the mesh: some seconds
+  std::size_t most_vain = 60'000;
   std::size_t cells_a_trial = 25;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
 };
 inline constexpr RescueLimits rescue_limits{};
@@ -93,7 +96,7 @@ struct ImproveSchedule {
   double few_slivers = 0.05;                       ///< of all cells, 0..1; more are forced by the surfaces
   double forced_share = 0.001;   ///< of all cells, 0..1: so many of the worst are mended where they are forced
   double forced_room = 0.01;     ///< of the asked size
-  double flat_angle = 1.5;       ///< degrees; below 1 solvers refuse a cell: these are mended at any cost a cell
+  double flat_angle = 1.5;       ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
   double aim_angle = 20;         ///< where few cells are below, they are mended as those are
   double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are forced by the surfaces
   unsigned thinning_rounds = 4;  ///< take points out again that were put near others in vain

@@ -235,12 +235,23 @@ bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) {
   return attempt(tools, place, BadCells::may_spread, [&] { return place.mend(c); });
 }
 
-bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule) {
+VainTrials vain_trials(std::size_t n_cells) {
+  return {std::clamp(n_cells / rescue_limits.cells_a_vain_opening, rescue_limits.least_vain, rescue_limits.most_vain)};
+}
+
+bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule, VainTrials& vain) {
   RescuedPlace place(tools, c, rule);
   const Tetrahedron t = place.seed().vertices;
   const std::vector<Edge> to_collapse = edges_to_collapse(tools, t);
+  const std::size_t left_before = vain.left;
   for (const BadCells spread : {BadCells::may_not_spread, BadCells::may_spread}) {
-    const auto opens = [&](const auto& open) { return attempt(tools, place, spread, open); };
+    const auto opens = [&](const auto& open) {
+      if (vain.left == 0) return false;
+      --vain.left;
+      if (!attempt(tools, place, spread, open)) return false;
+      vain.left = left_before;
+      return true;
+    };
     if (opens([&] { return clear_about(tools, t); })) return true;
     for (const auto& e : edge_vertices)
       if (opens([&] { return split_edge(tools, c, t[e[0]], t[e[1]], opening_shape).has_value(); })) return true;
@@ -270,8 +281,10 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
 }
 
 void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time) {
-  sweep_bad_cells(tools, rule, out_of_time,
-                  [&](CellIndex c) { return rescue_cell(tools, c, rule) || rescue_cell_by_openings(tools, c, rule); });
+  VainTrials vain = vain_trials(tools.mesh.n_cells());
+  sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) {
+    return rescue_cell(tools, c, rule) || (vain.left > 0 && rescue_cell_by_openings(tools, c, rule, vain));
+  });
 }
 
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
@@ -280,6 +293,7 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
   const std::size_t n_trials =
       std::clamp(mesh.n_cells() / rescue_limits.cells_a_trial, rescue_limits.least_trials, rescue_limits.most_trials);
   RescueSearch search{Random(0), rescue_limits.first_trials, n_trials, out_of_time, judge};
+  VainTrials vain = vain_trials(mesh.n_cells());
   std::vector<BadCell> bad = free_cells(mesh, judge);
   std::uint64_t last_sweep = 0;
   for (unsigned k = 0; k < rescue_limits.free_sweeps && !bad.empty(); ++k) {
@@ -289,7 +303,7 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
       if (out_of_time()) return;
       if (!is_left(mesh, b) || !(mesh.shape_of(b.cell) < rule.bad_shape)) continue;
       const bool is_rescued = changed_since(mesh, b, last_sweep) &&
-                              (rescue_cell(tools, b.cell, rule) || rescue_cell_by_openings(tools, b.cell, rule));
+                              (rescue_cell(tools, b.cell, rule) || rescue_cell_by_openings(tools, b.cell, rule, vain));
       n += is_rescued || rescue_cell_by_search(tools, b.cell, rule, search);
     }
     if (n == 0 && search.trials_left == 0) return;

@@ -17,6 +17,14 @@ struct RescueRule {
 
 using OutOfTime = std::function<bool()>;
 
+/// How many sequences may still be tried in vain, of all cells together. Those about a cell that is mended in the end
+/// cost nothing. So where bad cells are few all are tried, and where the input forces very many the work is bounded.
+struct VainTrials {
+  std::size_t left;
+};
+/// For a mesh of so many cells.
+VainTrials vain_trials(std::size_t n_cells);
+
 /// Mends the bad cell c and whatever becomes bad by that. Each operation raises the worst shape about it, while the
 /// number of bad cells may rise. Kept where in the end there are fewer bad cells than before, or as many and the worst
 /// of them is notably better; else everything is as it was. Returns whether it was kept.
@@ -25,7 +33,7 @@ bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
 /// The same where that was in vain, with sequences that open with an operation which may make the place worse: an edge
 /// of the cell split, a point put into it or a cell beside it; one of its vertices or of those about it removed. The
 /// first that is worth it is kept. Many times as dear as rescue_cell.
-bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule);
+bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule, VainTrials& vain);
 
 /// What searches share, one after the other.
 struct RescueSearch {
@@ -47,7 +55,7 @@ bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, 
 /// Rescues over all bad cells of the mesh, again where something has changed since.
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
-/// The same where cells are few and the worst there are: with openings where that is in vain.
+/// The same for the worst there are: with openings where that is in vain, as long as few are in vain.
 void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
 /// What is bad by our own doing, and not by the input's, is worth more: with openings, and a search among these.
