@@ -11,6 +11,7 @@
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/name_regions.hpp"
 #include "rules/planar/map_locator.hpp"
+#include "rules/planar/planar_lines.hpp"
 #include "stack/map/growing_triangulation.hpp"
 #include "stack/sheets/column_heights.hpp"
 #include "stack/single_valued.hpp"
@@ -152,6 +153,33 @@ TEST_CASE("points added to a triangulation of the map keep it constrained Delaun
   CHECK(area == Approx(1).epsilon(1e-12));
   // The line's area below it: 0.4 * 0.4 + 0.6 * 0.475.
   CHECK(std::min(of_zone[0], of_zone[1]) == Approx(0.445).epsilon(1e-9));
+}
+
+TEST_CASE("lines of the map that cross each other are all in its triangulation", "[stack]") {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto place = [&] {
+      const double x = uniform(random);
+      return Vec2{x, uniform(random)};
+    };
+    std::vector<Vec2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (unsigned k = 0; k < 30 * (seed % 4); ++k) points.push_back(place());
+    std::vector<std::vector<Vec2>> lines;
+    double length = 0, lined = 0;
+    for (int k = 0; k < 30; ++k) {
+      const Vec2 a = place(), b = place();
+      lines.push_back({a, b});
+      length += std::hypot(a.x - b.x, a.y - b.y);
+    }
+    const LinedTriangulation t = triangulate_lines(points, lines);
+    for (std::size_t f = 0; f < t.triangles.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 &p = t.points[t.triangles[f][(i + 1) % 3]], &q = t.points[t.triangles[f][(i + 2) % 3]];
+        if (t.lined_sides[f] >> i & 1) lined += 0.5 * std::hypot(p.x - q.x, p.y - q.y);
+      }
+    REQUIRE(lined == Approx(length).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("horizons that touch and cross by noise are settled without a crossing", "[stack]") {
