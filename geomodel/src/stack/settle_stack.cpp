@@ -165,7 +165,7 @@ class Group {
       }
     const double thickness = least_thickness();
     const SheetOptions options{stack_.keepers, stack_share * rules_.stack.tolerance, thickness,
-                               room_of_thickness * thickness};
+                               room_of_thickness * thickness, stack_.units.empty()};
     const double shift = std::min(0.5 * row_of_thickness * thickness, most_shift * size);
     const std::vector<ThinArea> areas =
         find_thin_areas(samples, layout_.bounds, stack_.keepers, {size, thickness, shift});

@@ -80,7 +80,7 @@ void measure_moves(const MapSheets& sheets, const MapSamples& samples, const She
   }
 }
 
-void draw_maps(const MapSheets& sheets, const SheetLocator& locator, const MapBounds& bounds, SettledStack& stack) {
+void draw_maps(const SheetLocator& locator, const MapBounds& bounds, SettledStack& stack) {
   ThicknessMaps& maps = stack.maps;
   const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
   maps.step = std::max(width, height) / most_pixels;
@@ -116,7 +116,7 @@ SettledStack describe_settled(const MapSheets& sheets, const MapSamples& samples
   sum_triangles(sheets, stack);
   const SheetLocator locator(sheets);
   measure_moves(sheets, samples, locator, options, stack);
-  draw_maps(sheets, locator, bounds, stack);
+  draw_maps(locator, bounds, stack);
   return stack;
 }
 

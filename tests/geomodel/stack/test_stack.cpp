@@ -10,6 +10,8 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/name_regions.hpp"
+#include "rules/planar/map_locator.hpp"
+#include "rules/planar/planar_lines.hpp"
 #include "stack/map/growing_triangulation.hpp"
 #include "stack/sheets/column_heights.hpp"
 #include "stack/single_valued.hpp"
@@ -153,6 +155,33 @@ TEST_CASE("points added to a triangulation of the map keep it constrained Delaun
   CHECK(std::min(of_zone[0], of_zone[1]) == Approx(0.445).epsilon(1e-9));
 }
 
+TEST_CASE("lines of the map that cross each other are all in its triangulation", "[stack]") {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto place = [&] {
+      const double x = uniform(random);
+      return Vec2{x, uniform(random)};
+    };
+    std::vector<Vec2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (unsigned k = 0; k < 30 * (seed % 4); ++k) points.push_back(place());
+    std::vector<std::vector<Vec2>> lines;
+    double length = 0, lined = 0;
+    for (int k = 0; k < 30; ++k) {
+      const Vec2 a = place(), b = place();
+      lines.push_back({a, b});
+      length += std::hypot(a.x - b.x, a.y - b.y);
+    }
+    const LinedTriangulation t = triangulate_lines(points, lines);
+    for (std::size_t f = 0; f < t.triangles.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 &p = t.points[t.triangles[f][(i + 1) % 3]], &q = t.points[t.triangles[f][(i + 2) % 3]];
+        if (t.lined_sides[f] >> i & 1) lined += 0.5 * std::hypot(p.x - q.x, p.y - q.y);
+      }
+    REQUIRE(lined == Approx(length).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("horizons that touch and cross by noise are settled without a crossing", "[stack]") {
   const std::vector<TriangulatedSurface> given = noisy_stack(4);
   const BuiltSurfaces built = build_surfaces(given, stack_rules());
@@ -267,6 +296,81 @@ TEST_CASE("the volume between settled horizons is that of the data", "[stack]") 
   const double wedge = 0.5 * 5000 * 500 * width;
   CHECK(built.stack.units[0].volume == Approx(wedge).epsilon(0.005));
   CHECK(built.stack.units[1].volume == Approx(800 * width * width - wedge).epsilon(0.005));
+}
+
+/// A smooth field of waves 5 to 10 km long, with standard deviation 1 and mean 0.
+std::function<double(double, double)> smooth_field(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<std::array<double, 3>> waves(8);
+  for (auto& [kx, ky, phase] : waves) {
+    const double angle = 2 * M_PI * uniform(random), k = 2 * M_PI / (5000 * (1 + uniform(random)));
+    kx = k * std::cos(angle), ky = k * std::sin(angle), phase = 2 * M_PI * uniform(random);
+  }
+  return [waves](double x, double y) {
+    double sum = 0;
+    for (const auto& [kx, ky, phase] : waves) sum += std::cos(kx * x + ky * y + phase);
+    return 0.5 * sum;
+  };
+}
+
+/// Volume of a unit of this thickness where it is at least `least` thick, by the midpoint rule.
+double volume_of(const std::function<double(double, double)>& thick, double least) {
+  constexpr int n = 500;
+  const double step = width / n;
+  double sum = 0;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      if (const double t = thick(step * (i + 0.5), step * (j + 0.5)); t >= least) sum += t * step * step;
+  return sum;
+}
+
+TEST_CASE("lenses that are thin against the tolerance keep their volumes in a settled stack", "[stack]") {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const auto relief = smooth_field(seed), sand = smooth_field(100 + seed), coal = smooth_field(200 + seed);
+    const double noise = seed % 2 == 0 ? 2 : 0;
+    const auto top = [&](double x, double y) { return 150 * relief(x, y); };
+    const auto of_sand = [&](double x, double y) { return std::max(0.0, 60 * sand(x, y)); };
+    const auto of_coal = [&](double x, double y) { return 50 + 10 * coal(x, y); };
+    const auto below = [&](double x, double y) { return top(x, y) - of_sand(x, y); };
+    const auto base = [&](double x, double y) { return below(x, y) - of_coal(x, y); };
+    const BuiltSurfaces built =
+        build_surfaces({grid("top", 111, top, noise, seed), grid("mid", 111, below, noise, 20 + seed),
+                        grid("base", 111, base, noise, 40 + seed)},
+                       stack_rules());
+    REQUIRE(built.stack.settled);
+    CAPTURE(seed);
+    const auto of_both = [&](double x, double y) { return of_sand(x, y) + of_coal(x, y); };
+    const double sand_there = volume_of(of_sand, built.stack.min_thickness);
+    CHECK(built.stack.units[0].volume == Approx(sand_there).epsilon(0.005));
+    CHECK(built.stack.units[1].volume == Approx(volume_of(of_both, 0) - sand_there).epsilon(0.005));
+  }
+}
+
+TEST_CASE("no place of a horizon that keeps its place is further from its data than half of the tolerance", "[stack]") {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const auto relief = smooth_field(seed);
+    // Coarse and rough data: distances are greatest where edges cross.
+    const std::vector<TriangulatedSurface> given{
+        grid(
+            "top", 45, [&](double x, double y) { return 150 * relief(x, y); }, 4, seed),
+        grid(
+            "mid", 45, [&](double x, double y) { return 150 * relief(x, y) - thickness(x, y); }, 4, 20 + seed),
+        grid(
+            "base", 45, [&](double x, double y) { return 150 * relief(x, y) - 800; }, 4, 40 + seed)};
+    const BuiltSurfaces built = build_surfaces(given, stack_rules());
+    REQUIRE(built.stack.settled);
+    const MapLocator data(given[0]), sheet(built.surfaces[0]);
+    double most = 0;
+    constexpr int n = 1000;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const Vec2 p{width * (i + 0.5) / n, width * (j + 0.5) / n};
+        most = std::max(most, std::abs(data.height(p).value() - sheet.height(p).value()));
+      }
+    CHECK(most <= 10 * (1 + 1e-9));
+    CHECK(most > 7);
+  }
 }
 
 TEST_CASE("an erosive horizon keeps its place and an onlapped one too when a stack is settled", "[stack]") {

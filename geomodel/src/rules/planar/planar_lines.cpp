@@ -27,7 +27,9 @@ LinedTriangulation triangulate_lines(const std::vector<Vec2>& points, const std:
   for (const std::vector<Vec2>& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto a = insert(line[i - 1]), b = insert(line[i]);
-      if (a != b) triangulation.insert_constraint(a, b);
+      if (a == b) continue;
+      triangulation.insert_constraint(a, b);
+      near = b->face();  // a constraint takes away the faces that it crosses
     }
   LinedTriangulation result;
   for (auto v : triangulation.finite_vertex_handles()) {

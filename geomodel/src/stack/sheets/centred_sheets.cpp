@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "stack/sheets/sheet_locator.hpp"
+#include "stack/sheets/sheet_room.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -34,13 +36,13 @@ MergedPairs merged_at(const std::vector<ThinArea>& areas, const Vec2& p) {
 
 class Centring {
  public:
-  Centring(MapSheets& sheets, const SheetOptions& options)
+  Centring(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options)
       : sheets_(sheets),
         options_(options),
         n_(sheets.n_horizons),
         merged_about_(sheets.points.size(), 0),
         first_(sheets.heights),
-        most_(sheets.heights.size(), share_for_centring * options.allowed) {
+        room_(room_of_sheets(sheets, samples, options)) {
     std::set<std::pair<VertexIndex, VertexIndex>> edges;
     for (std::size_t f = 0; f < sheets.triangles.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -52,6 +54,7 @@ class Centring {
     neighbours_.resize(sheets.points.size());
     for (const auto& [v, w] : edges) neighbours_[v].push_back(w);
     leave_room_where_units_close();
+    share_room();
   }
 
   void look_at(const MapSamples& samples, const std::vector<ThinArea>& areas) {
@@ -101,7 +104,24 @@ class Centring {
       for (const VertexIndex w : neighbours_[v])
         for (std::size_t k = 0; k + 1 < n_; ++k)
           if ((merged_about_[w] & ~merged_about_[v]) >> k & 1)
-            most_[v * n_ + giver(k)] = share_for_centring * options_.allowed + more_where_closing * options_.gap;
+            widen(v * n_ + giver(k), share_for_centring * options_.allowed + more_where_closing * options_.gap);
+  }
+
+  void widen(std::size_t row, double least) {
+    room_.up[row] = std::max(room_.up[row], least);
+    room_.down[row] = std::max(room_.down[row], least);
+  }
+
+  /// Horizons that share a vertex have the lesser room of both.
+  void share_room() {
+    for (VertexIndex v = 0; v < neighbours_.size(); ++v)
+      for (int way = 0; way < 2; ++way)
+        for (std::size_t j = 0; j + 1 < n_; ++j) {
+          const std::size_t k = way == 0 ? j : n_ - 2 - j, row = v * n_ + k;
+          if (!(merged_about_[v] >> k & 1)) continue;
+          room_.up[row] = room_.up[row + 1] = std::min(room_.up[row], room_.up[row + 1]);
+          room_.down[row] = room_.down[row + 1] = std::min(room_.down[row], room_.down[row + 1]);
+        }
   }
 
   /// By how much a vertex answers to what its neighbours could not take.
@@ -129,21 +149,37 @@ class Centring {
   /// Moves vertices by sums over their weights, as far as they may; gives what is left of the sums.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
+    const double least = share_for_centring * options_.allowed;
     for (VertexIndex v = 0; v < sheets_.points.size(); ++v) {
       const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
       std::copy(heights.begin(), heights.end(), before.begin());
-      for (std::size_t k = 0; k < n_; ++k) {
-        const std::size_t row = v * n_ + k;
-        if (weights_[row] > 0)
-          heights[k] =
-              std::clamp(heights[k] + sums[row] / weights_[row], first_[row] - most_[row], first_[row] + most_[row]);
+      if (!move(v, sums, std::numeric_limits<double>::max())) {
+        std::copy(before.begin(), before.end(), heights.begin());
+        if (!move(v, sums, least)) std::copy(before.begin(), before.end(), heights.begin());
       }
-      settle_column(heights, merged_about_[v], options_.keepers, options_.gap);
       for (std::size_t k = 0; k < n_; ++k)
         if (const double moved = heights[k] - before[k]; !std::isnan(moved))
           sums[v * n_ + k] -= moved * weights_[v * n_ + k];
     }
     return sums;
+  }
+
+  /// False where keeping the order would push a horizon beyond its room.
+  bool move(VertexIndex v, const std::vector<double>& sums, double most) {
+    const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
+    const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };
+    const auto highest = [&](std::size_t row) { return first_[row] + std::min(most, room_.up[row]); };
+    for (std::size_t k = 0; k < n_; ++k)
+      if (const std::size_t row = v * n_ + k; weights_[row] > 0)
+        heights[k] = std::clamp(heights[k] + sums[row] / weights_[row], lowest(row), highest(row));
+    settle_column(heights, merged_about_[v], options_.keepers, options_.gap);
+    for (std::size_t k = 0; k < n_; ++k) {
+      const std::size_t row = v * n_ + k;
+      const double rounding = 1e-12 * std::abs(first_[row]);
+      if (heights[k] < first_[row] - room_.down[row] - rounding || heights[k] > first_[row] + room_.up[row] + rounding)
+        return false;
+    }
+    return true;
   }
 
   /// Sums of vertices given to their neighbours.
@@ -164,7 +200,8 @@ class Centring {
   std::size_t n_;
   std::vector<MergedPairs> merged_about_;  ///< per vertex, of any triangle
   std::vector<std::vector<VertexIndex>> neighbours_;
-  std::vector<double> first_, most_;    ///< heights before the first round, and how far they may move
+  std::vector<double> first_;           ///< heights before the first round
+  SheetRoom room_;                      ///< from there
   std::vector<double> sums_, weights_;  ///< of distances, per vertex and horizon
   std::vector<RuledPlace> places_;
 };
@@ -173,7 +210,7 @@ class Centring {
 
 void centre_sheets(MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
                    const SheetOptions& options) {
-  Centring centring(sheets, options);
+  Centring centring(sheets, samples, options);
   centring.look_at(samples, areas);
   for (int k = 0; k < rounds; ++k) centring.round();
 }

@@ -6,15 +6,18 @@
 #include <queue>
 
 #include "stack/map/growing_triangulation.hpp"
+#include "stack/sheets/edge_crossings.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double fit_of_lattice = 0.35;      // radius of the first fits, of the lattice's distance
-constexpr double fit_of_triangle = 0.35;     // of the side of a triangle with the area of the one that is divided
-constexpr double vertex_is_off = 0.5;        // share of a sample's distance that is its triangle's vertices' own
-constexpr double near_vertex = 0.25;         // of the samples' distance: what is off there is the vertex
-constexpr int most_rounds = 4;               // of points added where edges are off
+constexpr double fit_of_lattice = 0.35;     // radius of the first fits, of the lattice's distance
+constexpr double fit_of_triangle = 0.35;    // of the side of a triangle with the area of the one that is divided
+constexpr double vertex_is_off = 0.5;       // share of a sample's distance that is its triangle's vertices' own
+constexpr double near_vertex = 0.25;        // of the samples' distance: what is off there is the vertex
+constexpr int most_rounds = 4;              // of points added where edges are off
+constexpr double beside_of_spacing = 0.02;  // of the samples' distance: how far a vertex lies beside its sample
+constexpr double golden_angle = 2.399963229728653;
 constexpr double shortest_of_spacing = 0.7;  // piece of a line that is halved, of the samples' distance
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -118,33 +121,19 @@ class Sheets {
   /// crossings that are further off than allowed.
   std::vector<Vec2> crossings_off() {
     std::vector<Vec2> off;
-    for (std::size_t k = 0; k < n_; ++k) {
-      const TriangulatedSurface& s = samples_.surface(k);
-      Index near = 0;
-      for (const Triangle& t : s.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-          if (t[i] < t[(i + 1) % 3]) look_along(s.points[t[i]], s.points[t[(i + 1) % 3]], k, near, off);
-    }
+    for_each_crossing(map_, samples_, [&](const EdgeCrossing& at) {
+      if (is_off(at)) off.push_back(at.place);
+    });
     return off;
   }
 
  private:
-  void look_along(const Vec3& p, const Vec3& q, std::size_t k, Index& near, std::vector<Vec2>& off) {
-    const Vec2 from{p.x, p.y}, to{q.x, q.y};
-    const Index start = map_.locate(from, near);
-    if (start == no_index) return;
-    near = start;
-    map_.walk(from, start, to, [&](Index cell, VertexIndex a, VertexIndex b, double t) {
-      const Vec2 x{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-      const Vec2 &pa = map_.points()[a], &pb = map_.points()[b];
-      const double dx = pb.x - pa.x, dy = pb.y - pa.y;
-      const double along = ((x.x - pa.x) * dx + (x.y - pa.y) * dy) / (dx * dx + dy * dy);
-      if (std::min(along, 1 - along) * std::hypot(dx, dy) < near_vertex * samples_.spacing()) return;
-      const double z = (1 - along) * height(a, k) + along * height(b, k);
-      const double most = allowed(giving_way(cell), k) * (1 + 1e-9);
-      if (!(std::abs(z - (p.z + t * (q.z - p.z))) > most)) return;
-      if (std::abs(z - heights_on_triangles(x, merged(cell))[k]) > most) off.push_back(x);
-    });
+  bool is_off(const EdgeCrossing& at) {
+    if (at.from_vertex < near_vertex * samples_.spacing()) return false;
+    const std::size_t k = at.horizon;
+    const double z = (1 - at.along) * height(at.a, k) + at.along * height(at.b, k);
+    const double most = allowed(giving_way(at.cell), k) * (1 + 1e-9);
+    return std::abs(z - at.height) > most && std::abs(z - heights_on_triangles(at.place, merged(at.cell))[k]) > most;
   }
 
   MergedPairs merged_about(VertexIndex v) {
@@ -237,6 +226,7 @@ class Approximation {
       : samples_(samples),
         n_(samples.n_surfaces()),
         lattice_(layout.lattice),
+        beside_(options.beside_samples ? beside_of_spacing * samples.spacing() : 0),
         map_(triangulate_layout(layout)),
         sheets_(samples, options, map_, areas),
         held_(samples, options, map_, sheets_),
@@ -288,16 +278,26 @@ class Approximation {
 
   void improve(const Worst& worst) {
     if (sharpen(worst)) return;
-    const Vec2 p = samples_.place(worst.sample);
+    const auto [p, at] = place_for(worst);
     const Triangle& v = map_.cells()[worst.cell].vertices;
     const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
-    map_.add(p, worst.cell, shortest_of_spacing * samples_.spacing(), change_);
+    map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
     if (change_.vertex == no_vertex) return;  // at a vertex, or too narrow for doubles
     take_change();
     sheets_.add_vertex(change_.vertex, std::min(fit_of_lattice * lattice_, fit_of_triangle * side));
     for (const Index cell : change_.made) measure(cell);
     // A line's piece elsewhere may have been halved instead: the sample is still to be dealt with.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
+  }
+
+  /// Where a vertex comes for a sample, and the cell there.
+  std::pair<Vec2, Index> place_for(const Worst& worst) const {
+    const Vec2 p = samples_.place(worst.sample);
+    if (beside_ == 0) return {p, worst.cell};
+    const double angle = golden_angle * static_cast<double>(worst.sample);
+    const Vec2 beside{p.x + beside_ * std::cos(angle), p.y + beside_ * std::sin(angle)};
+    const Index at = map_.locate(beside, worst.cell);
+    return at == no_index ? std::pair(p, worst.cell) : std::pair(beside, at);
   }
 
   /// Fits the vertex anew that has the greatest part in the sample's distance, over half of its radius. False where
@@ -359,7 +359,7 @@ class Approximation {
 
   const MapSamples& samples_;
   std::size_t n_;
-  double lattice_;
+  double lattice_, beside_;
   GrowingTriangulation map_;
   Sheets sheets_;
   HeldSamples held_;

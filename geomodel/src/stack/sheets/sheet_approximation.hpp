@@ -12,7 +12,8 @@
 
 namespace geomesh::geomodel {
 
-/// Of the distance that is allowed: what sheets may move by once they are there (stack/sheets/centred_sheets.hpp).
+/// Of the distance that is allowed: what any vertex may move by once the sheets are there
+/// (stack/sheets/sheet_room.hpp).
 inline constexpr double share_for_centring = 0.15;
 
 struct SheetOptions {
@@ -20,6 +21,8 @@ struct SheetOptions {
   double allowed = 0;             ///< largest distance along the vertical from the settled heights of samples, m
   double gap = 0;                 ///< least thickness at vertices where a pair shares no surface, m
   double room_at_pinch_outs = 0;  ///< further distance allowed in triangles that touch a pinch-out line, m
+  bool beside_samples = false;    ///< vertices lie a little beside samples: edges of sheets that are drawn apart from
+                                  ///< data on one grid would lie over each other up to rounding
 };
 
 /// Sheets over one triangulation: horizons have the same vertices in the map, so that none crosses another.

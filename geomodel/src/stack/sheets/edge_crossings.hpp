@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Where edges of the data cross those of sheets in the map: between these places and the vertices of both, the
+/// distance along the vertical is linear.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "stack/map/growing_triangulation.hpp"
+#include "stack/map/map_samples.hpp"
+
+namespace geomesh::geomodel {
+
+/// An edge of a horizon over a side of a triangle of the map.
+struct EdgeCrossing {
+  std::size_t horizon;
+  Index cell;          ///< that the edge leaves
+  VertexIndex a, b;    ///< the side
+  double along;        ///< share of the way from a to b
+  double from_vertex;  ///< distance from the nearer of both, m
+  Vec2 place;
+  double height;  ///< of the data
+};
+
+/// Calls f with each crossing, horizon by horizon. Cost: linear in the data and the crossings.
+template <class F>
+void for_each_crossing(const GrowingTriangulation& map, const MapSamples& samples, F&& f) {
+  for (std::size_t k = 0; k < samples.n_surfaces(); ++k) {
+    const TriangulatedSurface& s = samples.surface(k);
+    Index near = 0;
+    for (const Triangle& t : s.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 *p = &s.points[t[i]], *q = &s.points[t[(i + 1) % 3]];
+        if (t[i] > t[(i + 1) % 3]) continue;
+        Index start = map.locate({p->x, p->y}, near);
+        if (start == no_index) std::swap(p, q), start = map.locate({p->x, p->y}, near);
+        if (start == no_index) continue;
+        near = start;
+        const Vec2 from{p->x, p->y};
+        map.walk(from, start, {q->x, q->y}, [&](Index cell, VertexIndex a, VertexIndex b, double t) {
+          const Vec2 x{from.x + t * (q->x - from.x), from.y + t * (q->y - from.y)};
+          const Vec2 &pa = map.points()[a], &pb = map.points()[b];
+          const double dx = pb.x - pa.x, dy = pb.y - pa.y;
+          const double along = ((x.x - pa.x) * dx + (x.y - pa.y) * dy) / (dx * dx + dy * dy);
+          f(EdgeCrossing{k, cell, a, b, along, std::min(along, 1 - along) * std::hypot(dx, dy), x,
+                         p->z + t * (q->z - p->z)});
+        });
+      }
+  }
+}
+
+}  // namespace geomesh::geomodel
