@@ -101,14 +101,61 @@ class SmearedThrow(ProgramTest):
         self.assertFalse(any("smeared" in text for text in report["notes"]), report["notes"])
 
     def test_a_fault_that_ends_inside(self):
-        self.write("f1.ts", plane_ts("f1", [(2000, 100, 0), (2000, 1000, 0), (2000, 1000, BOTTOM), (2000, 100, BOTTOM)]))
-        self.horizon([(2000, 60)], 120)
+        """The throw is an ellipse along the strike and dies out at y = 1000, and away from the fault."""
+        tip, throw = 1000.0, 60.0
+        self.write("f1.ts", plane_ts("f1", [(2000, 100, 0), (2000, tip, 0), (2000, tip, BOTTOM), (2000, 100, BOTTOM)]))
+        nx, ny = round(WIDTH / STEP) + 1, round(LENGTH / STEP) + 1
+
+        def down(x, y, share):
+            return throw * math.sqrt(max(0.0, 1 - (y / tip) ** 2)) * 0.5 * share * math.exp(-abs(x - 2000) / 1500)
+
+        points = [(x, STEP * j, self.level(x) - down(x, STEP * j, max(-1.0, min(1.0, (x - 2000) / 110))))
+                  for j in range(ny) for x in (STEP * i + 7 for i in range(nx))]
+        corners = [(j * nx + i, j * nx + i + 1) for j in range(ny - 1) for i in range(nx - 1)]
+        self.write("h.ts", triangles_ts("h", points, [t for a, b in corners for t in ((a, b, b + nx), (a, b + nx, a + nx))]))
         project = self.write("model.yaml", "name: model\nbox: {min: [200, 200, -2000], max: [3800, 1800, 0]}\nsurfaces:\n"
-                             "  - {name: h, kind: horizon, file: h.ts, throw_at: [f1]}\n  - {name: f1, kind: fault, file: f1.ts}\n"
+                             "  - {name: h, kind: horizon, file: h.ts, throw_at: auto}\n  - {name: f1, kind: fault, file: f1.ts}\n"
                              "column: [upper, h, lower]\noutput: {directory: out}\n")
         self.run_program(project)
         report = self.report(self.path("out", "model.report.json"))
-        self.assertTrue(any("smeared across f1" in text and "the ramp stays" in text for text in report["warnings"]), report["warnings"])
+        told = [text for text in report["notes"] if "throw smeared across f1" in text]
+        self.assertEqual(len(told), 1, report["notes"])
+        self.assertAlmostEqual(float(told[0].split("largest ")[1].split()[0]), throw, delta=0.08 * throw)
+        check = self.check(self.path("out", "model.vtu"), "--project", project)
+        volumes = {region["name"]: region["volume"] for region in check["regions"]}
+        self.assertEqual(sorted(volumes), ["lower", "upper"], report["warnings"])
+        # East of the fault the horizon lies as much lower as it lies higher west of it.
+        self.assertAlmostEqual(volumes["lower"], 3600 * 1600 * 1000, delta=0.0005 * 3600 * 1600 * 1000)
+        self.assertFalse(any("ramp stays" in text or "ramps stay" in text for text in report["warnings"]), report["warnings"])
+
+    def test_a_fault_that_ends_at_another(self):
+        """The branch f2 strikes along x, from f1 to the east; south of it the horizon lies lower. West of f1 it is whole."""
+        self.fault("f1", 2000)
+        self.write("f2.ts", plane_ts("f2", [(2700, 1000, 0), (3900, 1000, 0), (3900, 1000, BOTTOM), (2700, 1000, BOTTOM)]))
+        nx, ny = round(WIDTH / STEP) + 1, round(LENGTH / STEP) + 1
+        points = []
+        for j in range(ny):
+            for i in range(nx):
+                x, y, z = STEP * i, STEP * j, self.level(STEP * i)
+                east = 0.5 + 0.5 * max(-1.0, min(1.0, (x - 2000 + (z + 1000) * COTANGENT) / 110))
+                south = 0.5 - 0.5 * max(-1.0, min(1.0, (y - 1000) / 110))
+                points.append((x, y, z - east * (60 + 40 * south)))
+        corners = [(j * nx + i, j * nx + i + 1) for j in range(ny - 1) for i in range(nx - 1)]
+        self.write("h.ts", triangles_ts("h", points, [t for a, b in corners for t in ((a, b, b + nx), (a, b + nx, a + nx))]))
+        project = self.write("model.yaml", "name: model\nbox: {min: [200, 200, -2000], max: [3800, 1800, 0]}\nsurfaces:\n"
+                             "  - {name: h, kind: horizon, file: h.ts, throw_at: [f1, f2]}\n"
+                             "  - {name: f1, kind: fault, file: f1.ts, extent: to_box}\n"
+                             "  - {name: f2, kind: fault, file: f2.ts, extent: to_fault f1}\n"
+                             "column: [upper, h, lower]\nrules: {fault_blocks: true}\noutput: {directory: out}\n")
+        self.run_program(project)
+        report = self.report(self.path("out", "model.report.json"))
+        for name, throw in (("f1", 80), ("f2", 40)):
+            told = [text for text in report["notes"] if "throw smeared across " + name in text]
+            self.assertEqual(len(told), 1, report["notes"] + report["warnings"])
+            self.assertAlmostEqual(float(told[0].split("mean ")[1].split(",")[0]), throw, delta=0.05 * throw)
+        check = self.check(self.path("out", "model.vtu"), "--project", project)
+        volumes = {region["name"]: region["volume"] for region in check["regions"]}
+        self.assertEqual(sorted(volumes), sorted(f"{unit}__B{k}" for unit in ("upper", "lower") for k in (1, 2, 3)), report["warnings"])
 
 
 if __name__ == "__main__":

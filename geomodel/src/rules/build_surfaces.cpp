@@ -55,31 +55,15 @@ void build_body(TriangulatedSurface& body, const SurfaceRules& rule, const std::
   }
 }
 
-/// Ramps across faults made anew, where all faults of the horizon go through the model; else told.
-RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults,
-                            const std::vector<std::string>& stopped, const std::vector<TriangulatedSurface>& surfaces,
-                            const BuildLog& log) {
-  std::vector<const TriangulatedSurface*> through, short_of;
-  for (const ThrowFault& f : faults) {
-    const bool stops = std::find(stopped.begin(), stopped.end(), f.surface->name) != stopped.end();
-    (stops || f.first_made < f.surface->triangles.size() ? short_of : through).push_back(f.surface);
-  }
+/// Ramps across the faults made anew.
+RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
+                            const std::vector<TriangulatedSurface>& surfaces, const BuildLog& log) {
   std::vector<const TriangulatedSurface*> others;
   for (const TriangulatedSurface& surface : surfaces)
     if (surface.kind == SurfaceKind::fault &&
-        std::none_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return f.surface == &surface; }))
+        std::none_of(faults.begin(), faults.end(), [&](const RampFault& f) { return f.fault.surface == &surface; }))
       others.push_back(&surface);
-  if (short_of.empty()) return restore_smeared_throw(horizon, through, others, log);
-  std::vector<FaultFaces> faces;
-  for (const ThrowFault& f : faults) faces.emplace_back(*f.surface);
-  for (const TriangulatedSurface* other : others) faces.emplace_back(*other);
-  for (std::size_t f = 0; f < faults.size(); ++f)
-    if (has_smeared_throw(horizon, faces, f))
-      log.warnings.push_back("horizon " + horizon.name + ": its throw is smeared across " + faults[f].surface->name +
-                             ", and the ramp stays, since " + short_of.front()->name +
-                             " ends inside the model or at another surface; let it reach through the model (extent: "
-                             "to_box)");
-  return {};
+  return restore_smeared_throw(horizon, faults, others, log);
 }
 
 /// One sheet on both sides of all of its faults, which go through the model: parting it would take one side away.
@@ -91,7 +75,7 @@ bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFaul
                        return f.first_made == f.surface->triangles.size() &&
                               lies_on_both_sides(horizon, FaultFaces(*f.surface));
                      }) &&
-         BuiltRows::n_blocks(sort_into_blocks(copy, faults, Extend::flat, {}, {notes, warnings})) == 1;
+         BuiltRows::n_blocks(sort_into_blocks(copy, {faults, Extend::flat, {}}, {notes, warnings}, {})) == 1;
 }
 
 /// The blocks of a horizon with throw, each continued on its own.
@@ -99,15 +83,17 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   TriangulatedSurface& surface = built.surfaces[s];
   const SurfaceRules rule = rules.of(s);
   std::vector<ThrowFault> faults;
-  std::vector<std::string> stopped;
+  std::vector<RampFault> ramps;
   for (const std::string& name : rule.throw_at) {
     const std::size_t row = throw_fault(built.surfaces, surface, name);
     const auto n = static_cast<Index>(built.surfaces[row].triangles.size());
     faults.push_back({&built.surfaces[row], std::min(n, built.rows.first_only_parting[row])});
-    if (!rules.of(row).stop_at.empty()) stopped.push_back(name);
+    const auto stop = std::find_if(built.surfaces.begin(), built.surfaces.end(),
+                                   [&](const TriangulatedSurface& t) { return t.name == rules.of(row).stop_at; });
+    ramps.push_back({faults.back(), stop == built.surfaces.end() ? nullptr : &*stop});
   }
   RestoredThrow restored;
-  if (rule.cut_smeared) restored = restore_ramps(surface, faults, stopped, built.surfaces, log);
+  if (rule.cut_smeared) restored = restore_ramps(surface, ramps, built.surfaces, log);
   if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
   const bool is_whole = restored.sheet.empty() && stays_whole(surface, faults);
   if (is_whole) {
@@ -117,11 +103,12 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     return;
   }
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
-  std::vector<Index> block = sort_into_blocks(surface, faults, how, *rules.box, log, restored.sheet);
+  std::vector<Index> block =
+      sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
   if (BuiltRows::n_blocks(block) == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
-  extend_blocks(surface, block, how, *rules.box, log);
+  extend_blocks(surface, block, {faults, how, *rules.box}, log);
   built.rows.block_of_triangle[s] = std::move(block);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "arrangement/search/bvh.hpp"
 #include "geomesh/core/predicates.hpp"
 
 namespace geomesh::geomodel {
@@ -73,13 +74,13 @@ std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::si
   std::vector<Crossing> found(n, Crossing::none);
   std::vector<Box3> bounds(n);
   for (std::size_t k = 0; k < n; ++k) bounds[k] = bounds_of(corners_of(horizon, first + k));
+  const arrangement::BoxTree tree(bounds);
   for (const ThrowFault& fault : faults) {
     std::vector<Box3> met(n);  // where the border of each triangle meets the continuation
     for (Index f = 0; f < fault.surface->triangles.size(); ++f) {
       const std::array<Vec3, 3> of_fault = corners_of(*fault.surface, f);
       const Box3 around = bounds_of(of_fault);
-      for (std::size_t k = 0; k < n; ++k) {
-        if (!overlap(around, bounds[k])) continue;
+      tree.boxes_meeting(around, [&](Index k) {
         const std::array<Vec3, 3> t = corners_of(horizon, first + k);
         for (std::size_t i = 0; i < 3; ++i) {
           const Vec3 &p = t[i], &q = t[(i + 1) % 3];
@@ -90,7 +91,7 @@ std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::si
             found[k] = Crossing::fault;
           }
         }
-      }
+      });
     }
     for (std::size_t k = 0; k < n; ++k)
       if (!met[k].empty() && overlap(met[k], box)) found[k] = Crossing::continuation;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,6 +14,8 @@
 #include "common/union_find.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+#include "rules/fault_ends.hpp"
 #include "rules/throw/throw_ramp.hpp"
 #include "stack/single_valued.hpp"
 
@@ -22,12 +25,12 @@ namespace {
 // Lengths in median edges of the horizon in the map.
 constexpr double margin_of_ramp = 1;
 constexpr double fit_radius = 3;
+constexpr double along_counts = 2;  // times a distance across
 constexpr std::size_t fewest_to_fit = 6;
 constexpr double most_of_step = 2, least_of_step = 0.25;  // of the ramps, for the throw restored
 constexpr std::size_t least_sheet = 24;                   // triangles; fewer between ramps belong to them
 
 Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
-double map_distance(const Vec3& p, const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 /// Nodes of a horizon by cells of the map.
 class NodeCells {
@@ -42,7 +45,7 @@ class NodeCells {
       for (long j = j0; j <= j1; ++j) {
         const auto at = cells_.find({i, j});
         if (at == cells_.end()) continue;
-        for (const VertexIndex v : at->second) visit(v, map_distance(p, s_.points[v]));
+        for (const VertexIndex v : at->second) visit(v);
       }
   }
 
@@ -55,17 +58,34 @@ class NodeCells {
   std::map<std::pair<long, long>, std::vector<VertexIndex>> cells_;
 };
 
+/// Distances in the map about a place; those along the strike count more, since throw changes along it.
+class AcrossStrike {
+ public:
+  /// `across`: a direction of length one, or nought where no fault is near.
+  AcrossStrike(const Vec3& p, const Vec2& across) : p_(p), across_(across) {}
+  double to(const Vec3& q) const {
+    const Vec3 off = q - p_;
+    const double along = off.x * across_.y - off.y * across_.x;
+    return std::sqrt(off.x * off.x + off.y * off.y + (along_counts * along_counts - 1) * along * along);
+  }
+
+ private:
+  Vec3 p_;
+  Vec2 across_;
+};
+
 /// The height at p of the plane through the nodes about the nearest one, within reach of p.
-std::optional<double> carried_height(const TriangulatedSurface& s, const NodeCells& nodes, const Vec3& p, double reach,
-                                     double edge) {
+std::optional<double> carried_height(const TriangulatedSurface& s, const NodeCells& nodes, const Vec3& p,
+                                     const AcrossStrike& distance, double reach, double edge) {
   double nearest = reach;
-  nodes.for_each_near(p, reach, [&](VertexIndex, double d) { nearest = std::min(nearest, d); });
+  nodes.for_each_near(p, reach, [&](VertexIndex v) { nearest = std::min(nearest, distance.to(s.points[v])); });
   if (!(nearest < reach)) return std::nullopt;
   const double radius = fit_radius * edge;
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d side = Eigen::Vector3d::Zero();
   std::size_t n = 0;
-  nodes.for_each_near(p, nearest + 2 * radius, [&](VertexIndex v, double d) {
+  nodes.for_each_near(p, nearest + 2 * radius, [&](VertexIndex v) {
+    const double d = distance.to(s.points[v]);
     if (d > nearest + 2 * radius) return;
     const double off = (d - nearest) / radius, weight = std::exp(-off * off);
     const Vec3 q = s.points[v] - p;
@@ -79,20 +99,81 @@ std::optional<double> carried_height(const TriangulatedSurface& s, const NodeCel
   return p.z + fitted[0];
 }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
+
+/// The triangles of a fault by their side of the surface at which it ends; those that cross it are divided down to
+/// `least`.
+class StoppedFault {
+ public:
+  StoppedFault(TriangulatedSurface& reach, const TriangulatedSurface& stop, double least)
+      : reach_(reach), stop_(stop), least_(least) {
+    for (const Triangle& t : std::vector<Triangle>(std::move(reach.triangles))) sort(t);
+    reach.triangles = std::move(on_side_[area_[1] > area_[0] ? 1 : 0]);
+  }
+
+ private:
+  const Vec3& point(VertexIndex v) const { return reach_.points[v]; }
+  void sort(const Triangle& t) {
+    const bool side = stop_.is_above(point(t[0]));
+    const double longest =
+        std::max({norm(point(t[1]) - point(t[0])), norm(point(t[2]) - point(t[1])), norm(point(t[0]) - point(t[2]))});
+    const bool crosses = stop_.is_above(point(t[1])) != side || stop_.is_above(point(t[2])) != side;
+    if (crosses && longest > least_) return divide(t);
+    const bool of_centre = stop_.is_above((1.0 / 3) * (point(t[0]) + point(t[1]) + point(t[2])));
+    on_side_[of_centre ? 1 : 0].push_back(t);
+    area_[of_centre ? 1 : 0] += triangle_area(point(t[0]), point(t[1]), point(t[2]));
+  }
+  void divide(const Triangle& t) {
+    Triangle middle{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      middle[i] = static_cast<VertexIndex>(reach_.points.size());
+      const Vec3 p = 0.5 * (point(t[i]) + point(t[(i + 1) % 3]));
+      reach_.points.push_back(p);
+    }
+    for (std::size_t i = 0; i < 3; ++i) sort({t[i], middle[i], middle[(i + 2) % 3]});
+    sort(middle);
+  }
+
+  TriangulatedSurface& reach_;
+  FaultSides stop_;
+  double least_;
+  std::array<std::vector<Triangle>, 2> on_side_;
+  std::array<double, 2> area_{0, 0};
+};
+
+/// The fault without its continuation, and without what lies beyond the surface at which it ends.
+TriangulatedSurface reach_of(const RampFault& ramp, double edge) {
+  TriangulatedSurface reach = *ramp.fault.surface;
+  if (ramp.fault.first_made < reach.triangles.size()) reach.triangles.resize(ramp.fault.first_made);
+  if (ramp.stop != nullptr) StoppedFault(reach, *ramp.stop, edge);
+  return reach;
+}
+
 /// One horizon and the faults whose ramps it has.
 class Restorer {
  public:
-  Restorer(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults,
+  Restorer(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
            const std::vector<const TriangulatedSurface*>& others, const BuildLog& log)
       : horizon_(horizon),
-        faults_(faults),
         log_(log),
         edge_(median_map_edge(horizon)),
         n_across_(faults.size(), 0),
         in_strip_(horizon.triangles.size(), 0) {
-    for (const TriangulatedSurface* fault : faults) faces_.emplace_back(*fault);
+    for (const RampFault& ramp : faults) {
+      faults_.push_back(ramp.fault.surface);
+      reaches_.push_back(reach_of(ramp, edge_));
+      ends_inside_.push_back(ramp.fault.first_made < ramp.fault.surface->triangles.size());
+    }
+    std::vector<ThrowFault> parting;
+    for (std::size_t f = 0; f < faults.size(); ++f) {
+      const auto n = static_cast<Index>(reaches_[f].triangles.size());
+      parting.push_back(faults[f].stop != nullptr ? ThrowFault{&reaches_[f], n} : faults[f].fault);
+      faces_.emplace_back(reaches_[f]);
+    }
+    crossing_ = find_crossings(horizon, 0, parting, everywhere);
     for (const TriangulatedSurface* other : others)
-      if (std::find(faults.begin(), faults.end(), other) == faults.end()) faces_.emplace_back(*other);
+      if (std::find(faults_.begin(), faults_.end(), other) == faults_.end()) faces_.emplace_back(*other);
     for (std::size_t f = 0; f < faults.size(); ++f) ramps_.push_back(find_ramp(horizon, faces_, f, edge_));
   }
 
@@ -103,10 +184,11 @@ class Restorer {
   RestoredThrow restore() {
     const TriangulatedSurface before = horizon_;
     nearest_fault_.assign(horizon_.points.size(), {no_index, std::numeric_limits<double>::infinity()});
+    across_.assign(horizon_.points.size(), Vec2{0, 0});
     for (std::size_t f = 0; f < faults_.size(); ++f) mark_strip(f);
     find_sheets();
     RestoredThrow restored;
-    const std::vector<Triangle> given = horizon_.triangles;
+    const std::vector<Triangle>& given = restored.before = horizon_.triangles;
     horizon_.triangles.clear();
     for (Index t = 0; t < given.size(); ++t)
       if (!in_strip_[t]) {
@@ -137,9 +219,13 @@ class Restorer {
     std::vector<std::uint8_t> inside(horizon_.points.size(), 0);
     for (std::size_t v = 0; v < beside.size(); ++v) {
       beside[v] = faces_[f].beside(horizon_.points[v], reach);
+      if (beside[v] && ends_inside_[f] && !beside[v]->is_within) beside[v].reset();
       if (!beside[v]) continue;
       auto& [fault, least] = nearest_fault_[v];
-      if (std::abs(beside[v]->across) < least) fault = static_cast<Index>(f), least = std::abs(beside[v]->across);
+      if (std::abs(beside[v]->across) < least) {
+        fault = static_cast<Index>(f), least = std::abs(beside[v]->across);
+        across_[v] = beside[v]->direction;
+      }
       if (!ramps_[f].is_there()) continue;
       const RampWidth width = ramps_[f].width(stretch_at(beside[v]->along, edge_));
       inside[v] = beside[v]->across > -(width.below + margin_of_ramp) * edge_ &&
@@ -147,6 +233,7 @@ class Restorer {
       widest_ = std::max(widest_, (width.below + width.above + 2 * margin_of_ramp) * edge_);
     }
     for (Index t = 0; t < in_strip_.size(); ++t) {
+      if (goes_round(t)) continue;
       bool is_above = false, is_below = false;
       for (const VertexIndex v : horizon_.triangles[t]) {
         if (inside[v]) in_strip_[t] = 1;
@@ -154,8 +241,13 @@ class Restorer {
         is_below = is_below || (beside[v] && beside[v]->across <= 0);
       }
       if (is_above && is_below) in_strip_[t] = 1, ++n_across_[f];
+      if (crossing_[t] == Crossing::fault) in_strip_[t] = 1;
     }
   }
+
+  /// It stays, and all sheets are joined by it.
+  bool goes_round(Index t) const { return crossing_[t] == Crossing::continuation; }
+  bool is_of_sheet(Index t) const { return !in_strip_[t] && !goes_round(t); }
 
   /// Sheets of what is left, by their first triangles; those of a few triangles go with the strips.
   void find_sheets() {
@@ -163,17 +255,17 @@ class Restorer {
     UnionFind joined(in_strip_.size());
     std::map<std::pair<VertexIndex, VertexIndex>, Index> first;
     for (Index t = 0; t < in_strip_.size(); ++t)
-      for (std::size_t i = 0; !in_strip_[t] && i < 3; ++i) {
+      for (std::size_t i = 0; is_of_sheet(t) && i < 3; ++i) {
         const VertexIndex a = merged[horizon_.triangles[t][i]], b = merged[horizon_.triangles[t][(i + 1) % 3]];
         const auto [at, is_new] = first.emplace(std::pair(std::min(a, b), std::max(a, b)), t);
         if (!is_new) joined.unite(at->second, t);
       }
     std::map<Index, std::size_t> size;
-    sheet_.assign(in_strip_.size(), no_index);
+    sheet_.assign(in_strip_.size(), BuiltRows::of_every_block);
     for (Index t = 0; t < sheet_.size(); ++t)
-      if (!in_strip_[t]) ++size[sheet_[t] = joined.find(t)];
+      if (is_of_sheet(t)) ++size[sheet_[t] = joined.find(t)];
     for (Index t = 0; t < sheet_.size(); ++t)
-      if (!in_strip_[t] && size[sheet_[t]] < least_sheet) in_strip_[t] = 1;
+      if (is_of_sheet(t) && size[sheet_[t]] < least_sheet) in_strip_[t] = 1;
     for (const auto& [sheet, n] : size)
       if (n >= least_sheet) numbers_.push_back(sheet);
   }
@@ -185,13 +277,16 @@ class Restorer {
     for (Index t = 0; t < given.size(); ++t)
       for (std::size_t i = 0; !in_strip_[t] && sheet_[t] == sheet && i < 3; ++i)
         if (!is_own[given[t][i]]) is_own[given[t][i]] = 1, nodes.add(given[t][i]);
+    std::vector<std::uint8_t> is_fixed = is_own;
+    for (Index t = 0; t < given.size(); ++t)
+      for (std::size_t i = 0; goes_round(t) && i < 3; ++i) is_fixed[given[t][i]] = 1;
     std::map<VertexIndex, std::optional<VertexIndex>> carried;  // by given node
     const auto row_of = [&](VertexIndex v) -> std::optional<VertexIndex> {
-      if (is_own[v]) return v;
+      if (is_fixed[v]) return v;
       const auto [at, is_new] = carried.try_emplace(v);
       if (!is_new) return at->second;
       Vec3 p = horizon_.points[v];
-      const auto height = carried_height(horizon_, nodes, p, widest_ + 2 * edge_, edge_);
+      const auto height = carried_height(horizon_, nodes, p, {p, across_[v]}, widest_ + 2 * edge_, edge_);
       if (!height) return std::nullopt;
       p.z = *height;
       at->second = static_cast<VertexIndex>(horizon_.points.size());
@@ -202,13 +297,14 @@ class Restorer {
     for (Index t = 0; t < given.size(); ++t) {
       if (!in_strip_[t]) continue;
       Triangle made{};
-      bool is_whole = true;
+      bool is_whole = true, is_beside = false;
       for (std::size_t i = 0; i < 3; ++i) {
         const auto row = row_of(given[t][i]);
         is_whole = is_whole && row;
+        is_beside = is_beside || is_own[given[t][i]] || !is_fixed[given[t][i]];
         made[i] = row.value_or(0);
       }
-      if (!is_whole) continue;
+      if (!is_whole || !is_beside) continue;
       horizon_.triangles.push_back(made);
       restored.sheet.push_back(sheet);
     }
@@ -261,7 +357,10 @@ class Restorer {
   }
 
   TriangulatedSurface& horizon_;
-  const std::vector<const TriangulatedSurface*>& faults_;
+  std::vector<const TriangulatedSurface*> faults_;
+  std::vector<TriangulatedSurface> reaches_;  ///< of each fault
+  std::vector<std::uint8_t> ends_inside_;     ///< per fault
+  std::vector<Crossing> crossing_;            ///< per given triangle
   const BuildLog& log_;
   double edge_, widest_ = 0;
   std::vector<FaultFaces> faces_;  ///< of the horizon's faults, then of the others
@@ -269,13 +368,14 @@ class Restorer {
   std::vector<std::size_t> n_across_;                    ///< triangles that cross each fault
   std::vector<std::uint8_t> in_strip_;                   ///< per given triangle
   std::vector<std::pair<Index, double>> nearest_fault_;  ///< per given node, with the distance across
+  std::vector<Vec2> across_;                             ///< per given node: the direction across that fault
   std::vector<Index> sheet_, numbers_;                   ///< per given triangle; those that are there
   std::map<VertexIndex, std::vector<double>> heights_;   ///< carried from each side, by given node
 };
 
 }  // namespace
 
-RestoredThrow restore_smeared_throw(TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults,
+RestoredThrow restore_smeared_throw(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
                                     const std::vector<const TriangulatedSurface*>& others, const BuildLog& log) {
   if (!is_single_valued(horizon)) return {};
   Restorer restorer(horizon, faults, others, log);

@@ -54,36 +54,13 @@ std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pai
   return sheet;
 }
 
-/// A fault's triangles with normals to one side.
-class Sides {
- public:
-  explicit Sides(const TriangulatedSurface& fault) {
-    const UpwardSides up = orient_upward(fault);
-    for (Index t = 0; t < fault.triangles.size(); ++t) {
-      const Triangle& v = fault.triangles[t];
-      const Vec3 n = cross(fault.points[v[1]] - fault.points[v[0]], fault.points[v[2]] - fault.points[v[0]]);
-      centres_.push_back(centre_of(fault, v));
-      normals_.push_back(up.as_stored[t] ? n : -1.0 * n);
-    }
-  }
-  bool is_above(const Vec3& p) const {
-    std::size_t nearest = 0;
-    for (std::size_t t = 1; t < centres_.size(); ++t)
-      if (norm(p - centres_[t]) < norm(p - centres_[nearest])) nearest = t;
-    return !centres_.empty() && dot(p - centres_[nearest], normals_[nearest]) > 0;
-  }
-
- private:
-  std::vector<Vec3> centres_, normals_;
-};
-
 /// The block of each triangle by the sides of the faults on which its sheet lies for most of its area. Only triangles
 /// that `counts` accepts are sorted; the others are of no block.
 template <class F>
 std::vector<Index> blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                                     const std::vector<ThrowFault>& faults, F&& counts) {
   std::map<Index, std::vector<double>> balance;  // per sheet and fault: area above less area below
-  std::vector<Sides> sides;
+  std::vector<FaultSides> sides;
   for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
   for (Index t = 0; t < sheet.size(); ++t) {
     if (!counts(t)) continue;
@@ -175,27 +152,23 @@ void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, doubl
   }
 }
 
-/// Appends the triangles by which the kept sheets' common continuation runs round the faults' ends.
-void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, const std::vector<ThrowFault>& faults,
-                     Extend how, const Box3& box, const BuildLog& log) {
+/// Appends those triangles of the joint's continuation by which it runs round the faults' ends.
+void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
+                     const BlockFaults& parting, const BuildLog& log) {
   std::vector<std::string> notes, warnings;
-  TriangulatedSurface joint = horizon;
-  joint.triangles.clear();
-  for (std::size_t t = 0; t < horizon.triangles.size(); ++t)
-    if (block[t] != BuiltRows::of_no_block) joint.triangles.push_back(horizon.triangles[t]);
   const std::size_t n_kept = joint.triangles.size();
   fill_holes(joint, infinite, {notes, warnings});
-  extend_to_box(joint, how, box, {notes, warnings}, {0, false});
+  extend_to_box(joint, parting.how, parting.box, {notes, warnings}, {0, false});
   if (!warnings.empty())
     log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
-  const std::vector<Crossing> crossing = find_crossings(joint, n_kept, faults, box);
+  const std::vector<Crossing> crossing = find_crossings(joint, n_kept, parting.faults, parting.box);
   const std::size_t first = horizon.triangles.size();
   horizon.points = joint.points;
   double at_end = 0, greatest = 0;
   for (std::size_t k = 0; k < crossing.size(); ++k) {
     if (crossing[k] == Crossing::none) continue;
     const Triangle& t = joint.triangles[n_kept + k];
-    const double across = throw_across(joint, t, faults, box);
+    const double across = throw_across(joint, t, parting.faults, parting.box);
     greatest = std::max(greatest, across);
     if (crossing[k] != Crossing::continuation) continue;
     at_end = std::max(at_end, across);
@@ -207,48 +180,51 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, co
 
 }  // namespace
 
-std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, Extend how,
-                                    const Box3& box, const BuildLog& log, const std::vector<Index>& sheet) {
-  const bool one_ends_inside = std::any_of(
-      faults.begin(), faults.end(), [](const ThrowFault& f) { return f.first_made < f.surface->triangles.size(); });
-  if (!one_ends_inside) {
-    const auto all = [](Index, Index) { return true; };
-    const std::vector<Index> joined =
-        sheet.empty() ? sheets_of(horizon.triangles.size(), neighbours_in(horizon), all) : sheet;
-    return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
+FaultSides::FaultSides(const TriangulatedSurface& fault) {
+  const UpwardSides up = orient_upward(fault);
+  for (Index t = 0; t < fault.triangles.size(); ++t) {
+    const Triangle& v = fault.triangles[t];
+    const Vec3 n = cross(fault.points[v[1]] - fault.points[v[0]], fault.points[v[2]] - fault.points[v[0]]);
+    centres_.push_back(centre_of(fault, v));
+    normals_.push_back(up.as_stored[t] ? n : -1.0 * n);
   }
-  const Ends ends(horizon, faults);
-  std::vector<Index> block = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
-  for (Index t = 0; t < block.size(); ++t)
-    if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
-  join_round_ends(horizon, block, faults, how, box, log);
-  return block;
 }
 
-void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, Extend how, const Box3& box,
-                   const BuildLog& log) {
-  if (block.empty()) return;
-  const TriangulatedSurface given = horizon;
-  const Index n_blocks = BuiltRows::n_blocks(block);
-  const std::size_t n_sorted = block.size();
-  for (Index b = 0; b < n_blocks; ++b) {
-    TriangulatedSurface part = given;
-    part.triangles.clear();
-    for (std::size_t t = 0; t < n_sorted; ++t)
-      if (block[t] == b || block[t] == BuiltRows::of_every_block) part.triangles.push_back(given.triangles[t]);
-    const std::size_t n_given = part.triangles.size();
-    extend_to_box(part, how, box, log, {b});
-    const auto shift = static_cast<VertexIndex>(horizon.points.size() - given.points.size());
-    horizon.points.insert(horizon.points.end(), part.points.begin() + static_cast<std::ptrdiff_t>(given.points.size()),
-                          part.points.end());
-    for (std::size_t t = n_given; t < part.triangles.size(); ++t) {
-      Triangle v = part.triangles[t];
-      for (VertexIndex& row : v)
-        if (row >= given.points.size()) row += shift;
-      horizon.triangles.push_back(v);
-      block.push_back(b);
+bool FaultSides::is_above(const Vec3& p) const {
+  std::size_t nearest = 0;
+  for (std::size_t t = 1; t < centres_.size(); ++t)
+    if (norm(p - centres_[t]) < norm(p - centres_[nearest])) nearest = t;
+  return !centres_.empty() && dot(p - centres_[nearest], normals_[nearest]) > 0;
+}
+
+std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
+                                    const KnownSheets& known) {
+  const std::vector<ThrowFault>& faults = parting.faults;
+  const bool one_ends_inside = std::any_of(
+      faults.begin(), faults.end(), [](const ThrowFault& f) { return f.first_made < f.surface->triangles.size(); });
+  TriangulatedSurface joint = horizon;
+  std::vector<Index> block;
+  if (!known.sheet.empty()) {
+    const auto is_round = [&](Index t) { return known.sheet[t] == BuiltRows::of_every_block; };
+    block = blocks_of_sheets(horizon, known.sheet, faults, [&](Index t) { return !is_round(t); });
+    for (Index t = 0; t < block.size(); ++t)
+      if (is_round(t)) block[t] = BuiltRows::of_every_block;
+    joint.triangles = known.before;
+  } else if (!one_ends_inside) {
+    const auto all = [](Index, Index) { return true; };
+    const std::vector<Index> joined = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
+    return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
+  } else {
+    const Ends ends(horizon, faults);
+    block = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
+    joint.triangles.clear();
+    for (Index t = 0; t < block.size(); ++t) {
+      if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
+      if (block[t] != BuiltRows::of_no_block) joint.triangles.push_back(horizon.triangles[t]);
     }
   }
+  if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);
+  return block;
 }
 
 }  // namespace geomesh::geomodel

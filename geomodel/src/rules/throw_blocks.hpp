@@ -16,6 +16,30 @@ struct ThrowFault {
   Index first_made;
 };
 
+/// The faults of a horizon and how its blocks are continued to the box.
+struct BlockFaults {
+  const std::vector<ThrowFault>& faults;
+  Extend how;
+  const Box3& box;
+};
+
+/// Sheets of a horizon whose ramps were taken out; empty lists: not known.
+struct KnownSheets {
+  std::vector<Index> sheet{};      ///< per triangle: its sheet, or BuiltRows::of_every_block
+  std::vector<Triangle> before{};  ///< the horizon's triangles with the ramps
+};
+
+/// A fault's triangles with normals to one side. A query costs O(triangles).
+class FaultSides {
+ public:
+  explicit FaultSides(const TriangulatedSurface& fault);
+  /// By the plane of the triangle that is nearest by its centre.
+  bool is_above(const Vec3& p) const;
+
+ private:
+  std::vector<Vec3> centres_, normals_;
+};
+
 /// The block of each triangle, from 0 in the order of their first triangles: sheets that lie, for most of their area,
 /// on the same sides of all `faults` are one block. Which side is that of the nearest fault triangle's plane; it only
 /// sorts sheets, nothing is cut by it.
@@ -26,14 +50,14 @@ struct ThrowFault {
 /// and what lies beyond it without going round its tip, is in no block (BuiltRows::of_no_block): the blocks are
 /// continued to the fault in its place.
 ///
-/// With `sheet`, one number per triangle, those of one number are a sheet; else those that hang together by edges.
-/// Faults that end inside take no sheets from there.
-std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, Extend how,
-                                    const Box3& box, const BuildLog& log, const std::vector<Index>& sheet = {});
+/// With sheets known those of one number are a sheet; else triangles that hang together by edges. What goes round a tip
+/// is then known too, and only what joins the sheets beyond the horizon's own border is added.
+std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
+                                    const KnownSheets& known);
 
 /// Continues each block to beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then run
-/// through each other; trim_soup ends them at the faults.
-void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, Extend how, const Box3& box,
+/// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out.
+void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
                    const BuildLog& log);
 
 }  // namespace geomesh::geomodel

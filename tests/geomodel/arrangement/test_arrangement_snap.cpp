@@ -223,6 +223,26 @@ TEST_CASE("diagnosis: horizons that cross, a gap and a loose end in words", "[ar
   CHECK(says("fault f1 ends inside the model (tip line) along 2.17 km near"));
 }
 
+TEST_CASE("snapping: edges that join where a facet beside them has a corner take that corner", "[arrangement]") {
+  constexpr double apart = 0x1p-20;
+  arrangement::Complex complex;
+  complex.points = {{-1, 0, 0},        {1, 0, 0},     {0, -3, -1},  // its first edge passes under that of the next one
+                    {0, -1, apart},    {0, 1, apart}, {3, 0, 1},
+                    {0, 0, apart / 2}, {-2, 2, 2},    {-2, -2, 2}};  // a corner exactly half-way between
+  complex.input_point.assign(complex.points.size(), no_index);
+  for (VertexIndex v = 0; v < 9; v += 3) {
+    complex.facets.push_back({v, v + 1, v + 2});
+    complex.origins.push(std::vector{arrangement::Origin{v / 3, 0, false}});
+  }
+  complex.dirty_facet.assign(3, 1);
+  const auto outcome = arrangement::snap_near(complex, {1, 1, 0}, {2 * apart, std::nullopt});
+  CHECK(outcome.n_vertices_inserted == 2);
+  CHECK(complex.facets.size() == 5);
+  std::set<std::array<double, 3>> places;
+  for (const Vec3& p : complex.points) places.insert({p.x, p.y, p.z});
+  CHECK(places.size() == complex.points.size());
+}
+
 TEST_CASE("split_facet: vertices on the border and inside", "[arrangement]") {
   using arrangement::split_facet;
   const std::vector<Vec3> p{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 1e-9, 0}, {1, 1, 1e-9}, {2, 2, 0}};

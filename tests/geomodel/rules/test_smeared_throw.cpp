@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "rules/fault_ends.hpp"
 #include "rules/smeared_throw.hpp"
 
 using namespace geomesh;
@@ -71,7 +72,7 @@ Restored restore(const Faulted& model, double fault_at = 2000) {
   Restored r;
   r.given = r.made = model.horizon();
   const TriangulatedSurface fault = model.fault(fault_at);
-  r.rows = restore_smeared_throw(r.made, {&fault}, {}, {r.notes, r.warnings});
+  r.rows = restore_smeared_throw(r.made, {{{&fault, 2}, nullptr}}, {}, {r.notes, r.warnings});
   return r;
 }
 
@@ -149,4 +150,108 @@ TEST_CASE("a ramp tells that a fault displaces a horizon", "[smeared_throw][thro
   find_throws({model.horizon(), model.fault()}, rules, notes, warnings);
   CHECK(rules.surfaces[0].throw_at == std::vector<std::string>{"fault"});
   CHECK(warnings.empty());
+}
+
+namespace {
+
+/// A horizon of 4 by 3 km whose fault, which dips to the east, ends inside at y = 2000. Its throw is an ellipse along
+/// the strike, half of it on each side, and dies out away from the fault.
+struct Ending {
+  double throw_m = 60, spacing = 50, half_width = 2, noise = 0;  // half_width in edges
+  static constexpr double tip = 2000, cotangent = 0.5;
+
+  static double level(double x, double y) { return -1000 + 0.03 * (x - 2000) - 0.02 * y; }
+  static double across(double x, double y) { return x - 2000 + (level(x, y) + 1000) * cotangent; }
+  double throw_at(double y) const { return y >= tip ? 0 : throw_m * std::sqrt(1 - y * y / (tip * tip)); }
+  double height(double x, double y, double share) const {
+    return level(x, y) - throw_at(y) * 0.5 * share * std::exp(-std::abs(across(x, y)) / 1500);
+  }
+  TriangulatedSurface horizon() const {
+    TriangulatedSurface s{"top", SurfaceKind::horizon, false, false, "", {}, {}};
+    std::uint64_t state = 5;
+    const auto nx = static_cast<VertexIndex>(4000 / spacing) + 1, ny = static_cast<VertexIndex>(3000 / spacing) + 1;
+    for (VertexIndex j = 0; j < ny; ++j)
+      for (VertexIndex i = 0; i < nx; ++i) {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        const double x = spacing * i, y = spacing * j, r = static_cast<double>(state >> 11) / 9007199254740992.0 - 0.5;
+        const double share = std::clamp(across(x, y) / (half_width * spacing), -1.0, 1.0);
+        s.points.push_back({x, y, height(x, y, share) + 2 * noise * r});
+      }
+    for (VertexIndex j = 0; j + 1 < ny; ++j)
+      for (VertexIndex i = 0; i + 1 < nx; ++i) {
+        const VertexIndex a = j * nx + i;
+        s.triangles.push_back({a, a + 1, a + nx + 1});
+        s.triangles.push_back({a, a + nx + 1, a + nx});
+      }
+    return s;
+  }
+  static TriangulatedSurface fault() {
+    TriangulatedSurface s{"fault", SurfaceKind::fault, false, false, "", {}, {}};
+    const double off = 1000 * cotangent;
+    s.points = {{2000 - off, -500, 0}, {2000 - off, tip, 0}, {2000 + off, tip, -2000}, {2000 + off, -500, -2000}};
+    s.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return s;
+  }
+};
+
+/// The throw restored is the true one up to six edges from the end, within `share`; both sheets have the same
+/// nodes beyond its end.
+void check_ending(const Ending& model, double share) {
+  INFO("throw " << model.throw_m << ", edges " << model.spacing << ", noise " << model.noise);
+  const TriangulatedSurface given = model.horizon();
+  TriangulatedSurface made = given, fault = Ending::fault();
+  const Index first = continue_fault(fault, {{100, 100, -2000}, {3900, 2900, 0}});
+  REQUIRE(first < fault.triangles.size());
+  std::vector<std::string> notes, warnings;
+  const RestoredThrow rows = restore_smeared_throw(made, {{{&fault, first}, nullptr}}, {}, {notes, warnings});
+  CHECK(warnings.empty());
+  REQUIRE(rows.sheet.size() == made.triangles.size());
+  CHECK(std::set<Index>(rows.sheet.begin(), rows.sheet.end()).size() == 3);
+  std::map<std::pair<double, double>, std::set<double>> heights;  // of all sheets, by place
+  for (Index t = 0; t < rows.sheet.size(); ++t)
+    for (const VertexIndex v : made.triangles[t])
+      heights[{made.points[v].x, made.points[v].y}].insert(made.points[v].z);
+  std::size_t n = 0;
+  for (const auto& [place, at] : heights) {
+    const auto& [x, y] = place;
+    if (y > Ending::tip + 3 * model.spacing) CHECK(at.size() == 1);
+    if (std::abs(Ending::across(x, y)) > model.spacing || y > Ending::tip - 6 * model.spacing) continue;
+    REQUIRE(at.size() == 2);
+    CHECK(*at.rbegin() - *at.begin() == Approx(model.throw_at(y)).margin(share * model.throw_m));
+    ++n;
+  }
+  CHECK(static_cast<double>(n) > 0.6 * Ending::tip / model.spacing);
+  for (Index t = 0; t < rows.sheet.size(); ++t)
+    if (rows.sheet[t] == BuiltRows::of_every_block) CHECK(t < rows.n_given);
+}
+
+}  // namespace
+
+TEST_CASE("throw that is smeared across a fault that ends inside is restored, and dies out at its end",
+          "[smeared_throw]") {
+  for (const double throw_m : {40.0, 80.0})
+    for (const double spacing : {25.0, 50.0, 100.0}) {
+      const double share = spacing < 100 ? 0.05 : 0.07;  // of which most is drag within the ramp
+      check_ending({throw_m, spacing}, share);
+      check_ending({throw_m, spacing, 1.5, 0.5}, share + 0.02);
+    }
+}
+
+TEST_CASE("a horizon whose sides tell another throw than its ramp keeps it, with a warning", "[smeared_throw]") {
+  const Faulted model{60, 100};
+  TriangulatedSurface made = model.horizon();
+  const TriangulatedSurface fault = model.fault();
+  // The eastern side rises steeply from the foot of the ramp.
+  for (Vec3& p : made.points) {
+    const double d = model.across(p.x, p.y);
+    if (d > 150) p.z += std::min(300.0, 1.2 * (d - 150));
+  }
+  std::vector<std::string> notes, warnings;
+  const TriangulatedSurface before = made;
+  const RestoredThrow rows = restore_smeared_throw(made, {{{&fault, 2}, nullptr}}, {}, {notes, warnings});
+  CHECK(rows.sheet.empty());
+  CHECK((made.triangles == before.triangles));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("is not restored, and the ramps stay: what lies beside it gives a throw of") !=
+        std::string::npos);
 }

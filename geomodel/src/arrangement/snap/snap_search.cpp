@@ -138,19 +138,29 @@ class Search {
     if (on_e != no_vertex) return insert(f, on_e);
     if (on_f != no_vertex) return insert(e, on_f);
     const VertexIndex x = vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f), rule_.united(thing(e), thing(f)));
+    if (x == no_vertex) return;
     insert(e, x);
     insert(f, x);
   }
 
+  /// A vertex of the grid that is near, else one at the place itself: of the complex where it has one there, so that
+  /// places stay distinct. no_vertex: the one that is there may not be taken.
   VertexIndex vertex_at(const Vec3& place, unsigned planes, const JoinRule::Thing& thing) {
     const Vec3 p = planes_.onto(place, planes);
-    const VertexIndex there =
-        grid_.nearest(p, planes, planes_, [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); });
+    const auto may_take = [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); };
+    const VertexIndex there = grid_.nearest(p, planes, planes_, may_take);
     if (there != no_vertex) return there;
-    complex_.points.push_back(p);
-    complex_.input_point.push_back(no_index);
-    const auto v = static_cast<VertexIndex>(complex_.points.size() - 1);
-    rule_.set_vertex(v, thing);
+    for (; n_placed_ < complex_.points.size(); ++n_placed_)
+      placed_.emplace(complex_.points[n_placed_], static_cast<VertexIndex>(n_placed_));
+    const auto [at, is_new] = placed_.emplace(p, static_cast<VertexIndex>(complex_.points.size()));
+    const VertexIndex v = at->second;
+    if (is_new) {
+      complex_.points.push_back(p);
+      complex_.input_point.push_back(no_index);
+    } else if (!may_take(v)) {
+      return no_vertex;
+    }
+    rule_.set_vertex(v, is_new ? thing : rule_.united(rule_.of_vertex(v), thing));
     grid_.add(v);
     vertices_.push_back(v);
     return v;
@@ -194,6 +204,8 @@ class Search {
   BoxPlanes planes_;
   JoinRule& rule_;
   VerticesOnEdges on_edges_;
+  std::unordered_map<Vec3, VertexIndex, PointHash> placed_;  ///< the first n_placed_ points of the complex
+  std::size_t n_placed_ = 0;
   Insertions result_;
 };
 
