@@ -274,6 +274,39 @@ TEST_CASE("Openings in vain are counted, those about a cell that is mended are n
   CHECK(vain_trials(100'000'000).left < 1'000'000);
 }
 
+TEST_CASE("A contraction that is mended takes a point away and leaves no cell worse than the worst, nor more bad ones",
+          "[trial]") {
+  Model model = ball_in_box(4);
+  disturb_inside(model, 2);
+  Bench bench(std::move(model));
+  DomainMesh& mesh = bench.mesh;
+  const RescueRule rule{DihedralMeasure::of_angle(30), 12, 30};
+  std::size_t n_kept = 0, n_beyond_plain = 0, n_undone = 0;
+  for (CellIndex c = 0; c < mesh.n_slots(); c += 3) {
+    if (!mesh.is_live(c)) continue;
+    const Tetrahedron t = mesh.vertices(c);
+    const DomainMesh copy = mesh;
+    double before = 1, after = 1;
+    const std::size_t n_before = n_below(copy, rule.bad_shape, before);
+    if (collapse_mending(bench.tools, t[0], t[1], rule)) {
+      ++n_kept;
+      CHECK(mesh.kind(t[0]) == VertexKind::dead);
+      CHECK(n_below(mesh, rule.bad_shape, after) <= n_before);
+      CHECK(after >= before);
+      mesh = copy;
+      n_beyond_plain += !try_collapse(bench.tools, t[0], t[1], CollapseRule::thin_out, rule.bad_shape);
+      mesh = copy;
+    } else {
+      ++n_undone;
+      require_same(mesh, copy);
+    }
+    REQUIRE(mesh.validate() == "");
+  }
+  CHECK(n_kept > 0);
+  CHECK(n_beyond_plain > 0);
+  CHECK(n_undone > 0);
+}
+
 TEST_CASE("A search tries no more often than it may, and not at all when time is over", "[trial]") {
   Model model = ball_in_box(4);
   disturb_inside(model, 1);

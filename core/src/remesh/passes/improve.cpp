@@ -173,6 +173,16 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   passes.once(
       "the last poor cells mended by looking ahead", [&] { rescue_flat_cells(tools, aim_rescue, out_of_time); },
       rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
+  passes.run({.name = "points too near to others taken out, and what is about them mended",
+              .round =
+                  [&](unsigned) {
+                    const RescueRule rule = rescue_below(measure.of_angle(schedule.near_points_angle));
+                    std::size_t n = thin_out_mending(tools, ShortEdges::inside, rule, context);
+                    if (!tools.guard.exact()) n += thin_out_mending(tools, ShortEdges::on_surfaces, rule, context);
+                    return n == 0 ? Next::done : Next::again;
+                  },
+              .most_rounds = schedule.thinning_rounds,
+              .applies = rescues_bad});
   const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
   passes.run({.name = "the mean raised where much is poor",

@@ -7,6 +7,7 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/operations.hpp"
+#include "remesh/rescue/rescue.hpp"
 
 namespace geomesh::remesh {
 
@@ -27,6 +28,10 @@ std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunCont
 /// the tolerance): points that turn out not to be needed. The worst shape does not fall below the lesser of what it was
 /// and `floor`. O(n log n).
 std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context);
+
+/// Collapses those below RefineRatios::promised_edge at any cost for the cells about, as long as these can be mended
+/// (collapse_mending).
+std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, const RunContext& context);
 
 enum class LongEdges : bool { of_curves, of_surfaces };
 /// Splits edges longer than RefineRatios::split_edge, the longest first. Throws Error{cannot_mesh} beyond max_cells, as

@@ -108,8 +108,10 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double r
   return edges;
 }
 
-std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edges, CollapseRule rule, double floor,
-                           const RunContext& context) {
+/// `collapse` moves a vertex into another, where it can.
+template <class Collapse>
+std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edges, const RunContext& context,
+                           const Collapse& collapse) {
   DomainMesh& mesh = tools.mesh;
   std::size_t n = 0;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -118,7 +120,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
     if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes
     if (cell_with_edge(tools, u, v) == no_cell) continue;
-    if (try_collapse(tools, u, v, rule, floor) || try_collapse(tools, v, u, rule, floor)) ++n;
+    if (collapse(u, v) || collapse(v, u)) ++n;
   }
   return n;
 }
@@ -136,13 +138,23 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
 
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context) {
   const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge);
-  return collapse_edges(tools, edges, CollapseRule::coarsen, refine_ratios.collapse_floor, context);
+  return collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
+    return try_collapse(tools, u, v, CollapseRule::coarsen, refine_ratios.collapse_floor);
+  });
 }
 
 std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context) {
   const bool is_inside = which == ShortEdges::inside;
   const double ratio = is_inside ? refine_ratios.thin_out_edge : refine_ratios.thin_out_surface_edge;
-  return collapse_edges(tools, short_edges(tools, which, ratio), CollapseRule::thin_out, floor, context);
+  return collapse_edges(tools, short_edges(tools, which, ratio), context, [&](VertexIndex u, VertexIndex v) {
+    return try_collapse(tools, u, v, CollapseRule::thin_out, floor);
+  });
+}
+
+std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, const RunContext& context) {
+  const auto edges = short_edges(tools, which, refine_ratios.promised_edge);
+  return collapse_edges(tools, edges, context,
+                        [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
 }
 
 }  // namespace geomesh::remesh

@@ -19,11 +19,14 @@ enum class MendScope : bool {
   own,      ///< those that it made or changed
 };
 
+/// Whether repair may put points at a place.
+enum class NewPoints : bool { no, yes };
+
 /// The place about a bad cell during a trial: how it stands beside how it was, and the repair of what is bad there.
 class RescuedPlace {
  public:
-  RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule)
-      : tools_(tools), mesh_(tools.mesh), rule_(rule), seed_(bad_cell(mesh_, seed)) {}
+  RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule, NewPoints points = NewPoints::yes)
+      : tools_(tools), mesh_(tools.mesh), rule_(rule), points_(points), seed_(bad_cell(mesh_, seed)) {}
 
   /// The cell that the trial is about, as it was.
   const BadCell& seed() const { return seed_; }
@@ -33,7 +36,7 @@ class RescuedPlace {
   /// One operation that raises the worst shape about the cell, the first that there is.
   bool mend(CellIndex c) {
     return flip_about_cell(tools_, c) || move_vertices(c) || collapse_about_cell(tools_, c) ||
-           add_point_about_cell(tools_, c, rescue_limits.room);
+           (points_ == NewPoints::yes && add_point_about_cell(tools_, c, rescue_limits.room));
   }
   /// Mends the worst, again and again, until none is left or too many were given up.
   void mend_all() {
@@ -102,6 +105,7 @@ class RescuedPlace {
   Toolbox& tools_;
   DomainMesh& mesh_;
   RescueRule rule_;
+  NewPoints points_;
   BadCell seed_;
   MendScope scope_ = MendScope::touched;
   std::vector<Tetrahedron> given_up_;  // about which all was in vain
@@ -265,6 +269,20 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
         return true;
   }
   return false;
+}
+
+bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const RescueRule& rule) {
+  RescuedPlace place(tools, tools.mesh.incident_cell(u), rule, NewPoints::no);
+  place.set_scope(MendScope::own);
+  Trial trial(tools);
+  if (!try_collapse(tools, u, v, CollapseRule::coarsen, opening_shape)) return false;
+  tools.bad_cells_may_spread = false;
+  place.mend_all();
+  const Tally was = place.before(), is = place.after();
+  const bool is_no_worse = is.n_bad <= was.n_bad && is.deficit <= was.deficit;
+  if (!is_no_worse || is.worst < std::min(was.worst, rule.bad_shape)) return false;
+  trial.keep();
+  return true;
 }
 
 bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search) {

@@ -35,6 +35,11 @@ bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule);
 /// first that is worth it is kept. Many times as dear as rescue_cell.
 bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule, VainTrials& vain);
 
+/// Moves u into its neighbour v, at whatever cost for the cells about it. Mends those by flips, moves and more of that,
+/// without new points. Kept where no more cells are bad than before, they lack no more together, and the worst of them
+/// is no worse.
+bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const RescueRule& rule);
+
 /// What searches share, one after the other.
 struct RescueSearch {
   Random choose;
