@@ -24,7 +24,7 @@ FULL = {
     "crs": {"horizontal": "local", "z": "elevation", "unit": "m"},
     "box": {"min": [0, 0, 0], "max": [10, 10, 10]},
     "surfaces": [{"name": "top", "kind": "horizon", "file": "top.ts", "extend": "flat", "fill_holes": "all", "base": "erode",
-                  "gridding": {"method": "thin_plate"}, "smooth": 1}],
+                  "gridding": {"method": "thin_plate"}, "smooth": 1, "fault_polygons": {"file": "gap.txt"}}],
     "wells": [{"name": "w", "file": "w.pl"}],
     "tops": {"file": "tops.csv"},
     "points": [{"name": "p", "at": [1, 2, 3]}],
@@ -77,6 +77,7 @@ class ProjectSchema(ProgramTest):
         self.write("top.ts", level("top", 5))
         self.write("tops.csv", "well,horizon,depth\nw,top,2\n")
         self.write("w.pl", "GOCAD PLine 1\nHEADER {\nname:w\n}\nILINE\nVRTX 1 3 4 9\nVRTX 2 3 4 1\nSEG 1 2\nEND\n")
+        self.write("gap.txt", "3 4\n5 4\n5 6\n")
 
     def faults(self, project):
         return ["%s: %s" % ("/".join(map(str, e.path)), e.message) for e in self.validator.iter_errors(project)]

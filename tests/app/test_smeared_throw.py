@@ -2,7 +2,7 @@
 """Horizon grids that run across their faults as ramps: with throw_at the throw is restored, told, and the blocks have their true volumes."""
 import math
 
-from geomesh_program import ProgramTest, main, plane_ts, triangles_ts
+from geomesh_program import BAD_INPUT, USAGE, ProgramTest, main, plane_ts, triangles_ts
 
 STEP, WIDTH, LENGTH, BOTTOM = 50.0, 4000.0, 2000.0, -2000.0
 COTANGENT = 1 / math.tan(math.radians(60))
@@ -156,6 +156,55 @@ class SmearedThrow(ProgramTest):
         check = self.check(self.path("out", "model.vtu"), "--project", project)
         volumes = {region["name"]: region["volume"] for region in check["regions"]}
         self.assertEqual(sorted(volumes), sorted(f"{unit}__B{k}" for unit in ("upper", "lower") for k in (1, 2, 3)), report["warnings"])
+
+    def polygon_model(self, polygons, entry="fault_polygons: {file: polygons.txt}, extend: tangent", status=0):
+        """A horizon that is interpolated over 400 m on both sides of f1, too wide for a ramp that is found."""
+        self.fault("f1", 2000)
+        self.horizon([(2000, 60)], 400)
+        self.write("polygons.txt", polygons)
+        project = self.write("model.yaml", "name: model\nbox: {min: [200, 200, -2000], max: [3800, 1800, 0]}\nsurfaces:\n"
+                             f"  - {{name: h, kind: horizon, file: h.ts, {entry}}}\n"
+                             "  - {name: f1, kind: fault, file: f1.ts, extent: to_box}\n"
+                             "column: [upper, h, lower]\nrules: {fault_blocks: true}\noutput: {directory: out}\n")
+        printed = self.run_program(project, status=status)
+        if status:
+            return printed
+        check = self.check(self.path("out", "model.vtu"), "--project", project)
+        return self.report(self.path("out", "model.report.json")), {region["name"]: region["volume"] for region in check["regions"]}
+
+    GAP = [(1570, -50), (2480, -50), (2480, 2050), (1570, 2050)]
+
+    def test_fault_polygons_of_every_format(self):
+        """Nodes between the cut-offs are no data, and the fault is found by the polygon."""
+        rows = [f"{x} {y}" for x, y in self.GAP]
+        ring = rows + rows[:1]
+        lines = "".join(f"VRTX {k + 1} {row} 0\n" for k, row in enumerate(rows))
+        for name, text in (("blanks", "\n".join(ring) + "\n\n"), ("irap", "\n".join(row + " -1000" for row in ring) + "\n999 999 999\n"),
+                           ("ids", "x,y,polygon\n" + "".join(row.replace(" ", ",") + ",a\n" for row in ring)),
+                           ("gocad", "GOCAD PLine 1\nHEADER {\nname: gap\n}\nILINE\n" + lines + "SEG 1 2\nSEG 2 3\nSEG 3 4\nEND\n")):
+            with self.subTest(name):
+                report, volumes = self.polygon_model(text)
+                self.assertTrue(any("1 fault polygons of f1" in note for note in report["notes"]), report["notes"])
+                self.assertEqual(sorted(volumes), ["lower__B1", "lower__B2", "upper__B1", "upper__B2"], report["warnings"])
+                found = sorted(v for unit, v in volumes.items() if unit.startswith("lower"))
+                for one, other in zip(found, sorted(self.lower_volumes([(2000, 60)]))):
+                    self.assertAlmostEqual(one, other, delta=0.003 * 60 * 2000 * 1600)
+
+    def test_fault_polygons_with_mistakes_are_told_and_change_nothing(self):
+        gap = "\n".join(f"{x} {y}" for x, y in self.GAP)
+        for text, words in (("\n".join(f"{x + 500000} {y + 6e6:.0f}" for x, y in self.GAP), "lie beside it"),
+                            ("3000 500\n3200 500\n3200 900\n3000 900\n", "are passed by no fault at its height")):
+            report, volumes = self.polygon_model(text)
+            told = [warning for warning in report["warnings"] if words in warning]
+            self.assertEqual(len(told), 1, report["warnings"])
+            self.assertIn("the first near (", told[0])
+            self.assertAlmostEqual(sum(volumes.values()), 3600 * 1600 * 2000, delta=10)
+        self.assertIn("polygons.txt:2: x and y", self.polygon_model("1 2\nabc def\n", status=BAD_INPUT))
+        self.assertIn("no fault polygon of three points", self.polygon_model("1 2\n3 4\n", status=BAD_INPUT))
+        self.assertIn("there is no file", self.polygon_model(gap, "fault_polygons: {file: none.txt}", USAGE))
+        self.assertIn("file", self.polygon_model(gap, "fault_polygons: {}", USAGE))
+        report, _ = self.polygon_model(gap, "fault_polygons: {file: polygons.txt, crs: local}, throw_at: [f1]")
+        self.assertFalse(any("throw_at does not name" in warning for warning in report["warnings"]))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/fault_polygons.hpp"
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -217,7 +218,37 @@ void fit_tops(const Project& project, ProjectInputs& inputs) {
   }
 }
 
+/// Takes out of the horizons what lies in their fault polygons, which are read and placed as `read` does.
+template <class Read>
+void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
+  inputs.faults_of_polygons.resize(project.surfaces.size());
+  for (std::size_t i = 0; i < project.surfaces.size(); ++i) {
+    const SurfaceSpec& spec = project.surfaces[i];
+    if (spec.fault_polygons.file.empty()) continue;
+    const FileContents contents = read(spec.name, spec.fault_polygons);
+    std::vector<Polyline> polygons;
+    for (const Polyline& line : contents.polylines)
+      if (spec.fault_polygons.source.object.empty() || line.name == spec.fault_polygons.source.object)
+        polygons.push_back(line);
+    PolygonCut cut = cut_at_polygons(inputs.surfaces[i], polygons, inputs.surfaces);
+    for (const std::string& fault : cut.faults) {
+      const std::vector<std::string>& listed = spec.rules.throw_at;
+      if (!listed.empty() && std::find(listed.begin(), listed.end(), fault) == listed.end())
+        cut.warnings.push_back("horizon " + spec.name + ": a fault polygon is passed by " + fault +
+                               ", which its throw_at does not name");
+    }
+    std::move(cut.notes.begin(), cut.notes.end(), std::back_inserter(inputs.notes));
+    std::move(cut.warnings.begin(), cut.warnings.end(), std::back_inserter(inputs.warnings));
+    inputs.faults_of_polygons[i] = std::move(cut.faults);
+  }
+}
+
 }  // namespace
+
+void ProjectInputs::add_throws(ModelRules& rules) const {
+  for (std::size_t s = 0; s < rules.surfaces.size() && s < faults_of_polygons.size(); ++s)
+    if (rules.surfaces[s].throw_at.empty()) rules.surfaces[s].throw_at = faults_of_polygons[s];
+}
 
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context) {
   std::vector<FileContents> contents;
@@ -258,6 +289,14 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
   for (std::size_t i = 0; i < project.wells.size(); ++i)
     take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
   fit_tops(project, inputs);
+  cut_polygons(
+      project,
+      [&](const std::string& name, const FaultPolygonsSpec& spec) {
+        FileContents polygons = read_fault_polygons(spec.file);
+        inputs.frame.place({name, &spec.source, &polygons}, inputs.notes, inputs.warnings);
+        return polygons;
+      },
+      inputs);
   for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});
   context.note(LogLevel::info,
                std::to_string(inputs.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");

@@ -9,6 +9,7 @@
 
 #include "coordinates/georeference.hpp"
 #include "geomesh/core/run_context.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/tops.hpp"
 
@@ -22,8 +23,12 @@ struct ProjectInputs {
   std::vector<Polyline> wells{};
   std::vector<FittedTop> tops{};  ///< horizons have been moved to pass through them
   std::vector<NamedPoint> points{};
-  std::optional<VolumeSpec> volume{};  ///< for make_volume with the origin (0, 0, 0)
+  std::optional<VolumeSpec> volume{};                          ///< for make_volume with the origin (0, 0, 0)
+  std::vector<std::vector<std::string>> faults_of_polygons{};  ///< per surface: those that its fault polygons tell
   std::vector<std::string> notes{}, warnings{};
+
+  /// Adds these faults to throw_at of horizons that have no list of their own.
+  void add_throws(ModelRules& rules) const;
 };
 
 /// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} where a file does not hold what its

@@ -174,8 +174,8 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    std::vector<std::string_view> keys{"name",   "kind", "file",    "object",   "crs",      "unit",
-                                       "z_unit", "z",    "z_datum", "gridding", "resample", "smooth"};
+    std::vector<std::string_view> keys{"name", "kind",    "file",     "object",   "crs",    "unit",          "z_unit",
+                                       "z",    "z_datum", "gridding", "resample", "smooth", "fault_polygons"};
     keys.insert(keys.end(), surface_rule_keys().begin(), surface_rule_keys().end());
     const YamlMap map(value, keys);
     if (!map.is_map()) return;
@@ -194,7 +194,19 @@ class ProjectReader {
     read_source(map, spec.source);
     read_gridding(map, spec);
     read_surface_rules(map, spec);
+    if (const auto v = map.find("fault_polygons")) read_fault_polygons_spec(*v, spec);
     project_.surfaces.push_back(std::move(spec));
+  }
+
+  void read_fault_polygons_spec(const YamlValue& value, SurfaceSpec& spec) {
+    const YamlMap map(value, {"file", "object", "crs", "unit"});
+    if (!map.is_map()) return;
+    FaultPolygonsSpec& polygons = spec.fault_polygons;
+    if (const auto v = map.require("file", "the file of the polygons"))
+      read_file(*v, polygons.file, polygons.file_as_written);
+    read_source(map, polygons.source);
+    if (spec.kind != SurfaceKind::horizon) value.problem("only a horizon has fault polygons");
+    spec.rules.throw_at_polygons = true;
   }
 
   void read_well(const YamlValue& value) {

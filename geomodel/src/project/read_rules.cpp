@@ -189,9 +189,9 @@ void check_units(const YamlValue& root, const Project& project, const SurfaceSpe
 }
 
 void check_throw(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
-  const bool has_throw = spec.rules.throw_auto || !spec.rules.throw_at.empty();
-  if (has_throw && !project.box)
-    root.problem("horizon '" + spec.name + "' is to be continued to its faults (throw_at), which needs a box");
+  if (spec.rules.has_throw() && !project.box)
+    root.problem("horizon '" + spec.name +
+                 "' is to be continued to its faults (throw_at, fault_polygons), which needs a box");
   for (const std::string& name : spec.rules.throw_at) {
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
       return s.name == name && s.kind == SurfaceKind::fault;

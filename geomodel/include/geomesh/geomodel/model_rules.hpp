@@ -56,6 +56,9 @@ struct SurfaceRules {
   /// (`extend`, flat where none) to beyond the faults; what then lies on the other side of one of them goes.
   std::vector<std::string> throw_at;
   bool throw_auto = false;  ///< throw_at is found from the data (find_throws)
+  /// Horizons with fault polygons: faults that pass through them are added to throw_at, where that is no list.
+  bool throw_at_polygons = false;
+  bool has_throw() const { return throw_auto || throw_at_polygons || !throw_at.empty(); }
   /// Horizons with throw_at: where one runs on across a fault as a ramp, the throw is restored in its place. False: the
   /// ramp stays.
   bool cut_smeared = true;

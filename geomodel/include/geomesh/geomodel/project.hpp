@@ -32,6 +32,13 @@ struct SourceSpec {
   double z_datum = 0;         ///< elevation of the input's zero in the project's height system, in the project's unit
 };
 
+/// Key `fault_polygons` of a horizon.
+struct FaultPolygonsSpec {
+  std::filesystem::path file;  ///< empty: none
+  std::string file_as_written;
+  SourceSpec source;
+};
+
 struct SurfaceSpec {
   std::string name;
   SurfaceKind kind = SurfaceKind::horizon;
@@ -43,8 +50,9 @@ struct SurfaceSpec {
   GriddingSpec gridding;  ///< how points become a surface
   double resample = 0;    ///< length of the edges of the surface remade; 0: as it is
   int smooth = 0;         ///< passes of smoothing
-  SurfaceRules rules;     ///< `extend`, `fill_holes`, `extent`, `base`
-  int line = 0;           ///< where it stands in the project file, from 1
+  FaultPolygonsSpec fault_polygons;
+  SurfaceRules rules;  ///< `extend`, `fill_holes`, `extent`, `base`
+  int line = 0;        ///< where it stands in the project file, from 1
 };
 
 struct WellSpec {

@@ -24,7 +24,7 @@ class TrimReader {
     add(project_.rules.topography, row, trim.above);
     add(project_.rules.floor, row, trim.below);
     if (spec.kind != SurfaceKind::body) trim.near_others = project_.rules.trim_overshoot;
-    const bool has_throw = spec.rules.throw_auto || !spec.rules.throw_at.empty();
+    const bool has_throw = spec.rules.has_throw();
     trim.continuation = !spec.rules.stop_at.empty() || has_throw;
     trim.given_beyond_faults = has_throw;
     add_order_of_horizons(row, trim);
@@ -113,6 +113,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
                Vec3{});
   if (claim.volume) ask_stack(rules, refinement, *claim.volume);
+  inputs.add_throws(rules);
   std::vector<std::string> found, doubts;  // the run tells them
   find_throws(inputs.surfaces, rules, found, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);

@@ -132,6 +132,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
                model.naming.attributes, model.origin);
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;
+  inputs.add_throws(model.rules);
   find_throws(model.surfaces, model.rules, found, doubts);
   for (std::string& text : found) note(model.notes, context, std::move(text));
   for (std::string& text : doubts) warn(model.warnings, context, std::move(text));

@@ -155,7 +155,9 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     if (!rules.surfaces[s].throw_auto) continue;
     const std::vector<Found> found = throws_of(surfaces[s], faults);
+    const std::vector<std::string> known = rules.surfaces[s].throw_at;  // by fault polygons
     for (std::size_t f = 0; f < found.size(); ++f) {
+      if (std::find(known.begin(), known.end(), names[f]) != known.end()) continue;
       if (!found[f].displaces() && rules.surfaces[s].cut_smeared && has_smeared_throw(surfaces[s], faults, f)) {
         rules.surfaces[s].throw_at.push_back(names[f]);
         notes.push_back("horizon " + surfaces[s].name + ": throw across " + names[f] +

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Fault polygons: closed lines in the map about the gap that a fault leaves in a horizon. Between its two cut-offs the
+/// nodes of a grid are interpolated and no data.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+/// The lines of a file: polylines of any format that has them (GOCAD, DXF, VTP, OMF), else text. Text has lines of
+/// x, y, perhaps z and perhaps an id, with or without a first line of names. Lines are parted by blank lines, by `>`,
+/// by rows of 999, or by the id. Throws as read_surface_file, and Error{invalid_input} where there is no line of three
+/// points.
+FileContents read_fault_polygons(const std::filesystem::path& file);
+
+/// What was done with the polygons of one horizon.
+struct PolygonCut {
+  std::vector<std::string> faults;  ///< that pass through a polygon, in the order of the surfaces
+  std::size_t n_nodes = 0, n_triangles = 0;
+  std::vector<std::string> notes, warnings;
+};
+
+/// Takes the triangles out of the horizon that meet a polygon in the map. A polygon counts where a fault passes
+/// through it at the horizon's height. Others, and those beside the horizon, are told with a place and change nothing.
+/// Points keep their rows. Cost: edges of polygons times the triangles near them, and triangles of faults times
+/// polygons.
+PolygonCut cut_at_polygons(TriangulatedSurface& horizon, const std::vector<Polyline>& polygons,
+                           const std::vector<TriangulatedSurface>& surfaces);
+
+}  // namespace geomesh::geomodel
