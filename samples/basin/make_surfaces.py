@@ -67,8 +67,10 @@ def main():
     parser.add_argument("--nodes", type=int, default=40)
     parser.add_argument("--size", type=float, default=10000)
     parser.add_argument("--tolerance", type=float, default=60)
+    parser.add_argument("--seed", type=int, default=0, help="other fields of the same kind")
     parser.add_argument("--output", default=HERE)
     arguments = parser.parse_args()
+    SmoothField.seed = arguments.seed
     os.makedirs(os.path.join(arguments.output, "surfaces"), exist_ok=True)
     for name, grid in zip(NAMES, make_grids(arguments.nodes)):
         write_esri_ascii(os.path.join(arguments.output, "surfaces", name + ".asc"), grid, (WEST, SOUTH), WIDTH / arguments.nodes)

@@ -74,8 +74,10 @@ def main():
     parser.add_argument("--columns", type=int, default=56)
     parser.add_argument("--size", type=float, default=1500)
     parser.add_argument("--tolerance", type=float, default=8)
+    parser.add_argument("--seed", type=int, default=0, help="other fields of the same kind")
     parser.add_argument("--output", default=HERE)
     arguments = parser.parse_args()
+    SmoothField.seed = arguments.seed
     folder = os.path.join(arguments.output, "surfaces")
     os.makedirs(folder, exist_ok=True)
     step = WIDTH / (arguments.columns - 1)

@@ -10,8 +10,10 @@ import random
 class SmoothField:
     """A sum of cosines with wavelengths of `wavelength` to twice that, standard deviation 1, mean 0."""
 
+    seed = 0  # of the whole model: other fields of the same kind
+
     def __init__(self, seed, wavelength, n_waves=12):
-        rng = random.Random(seed)
+        rng = random.Random(seed + 1000 * SmoothField.seed)
         self.waves = []
         for _ in range(n_waves):
             angle, length = rng.uniform(0, 2 * math.pi), wavelength * rng.uniform(1, 2)

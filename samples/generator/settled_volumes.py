@@ -14,10 +14,11 @@ PIXELS_A_CELL = 5       # of thickness; a cell of mean thicknesses is a quarter 
 CELLS_BEYOND = 2        # the rectangle
 
 
-def generator_of(sample):
+def generator_of(sample, seed):
     spec = importlib.util.spec_from_file_location(sample.replace("-", "_"), os.path.join(SAMPLES, sample, "make_surfaces.py"))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
+    module.SmoothField.seed = seed
     return module
 
 
@@ -180,8 +181,8 @@ class Model:
         return sums
 
 
-def basin(nodes=40, size=10000.0, tolerance=60.0):
-    made = generator_of("basin")
+def basin(nodes=40, size=10000.0, tolerance=60.0, seed=0):
+    made = generator_of("basin", seed)
     step = made.WIDTH / nodes
     grids = [Grid(heights, step, (made.WEST + 0.5 * step, made.SOUTH + 0.5 * step)) for heights in made.make_grids(nodes)]
 
@@ -192,8 +193,8 @@ def basin(nodes=40, size=10000.0, tolerance=60.0):
                  heights)
 
 
-def reservoir(columns=36, size=400.0, thickness=4.0, outer=None):
-    made = generator_of("reservoir")
+def reservoir(columns=36, size=400.0, thickness=4.0, outer=None, seed=0):
+    made = generator_of("reservoir", seed)
     margin = 400.0  # between the rim of the grids and the box, which is turned with them
     step = made.WIDTH / (columns - 1)
     n_rows = int(round(made.LENGTH / step)) + 1
@@ -202,8 +203,8 @@ def reservoir(columns=36, size=400.0, thickness=4.0, outer=None):
                  lambda u, v: [grid.at(u, v) for grid in grids])
 
 
-def blank_grids(columns=56, size=1500.0, tolerance=8.0):
-    made = generator_of("blank-grids")
+def blank_grids(columns=56, size=1500.0, tolerance=8.0, seed=0):
+    made = generator_of("blank-grids", seed)
     step = made.WIDTH / (columns - 1)
     n_rows = int(round(made.LENGTH / step)) + 1
     grids = [Grid(heights, step, made.ORIGIN) for heights in made.make_grids(columns, n_rows)]
@@ -211,8 +212,8 @@ def blank_grids(columns=56, size=1500.0, tolerance=8.0):
                  lambda x, y: [grid.at(x, y) for grid in grids])
 
 
-def exploration(nodes=40, size=2500.0, tolerance=40.0):
-    made = generator_of("exploration")
+def exploration(nodes=40, size=2500.0, tolerance=40.0, seed=0):
+    made = generator_of("exploration", seed)
     grid = Grid(made.make_grids(nodes)[0], made.WIDTH / (nodes - 1))
     return Model(("cover", "granite"), (1000.0, 1000.0), (18000.0, 18000.0), size, 0.0,
                  lambda x, y: [0.0, min(0.0, max(-8000.0, grid.at(x, y))), -8000.0])

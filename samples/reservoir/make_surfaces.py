@@ -121,8 +121,10 @@ def main():
     parser.add_argument("--size", type=float, default=400)
     parser.add_argument("--outer", type=float, default=2000)
     parser.add_argument("--thickness", type=float, default=4, help="least thickness of a unit, and tolerance, in m")
+    parser.add_argument("--seed", type=int, default=0, help="other fields of the same kind")
     parser.add_argument("--output", default=HERE)
     arguments = parser.parse_args()
+    SmoothField.seed = arguments.seed
     folder = os.path.join(arguments.output, "surfaces")
     os.makedirs(folder, exist_ok=True)
     n_columns = arguments.columns
