@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrangement/model/ingest.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -71,55 +69,10 @@ bool wholly_outside(const Complex& complex, const Triangle& t, const Box3& box) 
   return false;
 }
 
-/// A plane with the whole model volume on one of its sides or on it.
-struct OuterPlane {
-  std::array<Vec3, 3> points;
-  Sign outer;
-  bool has_wholly_outside(const Complex& complex, const Triangle& t) const {
-    return std::all_of(t.begin(), t.end(), [&](VertexIndex v) {
-      return orient3d(points[0], points[1], points[2], complex.points[v]) == outer;
-    });
-  }
-};
-
-bool is_along_axis(const std::array<Vec3, 3>& t) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (t[0][i] == t[1][i] && t[1][i] == t[2][i]) return true;
-  return false;
-}
-
-/// Of the triangles of the sides, those that bound the volume's convex hull; the bounds have those along the axes. Few:
-/// a volume with a round outline has more than are worth asking.
-std::vector<OuterPlane> outer_planes(const std::vector<TriangulatedSurface>& sides) {
-  constexpr std::size_t most_points = 100;
-  std::size_t n_points = 0;
-  for (const TriangulatedSurface& side : sides) n_points += side.points.size();
-  std::vector<OuterPlane> planes;
-  if (n_points > most_points) return planes;
-  for (const TriangulatedSurface& side : sides)
-    for (const Triangle& t : side.triangles) {
-      OuterPlane plane{{side.points[t[0]], side.points[t[1]], side.points[t[2]]}, Sign::zero};
-      bool is_above = false, is_below = false;
-      for (const TriangulatedSurface& other : sides)
-        for (const Vec3& p : other.points) {
-          const Sign at = orient3d(plane.points[0], plane.points[1], plane.points[2], p);
-          is_above = is_above || at == Sign::positive;
-          is_below = is_below || at == Sign::negative;
-        }
-      if (is_above == is_below || is_along_axis(plane.points)) continue;
-      plane.outer = is_above ? Sign::negative : Sign::positive;
-      planes.push_back(plane);
-    }
-  return planes;
-}
-
 class Ingestion {
  public:
   Ingestion(const SurfaceList& surfaces, const std::optional<Box3>& box, std::size_t n_points)
-      : surfaces_(surfaces),
-        box_(box),
-        outer_planes_(outer_planes(surfaces.box_sides)),
-        table_(result_.complex.points, n_points) {}
+      : surfaces_(surfaces), box_(box), table_(result_.complex.points, n_points) {}
 
   void add_surface(Index row) {
     const TriangulatedSurface& surface = surfaces_[row];
@@ -186,9 +139,7 @@ class Ingestion {
     const Vec3 &a = complex.points[t[0]], &b = complex.points[t[1]], &c = complex.points[t[2]];
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || projection_of(a, b, c).sign == Sign::zero) return false;
     if (surface < surfaces_.given.size()) {
-      const auto is_beyond = [&](const OuterPlane& plane) { return plane.has_wholly_outside(complex, t); };
-      if ((box_ && wholly_outside(complex, t, *box_)) ||
-          std::any_of(outer_planes_.begin(), outer_planes_.end(), is_beyond)) {
+      if (box_ && wholly_outside(complex, t, *box_)) {
         result_.area_outside.resize(surfaces_.given.size(), 0);
         result_.area_outside[surface] += area(a, b, c);
         return true;
@@ -202,7 +153,6 @@ class Ingestion {
 
   const SurfaceList& surfaces_;
   const std::optional<Box3>& box_;
-  std::vector<OuterPlane> outer_planes_;
   Ingested result_;
   PointTable table_;
   Index n_input_points_ = 0;

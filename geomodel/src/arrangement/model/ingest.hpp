@@ -24,13 +24,13 @@ struct SurfaceList {
 struct Ingested {
   Complex complex;
   std::vector<std::vector<VertexIndex>> vertex_of_point;  ///< per surface and point: vertex of the complex
-  std::vector<double> area_outside;                       ///< per given surface: of triangles wholly outside
+  std::vector<double> area_outside;                       ///< per given surface: of triangles wholly outside the box
   std::vector<std::string> warnings;
 };
 
 /// Merges points of equal coordinates, drops triangles without area (with a warning) and those wholly beyond a side of
-/// the box or of the volume. Throws Error{invalid_input} for coordinates that are not finite or out of the exact
-/// arithmetic's range, and for indices out of range.
+/// the box. Throws Error{invalid_input} for coordinates that are not finite or out of the exact arithmetic's range, and
+/// for indices out of range.
 Ingested ingest(const SurfaceList& surfaces, const std::vector<Polyline>& polylines,
                 const std::vector<NamedPoint>& points, const std::optional<Box3>& box);
 
