@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rules of model building in whole projects of plane surfaces, where every volume is known; what a rule did is told, and the mesh passes
 `geomesh check` against the project."""
+import math
+
 from geomesh_program import BAD_INPUT, USAGE, ProgramTest, box_surface, level, main, plane_ts, triangles_ts
 
 BOX = "box: {min: [0, 0, 0], max: [10, 10, 10]}\n"
@@ -187,6 +189,34 @@ column: [upper, h, lower]
         report, volumes = self.mesh(self.SURFACES)
         self.assertEqual(sorted(volumes), ["lower", "upper"])
         self.told(report, "warnings", "throw left there: at most 2 m", "does not die out", "extent: to_box")
+
+
+class TurnedBox(RulesTest):
+    """A box turned by some degrees, and a horizon that ends a little beyond its sides: nearer than surfaces are merged."""
+
+    def horizon(self, azimuth, beyond):
+        turn, nx, ny = math.radians(azimuth), 9, 25
+        points = []
+        for j in range(ny):
+            for i in range(nx):
+                u, v = (2 + beyond) * (2 * i / (nx - 1) - 1), (6 + beyond) * (2 * j / (ny - 1) - 1)
+                points.append((5 + u * math.cos(turn) + v * math.sin(turn), 5 - u * math.sin(turn) + v * math.cos(turn),
+                               5 + 0.3 * math.sin(v) + 0.2 * u))
+        corners = [j * nx + i for j in range(ny - 1) for i in range(nx - 1)]
+        self.write("h.ts", triangles_ts("h", points, [t for k in corners for t in ((k, k + 1, k + nx + 1), (k, k + nx + 1, k + nx))]))
+
+    def test_sides_keep_their_planes(self):
+        for azimuth, beyond, merged in ((30, 0.003, ""), (30, 0.0005, ""), (17, 0.002, ""), (75, 0.01, ""),
+                                        (30, 0.003, "tolerance: 0.01\n")):
+            with self.subTest(azimuth=azimuth, beyond=beyond, merged=merged):
+                self.horizon(azimuth, beyond)
+                project = self.write("turned.yaml", "name: turned\n"
+                                     f"box: {{center: [5, 5], size: [4, 12], azimuth: {azimuth}, bottom: 0, top: 10}}\n"
+                                     "surfaces:\n  - {name: h, kind: horizon, file: h.ts}\n" + merged
+                                     + "mesh: {size: 0.8, tolerance: 0.1}\noutput: {directory: turned}\n")
+                self.run_program(project)
+                check = self.check(self.path("turned", "turned.vtu"), "--project", project)
+                self.assertEqual(len(check["regions"]), 2)
 
 
 class Faults(RulesTest):

@@ -108,6 +108,9 @@ void JoinRule::set_vertex(VertexIndex v, const Thing& thing) {
 bool JoinRule::allows(const Thing& a, const Thing& b) const {
   if (!restricts_) return true;
   const std::vector<Index>&x = sets_[a.surfaces], &y = sets_[b.surfaces];
+  const auto is_fixed = [&](const std::vector<Index>& of) { return !of.empty() && of.back() >= first_fixed_; };
+  if (is_fixed(x) || is_fixed(y)) return false;
+  if (joins_all_) return true;
   if (!a.is_border && !b.is_border) return false;
   return std::any_of(x.begin(), x.end(), [&](Index s) {
     return std::any_of(y.begin(), y.end(), [&](Index t) { return s != t && meeting_.contains(surface_pair(s, t)); });

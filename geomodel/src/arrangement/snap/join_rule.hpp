@@ -22,7 +22,8 @@ std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts&
 
 /// Two things may join where one of them is a free border, and a surface of the one meets another surface of the other
 /// somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
-/// triangles beside their curve are for remeshing to take out.
+/// triangles beside their curve are for remeshing to take out. Surfaces from the row `first_fixed` on stay what they
+/// are, and nothing joins them: sides of a model volume, which would leave their planes.
 class JoinRule {
  public:
   using Set = Index;  ///< of surfaces, by number
@@ -32,7 +33,14 @@ class JoinRule {
   };
   /// Everything may join.
   JoinRule() = default;
-  explicit JoinRule(std::set<SurfacePair> meeting) : meeting_(std::move(meeting)), restricts_(true) {}
+  explicit JoinRule(std::set<SurfacePair> meeting, Index first_fixed = no_index)
+      : meeting_(std::move(meeting)), first_fixed_(first_fixed), restricts_(true) {}
+  /// Everything else may join.
+  static JoinRule all_but(Index first_fixed) {
+    JoinRule rule({}, first_fixed);
+    rule.joins_all_ = true;
+    return rule;
+  }
 
   bool restricts() const { return restricts_; }
   /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
@@ -53,7 +61,8 @@ class JoinRule {
   Set number(std::vector<Index> surfaces);
 
   std::set<SurfacePair> meeting_;
-  bool restricts_ = false;
+  Index first_fixed_ = no_index;
+  bool restricts_ = false, joins_all_ = false;
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
