@@ -109,6 +109,14 @@ PolygonSoup soup_of(Complex&& complex) {
   return soup;
 }
 
+/// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
+JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& options, const Complex& complex,
+                      const Contacts& contacts) {
+  const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
+  if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
+  return JoinRule(surfaces_that_meet(complex, contacts), first_fixed);
+}
+
 /// One arrangement: what is read in, and what its rounds have done so far.
 class Arrangement {
  public:
@@ -139,7 +147,7 @@ class Arrangement {
   ArrangementResult run() {
     if (options_.tolerance > 0) apply_tolerance_to_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
-    if (join_rule_.restricts()) join_rule_ = join_rule(contacts);
+    if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, ingested_.complex, contacts);
     result_.n_pairs = contacts.n_pairs;
     log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
@@ -203,15 +211,6 @@ class Arrangement {
     return outcome.changed();
   }
 
-  /// Sides of a volume: points keep to those of a box by its planes.
-  bool has_fixed_sides() const { return !options_.box && bounds_; }
-
-  JoinRule join_rule(const Contacts& contacts) const {
-    const Index first_fixed = has_fixed_sides() ? static_cast<Index>(surfaces_.given.size()) : no_index;
-    if (options_.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
-    return JoinRule(surfaces_that_meet(ingested_.complex, contacts), first_fixed);
-  }
-
   void apply_tolerance_to_input() {
     Complex& complex = ingested_.complex;
     const double least = 1024 * unit_in_the_last_place(complex);
@@ -221,8 +220,9 @@ class Arrangement {
     const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
     SnapOptions snapping{options_.tolerance, bounds_};
     if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
-    if (!joins_all || has_fixed_sides())
-      snapping.rule = join_rule_ = join_rule(find_contacts(complex, context_, result_.memory_bound));
+    if (!joins_all || !options_.volume.empty())
+      snapping.rule = join_rule_ =
+          join_rule_of(surfaces_, options_, complex, find_contacts(complex, context_, result_.memory_bound));
     std::vector<VertexIndex> now;
     take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now));
     for (auto& vertices : ingested_.vertex_of_point)
