@@ -12,6 +12,7 @@
 #include "stack/sheets/closing_rows.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
 #include "stack/single_valued.hpp"
+#include "stack/stack_members.hpp"
 #include "stack/thickness_sizes.hpp"
 
 namespace geomesh::geomodel {
@@ -27,49 +28,6 @@ constexpr double row_of_thickness = 12;          // over which a unit closes: at
 constexpr double most_shift = 0.15;              // of the size: of pinch-out lines, by half of that row
 constexpr double edge_of_thickness = 24;         // edges in a unit are at most so long
 constexpr double margin_of_size = 0.25;          // about an outline that is no box along the axes
-
-/// The stack's horizons, youngest first.
-struct Stack {
-  std::vector<Index> rows;
-  std::vector<std::string> units;  ///< between neighbours
-  std::vector<Keeper> keepers;
-};
-
-Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
-                 const std::vector<TriangulatedSurface>& surfaces) {
-  if (surfaces[younger].name == rules.topography) return Keeper::younger;
-  if (surfaces[older].name == rules.floor) return Keeper::older;
-  if (rules.of(younger).base == BaseRule::erode) return Keeper::younger;
-  if (rules.of(older).base == BaseRule::onlap) return Keeper::older;
-  const bool younger_moves = rules.on_crossing == OnCrossing::clip_younger || rules.thin_layers == ThinLayers::collapse;
-  return younger_moves ? Keeper::older : Keeper::younger;
-}
-
-/// The topography, the column, the bottom of the model.
-Stack find_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
-  Stack stack;
-  std::vector<std::string> names, units;
-  for (std::size_t i = 1; i < rules.column.size(); i += 2) names.push_back(rules.column[i]);
-  for (std::size_t i = 2; i + 1 < rules.column.size(); i += 2) units.push_back(rules.column[i]);
-  const auto stands = [&](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!rules.topography.empty() && !stands(rules.topography)) {
-    if (!names.empty()) units.insert(units.begin(), rules.column.front());
-    names.insert(names.begin(), rules.topography);
-  }
-  if (!rules.floor.empty() && !stands(rules.floor)) {
-    if (!names.empty() && !rules.column.empty()) units.push_back(rules.column.back());
-    names.push_back(rules.floor);
-  }
-  for (const std::string& name : names)
-    for (Index s = 0; s < surfaces.size(); ++s)
-      if (surfaces[s].name == name) stack.rows.push_back(s);
-  stack.units = std::move(units);
-  for (std::size_t k = 0; k + 1 < stack.rows.size(); ++k)
-    stack.keepers.push_back(keeper_of(rules, stack.rows[k], stack.rows[k + 1], surfaces));
-  return stack;
-}
 
 /// Why the stack cannot be settled; empty: it can.
 std::string obstacle(const Stack& stack, const BuiltSurfaces& built) {
@@ -292,7 +250,7 @@ bool settle_stack(BuiltSurfaces& built, const ModelRules& rules) {
   const StackRules& asked = rules.stack;
   if (asked.rule == StackRule::keep || !(asked.tolerance > 0) || !(asked.size > 0) || asked.outline.empty())
     return false;
-  const Stack stack = find_stack(built.surfaces, rules);
+  const Stack stack = find_stack(built, rules);
   const bool settled = settle_column_of(built, rules, stack);
   thin_out_others(built, rules, stack);
   built.stack.size = asked.size;
