@@ -75,7 +75,8 @@ bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFaul
                        return f.first_made == f.surface->triangles.size() &&
                               lies_on_both_sides(horizon, FaultFaces(*f.surface));
                      }) &&
-         BuiltRows::n_blocks(sort_into_blocks(copy, {faults, Extend::flat, {}}, {notes, warnings}, {})) == 1;
+         BuiltRows::n_blocks(sort_into_blocks(copy, {faults, Extend::flat, {}}, {notes, warnings}, {}).of_triangle) ==
+             1;
 }
 
 /// The blocks of a horizon with throw, each continued on its own.
@@ -103,13 +104,13 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     return;
   }
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
-  std::vector<Index> block =
-      sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
+  auto [block, sides] = sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
   if (BuiltRows::n_blocks(block) == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
   extend_blocks(surface, block, {faults, how, *rules.box}, log);
   built.rows.block_of_triangle[s] = std::move(block);
+  built.rows.sides_of_block[s] = std::move(sides);
 }
 
 }  // namespace
@@ -125,6 +126,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   BuiltSurfaces built;
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
+  built.rows.sides_of_block.resize(surfaces.size());
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());
   for (const TriangulatedSurface& s : surfaces)

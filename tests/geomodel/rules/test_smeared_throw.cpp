@@ -8,6 +8,7 @@
 
 #include "rules/fault_ends.hpp"
 #include "rules/smeared_throw.hpp"
+#include "rules/throw/fault_crossings.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
