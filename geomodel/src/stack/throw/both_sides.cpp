@@ -72,10 +72,14 @@ class StripTriangles {
     in_strip_.assign(n, 0);
     for (std::size_t t = 0; t < n; ++t) in_strip_[t] = input.strips.holds(centre(t)) || lacks_height(t);
     crossing_.assign(heights_.size(), {});
-    for (std::size_t k = 0; k < heights_.size(); ++k)
-      if (heights_[k]) cross(k);
-    for (std::size_t k = 0; k < heights_.size(); ++k)
-      if (heights_[k]) find_blocks(k);
+    blocks_.resize(heights_.size());
+    for (std::size_t k = 0; k < heights_.size(); ++k) {
+      if (!heights_[k]) continue;
+      cross(k, {});
+      find_blocks(k);
+      cross(k, blocks_about(k));
+      find_blocks(k);
+    }
   }
 
   bool in_strip(std::size_t t) const { return in_strip_[t]; }
@@ -98,13 +102,14 @@ class StripTriangles {
     return false;
   }
 
-  /// What each triangle crosses at the mean height of all blocks; a fault also at the lowest or the highest.
-  void cross(std::size_t k) {
+  /// What each triangle crosses at the mean height of its blocks; a fault also at the lowest or the highest. `about`:
+  /// blocks by vertex, where they are known.
+  void cross(std::size_t k, const std::vector<std::set<Index>>& about) {
     std::array<TriangulatedSurface, 3> surfaces;
     for (TriangulatedSurface& s : surfaces) s.triangles = sheets_.triangles;
     for (VertexIndex v = 0; v < sheets_.points.size(); ++v) {
       const Vec2 p = in_.frame.to_model(sheets_.points[v]);
-      const std::array<double, 3> z = mean_and_ends(k, v);
+      const std::array<double, 3> z = mean_and_ends(k, v, about.empty() ? std::set<Index>{} : about[v]);
       for (std::size_t i = 0; i < 3; ++i) surfaces[i].points.push_back({p.x, p.y, z[i]});
     }
     crossing_[k] = find_crossings(surfaces[0], 0, in_.faults[k].faults, in_.box);
@@ -117,28 +122,44 @@ class StripTriangles {
       if (crossing_[k][t] == Crossing::fault) in_strip_[t] = 1;
   }
 
-  /// Of the blocks that reach there, else of all; where the horizon has one height that.
-  std::array<double, 3> mean_and_ends(std::size_t k, VertexIndex v) const {
+  /// Of the blocks about the vertex, else of those that reach there, else of all. Where the horizon has one height that
+  /// stands for the mean.
+  std::array<double, 3> mean_and_ends(std::size_t k, VertexIndex v, const std::set<Index>& about) const {
     const Vec2& p = sheets_.points[v];
-    if (const double z = sheets_.height(v, k); !std::isnan(z)) return {z, z, z};
-    for (const bool all : {false, true}) {
-      double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
-      int n = 0;
+    const double settled = sheets_.height(v, k);
+    const bool is_single = !std::isnan(settled);
+    double sum = 0, least = is_single ? settled : std::numeric_limits<double>::infinity(),
+           most = is_single ? settled : -least;
+    int n = 0;
+    for (int way = about.empty() ? 1 : 0; way < 3 && n == 0 && !(is_single && way > 0); ++way)
       for (Index b = 0; b < heights_[k]->n_blocks(); ++b) {
-        if (!all && !heights_[k]->reaches(b, p)) continue;
+        if (way == 0 ? !about.contains(b) : way == 1 && !heights_[k]->reaches(b, p)) continue;
         const double z = heights_[k]->height(b, p);
         if (std::isnan(z)) continue;
         sum += z, ++n;
         least = std::min(least, z), most = std::max(most, z);
       }
-      if (n > 0) return {sum / n, least, most};
+    if (is_single) return {settled, least, most};
+    return n > 0 ? std::array<double, 3>{sum / n, least, most} : std::array<double, 3>{0, 0, 0};
+  }
+
+  /// Of triangles at each vertex that crosses a fault, or is next to one that does, where there are several.
+  std::vector<std::set<Index>> blocks_about(std::size_t k) const {
+    std::vector<std::set<Index>> about(sheets_.points.size());
+    for (int ring = 0; ring < 2; ++ring) {
+      const std::vector<std::set<Index>> inner = about;
+      for (std::size_t t = 0; t < in_strip_.size(); ++t) {
+        std::set<Index> all;
+        if (crossing_[k][t] == Crossing::fault) all.insert(blocks_[k][t].begin(), blocks_[k][t].end());
+        for (const VertexIndex v : sheets_.triangles[t]) all.insert(inner[v].begin(), inner[v].end());
+        for (const VertexIndex v : sheets_.triangles[t]) about[v].insert(all.begin(), all.end());
+      }
     }
-    return {0, 0, 0};
+    return about;
   }
 
   void find_blocks(std::size_t k) {
-    blocks_.resize(heights_.size());
-    blocks_[k].resize(sheets_.triangles.size());
+    blocks_[k].assign(sheets_.triangles.size(), {});
     label_parts(k);
     share_where_crossed(k);
   }
