@@ -27,11 +27,21 @@ std::size_t throw_fault(const std::vector<TriangulatedSurface>& surfaces, const 
   return static_cast<std::size_t>(fault - surfaces.begin());
 }
 
+/// The box, and in the map the horizons with throw, so that no sheet goes round a continuation beyond the box.
+Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules) {
+  Box3 reach = *rules.box;
+  for (std::size_t s = 0; s < built.surfaces.size(); ++s)
+    for (const Vec3& p : built.surfaces[s].points)
+      if (!rules.of(s).throw_at.empty()) reach.add({p.x, p.y, reach.min.z});
+  return reach;
+}
+
 /// Faults across which a horizon has throw and that are kept as given are continued beyond where they end inside the
 /// box.
 void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
   built.rows.first_only_parting.assign(built.surfaces.size(), no_index);
   if (!rules.box) return;
+  const Box3 reach = reach_of_continuations(built, rules);
   for (std::size_t s = 0; s < built.surfaces.size(); ++s)
     for (const std::string& name : rules.of(s).throw_at) {
       const std::size_t row = throw_fault(built.surfaces, built.surfaces[s], name);
@@ -40,7 +50,7 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
           fault.triangles.empty())
         continue;
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
-      built.rows.first_only_parting[row] = continue_fault(fault, *rules.box);
+      built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
     }
 }
 

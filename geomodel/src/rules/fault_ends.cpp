@@ -35,10 +35,10 @@ bool reaches_into(const Box3& box, const std::array<Vec3, 3>& t) {
 
 }  // namespace
 
-Index continue_fault(TriangulatedSurface& fault, const Box3& box) {
+Index continue_fault(TriangulatedSurface& fault, const Box3& box, const Box3& reach) {
   const TriangulatedSurface given = fault;
   std::vector<std::string> notes, warnings;
-  extend_to_box(fault, Extend::flat, box, {notes, warnings});
+  extend_to_box(fault, Extend::flat, reach, {notes, warnings});
   for (std::size_t t = given.triangles.size(); t < fault.triangles.size(); ++t)
     if (reaches_into(box, corners_of(fault, t))) return static_cast<Index>(given.triangles.size());
   fault = given;

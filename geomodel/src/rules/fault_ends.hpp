@@ -7,9 +7,9 @@
 
 namespace geomesh::geomodel {
 
-/// Continues a fault that ends inside the box to beyond it and gives the row of the first triangle made; leaves one
-/// that does not as it is and gives its number of triangles. The continuation parts blocks from each other and is
-/// removed from the model afterwards.
-Index continue_fault(TriangulatedSurface& fault, const Box3& box);
+/// Continues a fault that ends inside the box to beyond `reach`, and gives the row of the first triangle made. `reach`
+/// is a larger box, which holds the horizons to be parted. Leaves a fault that does not end there as it is and gives
+/// its number of triangles. The continuation parts blocks from each other and is removed from the model afterwards.
+Index continue_fault(TriangulatedSurface& fault, const Box3& box, const Box3& reach);
 
 }  // namespace geomesh::geomodel

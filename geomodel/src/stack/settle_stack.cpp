@@ -201,7 +201,7 @@ class Group {
     if (!is_wanted && !has_many_triangles(horizons_, layout_.bounds, size)) return false;
     MapSheets sheets = draw_sheets(samples, areas, options);
     std::vector<SidedHorizon> sided(horizons_.size());
-    if (strips_.any()) sided = make_both_sides(sheets, {data_, faults_, strips_, frame_, *rules_.box, options});
+    if (has_throw()) sided = make_both_sides(sheets, {data_, faults_, strips_, frame_, *rules_.box, options});
     told_ = describe_settled(sheets, {samples, areas, layout_.bounds, options, strips_});
     told_.min_thickness = thickness;
     ask_for_sizes(sheets, thickness);
@@ -259,7 +259,7 @@ class Group {
       const Vec2 place = frame_.to_model(Vec2{told.place.x, told.place.y});
       told.place = {place.x, place.y, told.place.z};
       told.n_triangles_given = s.triangles.size();
-      if (!data_[k].has_throw() || !strips_.any()) {
+      if (!data_[k].has_throw()) {
         s = sheet_of(sheets, k, samples, s, frame_);
         built_.rows.n_given_triangles[row] = static_cast<Index>(s.triangles.size());
       } else {
@@ -275,6 +275,10 @@ class Group {
       told_.units[k].top = told_.horizons[k].name;
       told_.units[k].base = told_.horizons[k + 1].name;
     }
+  }
+
+  bool has_throw() const {
+    return std::any_of(data_.begin(), data_.end(), [](const BlockData& data) { return data.has_throw(); });
   }
 
   void tell_sides(const SidedHorizon& sided, SettledHorizon& told) const {

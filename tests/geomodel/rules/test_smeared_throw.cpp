@@ -201,7 +201,8 @@ void check_ending(const Ending& model, double share) {
   INFO("throw " << model.throw_m << ", edges " << model.spacing << ", noise " << model.noise);
   const TriangulatedSurface given = model.horizon();
   TriangulatedSurface made = given, fault = Ending::fault();
-  const Index first = continue_fault(fault, {{100, 100, -2000}, {3900, 2900, 0}});
+  const Box3 box{{100, 100, -2000}, {3900, 2900, 0}};
+  const Index first = continue_fault(fault, box, box);
   REQUIRE(first < fault.triangles.size());
   std::vector<std::string> notes, warnings;
   const RestoredThrow rows = restore_smeared_throw(made, {{{&fault, first}, nullptr}}, {}, {notes, warnings});

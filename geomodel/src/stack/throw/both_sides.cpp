@@ -191,19 +191,24 @@ class StripTriangles {
     }
   }
 
-  /// What crosses a fault, or lies enclosed by such triangles, has all blocks that are about it.
+  /// What crosses a fault, or lies enclosed by such triangles, has all blocks that are about it; where faults meet also
+  /// those about its neighbours.
   void share_where_crossed(std::size_t k) {
-    for (bool any = true; any;) {
+    std::vector<std::size_t> crossed;
+    for (std::size_t t = 0; t < in_strip_.size(); ++t)
+      if (!is_of_every(k, t) && blocks_[k][t].empty()) crossed.push_back(t);
+    bool any = true;
+    for (int round = 0; any || round < 2; ++round) {
       any = false;
       std::vector<std::set<Index>> about(sheets_.points.size());
       for (std::size_t t = 0; t < in_strip_.size(); ++t)
         for (const VertexIndex v : sheets_.triangles[t]) about[v].insert(blocks_[k][t].begin(), blocks_[k][t].end());
-      for (std::size_t t = 0; t < in_strip_.size(); ++t) {
-        if (is_of_every(k, t) || !blocks_[k][t].empty()) continue;
+      for (const std::size_t t : crossed) {
+        if (round > 1 && !blocks_[k][t].empty()) continue;
         std::set<Index> all;
         for (const VertexIndex v : sheets_.triangles[t]) all.insert(about[v].begin(), about[v].end());
+        any = any || (round > 0 && blocks_[k][t].empty() && !all.empty());
         blocks_[k][t].assign(all.begin(), all.end());
-        any = any || !all.empty();
       }
     }
   }
