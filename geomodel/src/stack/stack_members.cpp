@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "rules/planar/map_locator.hpp"
+#include "rules/planar/single_valued.hpp"
 #include "stack/map/map_samples.hpp"
-#include "stack/single_valued.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -18,9 +18,9 @@ struct Stack {
   std::vector<Keeper> keepers;
 };
 
-/// The topography, the column, the bottom of the model. Horizons that the column does not name stand over it where
-/// they lie over nearly all of it and cross it in islands narrower than the size: no mesh of that size has these. A
-/// note tells of them. Cost: of looking for heights at most 250,000 times a horizon that is not named.
+/// The topography, the column, the bottom of the model. One horizon more stands over the column that does not name it:
+/// one that lies over most of it and crosses it in islands of less than three elements. No mesh of that size shows
+/// these. A warning tells of it. Cost: of looking for heights at most 250,000 times a horizon that is not named.
 Stack find_stack(BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel
