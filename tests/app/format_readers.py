@@ -12,7 +12,7 @@ import tempfile
 import os
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-import meshio_vtu
+from meshio_vtu import mend as mended_meshio
 
 
 class ReaderMissing(Exception):
@@ -29,7 +29,7 @@ def need(module):
         found = __import__(module)
     except ImportError:
         raise ReaderMissing(module) from None
-    return meshio_vtu.mend(found) if module == "meshio" else found
+    return mended_meshio(found) if module == "meshio" else found
 
 
 def measure(points, cells):
