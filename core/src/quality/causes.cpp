@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "common/geometry.hpp"
 #include "quality/measure/measures.hpp"
 #include "quality/measure/shape.hpp"
+#include "search/closest_point.hpp"
 
 namespace geomesh {
 
@@ -68,6 +70,21 @@ bool CauseFinder::are_ends_of_near_curves(const ShortEdge& e, bool have_common_n
   return is_along ? at_a.size() != 2 && at_b.size() != 2 : !have_common_neighbour;
 }
 
+bool CauseFinder::is_needed_on_curve(VertexIndex v, double tolerance) const {
+  const auto at_v = stars_.edges(v);
+  if (at_v.size() != 2) return true;
+  const Vec3 &a = mesh_.points[at_v[0].other], &b = mesh_.points[at_v[1].other];
+  return distance(mesh_.points[v], search::closest_on_segment(mesh_.points[v], a, b)) > tolerance;
+}
+
+bool CauseFinder::is_between_bends(const ShortEdge& e) const {
+  const auto at_a = stars_.edges(e.a);
+  if (std::none_of(at_a.begin(), at_a.end(), [&](const SoupEdge& s) { return s.other == e.b; })) return false;
+  double tolerance = options_.tolerance;
+  if (options_.tolerance_share > 0) tolerance = std::min(tolerance, options_.tolerance_share * e.size);
+  return is_needed_on_curve(e.a, tolerance) && is_needed_on_curve(e.b, tolerance);
+}
+
 void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double share) {
   std::vector<VertexIndex> about{e.a, e.b};  // and where curves from both ends meet
   for (const SoupEdge& x : stars_.edges(e.a))
@@ -80,6 +97,8 @@ void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double sha
     e.forcing_angle = least;
   } else if (are_ends_of_near_curves(e, about.size() > 2)) {
     e.cause = EdgeCause::near_curves;
+  } else if (is_between_bends(e)) {
+    e.cause = EdgeCause::bends;
   } else {
     for (const Index c : cells) {
       const double width = gap_of(c).width;

@@ -32,10 +32,13 @@ class CauseFinder {
   const MeetingAngle& angle_at(VertexIndex v);
   bool explain_by_angle(WorstElement& w);  ///< whether that is its cause
   void explain_by_gap(WorstElement& w) const;
+  /// Whether the curve along the edge would leave the tolerance without either end.
+  bool is_between_bends(const ShortEdge& e) const;
+  bool is_needed_on_curve(VertexIndex v, double tolerance) const;
   bool are_ends_of_near_curves(const ShortEdge& e, bool have_common_neighbour) const;
   /// The narrowest gap that the element spans and that the tolerance does not allow to close.
   Gap gap_of(Index tetrahedron) const {
-    return gaps_.narrowest(tetrahedron, options_.gaps_stay ? 0 : 2 * options_.tolerance);
+    return gaps_.narrowest(tetrahedron, options_.tolerance_share > 0 ? 0 : 2 * options_.tolerance);
   }
 
   const ConstrainedTetrahedralization& mesh_;

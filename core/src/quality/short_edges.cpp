@@ -40,6 +40,25 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
   return edges;
 }
 
+/// What sizes are where they grow from the edges that the input forces, by the gradation of `size`.
+SizeField grown_from_forced(const std::vector<ShortEdge>& edges, const SizeField& size) {
+  std::vector<SizeSource> sources;
+  for (const ShortEdge& e : edges)
+    if (e.cause != EdgeCause::free) sources.push_back({.point = e.place, .size = e.length});
+  return {std::move(sources), {.gradation = size.limits().gradation}};
+}
+
+/// Of the size grown from forced edges: what elements of good shape have. Shorter edges are not excused by it.
+constexpr double share_of_grown = 0.5;
+
+/// Forced are those too that are long enough for their distance from a forced one.
+void excuse_near_forced(std::vector<ShortEdge>& edges, const SizeField& size) {
+  const SizeField grown = grown_from_forced(edges, size);
+  if (grown.n_sources() == 0) return;
+  for (ShortEdge& e : edges)
+    if (e.cause == EdgeCause::free && e.length >= share_of_grown * grown.at(e.place)) e.cause = EdgeCause::near_forced;
+}
+
 }  // namespace
 
 ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
@@ -57,10 +76,12 @@ ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const Constrained
     e.size = size_at(*options.size, mesh, e.place, cells);
     if (!(e.length < share * e.size)) continue;
     causes.explain(e, cells, share);
-    ++found.n;
-    found.n_forced += e.cause != EdgeCause::free;
     found.worst.push_back(e);
   }
+  excuse_near_forced(found.worst, *options.size);
+  found.n = found.worst.size();
+  found.n_forced = static_cast<std::size_t>(std::count_if(
+      found.worst.begin(), found.worst.end(), [](const ShortEdge& e) { return e.cause != EdgeCause::free; }));
   std::stable_sort(found.worst.begin(), found.worst.end(), [](const ShortEdge& x, const ShortEdge& y) {
     return std::tuple(x.cause != EdgeCause::free, x.length / x.size) <
            std::tuple(y.cause != EdgeCause::free, y.length / y.size);

@@ -145,7 +145,7 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
     options.asked = &refined.asked;
     options.facet_patch = refined.kept_patch;
     options.tolerance = model.refinement.honour == Honour::tolerance ? model.refinement.tolerance : 0;
-    options.gaps_stay = model.refinement.tolerance_share > 0;
+    options.tolerance_share = model.refinement.tolerance_share;
   }
   for (const std::int32_t region : mesh.tet_region) options.group.push_back(static_cast<Index>(region - 1));
   options.n_groups = mesh.regions.size();

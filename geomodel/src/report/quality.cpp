@@ -98,6 +98,10 @@ const char* cause_in_words(EdgeCause cause) {
       return "thin gap";
     case EdgeCause::near_curves:
       return "near curves";
+    case EdgeCause::bends:
+      return "bends of a curve";
+    case EdgeCause::near_forced:
+      return "near an edge that the input forces";
     case EdgeCause::free:
       break;
   }

@@ -103,24 +103,62 @@ TEST_CASE("A model refined within a tolerance that follows the sizes has no shor
   judging.size = &r.size_field;
   judging.asked = &r.asked;
   judging.tolerance = options.tolerance;
-  judging.gaps_stay = true;
+  judging.tolerance_share = options.tolerance_share;
   judging.facet_patch = r.kept_patch;
   const ShortEdges edges = find_short_edges(model.plc, r.mesh, judging);
   CHECK(edges.n == edges.n_forced);
 }
 
-TEST_CASE("An edge is short by the size that is asked, and nothing forces those of a plain box", "[quality]") {
-  const Model model = box_with_layer();
-  const SizeField size({}, {2.0, 0, 10, 0.3, {}, {}});
+namespace {
+
+/// The unit cube in cubes of a quarter.
+Model plain_box(const GridModel::Map& map) {
+  return GridModel(
+             4, {1, 1, 1}, [](const Vec3&) { return 0u; }, [](const Vec3& p) { return side_of_cube(p, 6); }, map)
+      .model();
+}
+
+/// Surfaces are what was drawn, sizes are asked everywhere alike.
+ShortEdges short_edges_of(const Model& model, double size, double gradation = 0.3, double tolerance = 1e-3) {
+  const SizeField field({}, {size, 0, 10, gradation, {}, {}});
   QualityOptions judging;
-  judging.size = &size;
-  const ShortEdges edges = find_short_edges(model.plc, model.mesh, judging);
+  judging.size = &field;
+  judging.facet_patch = model.plc.facet_provenance;
+  judging.tolerance = tolerance;
+  return find_short_edges(model.plc, model.mesh, judging, 1.0 / 3, 10000);
+}
+
+std::ptrdiff_t count_of(const ShortEdges& edges, EdgeCause cause) {
+  return std::count_if(edges.worst.begin(), edges.worst.end(), [=](const ShortEdge& e) { return e.cause == cause; });
+}
+
+Vec3 as_it_is(const Vec3& p) { return p; }
+Vec3 bent(const Vec3& p) { return {p.x, p.y + p.x * p.x, p.z}; }
+
+}  // namespace
+
+TEST_CASE("An edge is short by the size that is asked, and nothing forces those of a plain box", "[quality]") {
+  const ShortEdges edges = short_edges_of(plain_box(as_it_is), 2);
   CHECK(edges.n > 100);  // edges of a quarter where two are asked
-  CHECK(edges.n_forced < edges.n);
-  CHECK(edges.worst.size() == 20);
+  CHECK(edges.n_forced == 0);
+  CHECK(edges.worst.size() == edges.n);
   CHECK(edges.worst.front().cause == EdgeCause::free);
   CHECK(edges.worst.front().size == 2);
-  const SizeField fine({}, {0.3, 0, 10, 0.3, {}, {}});
-  judging.size = &fine;
-  CHECK(find_short_edges(model.plc, model.mesh, judging).n == 0);
+  CHECK(short_edges_of(plain_box(as_it_is), 0.3).n == 0);
+}
+
+TEST_CASE("Sizes grow from edges that a layer forces: edges that follow them are forced too", "[quality]") {
+  const Model model = box_with_layer(0.02);
+  const ShortEdges slow = short_edges_of(model, 2, 0.3), steep = short_edges_of(model, 2, 10);
+  CHECK(count_of(slow, EdgeCause::near_forced) > 100);
+  CHECK(slow.n_forced == slow.n);
+  CHECK(count_of(steep, EdgeCause::free) > 100);
+  CHECK(steep.n == slow.n);
+}
+
+TEST_CASE("Bends that the tolerance needs force edges of a curve, others do not", "[quality]") {
+  const Model model = plain_box(bent);  // curves are off the chord of their neighbours by a sixteenth at most
+  const ShortEdges needed = short_edges_of(model, 2, 0.3, 0.01), straight = short_edges_of(model, 2, 0.3, 0.1);
+  CHECK(count_of(needed, EdgeCause::bends) == 4 * 4);
+  CHECK(count_of(straight, EdgeCause::bends) == 0);
 }

@@ -82,7 +82,9 @@ struct QualityOptions {
   const SizeField* asked =
       nullptr;           ///< what gaps are compared with: sizes asked but for those that gaps ask for; null: `size`
   double tolerance = 0;  ///< by which surfaces may move: a gap of up to twice of it could be closed, and forces nothing
-  bool gaps_stay = false;  ///< surfaces may move, but never so far that a gap closes: every gap forces
+  /// Of the asked size: they move by no more of it, and never so far that a gap closes: every gap forces. 0: the
+  /// tolerance holds everywhere.
+  double tolerance_share = 0;
   /// Per facet of the PLC, where surfaces were remeshed: what lies between facets of one patch is no longer the
   /// input's. Empty: every facet is kept.
   std::vector<Index> facet_patch;

@@ -13,6 +13,8 @@ enum class EdgeCause {
   input_angle,  ///< at one of its ends facets or segments of the input meet at less than 20 degrees
   thin_gap,     ///< it is in a gap thinner than the edges that count as short
   near_curves,  ///< its ends are on two curves of the input, or are two ends of curves, that are so near to each other
+  bends,        ///< it is along a curve, which would leave the tolerance without either of its ends
+  near_forced,  ///< sizes that grow by the gradation from an edge that the input forces are short there too
 };
 
 struct ShortEdge {
@@ -31,7 +33,8 @@ struct ShortEdges {
 
 /// Edges shorter than `share` of the asked size (`options.size`, which must be there) at their middles. A third: where
 /// facets meet at more than 20 degrees, parts that stand one size apart from where they meet are farther from each
-/// other than that. O(n), and O(k^2) in the faces at each short edge.
+/// other than that. An edge is near a forced one, of length f at a distance d, where it is at least half of
+/// f + gradation * d. O(n), and O(k^2) in the faces at each short edge.
 ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options, double share = 1.0 / 3, std::size_t max_worst = 20);
 

@@ -15,10 +15,12 @@
 namespace geomesh {
 namespace {
 
-using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
-using Mask = long long __attribute__((vector_size(32), aligned(8), may_alias));
-using Half = double __attribute__((vector_size(16), aligned(8), may_alias));
-using Indices = std::uint32_t __attribute__((vector_size(16), aligned(4), may_alias));
+using Lanes __attribute__((vector_size(32), aligned(8), may_alias)) = double;
+using Mask __attribute__((vector_size(32), aligned(8), may_alias)) = long long;
+using Half __attribute__((vector_size(16), aligned(8), may_alias)) = double;
+using Indices __attribute__((vector_size(16), aligned(4), may_alias)) = std::uint32_t;
+static_assert(alignof(Lanes) == alignof(double) && alignof(Indices) == alignof(std::uint32_t),
+              "arrays are aligned for their elements only");
 
 #define GEOMESH_INLINE [[gnu::always_inline]] inline
 
@@ -47,7 +49,7 @@ GEOMESH_INLINE Lanes greatest(Lanes v) {
 
 /// At least the square root, at most 1.07 times it: half the exponent, the mantissa as if it were linear.
 GEOMESH_INLINE Lanes root_bound(Lanes v) {
-  using Words = unsigned long long __attribute__((vector_size(32), aligned(8), may_alias));
+  using Words __attribute__((vector_size(32), aligned(8), may_alias)) = unsigned long long;
   return reinterpret_cast<Lanes>((reinterpret_cast<Words>(v) + 0x3FF0000000000000ull) >> 1);
 }
 

@@ -36,10 +36,11 @@ void prepare(FourFaces* faces, std::size_t n_fours) {
 
 template <class Measure>
 void shapes(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* out) {
-  using Unaligned = double __attribute__((vector_size(32), aligned(8), may_alias));
   const Vectors<Lanes> at = place<Lanes>(p);
-  for (std::size_t k = 0; k < n_fours; ++k)
-    *reinterpret_cast<Unaligned*>(out + 4 * k) = shape_over<Measure>(base_of(faces[k]), at);
+  for (std::size_t k = 0; k < n_fours; ++k) {
+    const Lanes four = shape_over<Measure>(base_of(faces[k]), at);
+    __builtin_memcpy(out + 4 * k, &four, sizeof four);  // out is aligned for doubles only
+  }
 }
 
 template <class Measure>

@@ -16,7 +16,7 @@ namespace geomesh::remesh {
 namespace {
 
 /// Of the tolerance: lower faces have no direction of their own.
-constexpr double narrow_share = 1e-3;
+constexpr double narrow_share = 0.5;
 
 using Edge = std::array<VertexIndex, 2>;
 

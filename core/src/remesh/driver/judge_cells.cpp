@@ -21,7 +21,7 @@ class Judge {
       : input_(input) {
     judging_.asked = &result.asked;
     judging_.tolerance = size_tolerance(options);
-    judging_.gaps_stay = options.tolerance_share > 0;
+    judging_.tolerance_share = options.tolerance_share;
     judging_.facet_patch = result.kept_patch;
     creases_ = find_creases(plc, judging_);
   }
