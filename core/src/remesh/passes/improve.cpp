@@ -116,6 +116,14 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
+/// One step of a pass that takes points out: inside, then on surfaces that may be remeshed. Done when nothing went.
+template <class Thin>
+Next thin_points(const Toolbox& tools, const Thin& thin) {
+  std::size_t n = thin(ShortEdges::inside);
+  if (!tools.guard.exact()) n += thin(ShortEdges::on_surfaces);
+  return n == 0 ? Next::done : Next::again;
+}
+
 }  // namespace
 
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge) {
@@ -154,13 +162,9 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                 .most_rounds = schedule.sliver_rounds});
   }
   const double thinning_floor = std::max(measure.of_angle(schedule.sliver_angle), low_percentile(mesh, schedule));
+  const auto thin_unneeded = [&](ShortEdges which) { return thin_out(tools, which, thinning_floor, context); };
   passes.run({.name = "points taken out that were not needed",
-              .round =
-                  [&](unsigned) {
-                    std::size_t n = thin_out(tools, ShortEdges::inside, thinning_floor, context);
-                    if (!tools.guard.exact()) n += thin_out(tools, ShortEdges::on_surfaces, thinning_floor, context);
-                    return n == 0 ? Next::done : Next::again;
-                  },
+              .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
   passes.once(
@@ -173,14 +177,9 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   passes.once(
       "the last poor cells mended by looking ahead", [&] { rescue_flat_cells(tools, aim_rescue, out_of_time); },
       rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
+  const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
   passes.run({.name = "points too near to others taken out, and what is about them mended",
-              .round =
-                  [&](unsigned) {
-                    const RescueRule rule = rescue_below(measure.of_angle(schedule.near_points_angle));
-                    std::size_t n = thin_out_mending(tools, ShortEdges::inside, rule, context);
-                    if (!tools.guard.exact()) n += thin_out_mending(tools, ShortEdges::on_surfaces, rule, context);
-                    return n == 0 ? Next::done : Next::again;
-                  },
+              .round = [&](unsigned) { return thin_points(tools, thin_mending); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
   const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
