@@ -121,11 +121,12 @@ bool CoverProver::fails_at(const Vec3& p, double distance) {
 }
 
 Cover CoverProver::judge(const Corners& item, Index group) {
+  if (group_ != group) distances_.clear();
   group_ = group;
   cover_ = {};
   for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]),
                         0.5 * (item[2] + item[0]), middle_of(item)})
-    look_at(p, set_.closest(p, group).distance);
+    look_at(p, distances_.at(p, [&](const auto&) { return set_.closest(p, group).distance; }));
   if (cover_.farthest <= limit_) cover_.is_proven = is_over_sheet(item) || covers_large(item);
   return cover_;
 }

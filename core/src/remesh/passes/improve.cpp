@@ -141,17 +141,19 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                    flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle));
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
-  FlipsInVain flips_in_vain;
-  const auto raise = [&](unsigned) {
+  RaisedBefore raised;
+  const auto raise = [&](unsigned smoothing_steps) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(low_percentile(mesh, schedule), least, measure.of_angle(schedule.mean_floor_angle));
-    raise_mean(tools, floor, schedule.smoothing_steps / 2, context, flips_in_vain);
+    raise_mean(tools, floor, smoothing_steps, context, raised);
     return Next::again;
   };
   const PassRunner passes(mesh, context, out_of_time);
 
   mesh.sort_cells();
-  passes.run({.name = "the mean raised", .round = raise, .most_rounds = schedule.mean_rounds});
+  passes.run({.name = "the mean raised",
+              .round = [&](unsigned) { return raise(schedule.smoothing_steps / 2); },
+              .most_rounds = schedule.mean_rounds});
   passes.run({.name = "poor cells repaired, the worst first",
               .round = [&](unsigned k) { return rounds.round(k); },
               .most_rounds = schedule.repair_rounds});
@@ -185,7 +187,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
   passes.run({.name = "the mean raised where much is poor",
-              .round = raise,
+              .round = [&](unsigned) { return raise(schedule.smoothing_steps); },
               .most_rounds = schedule.poor_mean_factor * schedule.mean_rounds,
               .applies = poor_share > schedule.many_poor});
   passes.once(

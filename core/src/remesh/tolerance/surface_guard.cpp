@@ -117,7 +117,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     : honour_(honour),
       tolerance_(hold.margin * tolerance.greatest()),
       zones_(hold.zones),
-      proving_(Proving{search::DistanceProver(proven_share * tolerance.greatest()), {}, {}}),
+      proving_(Proving{search::DistanceProver(proven_share * tolerance.greatest()), {}, {}, {}}),
       allowed_(std::move(tolerance)),
       reach_(allowed_.greatest()) {
   if (exact()) {
@@ -135,7 +135,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
 }
 
 double SurfaceGuard::share_about(std::span<const Vec3> points) const {
-  double least = allowed_.least_at(points);
+  double least = allowed_.least_at(points, proving_.local().recent);
   if (zones_.empty()) return least / reach_;
   Box3 box;
   for (const Vec3& p : points) box.add(p);
@@ -259,7 +259,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 
 bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& over) const {
   Proving& proving = proving_.local();
-  auto& [prover, nearby, rows] = proving;
+  auto& [prover, nearby, rows, recent] = proving;
   nearby.clear();
   rows.clear();
   limit *= share_about(f.corners);

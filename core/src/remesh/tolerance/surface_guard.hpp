@@ -119,9 +119,10 @@ class SurfaceGuard {
   struct Proving {
     search::DistanceProver prover;
     std::vector<search::SheetTriangle> nearby;
-    std::vector<Index> rows;  // of nearby, in given_.faces
+    std::vector<Index> rows;      // of nearby, in given_.faces
+    search::RecentPlaces recent;  // of allowed_
   };
-  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}, {}}};  // scratch
+  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}, {}, {}}};  // scratch
   LocalTolerance allowed_;      // what is promised
   double reach_ = 0;            // the greatest of it: what is farther away has no say
   std::vector<Plane> planes_;   // by patch in exact mode, else by facet
