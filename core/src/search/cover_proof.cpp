@@ -85,15 +85,6 @@ Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   return parts;
 }
 
-Box3 box_about(const Corners& item, double reach) {
-  Box3 box;
-  for (const Vec3& p : item) {
-    box.add(p - Vec3{reach, reach, reach});
-    box.add(p + Vec3{reach, reach, reach});
-  }
-  return box;
-}
-
 /// Across its longest side.
 std::array<Corners, 2> halves(const Corners& t) {
   std::size_t a = 0;

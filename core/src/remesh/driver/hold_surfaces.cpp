@@ -11,11 +11,12 @@ namespace geomesh::remesh {
 
 Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
   constexpr unsigned most_rounds = 8;
-  Deviations found = tools.guard.deviations(tools.mesh, context.threads);
+  VerifiedSurfaces verified;
+  Deviations found = tools.guard.deviations(tools.mesh, context.threads, &verified);
   for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
     context.check_cancelled();
     if (mend_surfaces(tools, found.breaches) == 0) break;
-    found = tools.guard.deviations(tools.mesh, context.threads);
+    found = tools.guard.deviations(tools.mesh, context.threads, &verified);
   }
   return found;
 }

@@ -53,16 +53,6 @@ class FaceSet {
   std::vector<search::PreparedTriangle> triangles_;
 };
 
-/// Of all that is near to a triangle.
-Box3 box_about(const search::Corners& triangle, double reach) {
-  Box3 box;
-  for (const Vec3& p : triangle) {
-    box.add(p - Vec3{reach, reach, reach});
-    box.add(p + Vec3{reach, reach, reach});
-  }
-  return box;
-}
-
 Box3 joined(Box3 a, const Box3& b) {
   a.add(b.min);
   a.add(b.max);
@@ -218,7 +208,7 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
   return std::all_of(patches.begin(), patches.end(), [&](Index patch) {
     Box3 box;
     for (const SurfaceFace& f : before)
-      if (f.patch == patch) box = joined(box, box_about(f.corners, tolerance_));
+      if (f.patch == patch) box = joined(box, search::box_about(f.corners, tolerance_));
     return is_even_about(box, patch) || samples_near(patch, box, before, after, around);
   });
 }
@@ -264,7 +254,7 @@ bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& o
   rows.clear();
   limit *= share_about(f.corners);
   prover.set_limit(limit);
-  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) {
+  given_.faces.for_each_row_in(search::box_about(f.corners, limit), f.patch, [&](Index row) {
     proving.nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
     proving.rows.push_back(row);
   });
@@ -290,8 +280,8 @@ bool SurfaceGuard::admits(const SurfacePart& before, const SurfacePart& after,
          reference_near(before.faces, after.faces, around);
 }
 
-Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {
-  if (!exact()) return verify_surfaces(mesh, given_, allowed_, threads);
+Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads, VerifiedSurfaces* before) const {
+  if (!exact()) return verify_surfaces(mesh, given_, allowed_, threads, before);
   Deviations d;
   for (const auto& face : face_items(mesh)) {
     const Plane& plane = planes_[face.group];

@@ -80,8 +80,8 @@ class SurfaceGuard {
   bool is_proven_near_reference(const SurfaceFace& f) const;
 
   /// Of the mesh's faces and curves from the references, and the other way round, proven where not listed (exact: of
-  /// corners from their planes, for both).
-  Deviations deviations(const DomainMesh& mesh, unsigned threads) const;
+  /// corners from their planes, for both). `before`: of the same guard.
+  Deviations deviations(const DomainMesh& mesh, unsigned threads, VerifiedSurfaces* before = nullptr) const;
 
  private:
   struct Plane {

@@ -2,6 +2,9 @@
 #include "remesh/tolerance/verify_surfaces.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
 
 #include "common/parallel.hpp"
 #include "plc/find_crossing.hpp"
@@ -59,6 +62,30 @@ Difference difference(const Items& first, const Items& second, std::size_t n_gro
   return d;
 }
 
+/// Covers of items as far as they are known already.
+using Known = std::vector<std::optional<search::Cover>>;
+
+struct KnownCovers {
+  Known result, input;
+};
+
+/// Those of the result's items that were there before, and of the input's that were proven by what is there still.
+KnownCovers known_covers(const search::ClosestPointTrees& before, const search::ClosestPointTrees& now,
+                         std::size_t n_groups, const search::ClosestPointTrees& input, double reach,
+                         const VerifiedSurfaces::Covers& covers) {
+  const Difference d = difference(before.items(), now.items(), n_groups);
+  KnownCovers known{Known(now.items().size()), Known(input.items().size())};
+  for (std::size_t i = 0; i < known.result.size(); ++i)
+    if (d.same[i] != no_row) known.result[i] = covers.result[d.same[i]];
+  for (std::size_t i = 0; i < known.input.size(); ++i) {
+    const auto& item = input.items()[i];
+    bool is_left = covers.input[i].is_proven;
+    d.exchanged.for_each_in(search::box_about(item.corners, reach), item.group, [&](const auto&) { is_left = false; });
+    if (is_left) known.input[i] = covers.input[i];
+  }
+  return known;
+}
+
 /// What is judged: the items, against those of their groups in the set.
 struct Judgement {
   const Items& items;
@@ -67,69 +94,47 @@ struct Judgement {
   Breach kind;
 };
 
-/// Covers of items as far as they are known already.
-using Known = std::vector<std::optional<search::Cover>>;
+struct Judge {
+  const LocalTolerance& tolerance;
+  unsigned threads;
+  std::vector<Breach>& breaches;  ///< those found are appended
 
-/// Of the result: those of the same items before.
-Known known_of_result(const Difference& d, const std::vector<search::Cover>& before) {
-  Known known(d.same.size());
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (d.same[i] != no_row) known[i] = before[d.same[i]];
-  return known;
-}
-
-/// Of the input: those that were proven by what is there still.
-Known known_of_input(const Difference& d, const Items& input, double reach, const std::vector<search::Cover>& before) {
-  Known known(input.size());
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    Box3 box;
-    for (const Vec3& p : input[i].corners) {
-      box.add(p - Vec3{reach, reach, reach});
-      box.add(p + Vec3{reach, reach, reach});
-    }
-    bool is_left = before[i].is_proven;
-    d.exchanged.for_each_in(box, input[i].group, [&](const auto&) { is_left = false; });
-    if (is_left) known[i] = before[i];
-  }
-  return known;
-}
-
-double limit_of(const search::ClosestPointTrees::Item& item, const Breach& kind, const LocalTolerance& tolerance,
-                search::RecentPlaces& recent) {
-  return proven_share *
-         (kind.of_input ? tolerance.most_on(item.corners) : tolerance.least_at(item.corners, recent));
-}
-
-/// Returns the largest distance found.
-double judge(const Judgement& what, const LocalTolerance& tolerance, unsigned threads, const Known& known,
-             std::vector<search::Cover>& covers, std::vector<Breach>& breaches) {
-  const Items& items = what.items;
-  covers.assign(items.size(), {});
-  for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
-    search::CoverProver prover(what.set, proven_share * tolerance.greatest(), what.open_edges);
-    search::RecentPlaces recent;
-    for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) {
-      if (i < known.size() && known[i]) {
-        covers[i] = *known[i];
-        continue;
+  /// The largest distance found. `covers` come to what is known and what is found.
+  double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
+    const Items& items = what.items;
+    covers.assign(items.size(), {});
+    for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
+      search::CoverProver prover(what.set, proven_share * tolerance.greatest(), what.open_edges);
+      search::RecentPlaces recent;
+      for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) {
+        if (!known.empty() && known[i]) {
+          covers[i] = *known[i];
+          continue;
+        }
+        prover.set_limit(limit_of(items[i], what.kind, recent));
+        covers[i] = prover.judge(items[i].corners, items[i].group);
       }
-      prover.set_limit(limit_of(items[i], what.kind, tolerance, recent));
-      covers[i] = prover.judge(items[i].corners, items[i].group);
+    });
+    double largest = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      largest = std::max(largest, covers[i].farthest);
+      if (!covers[i].is_proven) add_breach(items[i], covers[i], what.kind);
     }
-  });
-  double largest = 0;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    largest = std::max(largest, covers[i].farthest);
-    if (covers[i].is_proven) continue;
-    Breach breach = what.kind;
-    breach.place = covers[i].place;
-    breach.distance = covers[i].farthest;
-    breach.group = items[i].group;
-    breach.facet = items[i].id;
+    return largest;
+  }
+
+ private:
+  double limit_of(const search::ClosestPointTrees::Item& item, const Breach& kind, search::RecentPlaces& recent) const {
+    return proven_share * (kind.of_input ? tolerance.most_on(item.corners) : tolerance.least_at(item.corners, recent));
+  }
+  void add_breach(const search::ClosestPointTrees::Item& item, const search::Cover& cover, Breach breach) const {
+    breach.place = cover.place;
+    breach.distance = cover.farthest;
+    breach.group = item.group;
+    breach.facet = item.id;
     breaches.push_back(breach);
   }
-  return largest;
-}
+};
 
 }  // namespace
 
@@ -157,13 +162,27 @@ SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_
 
 Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
                            unsigned threads, VerifiedSurfaces* before) {
+  VerifiedSurfaces now;
+  now.result = surface_items(mesh, mesh);
+  KnownCovers faces, curves;
+  if (before && !before->faces.result.empty()) {
+    const double reach = tolerance.greatest();
+    faces = known_covers(before->result.faces, now.result.faces, mesh.n_patches(), input.faces, reach, before->faces);
+    curves = known_covers(before->result.curves, now.result.curves, mesh.n_curve_classes(), input.curves, reach,
+                          before->curves);
+  }
   Deviations found;
-  VerifiedSurfaces now{surface_items(mesh, mesh), {}, {}, {}, {}};
-  const bool is_first = !before || before->input_faces.empty();
-  const auto largest = [&](const auto& of_result, const auto& of_input, std::span<const std::uint8_t> open_of_result,
-                           std::span<const std::uint8_t> open_of_input, bool on_curve, auto VerifiedSurfaces::*covers,
-                           auto VerifiedSurfaces::*input_covers) {
-  };
+  const Judge judge{tolerance, thread_count(threads), found.breaches};
+  found.result_to_input = std::max(
+      judge.largest({now.result.faces.items(), input.faces, input.open_edges, {}}, faces.result, now.faces.result),
+      judge.largest({now.result.curves.items(), input.curves, {}, {.on_curve = true}}, curves.result,
+                    now.curves.result));
+  found.input_to_result =
+      std::max(judge.largest({input.faces.items(), now.result.faces, now.result.open_edges, {.of_input = true}},
+                             faces.input, now.faces.input),
+               judge.largest({input.curves.items(), now.result.curves, {}, {.on_curve = true, .of_input = true}},
+                             curves.input, now.curves.input));
+  if (before) *before = std::move(now);
   return found;
 }
 

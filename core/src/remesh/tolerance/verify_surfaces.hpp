@@ -46,15 +46,18 @@ struct Deviations {
 
 /// What a verification leaves to the next, of the same input and a result that differs in few places.
 struct VerifiedSurfaces {
+  /// By item of the result, and of the input.
+  struct Covers {
+    std::vector<search::Cover> result, input;
+  };
   SurfaceItems result;
-  /// By item: of the result's faces and curves, and of the input's.
-  std::vector<search::Cover> faces, curves, input_faces, input_curves;
+  Covers faces, curves;
 };
 
 /// Faces and curve edges of the mesh against those of the same patch or curve of the input, and the other way round.
 /// Each of the result is held to the least that is allowed at its corners; each of the input to no less than what is
-/// allowed anywhere on it. Near-linear where sizes of both are alike; on all threads given, with the same result. What was proven `before` is not looked at again
-/// where nothing has changed about it.
+/// allowed anywhere on it. Near-linear where sizes of both are alike; on all threads given, with the same result. What
+/// was proven `before` is not looked at again where nothing has changed about it.
 Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
                            unsigned threads, VerifiedSurfaces* before = nullptr);
 
