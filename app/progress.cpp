@@ -87,11 +87,17 @@ void Progress::clear_line() const {
 
 double Progress::seconds_spent() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
+/// Since counts of this total began. Zero where it is not known.
+double Progress::items_a_second() const {
+  const double spent = std::chrono::duration<double>(Clock::now() - counted_since_).count();
+  if (done_ <= first_done_ || spent < seconds_until_rate) return 0;
+  return static_cast<double>(done_ - first_done_) / spent;
+}
+
 /// Negative where it is not known.
 double Progress::seconds_left() const {
-  const double spent = seconds_spent();
-  if (total_ == 0 || done_ == 0 || done_ > total_ || spent < seconds_until_rate) return -1;
-  return spent * static_cast<double>(total_ - done_) / static_cast<double>(done_);
+  const double rate = items_a_second();
+  return total_ == 0 || done_ > total_ || rate == 0 ? -1 : static_cast<double>(total_ - done_) / rate;
 }
 
 void Progress::on_stage(std::string_view name, bool begins) {
@@ -100,8 +106,8 @@ void Progress::on_stage(std::string_view name, bool begins) {
   if (begins) {
     stage_ = name;
     note_.clear();
-    done_ = total_ = 0;
-    start_ = last_drawn_ = Clock::now();
+    done_ = total_ = first_done_ = 0;
+    start_ = last_drawn_ = counted_since_ = Clock::now();
   }
   if (style_ == ProgressStyle::json) {
     print_stage_event(begins);
@@ -116,6 +122,10 @@ void Progress::on_stage(std::string_view name, bool begins) {
 
 void Progress::on_progress(std::size_t done, std::size_t total) {
   const std::lock_guard lock(mutex_);
+  if (total != total_ || done < first_done_) {
+    first_done_ = done;
+    counted_since_ = Clock::now();
+  }
   done_ = done;
   total_ = total;
   if (verbosity_ == Verbosity::quiet || style_ == ProgressStyle::lines || stage_.empty()) return;
@@ -129,8 +139,8 @@ void Progress::draw() {
   const double spent = seconds_spent(), left = seconds_left();
   std::string line = count_words(done_);
   if (total_ > 0 && done_ <= total_) line += " of " + count_words(total_);
-  if (done_ > 0 && spent >= seconds_until_rate)
-    line += ", " + count_words(static_cast<std::size_t>(static_cast<double>(done_) / spent)) + " a second";
+  if (const double rate = items_a_second(); rate > 0)
+    line += ", " + count_words(static_cast<std::size_t>(rate)) + " a second";
   if (left >= 0) line += ", about " + seconds_words(left) + " left";
   std::fprintf(stderr, "%-10s %8s   %s", stage_.c_str(), seconds_words(spent).c_str(), done_ > 0 ? line.c_str() : "");
   std::fflush(stderr);

@@ -47,6 +47,7 @@ class Progress {
   void print_progress_event() const;
   void clear_line() const;
   double seconds_spent() const;
+  double items_a_second() const;
   double seconds_left() const;
   bool is_shown(std::string_view warning);
 
@@ -57,6 +58,7 @@ class Progress {
   bool ended_ = false;
   std::string stage_, note_;
   std::size_t done_ = 0, total_ = 0;
+  std::size_t first_done_ = 0;  ///< of this total, at `counted_since_`: rate and time left are told from there
   struct Kind {
     std::string first;  ///< warning
     std::size_t count = 0;
@@ -64,7 +66,7 @@ class Progress {
   };
   std::map<std::string, Kind> warnings_;  ///< by cause
   std::size_t shown_ = 0;                 ///< warnings
-  Clock::time_point start_, last_drawn_;
+  Clock::time_point start_, last_drawn_, counted_since_;
   std::thread ticker_;
 };
 

@@ -125,6 +125,15 @@ class OneStudyOneTable(EnsembleTest):
         said = self.run_program("ensemble", self.study(STUDY.replace("seed: 3", "seed: 4")), "-o", "out", status=USAGE)
         self.assertIn("holds results of another study", said)
 
+    def test_any_file_that_changes_makes_another_study(self):
+        sizes = os.path.join(self.project, "sizes.txt")
+        text = STUDY.replace("refine: none", "size: {global: 400, background: sizes.txt}").replace("realisations: 12", "realisations: 1")
+        for size, status in ((400, 0), (300, USAGE)):
+            with open(sizes, "w") as out:
+                out.write("0 0 0 %d\n1000 0 0 %d\n" % (size, size))
+            said = self.run_program("ensemble", self.study(text), "-o", "out", status=status)
+        self.assertIn("holds results of another study", said)
+
 
 class WhatIsDrawn(EnsembleTest):
     def test_surfaces_stand_still_at_held_wells_and_move_elsewhere_with_the_deviation_asked(self):
@@ -209,7 +218,10 @@ print("same")
 
 class Failures(EnsembleTest):
     def test_a_realisation_that_fails_is_recorded_with_an_input_that_fails_alike_and_the_rest_goes_on(self):
-        text = STUDY.replace("mesh: {refine: none}", "mesh: {size: 100}").replace("realisations: 12", "realisations: 6")
+        mesh = "mesh: {size: {global: 100, background: sizes.txt}}"
+        with open(os.path.join(self.project, "sizes.txt"), "w") as out:
+            out.write("0 0 0 100\n1000 0 0 100\n")
+        text = STUDY.replace("mesh: {refine: none}", mesh).replace("realisations: 12", "realisations: 6")
         study = self.study(text + "set: {mesh.max_elements: {pick: [10, 50000000]}}\n")
         said = self.run_program("ensemble", study, "-o", "out")
         rows = self.table("out")

@@ -184,7 +184,7 @@ class SmearedThrow(ProgramTest):
                            ("gocad", "GOCAD PLine 1\nHEADER {\nname: gap\n}\nILINE\n" + lines + "SEG 1 2\nSEG 2 3\nSEG 3 4\nEND\n")):
             with self.subTest(name):
                 report, volumes = self.polygon_model(text)
-                self.assertTrue(any("1 fault polygons of f1" in note for note in report["notes"]), report["notes"])
+                self.assertTrue(any("fault polygons of f1: 1;" in note for note in report["notes"]), report["notes"])
                 self.assertEqual(sorted(volumes), ["lower__B1", "lower__B2", "upper__B1", "upper__B2"], report["warnings"])
                 found = sorted(v for unit, v in volumes.items() if unit.startswith("lower"))
                 for one, other in zip(found, sorted(self.lower_volumes([(2000, 60)]))):

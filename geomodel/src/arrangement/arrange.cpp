@@ -73,7 +73,8 @@ void log_round(const RunContext& context, unsigned round, const Complex& complex
   for (const Overlap& o : contacts.overlaps) add(o.a);
   const std::string message = "the surfaces " + names + " lie so near each other near " +
                               (context.places.empty() ? "?" : to_text(context.places[0])) +
-                              " that no rounding to doubles keeps them apart; move them apart or merge them there";
+                              " that no rounding to doubles keeps them apart; move them apart or merge them there "
+                              "(tolerance; for horizons of one column rules.stack: auto with honour: tolerance)";
   throw ModelError(ErrorKind::cannot_mesh, message, std::move(items), std::move(context));
 }
 
@@ -153,7 +154,8 @@ class Arrangement {
     Complex complex = first_round(contacts);
     apply_tolerance(complex);
     // A soup that grows beyond these while it is mended will not end.
-    const std::size_t most_facets = 4 * complex.facets.size() + 1000, most_contacts = 4 * contacts.facets.size() + 1000;
+    const std::size_t most_facets = 4 * complex.facets.size() + 1000;
+    std::size_t fewest_contacts = contacts.facets.size();
     for (unsigned round = 1;; ++round) {
       contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -163,8 +165,9 @@ class Arrangement {
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
       if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets ||
-          contacts.facets.size() > most_contacts)
+          contacts.facets.size() > 4 * fewest_contacts + 1000)
         refuse(surfaces_, complex, contacts);
+      fewest_contacts = std::min(fewest_contacts, contacts.facets.size());
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }

@@ -29,7 +29,8 @@ ModelMesh open_project_zones(const ModelMesh& mesh, const std::vector<FaultZone>
       if (region.name != name) continue;
       for (const auto& [attribute, value] : values) {
         auto& list = opened.attributes;
-        auto at = std::find_if(list.begin(), list.end(), [&](const RegionAttribute& a) { return a.name == attribute; });
+        auto at = std::find_if(list.begin(), list.end(),
+                               [&attribute = attribute](const RegionAttribute& a) { return a.name == attribute; });
         if (at == list.end())
           at = list.insert(list.end(), {attribute, std::vector<double>(opened.regions.size(),
                                                                        std::numeric_limits<double>::quiet_NaN())});

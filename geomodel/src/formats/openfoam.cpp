@@ -283,7 +283,7 @@ class FoamCase {
     for (const auto& [name, content] : files) {
       const std::filesystem::path file = folder_ / "system" / name;
       if (std::filesystem::exists(file)) continue;
-      write_output_text(file, [&](OutputText& out) {
+      write_output_text(file, [&, &name = name, &content = content](OutputText& out) {
         head(out, name, "dictionary", "system");
         out << content;
       });

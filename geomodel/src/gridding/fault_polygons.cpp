@@ -244,8 +244,8 @@ struct Told {
   }
   void tell(const std::string& horizon, const std::string& what, std::vector<std::string>& out) const {
     if (n == 0) return;
-    out.push_back("horizon " + horizon + ": " + std::to_string(n) + " fault polygons " + what + ", the first near (" +
-                  to_text(place.x) + ", " + to_text(place.y) + ")");
+    out.push_back("horizon " + horizon + ": fault polygons that " + what + ": " + std::to_string(n) +
+                  ", the first near (" + to_text(place.x) + ", " + to_text(place.y) + ")");
   }
 };
 
@@ -308,7 +308,7 @@ PolygonCut cut_at_polygons(TriangulatedSurface& horizon, const std::vector<Polyl
     names += (names.empty() ? "" : ", ") + surfaces[s].name;
   }
   if (n_used > 0)
-    cut.notes.push_back("horizon " + horizon.name + ": " + std::to_string(n_used) + " fault polygons of " + names +
+    cut.notes.push_back("horizon " + horizon.name + ": fault polygons of " + names + ": " + std::to_string(n_used) +
                         "; " + std::to_string(cut.n_nodes) + " nodes and " + std::to_string(cut.n_triangles) +
                         " triangles within them are no data (area " + to_text(area_taken) + ")");
   beside.tell(horizon.name, "lie beside it (are their coordinates those of the horizon: crs, unit?)", cut.warnings);

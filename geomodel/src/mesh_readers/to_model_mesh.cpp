@@ -168,7 +168,8 @@ class ModelMeshBuilder {
   /// Groups of regions that the file itself does not hold.
   void add_region_groups() {
     for (const auto& [name, ids] : names_.region_groups) {
-      if (std::any_of(mesh_.groups.begin(), mesh_.groups.end(), [&](const RegionGroup& g) { return g.name == name; }))
+      if (std::any_of(mesh_.groups.begin(), mesh_.groups.end(),
+                      [&name = name](const RegionGroup& g) { return g.name == name; }))
         continue;
       RegionGroup group{name, {}};
       for (const std::int32_t id : ids)

@@ -7,7 +7,7 @@
 
 #include "common/union_find.hpp"
 #include "naming/sums.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/throw/fault_crossings.hpp"
 #include "rules/throw_blocks.hpp"
 
 namespace geomesh::geomodel {

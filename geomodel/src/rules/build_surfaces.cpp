@@ -27,11 +27,21 @@ std::size_t throw_fault(const std::vector<TriangulatedSurface>& surfaces, const 
   return static_cast<std::size_t>(fault - surfaces.begin());
 }
 
+/// The box, and in the map the horizons with throw, so that no sheet goes round a continuation beyond the box.
+Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules) {
+  Box3 reach = *rules.box;
+  for (std::size_t s = 0; s < built.surfaces.size(); ++s)
+    for (const Vec3& p : built.surfaces[s].points)
+      if (!rules.of(s).throw_at.empty()) reach.add({p.x, p.y, reach.min.z});
+  return reach;
+}
+
 /// Faults across which a horizon has throw and that are kept as given are continued beyond where they end inside the
 /// box.
 void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
   built.rows.first_only_parting.assign(built.surfaces.size(), no_index);
   if (!rules.box) return;
+  const Box3 reach = reach_of_continuations(built, rules);
   for (std::size_t s = 0; s < built.surfaces.size(); ++s)
     for (const std::string& name : rules.of(s).throw_at) {
       const std::size_t row = throw_fault(built.surfaces, built.surfaces[s], name);
@@ -40,7 +50,7 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
           fault.triangles.empty())
         continue;
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
-      built.rows.first_only_parting[row] = continue_fault(fault, *rules.box);
+      built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
     }
 }
 
@@ -75,7 +85,8 @@ bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFaul
                        return f.first_made == f.surface->triangles.size() &&
                               lies_on_both_sides(horizon, FaultFaces(*f.surface));
                      }) &&
-         BuiltRows::n_blocks(sort_into_blocks(copy, {faults, Extend::flat, {}}, {notes, warnings}, {})) == 1;
+         BuiltRows::n_blocks(sort_into_blocks(copy, {faults, Extend::flat, {}}, {notes, warnings}, {}).of_triangle) ==
+             1;
 }
 
 /// The blocks of a horizon with throw, each continued on its own.
@@ -103,13 +114,13 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     return;
   }
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
-  std::vector<Index> block =
-      sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
+  auto [block, sides] = sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
   if (BuiltRows::n_blocks(block) == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
   extend_blocks(surface, block, {faults, how, *rules.box}, log);
   built.rows.block_of_triangle[s] = std::move(block);
+  built.rows.sides_of_block[s] = std::move(sides);
 }
 
 }  // namespace
@@ -125,6 +136,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   BuiltSurfaces built;
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
+  built.rows.sides_of_block.resize(surfaces.size());
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());
   for (const TriangulatedSurface& s : surfaces)

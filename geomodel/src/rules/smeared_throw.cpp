@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heights are carried by planes that are fitted with weights to the nodes of one side near the place (moving least
-// squares; Levin, The approximation power of moving least-squares, Math. Comp. 67, 1998).
 #include "rules/smeared_throw.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,89 +12,18 @@
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/planar/single_valued.hpp"
+#include "rules/throw/carried_heights.hpp"
+#include "rules/throw/fault_crossings.hpp"
 #include "rules/throw/throw_ramp.hpp"
-#include "stack/single_valued.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 // Lengths in median edges of the horizon in the map.
 constexpr double margin_of_ramp = 1;
-constexpr double fit_radius = 3;
-constexpr double along_counts = 2;  // times a distance across
-constexpr std::size_t fewest_to_fit = 6;
 constexpr double most_of_step = 2, least_of_step = 0.25;  // of the ramps, for the throw restored
 constexpr std::size_t least_sheet = 24;                   // triangles; fewer between ramps belong to them
-
-Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
-
-/// Nodes of a horizon by cells of the map.
-class NodeCells {
- public:
-  NodeCells(const TriangulatedSurface& s, double cell) : s_(s), cell_(cell) {}
-  void add(VertexIndex v) { cells_[key(in_map(s_.points[v]))].push_back(v); }
-  template <class F>
-  void for_each_near(const Vec3& p, double radius, F&& visit) const {
-    const auto [i0, j0] = key({p.x - radius, p.y - radius});
-    const auto [i1, j1] = key({p.x + radius, p.y + radius});
-    for (long i = i0; i <= i1; ++i)
-      for (long j = j0; j <= j1; ++j) {
-        const auto at = cells_.find({i, j});
-        if (at == cells_.end()) continue;
-        for (const VertexIndex v : at->second) visit(v);
-      }
-  }
-
- private:
-  std::pair<long, long> key(const Vec2& p) const {
-    return {std::lround(std::floor(p.x / cell_)), std::lround(std::floor(p.y / cell_))};
-  }
-  const TriangulatedSurface& s_;
-  double cell_;
-  std::map<std::pair<long, long>, std::vector<VertexIndex>> cells_;
-};
-
-/// Distances in the map about a place; those along the strike count more, since throw changes along it.
-class AcrossStrike {
- public:
-  /// `across`: a direction of length one, or nought where no fault is near.
-  AcrossStrike(const Vec3& p, const Vec2& across) : p_(p), across_(across) {}
-  double to(const Vec3& q) const {
-    const Vec3 off = q - p_;
-    const double along = off.x * across_.y - off.y * across_.x;
-    return std::sqrt(off.x * off.x + off.y * off.y + (along_counts * along_counts - 1) * along * along);
-  }
-
- private:
-  Vec3 p_;
-  Vec2 across_;
-};
-
-/// The height at p of the plane through the nodes about the nearest one, within reach of p.
-std::optional<double> carried_height(const TriangulatedSurface& s, const NodeCells& nodes, const Vec3& p,
-                                     const AcrossStrike& distance, double reach, double edge) {
-  double nearest = reach;
-  nodes.for_each_near(p, reach, [&](VertexIndex v) { nearest = std::min(nearest, distance.to(s.points[v])); });
-  if (!(nearest < reach)) return std::nullopt;
-  const double radius = fit_radius * edge;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d side = Eigen::Vector3d::Zero();
-  std::size_t n = 0;
-  nodes.for_each_near(p, nearest + 2 * radius, [&](VertexIndex v) {
-    const double d = distance.to(s.points[v]);
-    if (d > nearest + 2 * radius) return;
-    const double off = (d - nearest) / radius, weight = std::exp(-off * off);
-    const Vec3 q = s.points[v] - p;
-    const Eigen::Vector3d terms(1, q.x / edge, q.y / edge);
-    matrix += weight * terms * terms.transpose();
-    side += weight * q.z * terms;
-    ++n;
-  });
-  if (n < fewest_to_fit) return std::nullopt;
-  const Eigen::Vector3d fitted = matrix.completeOrthogonalDecomposition().solve(side);
-  return p.z + fitted[0];
-}
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
@@ -273,7 +199,7 @@ class Restorer {
   /// The sheet goes on over the strips beside it.
   void carry(const std::vector<Triangle>& given, Index sheet, RestoredThrow& restored) {
     std::vector<std::uint8_t> is_own(nearest_fault_.size(), 0);
-    NodeCells nodes(horizon_, fit_radius * edge_);
+    CarriedHeights nodes(horizon_, edge_);
     for (Index t = 0; t < given.size(); ++t)
       for (std::size_t i = 0; !in_strip_[t] && sheet_[t] == sheet && i < 3; ++i)
         if (!is_own[given[t][i]]) is_own[given[t][i]] = 1, nodes.add(given[t][i]);
@@ -286,7 +212,7 @@ class Restorer {
       const auto [at, is_new] = carried.try_emplace(v);
       if (!is_new) return at->second;
       Vec3 p = horizon_.points[v];
-      const auto height = carried_height(horizon_, nodes, p, {p, across_[v]}, widest_ + 2 * edge_, edge_);
+      const auto height = nodes.at(p, across_[v], widest_ + 2 * edge_);
       if (!height) return std::nullopt;
       p.z = *height;
       at->second = static_cast<VertexIndex>(horizon_.points.size());

@@ -10,7 +10,7 @@
 #include "naming/sheets.hpp"
 #include "naming/soup_edges.hpp"
 #include "naming/sums.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/throw/fault_crossings.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -57,8 +57,8 @@ std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pai
 /// The block of each triangle by the sides of the faults on which its sheet lies for most of its area. Only triangles
 /// that `counts` accepts are sorted; the others are of no block.
 template <class F>
-std::vector<Index> blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
-                                    const std::vector<ThrowFault>& faults, F&& counts) {
+SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
+                              const std::vector<ThrowFault>& faults, F&& counts) {
   std::map<Index, std::vector<double>> balance;  // per sheet and fault: area above less area below
   std::vector<FaultSides> sides;
   for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
@@ -70,14 +70,16 @@ std::vector<Index> blocks_of_sheets(const TriangulatedSurface& horizon, const st
       sums[f] += sides[f].is_above(centre_of(horizon, horizon.triangles[t])) ? area : -area;
   }
   std::map<std::vector<bool>, Index> block_of_sides;
-  std::vector<Index> block(sheet.size(), BuiltRows::of_no_block);
+  SortedBlocks blocks{std::vector<Index>(sheet.size(), BuiltRows::of_no_block)};
   for (Index t = 0; t < sheet.size(); ++t) {
     if (!counts(t)) continue;
     std::vector<bool> key;
     for (const double sum : balance.at(sheet[t])) key.push_back(sum > 0);
-    block[t] = block_of_sides.emplace(key, static_cast<Index>(block_of_sides.size())).first->second;
+    const auto [at, is_new] = block_of_sides.emplace(key, static_cast<Index>(block_of_sides.size()));
+    blocks.of_triangle[t] = at->second;
+    if (is_new) blocks.sides.push_back(std::move(key));
   }
-  return block;
+  return blocks;
 }
 
 /// The horizon's sheets as the faults that end inside part them.
@@ -180,33 +182,41 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, Tr
 
 }  // namespace
 
-FaultSides::FaultSides(const TriangulatedSurface& fault) {
+namespace {
+
+std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
+  std::vector<Vec3> centres;
+  for (const Triangle& t : s.triangles) centres.push_back(centre_of(s, t));
+  return centres;
+}
+
+}  // namespace
+
+FaultSides::FaultSides(const TriangulatedSurface& fault) : centres_(centres_of(fault)), nearest_(centres_) {
   const UpwardSides up = orient_upward(fault);
   for (Index t = 0; t < fault.triangles.size(); ++t) {
     const Triangle& v = fault.triangles[t];
     const Vec3 n = cross(fault.points[v[1]] - fault.points[v[0]], fault.points[v[2]] - fault.points[v[0]]);
-    centres_.push_back(centre_of(fault, v));
     normals_.push_back(up.as_stored[t] ? n : -1.0 * n);
   }
 }
 
 bool FaultSides::is_above(const Vec3& p) const {
-  std::size_t nearest = 0;
-  for (std::size_t t = 1; t < centres_.size(); ++t)
-    if (norm(p - centres_[t]) < norm(p - centres_[nearest])) nearest = t;
-  return !centres_.empty() && dot(p - centres_[nearest], normals_[nearest]) > 0;
+  const Index nearest = nearest_.find(p);
+  return nearest != no_index && dot(p - centres_[nearest], normals_[nearest]) > 0;
 }
 
-std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
-                                    const KnownSheets& known) {
+SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
+                              const KnownSheets& known) {
   const std::vector<ThrowFault>& faults = parting.faults;
   const bool one_ends_inside = std::any_of(
       faults.begin(), faults.end(), [](const ThrowFault& f) { return f.first_made < f.surface->triangles.size(); });
   TriangulatedSurface joint = horizon;
-  std::vector<Index> block;
+  SortedBlocks sorted;
+  std::vector<Index>& block = sorted.of_triangle;
   if (!known.sheet.empty()) {
     const auto is_round = [&](Index t) { return known.sheet[t] == BuiltRows::of_every_block; };
-    block = blocks_of_sheets(horizon, known.sheet, faults, [&](Index t) { return !is_round(t); });
+    sorted = blocks_of_sheets(horizon, known.sheet, faults, [&](Index t) { return !is_round(t); });
     for (Index t = 0; t < block.size(); ++t)
       if (is_round(t)) block[t] = BuiltRows::of_every_block;
     joint.triangles = known.before;
@@ -216,7 +226,7 @@ std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const BlockFau
     return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
   } else {
     const Ends ends(horizon, faults);
-    block = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
+    sorted = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
     joint.triangles.clear();
     for (Index t = 0; t < block.size(); ++t) {
       if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
@@ -224,7 +234,7 @@ std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const BlockFau
     }
   }
   if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);
-  return block;
+  return sorted;
 }
 
 }  // namespace geomesh::geomodel

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "rules/extend.hpp"
+#include "rules/throw/fault_crossings.hpp"
+#include "rules/throw/nearest_point.hpp"
 
 namespace geomesh::geomodel {
-
-/// A fault across which a horizon has throw, and where its own continuation begins (its number of triangles where there
-/// is none).
-struct ThrowFault {
-  const TriangulatedSurface* surface;
-  Index first_made;
-};
 
 /// The faults of a horizon and how its blocks are continued to the box.
 struct BlockFaults {
@@ -29,7 +24,13 @@ struct KnownSheets {
   std::vector<Triangle> before{};  ///< the horizon's triangles with the ramps
 };
 
-/// A fault's triangles with normals to one side. A query costs O(triangles).
+/// Blocks of a horizon.
+struct SortedBlocks {
+  std::vector<Index> of_triangle;
+  std::vector<std::vector<bool>> sides{};  ///< per block: whether it lies above each of the faults
+};
+
+/// A fault's triangles with normals to one side. A query costs O(log triangles).
 class FaultSides {
  public:
   explicit FaultSides(const TriangulatedSurface& fault);
@@ -38,6 +39,7 @@ class FaultSides {
 
  private:
   std::vector<Vec3> centres_, normals_;
+  NearestPoint nearest_;
 };
 
 /// The block of each triangle, from 0 in the order of their first triangles: sheets that lie, for most of their area,
@@ -52,8 +54,8 @@ class FaultSides {
 ///
 /// With sheets known those of one number are a sheet; else triangles that hang together by edges. What goes round a tip
 /// is then known too, and only what joins the sheets beyond the horizon's own border is added.
-std::vector<Index> sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
-                                    const KnownSheets& known);
+SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
+                              const KnownSheets& known);
 
 /// Continues each block to beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then run
 /// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out.

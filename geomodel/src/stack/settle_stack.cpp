@@ -11,8 +11,9 @@
 #include "stack/sheets/centred_sheets.hpp"
 #include "stack/sheets/closing_rows.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
-#include "stack/single_valued.hpp"
+#include "stack/stack_members.hpp"
 #include "stack/thickness_sizes.hpp"
+#include "stack/throw/both_sides.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -28,57 +29,14 @@ constexpr double most_shift = 0.15;              // of the size: of pinch-out li
 constexpr double edge_of_thickness = 24;         // edges in a unit are at most so long
 constexpr double margin_of_size = 0.25;          // about an outline that is no box along the axes
 
-/// The stack's horizons, youngest first.
-struct Stack {
-  std::vector<Index> rows;
-  std::vector<std::string> units;  ///< between neighbours
-  std::vector<Keeper> keepers;
-};
-
-Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
-                 const std::vector<TriangulatedSurface>& surfaces) {
-  if (surfaces[younger].name == rules.topography) return Keeper::younger;
-  if (surfaces[older].name == rules.floor) return Keeper::older;
-  if (rules.of(younger).base == BaseRule::erode) return Keeper::younger;
-  if (rules.of(older).base == BaseRule::onlap) return Keeper::older;
-  const bool younger_moves = rules.on_crossing == OnCrossing::clip_younger || rules.thin_layers == ThinLayers::collapse;
-  return younger_moves ? Keeper::older : Keeper::younger;
-}
-
-/// The topography, the column, the bottom of the model.
-Stack find_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
-  Stack stack;
-  std::vector<std::string> names, units;
-  for (std::size_t i = 1; i < rules.column.size(); i += 2) names.push_back(rules.column[i]);
-  for (std::size_t i = 2; i + 1 < rules.column.size(); i += 2) units.push_back(rules.column[i]);
-  const auto stands = [&](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!rules.topography.empty() && !stands(rules.topography)) {
-    if (!names.empty()) units.insert(units.begin(), rules.column.front());
-    names.insert(names.begin(), rules.topography);
-  }
-  if (!rules.floor.empty() && !stands(rules.floor)) {
-    if (!names.empty() && !rules.column.empty()) units.push_back(rules.column.back());
-    names.push_back(rules.floor);
-  }
-  for (const std::string& name : names)
-    for (Index s = 0; s < surfaces.size(); ++s)
-      if (surfaces[s].name == name) stack.rows.push_back(s);
-  stack.units = std::move(units);
-  for (std::size_t k = 0; k + 1 < stack.rows.size(); ++k)
-    stack.keepers.push_back(keeper_of(rules, stack.rows[k], stack.rows[k + 1], surfaces));
-  return stack;
-}
-
 /// Why the stack cannot be settled; empty: it can.
 std::string obstacle(const Stack& stack, const BuiltSurfaces& built) {
   if (stack.rows.size() > most_horizons) return "it has more than " + std::to_string(most_horizons) + " horizons";
   if (stack.rows.size() != stack.units.size() + 1) return "a horizon of the column is not there";
   for (const Index row : stack.rows) {
     const TriangulatedSurface& s = built.surfaces[row];
-    if (!built.rows.block_of_triangle[row].empty()) return "horizon " + s.name + " is given block by block (throw_at)";
-    if (!is_single_valued(s)) return "horizon " + s.name + " has more than one height over a place of the map";
+    if (!is_single_valued_by_block(s, built.rows.block_of_triangle[row], built.rows.n_given_triangles[row]))
+      return "horizon " + s.name + " has more than one height over a place of the map";
   }
   return "";
 }
@@ -94,25 +52,32 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Borders of the horizons that reach into the bounds.
-void add_borders(const std::vector<const TriangulatedSurface*>& horizons, MapLayout& layout) {
+/// Borders of the horizons without throw that reach into the bounds.
+void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
-  for (const TriangulatedSurface* s : horizons)
-    for (const BorderEdge& e : border_edges(*s)) {
-      const Vec2 a{s->points[e.a].x, s->points[e.a].y}, b{s->points[e.b].x, s->points[e.b].y};
+  for (const BlockData& horizon : horizons) {
+    if (horizon.has_throw()) continue;
+    const TriangulatedSurface& s = horizon.single;
+    for (const BorderEdge& e : border_edges(s)) {
+      const Vec2 a{s.points[e.a].x, s.points[e.a].y}, b{s.points[e.b].x, s.points[e.b].y};
       const bool beside = std::max(a.x, b.x) < near.min.x || std::min(a.x, b.x) > near.max.x ||
                           std::max(a.y, b.y) < near.min.y || std::min(a.y, b.y) > near.max.y;
       if (!beside) layout.lines.push_back({a, b});
     }
+  }
+}
+
+bool faces_upward(const TriangulatedSurface& s) {
+  double up = 0;
+  for (const Triangle& t : s.triangles) up += cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]).z;
+  return up >= 0;
 }
 
 /// The horizon's part of the sheets, oriented as the horizon was.
 TriangulatedSurface sheet_of(const MapSheets& sheets, std::size_t horizon, const MapSamples& samples,
                              const TriangulatedSurface& given, const MapFrame& frame) {
   TriangulatedSurface s = given;
-  double up = 0;
-  for (const Triangle& t : given.triangles)
-    up += cross(given.points[t[1]] - given.points[t[0]], given.points[t[2]] - given.points[t[0]]).z;
+  const bool faces_up = faces_upward(given);
   s.points.clear();
   s.triangles.clear();
   std::vector<VertexIndex> row(sheets.points.size(), no_vertex);
@@ -130,9 +95,24 @@ TriangulatedSurface sheet_of(const MapSheets& sheets, std::size_t horizon, const
       }
       v = row[v];
     }
-    if (up < 0) std::swap(own[1], own[2]);
+    if (!faces_up) std::swap(own[1], own[2]);
     s.triangles.push_back(own);
   }
+  return s;
+}
+
+/// The horizon from both sides of its faults, oriented as it was.
+TriangulatedSurface surface_of(SidedHorizon sided, const TriangulatedSurface& given, const MapFrame& frame) {
+  TriangulatedSurface s = given;
+  const bool faces_up = faces_upward(given);
+  s.points = std::move(sided.points);
+  s.triangles = std::move(sided.triangles);
+  for (Vec3& p : s.points) {
+    const Vec2 q = frame.to_model(Vec2{p.x, p.y});
+    p = {q.x, q.y, p.z};
+  }
+  if (!faces_up)
+    for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
   return s;
 }
 
@@ -141,24 +121,29 @@ class Group {
  public:
   Group(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules)
       : stack_(stack), built_(built), rules_(rules), frame_(rules.stack.outline, rules.stack.outline_is_box) {
-    for (const Index row : stack.rows) turned_.push_back(frame_.to_frame(built.surfaces[row]));
-    for (const TriangulatedSurface& s : turned_) horizons_.push_back(&s);
+    for (const Index row : stack.rows) {
+      data_.push_back(block_data(frame_.to_frame(built.surfaces[row]), built.rows.block_of_triangle[row],
+                                 built.rows.n_given_triangles[row]));
+      faults_.push_back(faults_of(row));
+    }
+    for (const BlockData& data : data_) horizons_.push_back(&data.single);
     layout_.bounds = frame_.bounds(rules.stack.outline);
     if (!rules.stack.outline_is_box) layout_.bounds = layout_.bounds.grown(margin_of_size * rules.stack.size);
     layout_.lattice = lattice_of_size * rules.stack.size;
-    add_borders(horizons_, layout_);
+    add_borders(data_, layout_);
+    strips_ = find_fault_strips(data_, layout_.bounds, rules.stack.size);
     layout_.keeps_lines = ends_inside();
   }
 
   /// Horizons that end inside may do so exactly on a fault or body, which moving them would break.
-  bool ends_inside() const { return !layout_.lines.empty(); }
+  bool ends_inside() const { return !layout_.lines.empty() || strips_.is_open; }
 
   /// Gives whether there was anything to settle.
   bool settle() {
     const double size = rules_.stack.size;
     const MapSamples samples(horizons_, layout_.bounds.grown(size));
     for (std::size_t k = 0; k < horizons_.size(); ++k)
-      if (samples.overhangs(k)) {
+      if (!data_[k].has_throw() && samples.overhangs(k)) {
         built_.notes.push_back("the stack is left as given: horizon " + horizons_[k]->name +
                                " has more than one height over a place of the map");
         return false;
@@ -172,11 +157,13 @@ class Group {
     const bool is_thin = std::any_of(areas.begin(), areas.end(), [](const ThinArea& a) { return a.any(); });
     const bool is_wanted = (is_thin && rules_.min_thickness > 0) || crosses_by_mistake(samples);
     if (!is_wanted && !has_many_triangles(horizons_, layout_.bounds, size)) return false;
-    const MapSheets sheets = draw_sheets(samples, areas, options);
-    told_ = describe_settled(sheets, samples, areas, layout_.bounds, options);
+    MapSheets sheets = draw_sheets(samples, areas, options);
+    std::vector<SidedHorizon> sided(horizons_.size());
+    if (has_throw()) sided = make_both_sides(sheets, {data_, faults_, strips_, frame_, *rules_.box, options});
+    told_ = describe_settled(sheets, {samples, areas, layout_.bounds, options, strips_});
     told_.min_thickness = thickness;
     ask_for_sizes(sheets, thickness);
-    replace_horizons(sheets, samples);
+    replace_horizons(sheets, samples, std::move(sided));
     return true;
   }
 
@@ -204,6 +191,7 @@ class Group {
   }
 
   MapSheets draw_sheets(const MapSamples& samples, const std::vector<ThinArea>& areas, const SheetOptions& options) {
+    layout_.lines.insert(layout_.lines.end(), strips_.outlines.begin(), strips_.outlines.end());
     for (const ThinArea& area : areas)
       layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
     MapSheets sheets = approximate_sheets(samples, layout_, areas, options);
@@ -220,17 +208,25 @@ class Group {
     }
   }
 
-  void replace_horizons(const MapSheets& sheets, const MapSamples& samples) {
+  void replace_horizons(const MapSheets& sheets, const MapSamples& samples, std::vector<SidedHorizon> sided) {
     for (std::size_t k = 0; k < horizons_.size(); ++k) {
-      TriangulatedSurface& s = built_.surfaces[stack_.rows[k]];
+      const Index row = stack_.rows[k];
+      TriangulatedSurface& s = built_.surfaces[row];
       SettledHorizon& told = told_.horizons[k];
       told.name = s.name;
       const Vec2 place = frame_.to_model(Vec2{told.place.x, told.place.y});
       told.place = {place.x, place.y, told.place.z};
       told.n_triangles_given = s.triangles.size();
-      s = sheet_of(sheets, k, samples, s, frame_);
+      if (!data_[k].has_throw()) {
+        s = sheet_of(sheets, k, samples, s, frame_);
+        built_.rows.n_given_triangles[row] = static_cast<Index>(s.triangles.size());
+      } else {
+        tell_sides(sided[k], told);
+        built_.rows.n_given_triangles[row] = sided[k].n_single;
+        built_.rows.block_of_triangle[row] = std::move(sided[k].block);
+        s = surface_of(std::move(sided[k]), s, frame_);
+      }
       told.n_triangles = s.triangles.size();
-      built_.rows.n_given_triangles[stack_.rows[k]] = static_cast<Index>(s.triangles.size());
     }
     for (std::size_t k = 0; k < stack_.units.size(); ++k) {
       told_.units[k].name = stack_.units[k];
@@ -239,11 +235,39 @@ class Group {
     }
   }
 
+  bool has_throw() const {
+    return std::any_of(data_.begin(), data_.end(), [](const BlockData& data) { return data.has_throw(); });
+  }
+
+  void tell_sides(const SidedHorizon& sided, SettledHorizon& told) const {
+    told.area_at_faults = sided.area;
+    told.largest_move_at_faults = sided.largest_move;
+    const Vec2 place = frame_.to_model(Vec2{sided.place.x, sided.place.y});
+    told.place_at_faults = {place.x, place.y, sided.place.z};
+  }
+
+  HorizonFaults faults_of(Index row) const {
+    HorizonFaults found;
+    if (built_.rows.block_of_triangle[row].empty()) return found;
+    for (const std::string& name : rules_.of(row).throw_at)
+      for (Index s = 0; s < built_.surfaces.size(); ++s) {
+        if (built_.surfaces[s].name != name) continue;
+        const auto n = static_cast<Index>(built_.surfaces[s].triangles.size());
+        found.faults.push_back({&built_.surfaces[s], std::min(n, built_.rows.first_only_parting[s])});
+        found.rows.push_back(s);
+        break;
+      }
+    found.sides = built_.rows.sides_of_block[row];
+    return found;
+  }
+
   const Stack& stack_;
   BuiltSurfaces& built_;
   const ModelRules& rules_;
   MapFrame frame_;
-  std::vector<TriangulatedSurface> turned_;
+  std::vector<BlockData> data_;        ///< in the frame
+  std::vector<HorizonFaults> faults_;  ///< per horizon
+  FaultStrips strips_;
   std::vector<const TriangulatedSurface*> horizons_;
   MapLayout layout_;
   SettledStack told_;
@@ -277,7 +301,7 @@ void thin_out_others(BuiltSurfaces& built, const ModelRules& rules, const Stack&
         std::find(stack.rows.begin(), stack.rows.end(), row) != stack.rows.end())
       continue;
     const Stack alone{{row}, {}, {}};
-    if (!obstacle(alone, built).empty()) continue;
+    if (!built.rows.block_of_triangle[row].empty() || !obstacle(alone, built).empty()) continue;
     Group group(alone, built, rules);
     if (group.ends_inside() || !group.settle()) continue;
     built.stack.settled = true;
@@ -292,7 +316,7 @@ bool settle_stack(BuiltSurfaces& built, const ModelRules& rules) {
   const StackRules& asked = rules.stack;
   if (asked.rule == StackRule::keep || !(asked.tolerance > 0) || !(asked.size > 0) || asked.outline.empty())
     return false;
-  const Stack stack = find_stack(built.surfaces, rules);
+  const Stack stack = find_stack(built, rules);
   const bool settled = settle_column_of(built, rules, stack);
   thin_out_others(built, rules, stack);
   built.stack.size = asked.size;

@@ -48,20 +48,20 @@ void sum_triangles(const MapSheets& sheets, SettledStack& stack) {
 }
 
 /// Moves of the input's points. Each stands for an equal share of the horizon's area.
-void measure_moves(const MapSheets& sheets, const MapSamples& samples, const SheetLocator& locator,
-                   const SheetOptions& options, SettledStack& stack) {
+void measure_moves(const MapSheets& sheets, const SettledFrom& from, const SheetLocator& locator, SettledStack& stack) {
+  const MapSamples& samples = from.samples;
   std::vector<std::size_t> n(sheets.n_horizons, 0), n_moved(sheets.n_horizons, 0);
   std::vector<double> sum(sheets.n_horizons, 0);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const Vec2 p = samples.place(s);
     const SheetLocator::Place at = locator.find(p);
-    if (at.triangle == no_index) continue;
+    if (at.triangle == no_index || from.strips.holds(p)) continue;
     for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
       const double given = samples.heights(s)[k], move = std::abs(locator.height(at, k) - given);
       if (std::isnan(move)) continue;
       SettledHorizon& told = stack.horizons[k];
       ++n[k];
-      if (move <= options.allowed * (1 + 1e-9)) {
+      if (move <= from.options.allowed * (1 + 1e-9)) {
         told.largest_off = std::max(told.largest_off, move);
         continue;
       }
@@ -103,20 +103,19 @@ void draw_maps(const SheetLocator& locator, const MapBounds& bounds, SettledStac
 
 }  // namespace
 
-SettledStack describe_settled(const MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
-                              const MapBounds& bounds, const SheetOptions& options) {
+SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from) {
   SettledStack stack;
   stack.settled = true;
   stack.horizons.resize(sheets.n_horizons);
   stack.units.resize(sheets.n_horizons - 1);
-  for (std::size_t k = 0; k < areas.size(); ++k) {
-    stack.units[k].n_islands = areas[k].n_islands;
-    stack.units[k].pinch_outs = areas[k].curves;
+  for (std::size_t k = 0; k < from.areas.size(); ++k) {
+    stack.units[k].n_islands = from.areas[k].n_islands;
+    stack.units[k].pinch_outs = from.areas[k].curves;
   }
   sum_triangles(sheets, stack);
   const SheetLocator locator(sheets);
-  measure_moves(sheets, samples, locator, options, stack);
-  draw_maps(locator, bounds, stack);
+  measure_moves(sheets, from, locator, stack);
+  draw_maps(locator, from.bounds, stack);
   return stack;
 }
 
@@ -130,6 +129,10 @@ std::vector<std::string> notes_of(const SettledStack& stack) {
     if (h.area_moved > 0)
       text += "; moved over an area of " + to_text(h.area_moved) + " by " + to_text(h.mean_move) +
               " m in the mean, at most " + to_text(h.largest_move) + " m near " + to_text(h.place);
+    if (h.area_at_faults > 0)
+      text += "; made anew from both sides of its faults over an area of " + to_text(h.area_at_faults) +
+              ", where order moved it by " + to_text(h.largest_move_at_faults) + " m at most" +
+              (h.largest_move_at_faults > 0 ? " near " + to_text(h.place_at_faults) : std::string());
     notes.push_back(text);
   }
   for (const SettledUnit& u : stack.units)

@@ -5,12 +5,21 @@
 
 #include "geomesh/geomodel/stack.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
+#include "stack/throw/fault_strips.hpp"
 
 namespace geomesh::geomodel {
 
-/// Names and counts of triangles are left to the caller.
-SettledStack describe_settled(const MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
-                              const MapBounds& bounds, const SheetOptions& options);
+/// What sheets were settled from and how.
+struct SettledFrom {
+  const MapSamples& samples;
+  const std::vector<ThinArea>& areas;
+  const MapBounds& bounds;
+  const SheetOptions& options;
+  const FaultStrips& strips;  ///< in which moves are not measured: there the sheets are the mean of both sides
+};
+
+/// Names, counts of triangles and what happened along faults are left to the caller.
+SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from);
 
 /// A sentence a horizon that was moved and a unit that thins out.
 std::vector<std::string> notes_of(const SettledStack& stack);

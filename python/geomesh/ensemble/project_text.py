@@ -9,6 +9,7 @@ import yaml
 from ..core.errors import UsageError
 from . import reader
 
+_FILE_KEYS = ("file", "background")
 _OWN_FRAME = ("crs", "unit", "z_unit", "z_datum")
 
 
@@ -45,10 +46,9 @@ class ProjectText:
 
     def files(self, study):
         """Every file that a realisation may read, in order."""
-        names = [s.file for s in self.surfaces.values() if s.file]
+        names = [value.value for node in (self._node, study.mesh) for value in _file_names(node)]
         names += [str(v) for spec in study.surfaces if spec.file for v in spec.file.values]
-        paths = [self.path(name) for name in names] + list(self.wells.values())
-        return sorted({path for path in paths if os.path.isfile(path)})
+        return sorted({path for path in map(self.path, names) if os.path.isfile(path)})
 
     def z_is_depth(self, surface):
         word = self.surfaces[surface].keys.get("z", self.crs.get("z") if isinstance(self.crs, dict) else None)
@@ -90,12 +90,8 @@ class ProjectText:
 
     def with_absolute_files(self, node):
         """For a project that is written into another folder."""
-        for group in ("surfaces", "wells"):
-            entries = _get(node, group)
-            for entry in entries.value if isinstance(entries, yaml.SequenceNode) else ():
-                file = _get(entry, "file")
-                if file is not None:
-                    file.value = os.path.abspath(self.path(file.value))
+        for value in _file_names(node):
+            value.value = os.path.abspath(self.path(value.value))
         return node
 
 
@@ -107,6 +103,17 @@ def with_surface_files(node, files):
         if file is not None:
             _set(entry, "file", _node_of(file))
     return node
+
+
+def _file_names(node):
+    """The nodes that name a file, at any depth: of surfaces, wells, fault polygons, tops, fields and sizes."""
+    for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
+        if key.value in _FILE_KEYS and isinstance(value, yaml.ScalarNode):
+            yield value
+        else:
+            yield from _file_names(value)
+    for value in node.value if isinstance(node, yaml.SequenceNode) else ():
+        yield from _file_names(value)
 
 
 def as_text(node):

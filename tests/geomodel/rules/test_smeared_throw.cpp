@@ -8,6 +8,7 @@
 
 #include "rules/fault_ends.hpp"
 #include "rules/smeared_throw.hpp"
+#include "rules/throw/fault_crossings.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -200,7 +201,8 @@ void check_ending(const Ending& model, double share) {
   INFO("throw " << model.throw_m << ", edges " << model.spacing << ", noise " << model.noise);
   const TriangulatedSurface given = model.horizon();
   TriangulatedSurface made = given, fault = Ending::fault();
-  const Index first = continue_fault(fault, {{100, 100, -2000}, {3900, 2900, 0}});
+  const Box3 box{{100, 100, -2000}, {3900, 2900, 0}};
+  const Index first = continue_fault(fault, box, box);
   REQUIRE(first < fault.triangles.size());
   std::vector<std::string> notes, warnings;
   const RestoredThrow rows = restore_smeared_throw(made, {{{&fault, first}, nullptr}}, {}, {notes, warnings});

@@ -12,9 +12,9 @@
 #include "naming/name_regions.hpp"
 #include "rules/planar/map_locator.hpp"
 #include "rules/planar/planar_lines.hpp"
+#include "rules/planar/single_valued.hpp"
 #include "stack/map/growing_triangulation.hpp"
 #include "stack/sheets/column_heights.hpp"
-#include "stack/single_valued.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

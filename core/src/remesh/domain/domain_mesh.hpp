@@ -14,12 +14,12 @@
 #pragma once
 
 #include <algorithm>
-#include <ranges>
 #include <span>
 
 #include "common/flat_map.hpp"
 #include "mesh/editable_mesh.hpp"
 #include "quality/measure/cell_quality.hpp"
+#include "remesh/domain/live_cells.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
 #include "remesh/domain/star_links.hpp"
@@ -88,9 +88,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   bool is_live(CellIndex c) const { return mesh_.is_live(c); }
   const Tetrahedron& vertices(CellIndex c) const { return mesh_.vertices(c); }
   Index component(CellIndex c) const { return attributes_.component[c]; }
-  auto live_cells() const {
-    return std::views::iota(CellIndex{0}, n_slots()) | std::views::filter([this](CellIndex c) { return is_live(c); });
-  }
+  LiveCells<DomainMesh> live_cells() const { return LiveCells<DomainMesh>(*this); }
   FaceTag tag(CellIndex c, unsigned face) const { return attributes_.tags[c][face]; }
   FaceTag tag(FaceRef f) const { return tag(f.cell(), f.face()); }
   /// Counter-clockwise seen from the cell.

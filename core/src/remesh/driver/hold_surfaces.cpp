@@ -94,8 +94,8 @@ std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attem
         kept.push_back({centre(box), item.id});
     });
   std::ranges::stable_sort(kept, {}, &KeptPlace::facet);
-  const auto repeated = std::ranges::unique(kept, {}, &KeptPlace::facet);
-  kept.erase(repeated.begin(), repeated.end());
+  const auto is_same = [](const KeptPlace& a, const KeptPlace& b) { return a.facet == b.facet; };
+  kept.erase(std::unique(kept.begin(), kept.end(), is_same), kept.end());
   for (const KeptPlace& k : kept) {
     const Index before = options.facet_patch[k.facet], own = static_cast<Index>(n_of_patch.size());
     --n_of_patch[before];

@@ -45,7 +45,7 @@ class EdgeSplitter {
     while (!queue_.empty()) {
       const MeasuredEdge e = queue_.top();
       queue_.pop();
-      if (n % 256 == 0) context.check_cancelled();
+      if (n % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
       const CellIndex c = cell_with_edge(tools_, e.a, e.b);
       if (c == no_cell || !is_asked(c, e.a, e.b)) continue;
       const auto v = split_edge(tools_, c, e.a, e.b);
@@ -115,7 +115,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
   DomainMesh& mesh = tools.mesh;
   std::size_t n = 0;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    if (k % 256 == 0) context.check_cancelled();
+    if (k % 256 == 0) context.check_cancelled(), context.report(mesh.n_cells(), 0);
     VertexIndex u = edges[k].a, v = edges[k].b;
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
     if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes

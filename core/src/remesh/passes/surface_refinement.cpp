@@ -73,7 +73,7 @@ class SurfaceRefiner {
     std::size_t n = 0;
     const std::uint64_t start = mesh_.tick();
     for (std::size_t k = 0; k < large.size(); ++k) {
-      if (k % 256 == 0) context.check_cancelled();
+      if (k % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
       SurfaceItem s = large[k];
       if (!is_current(s)) continue;
       std::uint64_t& refused = s.refused[static_cast<std::size_t>(kind)];

@@ -108,6 +108,7 @@ void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunC
   SurfaceRegularizer regularizer(tools, in_vain);
   for (unsigned round = 0; round < refine_ratios.regular_rounds; ++round) {
     context.check_cancelled();
+    context.report(tools.mesh.n_cells(), 0);
     const std::size_t n_flips = regularizer.flip_all();
     if (n_flips + regularizer.move_all(context.threads) == 0) break;
   }

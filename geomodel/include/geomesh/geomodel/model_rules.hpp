@@ -101,6 +101,8 @@ struct BuiltRows {
   std::vector<Index> n_given_triangles;  ///< from this row on triangles were made by rule
   std::vector<std::vector<Index>>
       block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
+  /// Per surface and block: whether it lies above each fault of throw_at; empty for surfaces without blocks.
+  std::vector<std::vector<std::vector<bool>>> sides_of_block;
   /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
   /// none was.
   std::vector<Index> first_only_parting;

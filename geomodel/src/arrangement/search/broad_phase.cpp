@@ -51,7 +51,7 @@ void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limi
   std::vector<Contacts> found(n_chunks);
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> n_chunks_done{0};
-  tbb::parallel_for(std::size_t{0}, n_chunks, [&](std::size_t c) {
+  tbb::parallel_for(std::size_t{0}, n_chunks, [&, &context = context, &memory = memory](std::size_t c) {
     if (context.cancel && context.cancel->load(std::memory_order_relaxed)) return;
     const std::size_t done = n_chunks_done.fetch_add(1, std::memory_order_relaxed);
     if (std::this_thread::get_id() == caller) context.report(done * chunk, n);

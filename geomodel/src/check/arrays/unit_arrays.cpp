@@ -33,7 +33,8 @@ void check_unit_arrays(const ClaimedFaces& claimed, CheckResult& result) {
   for (const auto& [group, members] : asked.groups) {
     std::vector<std::int32_t> due;
     for (const auto& [id, two] : names)
-      if (std::any_of(members.begin(), members.end(), [&](const auto& m) { return m == two[0] || m == two[1]; }))
+      if (std::any_of(members.begin(), members.end(),
+                      [&two = two](const auto& m) { return m == two[0] || m == two[1]; }))
         due.push_back(id);
     const auto given = file.region_groups.find(group);
     if (given == file.region_groups.end() || given->second != due) wrong_group.add(row, {});

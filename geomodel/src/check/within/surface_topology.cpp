@@ -284,7 +284,7 @@ void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, std::
   const BoxTree tree(std::move(boxes));
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {
-    const auto carries = [&](Index row) {
+    const auto carries = [&, &at = at](Index row) {
       return std::any_of(at.begin(), at.end(), [&](Index f) { return claimed_.carries(f, row); });
     };
     if (carries(i) && carries(j)) shared.push_back(as_corners(e));

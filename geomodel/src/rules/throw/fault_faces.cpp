@@ -18,7 +18,7 @@ Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-FaultFaces::FaultFaces(const TriangulatedSurface& fault) {
+FaultFaces::FaultFaces(const TriangulatedSurface& fault) : steep_centres_({}), tree_(std::vector<Box3>{}) {
   const UpwardSides up = orient_upward(fault);
   Vec3 sum{};
   for (Index t = 0; t < fault.triangles.size(); ++t) {
@@ -35,6 +35,17 @@ FaultFaces::FaultFaces(const TriangulatedSurface& fault) {
     }
     faces_.push_back(face);
   }
+  std::vector<Vec3> centres;
+  std::vector<Box3> boxes;
+  for (Index f = 0; f < faces_.size(); ++f) {
+    boxes.push_back(faces_[f].bounds);
+    if (std::hypot(faces_[f].normal.x, faces_[f].normal.y) == 0) continue;
+    const std::array<Vec3, 3>& c = faces_[f].corners;
+    steep_.push_back(f);
+    centres.push_back((1.0 / 3) * (c[0] + c[1] + c[2]));
+  }
+  steep_centres_ = NearestPoint(std::move(centres));
+  tree_ = arrangement::BoxTree(boxes);
   const double level = std::hypot(sum.x, sum.y);
   if (level > 0) strike_ = {-sum.y / level, sum.x / level};
 }
@@ -59,9 +70,21 @@ std::pair<double, bool> FaultFaces::Face::distance(const Vec3& p) const {
   return is_over ? std::pair(std::abs(off), true) : std::pair(nearest, nearest <= over_a_bend * std::abs(off));
 }
 
+std::vector<Index> FaultFaces::faces_within(const Vec3& p, double reach) const {
+  std::vector<Index> found;
+  const Vec3 off{reach, reach, reach};
+  Box3 box;
+  box.add(p - off);
+  box.add(p + off);
+  tree_.boxes_meeting(box, [&](Index f) { found.push_back(f); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 std::optional<double> FaultFaces::distance_over(const Vec3& p, double reach) const {
   std::optional<double> nearest;
-  for (const Face& f : faces_) {
+  for (const Index row : faces_within(p, reach)) {
+    const Face& f = faces_[row];
     if (f.is_further(p, reach)) continue;
     const Vec3 &a = f.corners[0], u = f.corners[1] - a, w = f.corners[2] - a;
     const double d = dot(p - a, f.normal);
@@ -76,10 +99,13 @@ std::optional<double> FaultFaces::distance_over(const Vec3& p, double reach) con
 }
 
 std::optional<Beside> FaultFaces::beside(const Vec3& p, double reach) const {
+  if (steep_.empty() || !may_be_near({p, p, p}, reach)) return std::nullopt;
+  const double bound = faces_[steep_[steep_centres_.find(p)]].distance(p).first;
   const Face* nearest = nullptr;
   double least = reach;
   bool is_within = false;
-  for (const Face& f : faces_) {
+  for (const Index row : faces_within(p, std::min(bound, reach))) {
+    const Face& f = faces_[row];
     if (f.is_further(p, least) || std::hypot(f.normal.x, f.normal.y) == 0) continue;
     const auto [distance, is_over] = f.distance(p);
     if (distance >= least) continue;

@@ -7,8 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "arrangement/search/bvh.hpp"
 #include "geomesh/geomodel/surface.hpp"
 #include "naming/sums.hpp"
+#include "rules/throw/nearest_point.hpp"
 
 namespace geomesh::geomodel {
 
@@ -21,7 +23,8 @@ struct Beside {
   bool is_within;  ///< not beyond the fault's end
 };
 
-/// Triangles with normals to one side, boxes about them, and the strike of all. Each query costs O(triangles).
+/// Triangles with normals to one side, boxes about them, and the strike of all. A query costs about as many triangles
+/// as lie within its reach, or nearer than the nearest one.
 class FaultFaces {
  public:
   explicit FaultFaces(const TriangulatedSurface& fault);
@@ -46,7 +49,13 @@ class FaultFaces {
     std::pair<double, bool> distance(const Vec3& p) const;
   };
 
+  /// Ascending.
+  std::vector<Index> faces_within(const Vec3& p, double reach) const;
+
   std::vector<Face> faces_;
+  std::vector<Index> steep_;  ///< those that are not level
+  NearestPoint steep_centres_;
+  arrangement::BoxTree tree_;
   Box3 bounds_;
   Vec2 strike_{1, 0};
 };

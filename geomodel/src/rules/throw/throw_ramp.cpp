@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "stack/single_valued.hpp"
+#include "rules/planar/single_valued.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stack/single_valued.hpp"
+#include "rules/planar/single_valued.hpp"
 
 #include <algorithm>
 #include <array>
