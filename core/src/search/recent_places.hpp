@@ -3,6 +3,7 @@
 /// What a function has at places that it was asked for lately.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -17,6 +18,8 @@ namespace geomesh::search {
 /// No result depends on what is remembered.
 class RecentPlaces {
  public:
+  /// Of at most so many places, above 0.
+  explicit RecentPlaces(std::size_t n_places = 1024) : known_(n_places) {}
   struct Known {
     Vec3 place;
     double value = -1;  ///< negative: nothing is known
@@ -26,16 +29,18 @@ class RecentPlaces {
   double at(const Vec3& p, const ValueAt& value_at) {
     const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),
                           std::bit_cast<std::uint64_t>(p.z)};
-    Known& known = known_[mixed(hash_of(bits)) % n_known];
+    Known& known = known_[mixed(hash_of(bits)) % known_.size()];
     if (known.value < 0 || !(known.place == p)) known = {p, value_at(last_)};
     last_ = known;
     return known.value;
   }
-  void clear() { *this = {}; }
+  void clear() {
+    std::ranges::fill(known_, Known());
+    last_ = {};
+  }
 
  private:
-  static constexpr std::size_t n_known = 1024;
-  std::vector<Known> known_ = std::vector<Known>(n_known);
+  std::vector<Known> known_;
   Known last_;
 };
 

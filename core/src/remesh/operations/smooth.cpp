@@ -68,7 +68,7 @@ class Smoother {
   bool set_freedom() {
     if (mesh_.kind(v_) == VertexKind::surface) {
       problem_.freedom = StarProblem::Freedom::plane;
-      problem_.direction = tools_.guard.normal(mesh_.support(v_), old_);
+      problem_.direction = tools_.normal_at(v_);
     } else if (mesh_.kind(v_) == VertexKind::curve) {
       if (cavity_.curves.size() != 2) return false;
       for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(cavity_.curves[k].a);
@@ -197,6 +197,7 @@ bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& w
 }
 
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) {
+  tools.make_room_for_normals();
   const bool moved = Smoother(tools, v, tools.work).run(rule);
   tools.statistics.smoothing_moves += moved;
   return moved;

@@ -142,10 +142,10 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
   RaisedBefore raised;
-  const auto raise = [&](unsigned smoothing_steps) {
+  const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(low_percentile(mesh, schedule), least, measure.of_angle(schedule.mean_floor_angle));
-    raise_mean(tools, floor, smoothing_steps, context, raised);
+    raise_mean(tools, floor, smoothing_steps, context, raised, poor);
     return Next::again;
   };
   const PassRunner passes(mesh, context, out_of_time);
@@ -186,8 +186,9 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
               .applies = rescues_bad});
   const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
+  const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
-              .round = [&](unsigned) { return raise(schedule.smoothing_steps); },
+              .round = [&](unsigned) { return raise(schedule.smoothing_steps, poor); },
               .most_rounds = schedule.poor_mean_factor * schedule.mean_rounds,
               .applies = poor_share > schedule.many_poor});
   passes.once(

@@ -29,10 +29,10 @@ struct RaisedBefore {
 
 /// One pass of flips, edges in the inside alone, and one of moves that raise the mean worth of shapes (MeanGoal); none
 /// falls below `floor` and what was worst about the place. Worst-first repair leaves what is merely mediocre alone.
-/// After the first pass only those vertices are looked at about which something else has changed since, or which share
-/// a cell with one whose last move gained much.
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context,
-                RaisedBefore& before);
+/// After the first pass only those vertices are looked at that have a cell below `poor` about them. Something else must
+/// have changed about them since, or they share a cell with one whose last move gained much.
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
+                double poor = 1);
 
 /// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What the judge finds in the
 /// end, where given, is worth a longer search.

@@ -15,14 +15,14 @@ constexpr double much_gained = 3;
 
 class MeanRaiser {
  public:
-  MeanRaiser(Toolbox& tools, double floor, RaisedBefore& before)
+  MeanRaiser(Toolbox& tools, double floor, RaisedBefore& before, double poor)
       : tools_(tools),
         mesh_(tools.mesh),
         goal_{floor, mean_worth()},
         least_gain_(tools_.bad_cells_may_spread ? 0.002
                                                 : 0.02),  // where most cells are poor the mean is worth more time
         before_(before),
-        is_left_(find_left()) {}
+        is_left_(find_left(poor)) {}
 
   void run(unsigned smoothing_steps, const RunContext& context) {
     const std::uint64_t start = mesh_.tick();
@@ -47,20 +47,24 @@ class MeanRaiser {
 
  private:
   /// By vertex: whether there is nothing new about it.
-  std::vector<bool> find_left() const {
+  std::vector<bool> find_left(double poor) const {
     std::vector<bool> left(mesh_.n_vertices(), false);
     if (before_.gains.empty()) return left;
     std::vector<double> gain_about = before_.gains;
     gain_about.resize(mesh_.n_vertices(), 0);
+    std::vector<bool> is_poor(mesh_.n_vertices(), false);
     const double much = much_gained * least_gain_;
     for (const CellIndex c : mesh_.live_cells()) {
       double most = 0;
       for (const VertexIndex v : mesh_.vertices(c))
         if (v < before_.gains.size()) most = std::max(most, before_.gains[v]);
-      for (const VertexIndex v : mesh_.vertices(c)) gain_about[v] = std::max(gain_about[v], most);
+      for (const VertexIndex v : mesh_.vertices(c)) {
+        gain_about[v] = std::max(gain_about[v], most);
+        if (mesh_.shape_of(c) < poor) is_poor[v] = true;
+      }
     }
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
-      left[v] = mesh_.changed_at(v) <= before_.end && gain_about[v] <= much;
+      left[v] = !is_poor[v] || (mesh_.changed_at(v) <= before_.end && gain_about[v] <= much);
     return left;
   }
 
@@ -116,9 +120,9 @@ class MeanRaiser {
 
 }  // namespace
 
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context,
-                RaisedBefore& before) {
-  MeanRaiser(tools, floor, before).run(smoothing_steps, context);
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
+                double poor) {
+  MeanRaiser(tools, floor, before, poor).run(smoothing_steps, context);
 }
 
 }  // namespace geomesh::remesh

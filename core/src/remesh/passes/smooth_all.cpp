@@ -100,6 +100,7 @@ std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned 
   for (VertexIndex v = 0; v < tools.mesh.n_vertices(); ++v)
     if (tools.mesh.kind(v) != VertexKind::dead && tools.mesh.kind(v) != VertexKind::corner && !(leaves && leaves(v)))
       movable.push_back(v);
+  tools.make_room_for_normals();
   std::vector<double> gains(tools.mesh.n_vertices(), 0);
   std::atomic<std::size_t> moved = 0;
   std::atomic<bool> ended = false;

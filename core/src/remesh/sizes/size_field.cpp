@@ -41,8 +41,8 @@ SizeField::SizeField(std::vector<SizeSource> sources, Limits limits)
   }
 }
 
-/// A source at whose place another asks for less, by what it grows over its radius, never asks for the least where none
-/// grows faster than it.
+/// A source never asks for the least where another asks for less at its place, by what it grows over its radius. That
+/// holds where none grows faster than it.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_) {

@@ -27,6 +27,8 @@ constexpr double proven_share = 1 - 1e-6;
 constexpr double faces_over_samples = 1.15;
 /// Of the angle between a reference's normals and their mean up to which no samples are needed.
 constexpr double even_cosine = 0.9;
+/// Whose tolerance a thread remembers: more than the vertices that it works on in turn.
+constexpr std::size_t n_recent_places = 16384;
 
 /// The coordinate in which all points of the loop are equal, or 3.
 std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
@@ -107,7 +109,8 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     : honour_(honour),
       tolerance_(hold.margin * tolerance.greatest()),
       zones_(hold.zones),
-      proving_(Proving{search::DistanceProver(proven_share * tolerance.greatest()), {}, {}, {}}),
+      proving_(Proving{
+          search::DistanceProver(proven_share * tolerance.greatest()), {}, {}, search::RecentPlaces(n_recent_places)}),
       allowed_(std::move(tolerance)),
       reach_(allowed_.greatest()) {
   if (exact()) {
@@ -173,9 +176,10 @@ void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComp
 Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_.faces.closest(p, patch).item; }
 
 Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
-  const Index row = exact() ? patch : nearest_facet(patch, p);
-  return row < planes_.size() ? planes_[row].normal : Vec3{};
+  return normal_of(exact() ? patch : nearest_facet(patch, p));
 }
+
+Vec3 SurfaceGuard::normal_of(Index row) const { return row < planes_.size() ? planes_[row].normal : Vec3{}; }
 
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
   if (!exact()) return given_.faces.closest(p, patch).point;
