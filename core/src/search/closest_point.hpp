@@ -24,6 +24,16 @@ inline double squared_distance_to(const Box3& b, const Vec3& p) {
   return s;
 }
 
+/// Of all that is within reach of a triangle, and some more.
+inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
+  Box3 box;
+  for (const Vec3& p : corners) {
+    box.add(p - Vec3{reach, reach, reach});
+    box.add(p + Vec3{reach, reach, reach});
+  }
+  return box;
+}
+
 /// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5). The corners may be
 /// equal in pairs.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);

@@ -85,15 +85,6 @@ Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   return parts;
 }
 
-Box3 box_about(const Corners& item, double reach) {
-  Box3 box;
-  for (const Vec3& p : item) {
-    box.add(p - Vec3{reach, reach, reach});
-    box.add(p + Vec3{reach, reach, reach});
-  }
-  return box;
-}
-
 /// Across its longest side.
 std::array<Corners, 2> halves(const Corners& t) {
   std::size_t a = 0;
@@ -121,11 +112,12 @@ bool CoverProver::fails_at(const Vec3& p, double distance) {
 }
 
 Cover CoverProver::judge(const Corners& item, Index group) {
+  if (group_ != group) distances_.clear();
   group_ = group;
   cover_ = {};
   for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]),
                         0.5 * (item[2] + item[0]), middle_of(item)})
-    look_at(p, set_.closest(p, group).distance);
+    look_at(p, distances_.at(p, [&](const auto&) { return set_.closest(p, group).distance; }));
   if (cover_.farthest <= limit_) cover_.is_proven = is_over_sheet(item) || covers_large(item);
   return cover_;
 }

@@ -14,6 +14,7 @@
 
 #include "search/closest_point.hpp"
 #include "search/proven_distance.hpp"
+#include "search/recent_places.hpp"
 
 namespace geomesh::search {
 
@@ -59,6 +60,7 @@ class CoverProver {
   Index group_ = no_index;
   Cover cover_;
   std::vector<Corners> near_;
+  RecentPlaces distances_;  // to the group
   std::size_t pieces_left_ = 0;
 };
 

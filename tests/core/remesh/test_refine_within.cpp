@@ -43,6 +43,27 @@ Deviations verify_faces(const DomainMesh& mesh, const SurfaceItems& input, doubl
   return found;
 }
 
+std::vector<Vec3> places_of(const std::vector<Breach>& breaches) {
+  std::vector<Vec3> places;
+  for (const Breach& b : breaches) places.push_back(b.place);
+  return places;
+}
+
+/// Every seventh vertex, where it is on a surface and cells stay positive. Returns how many.
+std::size_t shift_surface_vertices(Toolbox& tools, double by) {
+  DomainMesh& mesh = tools.mesh;
+  std::size_t n = 0;
+  for (VertexIndex v = 0; v < mesh.n_vertices(); v += 7) {
+    const Vec3 to = mesh.point(v) + by * Vec3{0.48, 0.6, 0.64};
+    gather_star(mesh, v, tools.work.marks, tools.work.cavity);
+    if (mesh.kind(v) != VertexKind::surface || !star_is_positive(mesh, tools.work.cavity, to)) continue;
+    mesh.move_vertex(v, to);
+    for (const CellIndex c : tools.work.cavity.cells) mesh.refresh_shape(c);
+    ++n;
+  }
+  return n;
+}
+
 /// Segments along all curves of the model, each with a row of its own.
 Model with_listed_curves(Model model) {
   const DomainMesh mesh = import_domain(model.plc, model.mesh, within(0.1, 1));
@@ -96,9 +117,15 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
     DomainMesh mesh = given;
     const VertexIndex v = vertex_of_kind(mesh, kind);
     const Vec3 old = mesh.point(v);
+    VerifiedSurfaces before;
     const auto found_at_height = [&](double height) {
       mesh.move_vertex(v, old + height * Vec3{0.48, 0.6, 0.64});
-      return verify_surfaces(mesh, input, LocalTolerance(tolerance), 2);
+      const Deviations found = verify_surfaces(mesh, input, LocalTolerance(tolerance), 2);
+      const Deviations remembered = verify_surfaces(mesh, input, LocalTolerance(tolerance), 2, &before);
+      CHECK(remembered.result_to_input == found.result_to_input);
+      CHECK(remembered.input_to_result == found.input_to_result);
+      CHECK(places_of(remembered.breaches) == places_of(found.breaches));
+      return found;
     };
     CHECK(found_at_height(0.9 * tolerance).breaches.empty());
     const Deviations found = found_at_height(4 * tolerance);
@@ -111,6 +138,7 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
     const Deviations again = verify_surfaces(mesh, input, LocalTolerance(tolerance), 1);
     CHECK(again.breaches.size() == found.breaches.size());
     CHECK(again.result_to_input == found.result_to_input);
+    CHECK(found_at_height(0).breaches.empty());
   }
 }
 
@@ -192,15 +220,7 @@ TEST_CASE("What is off is mended by points on the input", "[refine]") {
   Toolbox tools(mesh, guard, size, statistics);
   const SurfaceItems input = surface_items(given, given);
   REQUIRE(verify_faces(mesh, input, tolerance).breaches.empty());
-  std::size_t n_shifted = 0;
-  for (VertexIndex v = 0; v < mesh.n_vertices(); v += 7) {
-    const Vec3 to = mesh.point(v) + 2.5 * tolerance * Vec3{0.48, 0.6, 0.64};
-    gather_star(mesh, v, tools.work.marks, tools.work.cavity);
-    if (mesh.kind(v) != VertexKind::surface || !star_is_positive(mesh, tools.work.cavity, to)) continue;
-    mesh.move_vertex(v, to);
-    for (const CellIndex c : tools.work.cavity.cells) mesh.refresh_shape(c);
-    ++n_shifted;
-  }
+  const std::size_t n_shifted = shift_surface_vertices(tools, 2.5 * tolerance);
   REQUIRE(n_shifted > 10);
   Deviations found = verify_faces(mesh, input, tolerance);
   REQUIRE(found.breaches.size() > n_shifted);
@@ -211,6 +231,28 @@ TEST_CASE("What is off is mended by points on the input", "[refine]") {
     found = verify_faces(mesh, input, tolerance);
   }
   CHECK(found.breaches.empty());
+}
+
+TEST_CASE("Where splits alone may mend, no vertex moves", "[refine]") {
+  const Model model = ball_in_box(6);
+  const double tolerance = 0.03;
+  const RefineOptions options = within(tolerance, 0.5);
+  for (const MendBy by : {MendBy::moves_and_splits, MendBy::splits}) {
+    DomainMesh mesh = import_domain(model.plc, model.mesh, options);
+    const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, LocalTolerance(tolerance));
+    const SurfaceItems input = surface_items(mesh, mesh);
+    const SizeField size({}, {});
+    RefineStatistics statistics;
+    Toolbox tools(mesh, guard, size, statistics);
+    REQUIRE(shift_surface_vertices(tools, 2.5 * tolerance) > 0);
+    std::vector<Vec3> before;
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) before.push_back(mesh.point(v));
+    CHECK(mend_surfaces(tools, verify_faces(mesh, input, tolerance).breaches, by) > 0);
+    std::size_t n_moved = 0;
+    for (VertexIndex v = 0; v < before.size(); ++v) n_moved += mesh.point(v) != before[v];
+    CHECK((n_moved == 0) == (by == MendBy::splits));
+    CHECK(mesh.validate().empty());
+  }
 }
 
 TEST_CASE("Outer faces that cross are found, with the outside between", "[refine]") {

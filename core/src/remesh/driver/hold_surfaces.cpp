@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "remesh/operations/surface_repair.hpp"
@@ -11,11 +12,16 @@ namespace geomesh::remesh {
 
 Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
   constexpr unsigned most_rounds = 8;
-  Deviations found = tools.guard.deviations(tools.mesh, context.threads);
+  VerifiedSurfaces verified;
+  Deviations found = tools.guard.deviations(tools.mesh, context.threads, &verified);
+  std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
     context.check_cancelled();
-    if (mend_surfaces(tools, found.breaches) == 0) break;
-    found = tools.guard.deviations(tools.mesh, context.threads);
+    // Vertices that cover now the one place and now the other would be moved to and fro.
+    const MendBy by = found.breaches.size() < n_before ? MendBy::moves_and_splits : MendBy::splits;
+    n_before = found.breaches.size();
+    if (mend_surfaces(tools, found.breaches, by) == 0) break;
+    found = tools.guard.deviations(tools.mesh, context.threads, &verified);
   }
   return found;
 }

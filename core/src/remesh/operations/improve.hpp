@@ -3,6 +3,8 @@
 /// Operations that raise the worst shape about a place.
 #pragma once
 
+#include <optional>
+
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
 #include "remesh/operations/star_optimizer.hpp"
@@ -39,8 +41,9 @@ struct MeanGoal {
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 
 /// The same with scratch of its own, for vertices that are smoothed at once: allowed beside others where no two of them
-/// share an edge and sizes are looked up by none. The move is not counted in the statistics.
-bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
+/// share an edge and sizes are looked up by none. The move is not counted in the statistics. Returns by how much it
+/// raised the sum of worths, where that is the goal (else 0), or nothing where v stayed.
+std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980;
 /// Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"): 3-2,

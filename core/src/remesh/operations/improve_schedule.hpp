@@ -94,20 +94,20 @@ struct ImproveSchedule {
   double sliver_angle = 12;
   std::array<double, 2> sliver_rooms{0.15, 0.03};  ///< of the asked size, the next where the last was too narrow
   double few_slivers = 0.05;                       ///< of all cells, 0..1; more are forced by the surfaces
-  double forced_share = 0.001;    ///< of all cells, 0..1: so many of the worst are mended where they are forced
-  double forced_room = 0.01;      ///< of the asked size
-  double flat_angle = 1.5;        ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
-  double aim_angle = 20;          ///< where few cells are below, they are mended as those are
-  double few_below_aim = 2e-3;    ///< of all cells, 0..1; more are forced by the surfaces
-  double near_points_angle = 20;  ///< no cell falls below this where points go that stand too near to others
-  unsigned thinning_rounds = 4;   ///< take points out again that were put near others in vain
+  double forced_share = 0.001;  ///< of all cells, 0..1: so many of the worst are mended where they are forced
+  double forced_room = 0.01;    ///< of the asked size
+  double flat_angle = 1.5;      ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
+  /// Where few cells are below, they are mended as those are. No more may be below where points too near go again.
+  double aim_angle = 20;
+  double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are forced by the surfaces
+  unsigned thinning_rounds = 4;  ///< take points out again that were put near others in vain
 };
 
 constexpr ImproveSchedule schedule_of(QualityLevel level) {
   ImproveSchedule s;                  // one to three times as long as refinement
   if (level == QualityLevel::fast) {  // about as long as refinement
     s.mean_rounds = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
-    s.target_angle = 20, s.insertion_angle = 0, s.aim_angle = 0;
+    s.target_angle = 20, s.insertion_angle = 0;
     s.smoothing_steps = 6, s.least_rise = 1.05;
   } else if (level == QualityLevel::best) {  // until nothing improves
     s.repair_rounds = 60, s.sliver_rounds = 20;

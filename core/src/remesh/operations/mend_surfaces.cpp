@@ -61,7 +61,7 @@ class Finder {
 /// Brings a vertex of the surface, or of the curve, to a place where there is none near enough.
 class Mender {
  public:
-  explicit Mender(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {}
+  Mender(Toolbox& tools, MendBy by) : tools_(tools), mesh_(tools.mesh), by_(by) {}
 
   bool mend(const Breach& breach, const Place& part) {
     best_ = {};
@@ -70,7 +70,8 @@ class Mender {
     for (std::size_t i = 0; i < part.vertices.size(); ++i)
       for (std::size_t j = i + 1; j < part.vertices.size(); ++j)
         consider_split(breach, part.cell, part.vertices[i], part.vertices[j]);
-    for (const VertexIndex v : part.vertices) consider_move(breach, v);
+    if (by_ == MendBy::moves_and_splits)
+      for (const VertexIndex v : part.vertices) consider_move(breach, v);
     if (best_.change) best_.change();
     return static_cast<bool>(best_.change);
   }
@@ -123,15 +124,16 @@ class Mender {
 
   Toolbox& tools_;
   DomainMesh& mesh_;
+  MendBy by_;
   Vec3 target_;
   Option best_;
 };
 
 }  // namespace
 
-std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches) {
+std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches, MendBy by) {
   const Finder finder(tools.mesh);
-  Mender mender(tools);
+  Mender mender(tools, by);
   std::size_t n = 0;
   for (const Breach& breach : breaches)
     if (const auto part = finder.nearest(breach); part && mender.mend(breach, *part)) ++n;

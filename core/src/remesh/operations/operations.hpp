@@ -19,6 +19,12 @@ struct Toolbox {
   RefineStatistics& statistics;
   Workspace work;
   std::vector<double> vertex_size;  ///< asked size per vertex, negative where not yet asked for
+  /// By vertex, what of its patch is nearest at a place: kept, since it is asked for again and again.
+  struct NearestFacet {
+    Vec3 place;
+    Index patch = no_index, facet = no_index;
+  };
+  std::vector<NearestFacet> nearest_facet;
   /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all
   /// over, and else not.
   bool bad_cells_may_spread = false;
@@ -35,6 +41,11 @@ struct Toolbox {
     if (v < vertex_size.size()) vertex_size[v] = -1;
   }
   double size_of_edge(VertexIndex a, VertexIndex b) { return 0.5 * (size_at(a) + size_at(b)); }
+  /// Of the guard at a vertex on a surface. At once for several vertices, once there is room for all.
+  Vec3 normal_at(VertexIndex v);
+  void make_room_for_normals() {
+    if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
+  }
   /// Whether a star of p in the cavity would have more bad cells than go, and may not.
   bool spoils(const StarCavity& cavity, const Vec3& p) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);

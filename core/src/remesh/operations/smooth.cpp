@@ -36,6 +36,9 @@ class Smoother {
     return before < rule.good_enough && try_optimal(before, rule);
   }
 
+  /// Of the mean, by the last run.
+  double gain() const { return gain_; }
+
   bool run_on_surface(double floor) {
     if (mesh_.kind(v_) != VertexKind::surface) return false;
     gather_star(mesh_, v_, work_.marks, cavity_);
@@ -65,7 +68,7 @@ class Smoother {
   bool set_freedom() {
     if (mesh_.kind(v_) == VertexKind::surface) {
       problem_.freedom = StarProblem::Freedom::plane;
-      problem_.direction = tools_.guard.normal(mesh_.support(v_), old_);
+      problem_.direction = tools_.normal_at(v_);
     } else if (mesh_.kind(v_) == VertexKind::curve) {
       if (cavity_.curves.size() != 2) return false;
       for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(cavity_.curves[k].a);
@@ -119,8 +122,12 @@ class Smoother {
 
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
-    const Vec3 p = project(optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain));
-    return place(p, needed);
+    const Vec3 best = optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain);
+    if (best == old_) return false;  // else the projection's rounding would move it
+    const double was = problem_.link.sum_of_worths(old_, needed);
+    if (!place(project(best), needed)) return false;
+    gain_ = problem_.link.sum_of_worths(mesh_.point(v_), needed) - was;
+    return true;
   }
 
   Vec3 surface_centroid() const {
@@ -143,6 +150,7 @@ class Smoother {
       const OptimizedPlace other = optimize_place(problem_, link_centroid(problem_), limits);
       if (other.shape > best.shape) best = other;
     }
+    if (best.point == old_) return false;
     // On a curved patch the tolerance may allow part of the way only.
     for (const double t : {1.0, 0.5, 0.25}) {
       const Vec3 p = project(old_ + t * (best.point - old_));
@@ -177,6 +185,7 @@ class Smoother {
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
+  double gain_ = 0;
   std::array<Vec3, 2>
       ends_{};  // the vertices before and after on the curve; in on_input_edge the ends of the input edge
 };
@@ -188,13 +197,15 @@ bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& w
 }
 
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) {
+  tools.make_room_for_normals();
   const bool moved = Smoother(tools, v, tools.work).run(rule);
   tools.statistics.smoothing_moves += moved;
   return moved;
 }
 
-bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {
-  return Smoother(tools, v, work).run(rule);
+std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {
+  Smoother smoother(tools, v, work);
+  return smoother.run(rule) ? std::optional(smoother.gain()) : std::nullopt;
 }
 
 }  // namespace geomesh::remesh

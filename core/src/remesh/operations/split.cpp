@@ -5,6 +5,15 @@
 
 namespace geomesh::remesh {
 
+Vec3 Toolbox::normal_at(VertexIndex v) {
+  const Vec3& p = mesh.point(v);
+  const Index patch = mesh.support(v);
+  if (guard.exact()) return guard.normal(patch, p);
+  NearestFacet& nearest = nearest_facet[v];
+  if (nearest.patch != patch || !(nearest.place == p)) nearest = {p, patch, guard.nearest_facet(patch, p)};
+  return guard.normal_of(nearest.facet);
+}
+
 double Toolbox::size_at(VertexIndex v) {
   if (v >= vertex_size.size() || vertex_size[v] < 0)
     set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v))));

@@ -116,6 +116,14 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
+/// One step of a pass that takes points out: inside, then on surfaces that may be remeshed. Done when nothing went.
+template <class Thin>
+Next thin_points(const Toolbox& tools, const Thin& thin) {
+  std::size_t n = thin(ShortEdges::inside);
+  if (!tools.guard.exact()) n += thin(ShortEdges::on_surfaces);
+  return n == 0 ? Next::done : Next::again;
+}
+
 }  // namespace
 
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge) {
@@ -133,17 +141,19 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                    flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle));
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
-  FlipsInVain flips_in_vain;
-  const auto raise = [&](unsigned) {
+  RaisedBefore raised;
+  const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(low_percentile(mesh, schedule), least, measure.of_angle(schedule.mean_floor_angle));
-    raise_mean(tools, floor, schedule.smoothing_steps / 2, context, flips_in_vain);
+    raise_mean(tools, floor, smoothing_steps, context, raised, poor);
     return Next::again;
   };
   const PassRunner passes(mesh, context, out_of_time);
 
   mesh.sort_cells();
-  passes.run({.name = "the mean raised", .round = raise, .most_rounds = schedule.mean_rounds});
+  passes.run({.name = "the mean raised",
+              .round = [&](unsigned) { return raise(schedule.smoothing_steps / 2); },
+              .most_rounds = schedule.mean_rounds});
   passes.run({.name = "poor cells repaired, the worst first",
               .round = [&](unsigned k) { return rounds.round(k); },
               .most_rounds = schedule.repair_rounds});
@@ -154,13 +164,9 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                 .most_rounds = schedule.sliver_rounds});
   }
   const double thinning_floor = std::max(measure.of_angle(schedule.sliver_angle), low_percentile(mesh, schedule));
+  const auto thin_unneeded = [&](ShortEdges which) { return thin_out(tools, which, thinning_floor, context); };
   passes.run({.name = "points taken out that were not needed",
-              .round =
-                  [&](unsigned) {
-                    std::size_t n = thin_out(tools, ShortEdges::inside, thinning_floor, context);
-                    if (!tools.guard.exact()) n += thin_out(tools, ShortEdges::on_surfaces, thinning_floor, context);
-                    return n == 0 ? Next::done : Next::again;
-                  },
+              .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
   passes.once(
@@ -173,20 +179,16 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   passes.once(
       "the last poor cells mended by looking ahead", [&] { rescue_flat_cells(tools, aim_rescue, out_of_time); },
       rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
+  const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
   passes.run({.name = "points too near to others taken out, and what is about them mended",
-              .round =
-                  [&](unsigned) {
-                    const RescueRule rule = rescue_below(measure.of_angle(schedule.near_points_angle));
-                    std::size_t n = thin_out_mending(tools, ShortEdges::inside, rule, context);
-                    if (!tools.guard.exact()) n += thin_out_mending(tools, ShortEdges::on_surfaces, rule, context);
-                    return n == 0 ? Next::done : Next::again;
-                  },
+              .round = [&](unsigned) { return thin_points(tools, thin_mending); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
   const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
+  const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
-              .round = raise,
+              .round = [&](unsigned) { return raise(schedule.smoothing_steps, poor); },
               .most_rounds = schedule.poor_mean_factor * schedule.mean_rounds,
               .applies = poor_share > schedule.many_poor});
   passes.once(

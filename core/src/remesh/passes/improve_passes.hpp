@@ -14,17 +14,25 @@ namespace geomesh::remesh {
 
 /// Smooths all vertices that may move, on as many threads as given (0: all cores): block by block, then what lies
 /// between blocks. The blocks do not depend on the threads, and so neither does the result. Ends early where
-/// `out_of_time` says so, which is asked now and then, by one thread at a time. O(n log n).
-void smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads, const std::function<bool()>& out_of_time);
+/// `out_of_time` says so, which is asked now and then, by one thread at a time. Returns by vertex by how much its move
+/// raised the sum of worths (0: it stayed, or that is not the goal). `leaves(v)` tells which are left as they are. O(n
+/// log n).
+std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads,
+                               const std::function<bool()>& out_of_time,
+                               const std::function<bool(VertexIndex)>& leaves = {});
 
-/// By vertex: the mesh's time when all flips about it were in vain. Empty before the first pass.
-using FlipsInVain = std::vector<std::uint64_t>;
+/// What a pass that raises the mean leaves to the next: where it is worth looking again.
+struct RaisedBefore {
+  std::vector<double> gains;  ///< by vertex, of its move. Empty before the first pass
+  std::uint64_t end = 0;      ///< the mesh's time then
+};
 
 /// One pass of flips, edges in the inside alone, and one of moves that raise the mean worth of shapes (MeanGoal); none
 /// falls below `floor` and what was worst about the place. Worst-first repair leaves what is merely mediocre alone.
-/// Flips that were in vain in a pass before are tried again only where something has changed since.
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context,
-                FlipsInVain& in_vain);
+/// After the first pass only those vertices are looked at that have a cell below `poor` about them. Something else must
+/// have changed about them since, or they share a cell with one whose last move gained much.
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
+                double poor = 1);
 
 /// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What the judge finds in the
 /// end, where given, is worth a longer search.

@@ -10,32 +10,64 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// Of the least gain that is worth a move: what gained more is looked at again, with what is about it.
+constexpr double much_gained = 3;
+
 class MeanRaiser {
  public:
-  MeanRaiser(Toolbox& tools, double floor, FlipsInVain& in_vain)
-      : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()}, in_vain_(in_vain) {
-    in_vain_.resize(mesh_.n_vertices(), 0);
-  }
+  MeanRaiser(Toolbox& tools, double floor, RaisedBefore& before, double poor)
+      : tools_(tools),
+        mesh_(tools.mesh),
+        goal_{floor, mean_worth()},
+        least_gain_(tools_.bad_cells_may_spread ? 0.002
+                                                : 0.02),  // where most cells are poor the mean is worth more time
+        before_(before),
+        is_left_(find_left(poor)) {}
 
   void run(unsigned smoothing_steps, const RunContext& context) {
+    const std::uint64_t start = mesh_.tick();
     const std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       if (k % 256 == 0) context.check_cancelled();
-      flip_about(vertices[k]);
+      if (!is_left_[vertices[k]]) flip_about(vertices[k]);
     }
     SmoothRule rule;
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
-    rule.least_gain =
-        tools_.bad_cells_may_spread ? 0.002 : 0.02;  // where most cells are poor the mean is worth more time
-    smooth_all(tools_, rule, context.threads, [&] {
+    rule.least_gain = least_gain_;
+    const auto go_on = [&] {
       context.check_cancelled();
       return false;
-    });
+    };
+    before_.gains = smooth_all(tools_, rule, context.threads, go_on,
+                               [&](VertexIndex v) { return is_left_[v] && mesh_.changed_at(v) <= start; });
+    before_.end = mesh_.tick();
   }
 
  private:
+  /// By vertex: whether there is nothing new about it.
+  std::vector<bool> find_left(double poor) const {
+    std::vector<bool> left(mesh_.n_vertices(), false);
+    if (before_.gains.empty()) return left;
+    std::vector<double> gain_about = before_.gains;
+    gain_about.resize(mesh_.n_vertices(), 0);
+    std::vector<bool> is_poor(mesh_.n_vertices(), false);
+    const double much = much_gained * least_gain_;
+    for (const CellIndex c : mesh_.live_cells()) {
+      double most = 0;
+      for (const VertexIndex v : mesh_.vertices(c))
+        if (v < before_.gains.size()) most = std::max(most, before_.gains[v]);
+      for (const VertexIndex v : mesh_.vertices(c)) {
+        gain_about[v] = std::max(gain_about[v], most);
+        if (mesh_.shape_of(c) < poor) is_poor[v] = true;
+      }
+    }
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
+      left[v] = !is_poor[v] || (mesh_.changed_at(v) <= before_.end && gain_about[v] <= much);
+    return left;
+  }
+
   double mean_worth() const {
     double sum = 0;
     for (const CellIndex c : mesh_.live_cells()) sum += mesh_.measure().worth(mesh_.shape_of(c));
@@ -48,16 +80,13 @@ class MeanRaiser {
 
   /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
   void flip_about(VertexIndex v) {
-    if (in_vain_[v] >= mesh_.changed_at(v)) return;
-    bool is_flipped = false;
     mesh_.star(v, tools_.work.marks, star_);
     collect_edges(v);
     for (const auto& [w, c] : edges_)
-      if (has_edge(c, v, w)) is_flipped |= remove_edge_for_mean(tools_, c, v, w, goal_);
+      if (has_edge(c, v, w)) remove_edge_for_mean(tools_, c, v, w, goal_);
     for (const CellIndex c : star_)
       if (mesh_.is_live(c) && mesh_.cells().has_vertex(c, v))
-        is_flipped |= remove_face_for_mean(tools_, c, mesh_.cells().index_of(c, v), goal_);
-    if (!is_flipped) in_vain_[v] = mesh_.tick();
+        remove_face_for_mean(tools_, c, mesh_.cells().index_of(c, v), goal_);
   }
 
   /// From v to greater vertices, each with the first of its cells, in ascending order.
@@ -77,7 +106,9 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
-  FlipsInVain& in_vain_;
+  double least_gain_;
+  RaisedBefore& before_;
+  std::vector<bool> is_left_;
   std::vector<CellIndex> star_;
   std::vector<std::pair<VertexIndex, CellIndex>> edges_;
   struct Seen {
@@ -89,9 +120,9 @@ class MeanRaiser {
 
 }  // namespace
 
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context,
-                FlipsInVain& in_vain) {
-  MeanRaiser(tools, floor, in_vain).run(smoothing_steps, context);
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
+                double poor) {
+  MeanRaiser(tools, floor, before, poor).run(smoothing_steps, context);
 }
 
 }  // namespace geomesh::remesh

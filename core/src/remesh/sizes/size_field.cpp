@@ -41,12 +41,14 @@ SizeField::SizeField(std::vector<SizeSource> sources, Limits limits)
   }
 }
 
-/// A source without a radius at whose place another asks for less never asks for the least where none grows faster than
-/// it.
+/// A source never asks for the least where another asks for less at its place, by what it grows over its radius. That
+/// holds where none grows faster than it.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
-  for (const SizeSource& s : sources_)
-    if (s.radius > 0 || s.gradation < steepest_ || !(least_over_sources(s.point, s.size) < s.size)) kept.push_back(s);
+  for (const SizeSource& s : sources_) {
+    const double limit = s.size - s.gradation * s.radius;
+    if (s.gradation < steepest_ || !(least_over_sources(s.point, limit) < limit)) kept.push_back(s);
+  }
   const bool dropped = kept.size() < sources_.size();
   sources_ = std::move(kept);
   return dropped;

@@ -14,6 +14,16 @@ double LocalTolerance::least_at(std::span<const Vec3> points) const {
   return least;
 }
 
+double LocalTolerance::least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const {
+  double least = greatest_;
+  if (!varies_) return least;
+  for (const Vec3& p : points)
+    least = std::min(least, recent.at(p, [&](const search::RecentPlaces::Known& last) {
+      return last.value < 0 ? by_place_.at(p) : by_place_.at_beside(p, no_index, last.place, last.value);
+    }));
+  return least;
+}
+
 double LocalTolerance::most_on(const std::array<Vec3, 3>& corners) const {
   if (!varies_ || !(by_place_.steepest() < std::numeric_limits<double>::infinity())) return greatest_;
   const auto& [a, b, c] = corners;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "geomesh/core/size_field.hpp"
+#include "search/recent_places.hpp"
 
 namespace geomesh::remesh {
 
@@ -22,6 +23,8 @@ class LocalTolerance {
   double greatest() const { return greatest_; }
   /// The least at these points.
   double least_at(std::span<const Vec3> points) const;
+  /// The same, sooner where places are asked for again.
+  double least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const;
   /// No less than what is allowed at any point of the triangle (a line piece: its last two corners are equal).
   double most_on(const std::array<Vec3, 3>& corners) const;
 

@@ -27,6 +27,8 @@ constexpr double proven_share = 1 - 1e-6;
 constexpr double faces_over_samples = 1.15;
 /// Of the angle between a reference's normals and their mean up to which no samples are needed.
 constexpr double even_cosine = 0.9;
+/// Whose tolerance a thread remembers: more than the vertices that it works on in turn.
+constexpr std::size_t n_recent_places = 16384;
 
 /// The coordinate in which all points of the loop are equal, or 3.
 std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
@@ -52,16 +54,6 @@ class FaceSet {
  private:
   std::vector<search::PreparedTriangle> triangles_;
 };
-
-/// Of all that is near to a triangle.
-Box3 box_about(const search::Corners& triangle, double reach) {
-  Box3 box;
-  for (const Vec3& p : triangle) {
-    box.add(p - Vec3{reach, reach, reach});
-    box.add(p + Vec3{reach, reach, reach});
-  }
-  return box;
-}
 
 Box3 joined(Box3 a, const Box3& b) {
   a.add(b.min);
@@ -117,7 +109,8 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     : honour_(honour),
       tolerance_(hold.margin * tolerance.greatest()),
       zones_(hold.zones),
-      proving_(Proving{search::DistanceProver(proven_share * tolerance.greatest()), {}, {}}),
+      proving_(Proving{
+          search::DistanceProver(proven_share * tolerance.greatest()), {}, {}, search::RecentPlaces(n_recent_places)}),
       allowed_(std::move(tolerance)),
       reach_(allowed_.greatest()) {
   if (exact()) {
@@ -135,7 +128,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
 }
 
 double SurfaceGuard::share_about(std::span<const Vec3> points) const {
-  double least = allowed_.least_at(points);
+  double least = allowed_.least_at(points, proving_.local().recent);
   if (zones_.empty()) return least / reach_;
   Box3 box;
   for (const Vec3& p : points) box.add(p);
@@ -183,9 +176,10 @@ void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComp
 Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_.faces.closest(p, patch).item; }
 
 Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
-  const Index row = exact() ? patch : nearest_facet(patch, p);
-  return row < planes_.size() ? planes_[row].normal : Vec3{};
+  return normal_of(exact() ? patch : nearest_facet(patch, p));
 }
+
+Vec3 SurfaceGuard::normal_of(Index row) const { return row < planes_.size() ? planes_[row].normal : Vec3{}; }
 
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
   if (!exact()) return given_.faces.closest(p, patch).point;
@@ -218,7 +212,7 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
   return std::all_of(patches.begin(), patches.end(), [&](Index patch) {
     Box3 box;
     for (const SurfaceFace& f : before)
-      if (f.patch == patch) box = joined(box, box_about(f.corners, tolerance_));
+      if (f.patch == patch) box = joined(box, search::box_about(f.corners, tolerance_));
     return is_even_about(box, patch) || samples_near(patch, box, before, after, around);
   });
 }
@@ -259,12 +253,12 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 
 bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& over) const {
   Proving& proving = proving_.local();
-  auto& [prover, nearby, rows] = proving;
+  auto& [prover, nearby, rows, recent] = proving;
   nearby.clear();
   rows.clear();
   limit *= share_about(f.corners);
   prover.set_limit(limit);
-  given_.faces.for_each_row_in(box_about(f.corners, limit), f.patch, [&](Index row) {
+  given_.faces.for_each_row_in(search::box_about(f.corners, limit), f.patch, [&](Index row) {
     proving.nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
     proving.rows.push_back(row);
   });
@@ -290,8 +284,8 @@ bool SurfaceGuard::admits(const SurfacePart& before, const SurfacePart& after,
          reference_near(before.faces, after.faces, around);
 }
 
-Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads) const {
-  if (!exact()) return verify_surfaces(mesh, given_, allowed_, threads);
+Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads, VerifiedSurfaces* before) const {
+  if (!exact()) return verify_surfaces(mesh, given_, allowed_, threads, before);
   Deviations d;
   for (const auto& face : face_items(mesh)) {
     const Plane& plane = planes_[face.group];

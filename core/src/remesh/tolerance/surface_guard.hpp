@@ -65,6 +65,8 @@ class SurfaceGuard {
 
   /// Direction in which a vertex on a patch may not move: normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
+  /// The same by what was nearest: nearest_facet, exact: the patch.
+  Vec3 normal_of(Index row) const;
   /// p brought back to the patch (exact: to the facet's plane; without rounding where that is normal to an axis).
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
   /// p brought back to the curve. Not for exact, where curve vertices do not move.
@@ -80,8 +82,8 @@ class SurfaceGuard {
   bool is_proven_near_reference(const SurfaceFace& f) const;
 
   /// Of the mesh's faces and curves from the references, and the other way round, proven where not listed (exact: of
-  /// corners from their planes, for both).
-  Deviations deviations(const DomainMesh& mesh, unsigned threads) const;
+  /// corners from their planes, for both). `before`: of the same guard.
+  Deviations deviations(const DomainMesh& mesh, unsigned threads, VerifiedSurfaces* before = nullptr) const;
 
  private:
   struct Plane {
@@ -119,10 +121,12 @@ class SurfaceGuard {
   struct Proving {
     search::DistanceProver prover;
     std::vector<search::SheetTriangle> nearby;
-    std::vector<Index> rows;  // of nearby, in given_.faces
+    std::vector<Index> rows;      // of nearby, in given_.faces
+    search::RecentPlaces recent;  // of allowed_
   };
-  mutable tbb::enumerable_thread_specific<Proving> proving_{Proving{search::DistanceProver(0), {}, {}}};  // scratch
-  LocalTolerance allowed_;      // what is promised
+  mutable tbb::enumerable_thread_specific<Proving> proving_{
+      Proving{search::DistanceProver(0), {}, {}, search::RecentPlaces(1)}};  // scratch
+  LocalTolerance allowed_;                                                   // what is promised
   double reach_ = 0;            // the greatest of it: what is farther away has no say
   std::vector<Plane> planes_;   // by patch in exact mode, else by facet
   std::vector<bool> oriented_;  // by patch: whether its faces in the reference are oriented alike

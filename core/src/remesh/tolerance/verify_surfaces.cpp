@@ -2,6 +2,9 @@
 #include "remesh/tolerance/verify_surfaces.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
 
 #include "common/parallel.hpp"
 #include "plc/find_crossing.hpp"
@@ -17,6 +20,72 @@ constexpr std::size_t chunk = 256;
 
 using Items = std::vector<search::ClosestPointTrees::Item>;
 
+/// By group and corners.
+bool is_before(const search::ClosestPointTrees::Item& a, const search::ClosestPointTrees::Item& b) {
+  const auto key = [](const auto& item) {
+    const auto& [p, q, r] = item.corners;
+    return std::tuple(item.group, p.x, p.y, p.z, q.x, q.y, q.z, r.x, r.y, r.z);
+  };
+  return key(a) < key(b);
+}
+
+std::vector<std::size_t> in_order(const Items& items) {
+  std::vector<std::size_t> rows(items.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::ranges::sort(rows, [&](std::size_t a, std::size_t b) { return is_before(items[a], items[b]); });
+  return rows;
+}
+
+constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+
+/// What is the same in two lists of items, and what is not.
+struct Difference {
+  std::vector<std::size_t> same;        ///< by item of the second: its row in the first, or no_row
+  search::ClosestPointTrees exchanged;  ///< those of either that are not in the other
+};
+
+Difference difference(const Items& first, const Items& second, std::size_t n_groups) {
+  Difference d{std::vector<std::size_t>(second.size(), no_row), {}};
+  const std::vector<std::size_t> f = in_order(first), s = in_order(second);
+  Items exchanged;
+  std::size_t i = 0, j = 0;
+  while (i < f.size() || j < s.size()) {
+    if (j == s.size() || (i < f.size() && is_before(first[f[i]], second[s[j]]))) {
+      exchanged.push_back(first[f[i++]]);
+    } else if (i == f.size() || is_before(second[s[j]], first[f[i]])) {
+      exchanged.push_back(second[s[j++]]);
+    } else {
+      d.same[s[j++]] = f[i++];
+    }
+  }
+  d.exchanged = search::ClosestPointTrees(std::move(exchanged), n_groups);
+  return d;
+}
+
+/// Covers of items as far as they are known already.
+using Known = std::vector<std::optional<search::Cover>>;
+
+struct KnownCovers {
+  Known result, input;
+};
+
+/// Those of the result's items that were there before, and of the input's that were proven by what is there still.
+KnownCovers known_covers(const search::ClosestPointTrees& before, const search::ClosestPointTrees& now,
+                         std::size_t n_groups, const search::ClosestPointTrees& input, double reach,
+                         const VerifiedSurfaces::Covers& covers) {
+  const Difference d = difference(before.items(), now.items(), n_groups);
+  KnownCovers known{Known(now.items().size()), Known(input.items().size())};
+  for (std::size_t i = 0; i < known.result.size(); ++i)
+    if (d.same[i] != no_row) known.result[i] = covers.result[d.same[i]];
+  for (std::size_t i = 0; i < known.input.size(); ++i) {
+    const auto& item = input.items()[i];
+    bool is_left = covers.input[i].is_proven;
+    d.exchanged.for_each_in(search::box_about(item.corners, reach), item.group, [&](const auto&) { is_left = false; });
+    if (is_left) known.input[i] = covers.input[i];
+  }
+  return known;
+}
+
 /// What is judged: the items, against those of their groups in the set.
 struct Judgement {
   const Items& items;
@@ -25,34 +94,47 @@ struct Judgement {
   Breach kind;
 };
 
-double limit_of(const search::ClosestPointTrees::Item& item, const Breach& kind, const LocalTolerance& tolerance) {
-  return proven_share * (kind.of_input ? tolerance.most_on(item.corners) : tolerance.least_at(item.corners));
-}
+struct Judge {
+  const LocalTolerance& tolerance;
+  unsigned threads;
+  std::vector<Breach>& breaches;  ///< those found are appended
 
-/// Returns the largest distance found.
-double judge(const Judgement& what, const LocalTolerance& tolerance, unsigned threads, std::vector<Breach>& breaches) {
-  const Items& items = what.items;
-  std::vector<search::Cover> covers(items.size());
-  for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
-    search::CoverProver prover(what.set, proven_share * tolerance.greatest(), what.open_edges);
-    for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) {
-      prover.set_limit(limit_of(items[i], what.kind, tolerance));
-      covers[i] = prover.judge(items[i].corners, items[i].group);
+  /// The largest distance found. `covers` come to what is known and what is found.
+  double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
+    const Items& items = what.items;
+    covers.assign(items.size(), {});
+    for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
+      search::CoverProver prover(what.set, proven_share * tolerance.greatest(), what.open_edges);
+      search::RecentPlaces recent;
+      for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) {
+        if (!known.empty() && known[i]) {
+          covers[i] = *known[i];
+          continue;
+        }
+        prover.set_limit(limit_of(items[i], what.kind, recent));
+        covers[i] = prover.judge(items[i].corners, items[i].group);
+      }
+    });
+    double largest = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      largest = std::max(largest, covers[i].farthest);
+      if (!covers[i].is_proven) add_breach(items[i], covers[i], what.kind);
     }
-  });
-  double largest = 0;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    largest = std::max(largest, covers[i].farthest);
-    if (covers[i].is_proven) continue;
-    Breach breach = what.kind;
-    breach.place = covers[i].place;
-    breach.distance = covers[i].farthest;
-    breach.group = items[i].group;
-    breach.facet = items[i].id;
+    return largest;
+  }
+
+ private:
+  double limit_of(const search::ClosestPointTrees::Item& item, const Breach& kind, search::RecentPlaces& recent) const {
+    return proven_share * (kind.of_input ? tolerance.most_on(item.corners) : tolerance.least_at(item.corners, recent));
+  }
+  void add_breach(const search::ClosestPointTrees::Item& item, const search::Cover& cover, Breach breach) const {
+    breach.place = cover.place;
+    breach.distance = cover.farthest;
+    breach.group = item.group;
+    breach.facet = item.id;
     breaches.push_back(breach);
   }
-  return largest;
-}
+};
 
 }  // namespace
 
@@ -79,16 +161,28 @@ SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_
 }
 
 Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
-                           unsigned threads) {
+                           unsigned threads, VerifiedSurfaces* before) {
+  VerifiedSurfaces now;
+  now.result = surface_items(mesh, mesh);
+  KnownCovers faces, curves;
+  if (before && !before->faces.result.empty()) {
+    const double reach = tolerance.greatest();
+    faces = known_covers(before->result.faces, now.result.faces, mesh.n_patches(), input.faces, reach, before->faces);
+    curves = known_covers(before->result.curves, now.result.curves, mesh.n_curve_classes(), input.curves, reach,
+                          before->curves);
+  }
   Deviations found;
-  const SurfaceItems result = surface_items(mesh, mesh);
-  const auto largest = [&](const SurfaceItems& of, const SurfaceItems& to, bool of_input) {
-    const auto judged = [&](const Judgement& j) { return judge(j, tolerance, thread_count(threads), found.breaches); };
-    const double faces = judged({of.faces.items(), to.faces, to.open_edges, {.on_curve = false, .of_input = of_input}});
-    return std::max(faces, judged({of.curves.items(), to.curves, {}, {.on_curve = true, .of_input = of_input}}));
-  };
-  found.result_to_input = largest(result, input, false);
-  found.input_to_result = largest(input, result, true);
+  const Judge judge{tolerance, thread_count(threads), found.breaches};
+  found.result_to_input = std::max(
+      judge.largest({now.result.faces.items(), input.faces, input.open_edges, {}}, faces.result, now.faces.result),
+      judge.largest({now.result.curves.items(), input.curves, {}, {.on_curve = true}}, curves.result,
+                    now.curves.result));
+  found.input_to_result =
+      std::max(judge.largest({input.faces.items(), now.result.faces, now.result.open_edges, {.of_input = true}},
+                             faces.input, now.faces.input),
+               judge.largest({input.curves.items(), now.result.curves, {}, {.on_curve = true, .of_input = true}},
+                             curves.input, now.curves.input));
+  if (before) *before = std::move(now);
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include "remesh/domain/domain_mesh.hpp"
 #include "remesh/tolerance/local_tolerance.hpp"
 #include "search/closest_point.hpp"
+#include "search/cover_proof.hpp"
 
 namespace geomesh::remesh {
 
@@ -43,11 +44,22 @@ struct Deviations {
   std::vector<Breach> breaches;  ///< empty: all of both is proven to be within the tolerance of the other
 };
 
+/// What a verification leaves to the next, of the same input and a result that differs in few places.
+struct VerifiedSurfaces {
+  /// By item of the result, and of the input.
+  struct Covers {
+    std::vector<search::Cover> result, input;
+  };
+  SurfaceItems result;
+  Covers faces, curves;
+};
+
 /// Faces and curve edges of the mesh against those of the same patch or curve of the input, and the other way round.
 /// Each of the result is held to the least that is allowed at its corners; each of the input to no less than what is
-/// allowed anywhere on it. Near-linear where sizes of both are alike; on all threads given, with the same result.
+/// allowed anywhere on it. Near-linear where sizes of both are alike; on all threads given, with the same result. What
+/// was proven `before` is not looked at again where nothing has changed about it.
 Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
-                           unsigned threads);
+                           unsigned threads, VerifiedSurfaces* before = nullptr);
 
 /// A place where surfaces are held more closely than by the tolerance.
 struct TightZone {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// What a function has at places that it was asked for lately.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "common/hash.hpp"
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::search {
+
+/// One memory is for one function, whose values are not negative, and for one thread: neighbours share their corners.
+/// No result depends on what is remembered.
+class RecentPlaces {
+ public:
+  /// Of at most so many places, above 0.
+  explicit RecentPlaces(std::size_t n_places = 1024) : known_(n_places) {}
+  struct Known {
+    Vec3 place;
+    double value = -1;  ///< negative: nothing is known
+  };
+  /// The value at p; `value_at(last)` computes it where it is not known, with what was asked for last.
+  template <class ValueAt>
+  double at(const Vec3& p, const ValueAt& value_at) {
+    const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),
+                          std::bit_cast<std::uint64_t>(p.z)};
+    Known& known = known_[mixed(hash_of(bits)) % known_.size()];
+    if (known.value < 0 || !(known.place == p)) known = {p, value_at(last_)};
+    last_ = known;
+    return known.value;
+  }
+  void clear() {
+    std::ranges::fill(known_, Known());
+    last_ = {};
+  }
+
+ private:
+  std::vector<Known> known_;
+  Known last_;
+};
+
+}  // namespace geomesh::search
