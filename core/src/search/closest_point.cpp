@@ -99,12 +99,18 @@ ClosestPoint ClosestPointTrees::closest(const Vec3& p, Index group, double limit
   ClosestPoint best;
   if (!has_group(group)) return best;
   double bound = limit * limit;
-  Index stack[96];
+  struct Entry {
+    Index node;
+    double squared_distance;
+  };
+  const auto entry = [&](Index n) { return Entry{n, squared_distance_to(nodes_[n].box, p)}; };
+  Entry stack[96];
   int top = 0;
-  stack[top++] = roots_[group];
+  stack[top++] = entry(roots_[group]);
   while (top > 0) {
-    const Node& n = nodes_[stack[--top]];
-    if (squared_distance_to(n.box, p) > bound) continue;
+    const Entry e = stack[--top];
+    if (e.squared_distance > bound) continue;
+    const Node& n = nodes_[e.node];
     if (n.left == no_index) {
       for (Index i = n.first; i < n.last; ++i) {
         const Vec3 q = prepared_[i].closest_to(p);
@@ -116,9 +122,10 @@ ClosestPoint ClosestPointTrees::closest(const Vec3& p, Index group, double limit
       }
       continue;
     }
-    const bool left_first = squared_distance_to(nodes_[n.left].box, p) <= squared_distance_to(nodes_[n.right].box, p);
-    stack[top++] = left_first ? n.right : n.left;
-    stack[top++] = left_first ? n.left : n.right;
+    const Entry left = entry(n.left), right = entry(n.right);
+    const bool left_first = left.squared_distance <= right.squared_distance;
+    stack[top++] = left_first ? right : left;
+    stack[top++] = left_first ? left : right;
   }
   if (best.item != no_index) best.distance = std::sqrt(best.distance);
   return best;

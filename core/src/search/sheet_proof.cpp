@@ -91,13 +91,17 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 
 Over SheetProof::judge(const SheetTriangle& t) {
   const auto& corners = t.triangle->corners();
-  std::array<Point, most_corners> part, rest;
-  if (is_beside(corners, part)) return Over::nothing;
-  for (std::size_t i = 0; i < 3; ++i) part[i].height = dot(corners[i] - corners_[0], normal_);
+  std::array<std::array<Point, most_corners>, 2> parts;  // what is left before a side and after it, in turns
+  if (is_beside(corners, parts[0])) return Over::nothing;
+  for (std::size_t i = 0; i < 3; ++i) parts[0][i].height = dot(corners[i] - corners_[0], normal_);
   for (unsigned k = 0; k < 3; ++k)
-    if ((t.open_edges >> k & 1u) != 0 && has_within(part[k], part[(k + 1) % 3])) return Over::border;
-  std::size_t n = 3;
+    if ((t.open_edges >> k & 1u) != 0 && has_within(parts[0][k], parts[0][(k + 1) % 3])) return Over::border;
+  std::size_t n = 3, now = 0;
   for (std::size_t k = 0; k < 3; ++k) {
+    const auto& part = parts[now];
+    auto& rest = parts[1 - now];
+    const auto is_inside = [&](const Point& p) { return p.inside[k] + tiny_ >= 0; };
+    if (std::all_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(n), is_inside)) continue;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const Point &p = part[i], &q = part[(i + 1) % n];
@@ -109,12 +113,13 @@ Over SheetProof::judge(const SheetTriangle& t) {
       for (std::size_t j = 0; j < 3; ++j) cut.inside[j] = p.inside[j] + along * (q.inside[j] - p.inside[j]);
       cut.height = p.height + along * (q.height - p.height);
     }
-    std::swap(part, rest);
+    now = 1 - now;
     n = kept;
     if (n == 0) return Over::nothing;
   }
   const Vec3 across = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
   if (std::abs(dot(across, normal_)) < steep_cosine) return Over::border;
+  const auto& part = parts[now];
   std::array<double, 3> middle{};
   for (std::size_t i = 0; i < n; ++i) {
     if (std::abs(part[i].height) > limit_) return Over::border;
