@@ -166,7 +166,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   const RunContext counted = counting_towards(result.statistics.estimated_elements, context);
   if (options.refine) refine_to_size(tools, options, counted);
-  if (options.refine && guard.exact() && sizes_surfaces(options))
+  if (options.refine && guard.exact() && sizes_surfaces(options) && !(options.sparse_growth > 0))
     refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
