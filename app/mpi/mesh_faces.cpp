@@ -25,12 +25,18 @@ bool is_even(const Triangle& t, const Corners& s) {
 
 }  // namespace
 
-MeshFaces::MeshFaces(const RankMesh& mesh) {
+MeshFaces::MeshFaces(const RankMesh& mesh, Which which) {
   if (mesh.tetrahedra.size() >= no_index / 4) throw InternalError("a part has more tetrahedra than can be counted");
   std::vector<Use> uses;
-  uses.reserve(4 * mesh.tetrahedra.size());
+  const bool takes_all = which == Which::all || mesh.may_be_outside.empty();
+  if (takes_all) uses.reserve(4 * mesh.tetrahedra.size());
+  const auto is_taken = [&](const Triangle& t) {
+    return takes_all || (mesh.may_be_outside[t[0]] && mesh.may_be_outside[t[1]] && mesh.may_be_outside[t[2]]);
+  };
   for (Index code = 0; code < 4 * mesh.tetrahedra.size(); ++code) {
-    const Corners c = sorted_corners(face_at(mesh, code));
+    const Triangle t = face_at(mesh, code);
+    if (!is_taken(t)) continue;
+    const Corners c = sorted_corners(t);
     uses.push_back({std::uint64_t{c[0]} << 32 | c[1], c[2], code});
   }
   std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {

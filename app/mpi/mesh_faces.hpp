@@ -23,7 +23,9 @@ struct InnerFace {
 
 /// O(n log n). Throws InternalError where a face has three tetrahedra, or two on one side.
 struct MeshFaces {
-  explicit MeshFaces(const RankMesh& mesh);
+  enum class Which { all, at_border };
+  /// `at_border`: those alone whose corners all may be outside, where the mesh tells; all open ones are among them.
+  explicit MeshFaces(const RankMesh& mesh, Which which = Which::all);
   std::vector<OpenFace> open;  ///< by cell
 
   /// Corners of open faces, ascending.

@@ -8,6 +8,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
+#include "halve.hpp"
 
 namespace geomesh::app {
 
@@ -198,8 +199,17 @@ Index ModelSimplices::face_of(const Corners& corners) const {
   return found != faces.end() && found->corners == corners ? found->row : no_index;
 }
 
+namespace {
+
+SparseModel with_fine_surfaces(SparseModel model) {
+  for (unsigned k = 0; k < model.halvings; ++k) halve_surfaces(model.mesh);
+  return model;
+}
+
+}  // namespace
+
 RankModel::RankModel(SparseModel given)
-    : sparse(std::move(given)), points(sparse.mesh), simplices(sparse.mesh, points) {
+    : sparse(with_fine_surfaces(std::move(given))), points(sparse.mesh), simplices(sparse.mesh, points) {
   for (std::size_t t = 0; t < sparse.mesh.tetrahedra.size(); ++t) {
     const Index c = sparse.component[t];
     if (c >= region_of_component.size()) region_of_component.resize(c + 1, 0);
@@ -225,6 +235,7 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
     mesh.tetrahedra.push_back(own);
     mesh.component.push_back(model.component[t]);
   }
+  for (unsigned k = 0; k < model.halvings; ++k) halve_tetrahedra(mesh.points, mesh.tetrahedra, mesh.component);
   return mesh;
 }
 
@@ -300,7 +311,7 @@ TetrahedraPart with_model(RankMesh mesh, const RankModel& model) {
 }
 
 RankMesh without_model(TetrahedraPart part) {
-  return {std::move(part.points), std::move(part.tetrahedra), std::move(part.component)};
+  return {std::move(part.points), std::move(part.tetrahedra), std::move(part.component), std::move(part.is_kept)};
 }
 
 }  // namespace geomesh::app

@@ -50,7 +50,7 @@ struct ModelSimplices {
 /// The sparse model with what is looked up in it.
 struct RankModel {
   explicit RankModel(SparseModel given);
-  SparseModel sparse;
+  SparseModel sparse;  ///< its surfaces halved as often as SparseModel::halvings says, its tetrahedra as they were
   ModelPoints points;
   ModelSimplices simplices;
   std::vector<std::int32_t> region_of_component;
@@ -61,6 +61,7 @@ struct RankMesh {
   std::vector<Vec3> points;
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Index> component;
+  std::vector<std::uint8_t> may_be_outside;  ///< by point: 0 where all tetrahedra about it are here; empty: not known
 };
 
 /// Tetrahedra of the sparse mesh that a rank has. Edges between it and others that are longer than asked are halved,

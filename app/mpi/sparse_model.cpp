@@ -57,6 +57,8 @@ namespace {
                                     " is not there on ranks; leave it out, or mesh by geomesh, in one process");
 }
 
+/// Of edges of the model: what rank 0 does alone comes to a quarter.
+constexpr unsigned halvings = 1;
 /// Growth of the sizes inside, a unit of distance: tetrahedra between the surfaces are few, and their shapes still
 /// bear a border between parts.
 constexpr double growth = 0.7;
@@ -110,7 +112,9 @@ SparseModel make_sparse_model(const geomodel::Project& project, int n_ranks, con
   model.name = project.name;
   geomodel::prepare_project(project, model, recorder.context());
   if (model.refinement.size.base.background) refuse(project, "a size that is a function of the place");
+  model.refinement.quality = QualityLevel::fast;  // tetrahedra that go: surfaces alone count
   model.sparse_growth = growth;
+  model.sparse_surfaces = std::exp2(halvings);
   model.sparse_ratio = ratio_for(elements_of(model), n_ranks);
   geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(model, recorder);
   run.input_json = model.input_json;
@@ -119,7 +123,8 @@ SparseModel make_sparse_model(const geomodel::Project& project, int n_ranks, con
   run.warnings = model.warnings;
   if (model.refinement.honour == Honour::tolerance) run.tolerance = model.refinement.tolerance;
   run.estimated_elements = meshed.refined.statistics.estimated_elements;
-  return {std::move(meshed.mesh), std::move(meshed.refined.mesh.component), std::move(meshed.refined.size_field)};
+  return {std::move(meshed.mesh), std::move(meshed.refined.mesh.component),
+          meshed.refined.size_field.times(std::exp2(-static_cast<double>(halvings))), halvings};
 }
 
 void broadcast(SparseModel& model, const Ranks& ranks) {
@@ -127,7 +132,7 @@ void broadcast(SparseModel& model, const Ranks& ranks) {
   std::vector<SizeSource> sources = model.size.sources();
   const auto all = [&](auto& archive) {
     archive(model.mesh, model.component, sources, limits.global, limits.min_size, limits.max_size, limits.gradation,
-            limits.component_size);
+            limits.component_size, model.halvings);
   };
   Bytes bytes;
   if (ranks.rank() == 0) {

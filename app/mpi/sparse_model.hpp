@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What all ranks begin with: surfaces as fine as asked and named, few tetrahedra between them, and the sizes.
+/// What all ranks begin with: surfaces within the tolerance, named, few tetrahedra between them, and the sizes.
 #pragma once
 
 #include <string>
@@ -15,10 +15,11 @@
 namespace geomesh::app {
 
 struct SparseModel {
-  /// Verified. Its faces, curves and named points are those of the fine mesh.
+  /// Verified. Its faces and edges of curves, halved some times, are those of the fine mesh.
   geomodel::ModelMesh mesh;
   std::vector<Index> component;  ///< by tetrahedron: what sizes are asked of
-  SizeField size;
+  SizeField size;                ///< as asked
+  unsigned halvings = 0;         ///< of all edges, until surfaces have these sizes
 };
 
 /// What rank 0 alone knows, for the report.

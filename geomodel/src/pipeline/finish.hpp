@@ -38,8 +38,8 @@ struct PreparedModel {
   ModelRules rules;
   SettledStack stack;  ///< as stage build settled it
   ModelVolume volume;
-  BuiltRows built_rows;                         ///< which triangles of the input surfaces rules made
-  double sparse_growth = 0, sparse_ratio = 10;  ///< RefineOptions
+  BuiltRows built_rows;  ///< which triangles of the input surfaces rules made
+  double sparse_growth = 0, sparse_ratio = 10, sparse_surfaces = 1;  ///< RefineOptions
   std::string input_json;
   std::vector<std::string> notes;  ///< what was found before meshing and what rules changed
   std::vector<std::string> warnings;

@@ -24,8 +24,9 @@ struct TetrahedraPart {
   std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges of no kept face that stay
 };
 
-/// Refines to the sizes where the options say so, then improves. Points that stay are first in the result, in their
-/// order. Of the options, `refine`, `quality`, `quality_measure`, `max_elements` and `time_budget` are followed.
+/// Refines to the sizes where the options say so, then improves. Points inside that do not stay have no say where they
+/// are refined. Those that stay are first in the result, in their order. Of the options, `refine`, `quality`,
+/// `quality_measure`, `max_elements` and `time_budget` are followed.
 ///
 /// Preconditions: every tetrahedron is positive; components differ across kept faces alone. Throws as
 /// refine_and_improve, and InternalError where what was to stay has not.

@@ -34,6 +34,7 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   result.statistics.sizes_on_surfaces = sizes_surfaces(options);
   result.statistics.quality_measure = options.quality_measure;
   if (options.refine) announce_estimate(plc, mesh, options, context, result);
+  if (options.sparse_growth > 0) result.size_field = result.size_field.times(options.sparse_surfaces);
 }
 
 /// Passes the stage's counts of elements on as shares of the estimate. `context` must outlive what is returned.

@@ -144,6 +144,20 @@ Constrained constrained_of(const DomainMesh& mesh) {
   return found;
 }
 
+/// Points inside that were made for larger sizes are in the way of those that sizes ask for: the front begins at the
+/// border, as in a mesh that has no others yet.
+void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
+  constexpr double far_larger = 4;  // sizes by which nearly every point inside is one too many
+  constexpr unsigned rounds = 2;
+  const SizeField loose = tools.size.times(far_larger);
+  remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
+  apart.bad_cells_may_spread = true;
+  for (unsigned round = 0; round < rounds; ++round) {
+    remesh::collapse_short_edges(apart, remesh::ShortEdges::inside, context);
+    remesh::flip_towards_delaunay(apart, context);
+  }
+}
+
 }  // namespace
 
 RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& asked,
@@ -168,6 +182,7 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   tools.borders_stay = true;
   if (asked.refine) {
     const StageScope stage(context, "refine");
+    take_points_out(tools, context);
     options.size_surfaces = false;
     remesh::refine_to_size(tools, options, context);
   }

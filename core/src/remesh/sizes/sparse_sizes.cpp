@@ -8,15 +8,6 @@ namespace geomesh::remesh {
 
 namespace {
 
-SizeField::Limits times(double ratio, SizeField::Limits limits) {
-  limits.global *= ratio;
-  limits.max_size *= ratio;
-  for (double& size : limits.component_size) size *= ratio;
-  if (limits.background)
-    limits.background = [ratio, background = limits.background](const Vec3& p) { return ratio * background(p); };
-  return limits;
-}
-
 /// Of each vertex on a surface or curve a component that it is in; no_index for others. Sizes are those of the
 /// component that asks for least.
 class LeastSizes {
@@ -49,10 +40,10 @@ SizeField sparse_sizes(const DomainMesh& mesh, const SizeField& asked, const Ref
         for (const VertexIndex v : mesh.face(c, i)) least.ask(v, mesh.component(c));
   for (const auto& edge : mesh.curve_edges())
     for (const VertexIndex v : edge) least.ask(v, mesh.component(mesh.incident_cell(v)));
-  std::vector<SizeSource> sources = asked.sources();
-  for (SizeSource& source : sources) source.size *= options.sparse_ratio;
+  const SizeField most = asked.times(options.sparse_ratio);
+  std::vector<SizeSource> sources = most.sources();
   least.add_to(sources, options.sparse_growth);
-  return SizeField(std::move(sources), times(options.sparse_ratio, asked.limits()));
+  return SizeField(std::move(sources), most.limits());
 }
 
 }  // namespace geomesh::remesh
