@@ -57,11 +57,15 @@ namespace {
                                     " is not there on ranks; leave it out, or mesh by geomesh, in one process");
 }
 
-/// Of edges of the model: what rank 0 does alone comes to a quarter.
-constexpr unsigned halvings = 1;
+/// Where a mesh is large, edges of the model are halved once: what rank 0 does alone comes to a quarter. Smaller ones
+/// are soon made, and of better shapes without.
+constexpr double large_mesh = 1e6;
+/// Features of the input may ask for less than twice the size. Where more than this share of the edges on surfaces is
+/// short for that, halves would be shorter than anybody has asked.
+constexpr double many_short = 0.05, short_edge = 0.55;
 /// Growth of the sizes inside, a unit of distance: tetrahedra between the surfaces are few, and their shapes still
 /// bear a border between parts.
-constexpr double growth = 0.7;
+constexpr double growth = 0.7, slow_growth = 0.3;
 /// The largest tetrahedra come to a small share of a part, so that parts can be of one size.
 constexpr double cells_a_part = 400;
 constexpr double least_ratio = 2, most_ratio = 12;
@@ -94,6 +98,7 @@ void refuse_what_ranks_lack(const geomodel::Project& project) {
   if (!refinement.size.by_depth.empty()) refuse(project, "mesh.size.by_depth");
   if (project.crs.z_scale != 1) refuse(project, "crs.z_scale");
   if (options.order == geomodel::ElementOrder::second) refuse(project, "output.order: 2");
+  if (options.starter) refuse(project, "output.starter");
   if (!options.split.empty()) refuse(project, "output.split");
   if (!options.fault_zones.empty()) refuse(project, "output.fault_zones");
   if (!options.fields.empty()) refuse(project, "output.fields");
@@ -104,27 +109,64 @@ void refuse_what_ranks_lack(const geomodel::Project& project) {
       refuse(project, "the format " + format);
 }
 
+namespace {
+
+/// Of edges of faces, each as often as it has faces.
+double share_of_short_edges(const geomodel::ModelMesh& mesh, const SizeField& size) {
+  std::size_t n = 0, n_short = 0;
+  for (const auto& face : mesh.faces)
+    for (unsigned i = 0; i < 3; ++i) {
+      const Vec3 &a = mesh.points[face.vertices[i]], &b = mesh.points[face.vertices[(i + 1) % 3]];
+      const double least = short_edge * size.at(0.5 * (a + b));
+      ++n;
+      n_short += dot(b - a, b - a) < least * least;
+    }
+  return n > 0 ? static_cast<double>(n_short) / static_cast<double>(n) : 0;
+}
+
+struct Start {
+  geomodel::PreparedModel model;
+  double elements = 0;  ///< about so many
+};
+
+Start prepare(const geomodel::Project& project, const RunContext& context) {
+  Start start;
+  start.model.command = "project";
+  start.model.name = project.name;
+  geomodel::prepare_project(project, start.model, context);
+  if (start.model.refinement.size.base.background) refuse(project, "a size that is a function of the place");
+  start.elements = elements_of(start.model);
+  return start;
+}
+
+}  // namespace
+
 SparseModel make_sparse_model(const geomodel::Project& project, int n_ranks, const RunContext& context,
                               SparseRun& run) {
   geomodel::StageRecorder recorder(context, "");
-  geomodel::PreparedModel model;
-  model.command = "project";
-  model.name = project.name;
-  geomodel::prepare_project(project, model, recorder.context());
-  if (model.refinement.size.base.background) refuse(project, "a size that is a function of the place");
-  model.refinement.quality = QualityLevel::fast;  // tetrahedra that go: surfaces alone count
-  model.sparse_growth = growth;
-  model.sparse_surfaces = std::exp2(halvings);
-  model.sparse_ratio = ratio_for(elements_of(model), n_ranks);
-  geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(model, recorder);
-  run.input_json = model.input_json;
-  run.stages = recorder.records();
-  run.notes = model.notes;
-  run.warnings = model.warnings;
-  if (model.refinement.honour == Honour::tolerance) run.tolerance = model.refinement.tolerance;
-  run.estimated_elements = meshed.refined.statistics.estimated_elements;
-  return {std::move(meshed.mesh), std::move(meshed.refined.mesh.component),
-          meshed.refined.size_field.times(std::exp2(-static_cast<double>(halvings))), halvings};
+  Start start = prepare(project, recorder.context());
+  const auto mesh_with = [&](unsigned halvings) {
+    geomodel::PreparedModel& model = start.model;
+    if (halvings > 0) model.refinement.quality = QualityLevel::fast;  // tetrahedra go: surfaces alone count
+    model.sparse_growth = halvings > 0 ? growth : slow_growth;
+    model.sparse_surfaces = std::exp2(halvings);
+    model.sparse_ratio = ratio_for(start.elements, n_ranks);
+    geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(model, recorder);
+    run.input_json = model.input_json;
+    run.notes = model.notes;
+    run.warnings = model.warnings;
+    run.stages = recorder.records();
+    run.estimated_elements = meshed.refined.statistics.estimated_elements;
+    return SparseModel{std::move(meshed.mesh), std::move(meshed.refined.mesh.component),
+                       std::move(meshed.refined.size_field), halvings};
+  };
+  SparseModel sparse = mesh_with(start.elements < large_mesh ? 0 : 1);
+  if (sparse.halvings > 0 && share_of_short_edges(sparse.mesh, sparse.size) > many_short) {
+    start = prepare(project, recorder.context());
+    sparse = mesh_with(0);
+  }
+  sparse.size = sparse.size.times(std::exp2(-static_cast<double>(sparse.halvings)));
+  return sparse;
 }
 
 void broadcast(SparseModel& model, const Ranks& ranks) {

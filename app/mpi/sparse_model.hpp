@@ -27,7 +27,7 @@ struct SparseRun {
   std::string input_json;
   std::vector<geomodel::StageRecord> stages;
   std::vector<std::string> notes, warnings;
-  double tolerance = 0, estimated_elements = 0;
+  double estimated_elements = 0;
 };
 
 /// Throws Error{usage} where the project asks for what is not there on ranks.
