@@ -2,6 +2,8 @@
 #include "mesh_on_ranks.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <exception>
 
 #include "archive.hpp"
 #include "divide.hpp"
@@ -26,6 +28,7 @@ class StagedFiles {
  public:
   StagedFiles(fs::path stem, const Ranks& ranks)
       : stem_(std::move(stem)), folder_(stem_.parent_path() / ("." + stem_.filename().string() + ".unfinished")) {
+    ranks.wait_for_all();  // nothing is there before all have something to write
     if (ranks.rank() == 0) {
       fs::create_directories(stem_.parent_path());
       fs::remove_all(folder_);
@@ -33,24 +36,27 @@ class StagedFiles {
     }
     ranks.wait_for_all();
   }
-  ~StagedFiles() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
 
   fs::path stem() const { return folder_ / stem_.filename(); }
   void add(const std::vector<fs::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// Once all ranks have written: the files get their names.
-  std::vector<fs::path> finish(const Ranks& ranks) {
-    ranks.wait_for_all();
+  /// Once all ranks have written: the files get their names. Where one has failed none does: nothing is left, and it
+  /// throws what it has failed by, which ends the others.
+  std::vector<fs::path> finish(const std::exception_ptr& failure, const Ranks& ranks) {
+    const std::vector<char> failed = ranks.gather_all(static_cast<char>(failure != nullptr));
+    const bool has_failed = std::find(failed.begin(), failed.end(), 1) != failed.end();
     std::vector<fs::path> named;
     for (const fs::path& file : files_) {
+      if (has_failed) break;
       named.push_back(stem_.parent_path() / file.filename());
       fs::rename(file, named.back());
     }
     ranks.wait_for_all();
+    if (ranks.rank() == 0) fs::remove_all(folder_);
+    ranks.wait_for_all();
+    if (failure) std::rethrow_exception(failure);
+    if (has_failed) ranks.wait_for_all();  // until all are ended
     return named;
   }
 
@@ -105,8 +111,10 @@ void fail_if_asked(const Ranks& ranks) {
 }  // namespace
 
 std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks& ranks, const RunContext& context) {
+  if (ranks.rank() != 0) ranks.wait_for_all();  // mistakes of the project are told once, by rank 0
   const geomodel::Project project = geomodel::read_project(request.project);
   refuse_what_ranks_lack(project);
+  if (ranks.rank() == 0) ranks.wait_for_all();
   const fs::path stem = request.directory.value_or(project.output.directory) / project.name;
   SparseRun run;
   SparseModel sparse;
@@ -144,17 +152,20 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   const PartShapes own_shapes = shapes_of(mesh);
   NumberedPart numbered = number_part(model, mesh, faces, ranks);
   mesh = {};
-  fail_if_asked(ranks);
   cost.n_own = numbered.n_own;
   cost.n_ghosts = numbered.mesh.tetrahedra.size() - numbered.n_own;
   const std::uint64_t n_points = numbered.part.n_nodes;
   watch.lap();
   StagedFiles files(stem, ranks);
-  {
+  std::exception_ptr failure;
+  try {
+    fail_if_asked(ranks);
     const geomodel::MeshParts parts(numbered.mesh, std::move(numbered.part));
     for (const std::string& format : project.output.formats)
       files.add(
           geomodel::write_given_part(numbered.mesh, parts, ranks.rank(), format, files.stem(), project.output.options));
+  } catch (...) {
+    failure = std::current_exception();
   }
   cost.write_seconds = watch.lap();
   cost.cpu_seconds = geomodel::process_cpu_seconds();
@@ -163,7 +174,7 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   PartsReport report{model.sparse,        run, verified, numbered.mesh, {}, ranks.gather_all(cost), n_points,
                      strips.n_never_free, {}};
   for (const PartShapes& s : ranks.gather_all(own_shapes)) report.shapes.add(s);
-  const std::vector<fs::path> named = files.finish(ranks);
+  const std::vector<fs::path> named = files.finish(failure, ranks);
   report.files = names_on_all(named, ranks);
   if (ranks.rank() != 0) return {};
   geomodel::write_text_file(stem.string() + ".report.json", to_json(report));
