@@ -121,7 +121,7 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   std::vector<std::int32_t> rank_of;
   if (ranks.rank() == 0) {
     geomodel::require_writable(stem.string() + ".report.json");
-    sparse = make_sparse_model(project, ranks.size(), context, run);
+    sparse = make_sparse_model(project, context, run);
     rank_of = divide(sparse, ranks.size());
   }
   broadcast(sparse, ranks);

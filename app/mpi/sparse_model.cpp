@@ -66,13 +66,12 @@ constexpr double many_short = 0.05, short_edge = 0.55;
 /// Growth of the sizes inside, a unit of distance: tetrahedra between the surfaces are few, and their shapes still
 /// bear a border between parts.
 constexpr double growth = 0.7, slow_growth = 0.3;
-/// The largest tetrahedra come to a small share of a part, so that parts can be of one size.
-constexpr double cells_a_part = 400;
+/// The largest tetrahedra come to a small share of a part, so that parts can be of one size. The ranks have no say:
+/// surfaces are the same whatever their number.
+constexpr double least_cells = 20000;
 constexpr double least_ratio = 2, most_ratio = 12;
 
-double ratio_for(double elements, int n_ranks) {
-  return std::clamp(std::cbrt(elements / (cells_a_part * n_ranks)), least_ratio, most_ratio);
-}
+double ratio_for(double elements) { return std::clamp(std::cbrt(elements / least_cells), least_ratio, most_ratio); }
 
 /// About the elements that one size comes to in a volume.
 double elements_of(const geomodel::PreparedModel& model) {
@@ -141,8 +140,7 @@ Start prepare(const geomodel::Project& project, const RunContext& context) {
 
 }  // namespace
 
-SparseModel make_sparse_model(const geomodel::Project& project, int n_ranks, const RunContext& context,
-                              SparseRun& run) {
+SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run) {
   geomodel::StageRecorder recorder(context, "");
   Start start = prepare(project, recorder.context());
   const auto mesh_with = [&](unsigned halvings) {
@@ -150,7 +148,7 @@ SparseModel make_sparse_model(const geomodel::Project& project, int n_ranks, con
     if (halvings > 0) model.refinement.quality = QualityLevel::fast;  // tetrahedra go: surfaces alone count
     model.sparse_growth = halvings > 0 ? growth : slow_growth;
     model.sparse_surfaces = std::exp2(halvings);
-    model.sparse_ratio = ratio_for(start.elements, n_ranks);
+    model.sparse_ratio = ratio_for(start.elements);
     geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(model, recorder);
     run.input_json = model.input_json;
     run.notes = model.notes;

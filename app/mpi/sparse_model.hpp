@@ -33,9 +33,8 @@ struct SparseRun {
 /// Throws Error{usage} where the project asks for what is not there on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 
-/// The stages read to verify of the serial program, with few points inside. `n_ranks`: the more there are, the smaller
-/// are the largest tetrahedra. Errors as geomodel::run_project.
-SparseModel make_sparse_model(const geomodel::Project& project, int n_ranks, const RunContext& context, SparseRun& run);
+/// The stages read to verify of the serial program, with few points inside. Errors as geomodel::run_project.
+SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
 /// From rank 0 to all.
 void broadcast(SparseModel& model, const Ranks& ranks);
