@@ -44,15 +44,15 @@ double volume_of(const TetrahedraPart& part) {
   return sum;
 }
 
-/// Those with their middle on one side of a plane x = const.
-TetrahedraPart half_of(const ConstrainedTetrahedralization& mesh, double x, bool is_low) {
+/// Those with their middle on one side of a plane y = const.
+TetrahedraPart half_of(const ConstrainedTetrahedralization& mesh, double y, bool is_low) {
   TetrahedraPart part;
   part.points = mesh.points;
   part.is_kept.assign(mesh.points.size(), 0);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     double sum = 0;
-    for (const VertexIndex v : mesh.tetrahedra[t]) sum += mesh.points[v].x;
-    if ((sum < 4 * x) != is_low) continue;
+    for (const VertexIndex v : mesh.tetrahedra[t]) sum += mesh.points[v].y;
+    if ((sum < 4 * y) != is_low) continue;
     part.tetrahedra.push_back(mesh.tetrahedra[t]);
     part.component.push_back(mesh.component[t]);
   }
@@ -71,8 +71,8 @@ TetrahedraPart half_of(const ConstrainedTetrahedralization& mesh, double x, bool
     const auto is_here = [&](Index t) {
       if (t == no_index) return false;
       double sum = 0;
-      for (const VertexIndex v : mesh.tetrahedra[t]) sum += mesh.points[v].x;
-      return (sum < 4 * x) == is_low;
+      for (const VertexIndex v : mesh.tetrahedra[t]) sum += mesh.points[v].y;
+      return (sum < 4 * y) == is_low;
     };
     if (is_here(f.tetrahedron_above) && is_here(f.tetrahedron_below))
       part.kept_faces.push_back({row[f.vertices[0]], row[f.vertices[1]], row[f.vertices[2]]});
@@ -88,7 +88,7 @@ TEST_CASE("Parts refined on their own keep their borders and the faces told", "[
   options.size.global = 0.2;
   const RefineResult start = refine_and_improve(model.plc, model.mesh, options);
   double least = 1e300, greatest = -1e300;
-  for (const Vec3& p : start.mesh.points) least = std::min(least, p.x), greatest = std::max(greatest, p.x);
+  for (const Vec3& p : start.mesh.points) least = std::min(least, p.y), greatest = std::max(greatest, p.y);
   const SizeField size = start.size_field.times(0.25);
   for (const bool is_low : {true, false}) {
     TetrahedraPart part = half_of(start.mesh, 0.5 * (least + greatest), is_low);
@@ -121,7 +121,9 @@ TEST_CASE("A face that is to stay and is not there is told", "[refine_part]") {
   const Model model = two_boxes(2);
   TetrahedraPart part = half_of(model.mesh, 1e300, true);
   part.kept_faces.push_back({0, 0, 0});
-  CHECK_THROWS_AS(refine_part(part, SizeField({}, {.global = 1}), {}), InternalError);
+  SizeField::Limits limits;
+  limits.global = 1;
+  CHECK_THROWS_AS(refine_part(part, SizeField({}, limits), {}), InternalError);
 }
 
 TEST_CASE("A sparse inside leaves surfaces as fine as asked, with fewer cells", "[refine_part]") {
