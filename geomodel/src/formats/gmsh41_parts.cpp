@@ -30,8 +30,9 @@ class PartWriter {
     std::size_t first = 1;
     for (const CellBlock& block : whole.blocks) {
       first_element_.push_back(first);
-      first += block.n_cells();
+      first += n_cells(block);
     }
+    last_element_ = first - 1;
     sort_cells();
     share_nodes();
   }
@@ -52,6 +53,9 @@ class PartWriter {
   }
 
  private:
+  std::size_t n_cells(const CellBlock& block) const {
+    return block.shape == CellShape::tetrahedron ? parts_.n_cells_of_region(block.members.front()) : block.n_cells();
+  }
   std::int32_t tag_of(std::size_t block, std::int32_t part) const {
     return first_tag_ + static_cast<std::int32_t>(block) * parts_.n_parts() + part;
   }
@@ -90,6 +94,16 @@ class PartWriter {
     }
   }
 
+  /// Of a region of the whole mesh that of its faces, which every part has.
+  void write_parent_box(GmshNumbers& numbers, const CellBlock& block) const {
+    if (block.shape != CellShape::tetrahedron) return write_box(numbers, block, whole_);
+    Box3 box;
+    for (const ModelMesh::Face& face : whole_.source->faces)
+      if (face.region_minus == block.id || face.region_plus == block.id)
+        for (const VertexIndex v : face.vertices) box.add(whole_.source->points[v]);
+    numbers.real(box.min);
+    numbers.real(box.max);
+  }
   void write_box(GmshNumbers& numbers, const CellBlock& block, const SolverMesh& mesh) const {
     Box3 box;
     for (const VertexIndex v : block.nodes) box.add(mesh.node(v));
@@ -110,7 +124,7 @@ class PartWriter {
     for (std::size_t d = 0; d < 4; ++d)
       for (const std::size_t b : of_dimension[d]) {
         numbers.integer(whole_.blocks[b].id);
-        write_box(numbers, whole_.blocks[b], whole_);
+        write_parent_box(numbers, whole_.blocks[b]);
         write_groups(numbers, b);
         if (d > 0) numbers.size(0);
         numbers.line();
@@ -143,7 +157,7 @@ class PartWriter {
       numbers.line();
     }
   }
-  std::size_t number_of(VertexIndex v) const { return part_.part.nodes[v] + std::size_t{1}; }
+  std::size_t number_of(VertexIndex v) const { return parts_.node_number(part_.part.nodes[v]) + 1; }
   void write_nodes(GmshNumbers& numbers) const {
     std::size_t n_blocks = 0, n = 0;
     for (const PartEntity& entity : entities_) {
@@ -153,7 +167,7 @@ class PartWriter {
     numbers.size(n_blocks);
     numbers.size(n);
     numbers.size(1);
-    numbers.size(whole_.n_nodes());
+    numbers.size(parts_.n_nodes_of_whole());
     numbers.line();
     for (const PartEntity& entity : entities_) {
       if (entity.owned.empty()) continue;
@@ -173,16 +187,18 @@ class PartWriter {
     }
   }
   std::size_t element(std::size_t block, std::size_t cell) const {
-    return first_element_[block] + part_.cells[block][cell];
+    const CellBlock& own = part_.mesh.blocks[block];
+    const std::size_t row = part_.cells[block][cell];
+    return first_element_[block] +
+           (own.shape == CellShape::tetrahedron ? parts_.number_in_region(own.rows[cell], row) : row);
   }
   void write_elements(GmshNumbers& numbers) const {
-    std::size_t n = 0, last = 0;
+    std::size_t n = 0;
     for (const PartEntity& entity : entities_) n += entity.cells.size();
-    for (std::size_t b = 0; b < whole_.blocks.size(); ++b) last = first_element_[b] + whole_.blocks[b].n_cells() - 1;
     numbers.size(entities_.size());
     numbers.size(n);
     numbers.size(1);
-    numbers.size(last);
+    numbers.size(last_element_);
     numbers.line();
     for (const PartEntity& entity : entities_) {
       numbers.integer(entity.dimension);
@@ -216,6 +232,7 @@ class PartWriter {
   const SolverPart& part_;
   const GmshGroups& groups_;
   std::int32_t own_, first_tag_ = 0;
+  std::size_t last_element_ = 0;
   std::vector<std::size_t> first_element_;  // by block: the number of its first cell in the whole mesh
   std::vector<PartEntity> entities_;
   PartEntity ghost_{3, 0, 0, true, {}, {}};
@@ -223,28 +240,46 @@ class PartWriter {
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_gmsh_parts(const SolverMesh& mesh, const WriteOptions& options,
-                                                    const std::filesystem::path& stem, const GmshPartBody& body) {
+namespace {
+
+std::vector<std::filesystem::path> write_parts_here(const SolverMesh& mesh, const MeshParts& parts,
+                                                    const WriteOptions& options, const std::filesystem::path& stem,
+                                                    const GmshPartBody& body) {
   const GmshGroups groups = gmsh_groups(mesh, options);
-  const MeshParts parts(*mesh.source, static_cast<std::int32_t>(options.partitions));
   WrittenFiles written;
-  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
+  bool has_first = false;
+  for (const std::int32_t p : parts.parts_here()) {
+    has_first = has_first || p == 0;
     const SolverPart part = part_of(mesh, parts, p, Ghosts::one_layer);
     const std::filesystem::path file = stem.string() + "_" + std::to_string(p + 1) + ".msh";
     write_output_text(file, [&](OutputText& out) { body(out, parts, part, groups); });
     written.add(file);
   }
-  written.add(write_sidecar(*mesh.source, groups.sidecar, stem.string() + ".msh"));
+  if (has_first) written.add(write_sidecar(*mesh.source, groups.sidecar, stem.string() + ".msh"));
   return written.keep();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_gmsh_parts(const SolverMesh& mesh, const WriteOptions& options,
+                                                    const std::filesystem::path& stem, const GmshPartBody& body) {
+  return write_parts_here(mesh, MeshParts(*mesh.source, static_cast<std::int32_t>(options.partitions)), options, stem,
+                          body);
 }
 
 std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const WriteOptions& options,
                                                       const std::filesystem::path& stem, Encoding encoding) {
-  return write_gmsh_parts(
-      mesh, options, stem,
-      [&](OutputText& out, const MeshParts& parts, const SolverPart& part, const GmshGroups& groups) {
-        PartWriter(mesh, parts, part, groups).write(out, encoding);
-      });
+  return write_gmsh41_parts(mesh, MeshParts(*mesh.source, static_cast<std::int32_t>(options.partitions)), options, stem,
+                            encoding);
+}
+
+std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const MeshParts& parts,
+                                                      const WriteOptions& options, const std::filesystem::path& stem,
+                                                      Encoding encoding) {
+  return write_parts_here(mesh, parts, options, stem,
+                          [&](OutputText& out, const MeshParts& all, const SolverPart& part, const GmshGroups& groups) {
+                            PartWriter(mesh, all, part, groups).write(out, encoding);
+                          });
 }
 
 }  // namespace geomesh::geomodel

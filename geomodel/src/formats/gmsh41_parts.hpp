@@ -26,5 +26,9 @@ std::vector<std::filesystem::path> write_gmsh_parts(const SolverMesh& mesh, cons
 /// files and the JSON beside them.
 std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const WriteOptions& options,
                                                       const std::filesystem::path& stem, Encoding encoding);
+/// Those parts alone that are here; the JSON where the first is.
+std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const MeshParts& parts,
+                                                      const WriteOptions& options, const std::filesystem::path& stem,
+                                                      Encoding encoding);
 
 }  // namespace geomesh::geomodel

@@ -2,6 +2,7 @@
 #include "partition/mesh_parts.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "partition/metis.hpp"
@@ -28,6 +29,46 @@ MeshParts::MeshParts(const ModelMesh& mesh, std::int32_t n_parts)
   for (std::size_t t = 0; t < part_of_cell_.size(); ++t) own_[static_cast<std::size_t>(part_of_cell_[t])].push_back(t);
   find_parts_at_nodes();
   find_ghosts();
+}
+
+MeshParts::MeshParts(const ModelMesh& mesh, GivenPart given)
+    : mesh_(mesh), n_parts_(given.n_parts), given_(std::move(given)), is_given_(true) {
+  across_ = tetrahedra_across(mesh.tetrahedra);
+  part_of_cell_ = given_.part_of_cell;
+  first_ = std::move(given_.first_at_node);
+  parts_at_ = std::move(given_.parts_at);
+  own_.resize(static_cast<std::size_t>(n_parts_));
+  ghosts_.resize(own_.size());
+  const auto here = static_cast<std::size_t>(given_.number);
+  for (std::size_t t = 0; t < part_of_cell_.size(); ++t)
+    (part_of_cell_[t] == given_.number ? own_ : ghosts_)[here].push_back(t);
+  std::size_t first = 0;
+  for (const Region& region : mesh.regions) {
+    first_of_region_.push_back(first);
+    first += region.n_tetrahedra;
+  }
+}
+
+std::vector<std::int32_t> MeshParts::parts_here() const {
+  if (is_given_) return {given_.number};
+  std::vector<std::int32_t> all(static_cast<std::size_t>(n_parts_));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+std::size_t MeshParts::n_nodes_of_whole() const {
+  return is_given_ ? given_.n_nodes : mesh_.points.size() + mesh_.midpoints.points.size();
+}
+
+std::size_t MeshParts::n_cells_of_whole() const { return is_given_ ? given_.n_cells : mesh_.tetrahedra.size(); }
+
+std::size_t MeshParts::n_cells_of_region(std::int32_t id) const {
+  return mesh_.regions[static_cast<std::size_t>(id - 1)].n_tetrahedra;
+}
+
+std::size_t MeshParts::number_in_region(std::size_t row, std::size_t row_in_block) const {
+  if (!is_given_) return row_in_block;
+  return cell_number(row) - first_of_region_[static_cast<std::size_t>(mesh_.tet_region[row] - 1)];
 }
 
 void MeshParts::find_parts_at_nodes() {
@@ -80,8 +121,8 @@ std::vector<BorderFace> MeshParts::border_faces(std::int32_t number) const {
       if (const std::size_t other = across_[t][i]; other != no_neighbour && part_of_cell_[other] != number)
         faces.push_back({t, i, part_of_cell_[other]});
   const auto key = [this](const BorderFace& f) {
-    const std::size_t other = across_[f.cell][f.opposite];
-    return std::tuple(f.other_part, std::min(f.cell, other), std::max(f.cell, other));
+    const std::size_t own = cell_number(f.cell), other = cell_number(across_[f.cell][f.opposite]);
+    return std::tuple(f.other_part, std::min(own, other), std::max(own, other));
   };
   std::sort(faces.begin(), faces.end(), [&](const BorderFace& a, const BorderFace& b) { return key(a) < key(b); });
   return faces;

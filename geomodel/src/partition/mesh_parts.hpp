@@ -34,12 +34,41 @@ struct BorderFace {
   std::int32_t other_part;
 };
 
+/// One part where no process has the whole mesh: the mesh has the part's tetrahedra and ghosts alone, and all points,
+/// faces and edges of the model.
+struct GivenPart {
+  std::int32_t number = 0, n_parts = 1;
+  std::vector<std::int32_t> part_of_cell;              ///< by row
+  std::vector<std::int64_t> cell_number, node_number;  ///< in the whole, by row; cells are numbered region by region
+  std::vector<std::size_t> first_at_node{0};           ///< by row, into parts_at
+  std::vector<std::int32_t> parts_at;                  ///< of each node, ascending
+  std::uint64_t n_cells = 0, n_nodes = 0;              ///< of the whole
+};
+
 class MeshParts {
  public:
   /// The mesh must outlive this. Throws as parts_by_metis.
   MeshParts(const ModelMesh& mesh, std::int32_t n_parts);
+  /// One part alone. Rows of its own cells ascend with their numbers, and before those of ghosts. Of midpoints there
+  /// are none.
+  MeshParts(const ModelMesh& mesh, GivenPart given);
 
   std::int32_t n_parts() const { return n_parts_; }
+  /// Parts whose cells are there: all, or the one given.
+  std::vector<std::int32_t> parts_here() const;
+  /// In the whole mesh, from 0.
+  std::size_t cell_number(std::size_t row) const {
+    return is_given_ ? static_cast<std::size_t>(given_.cell_number[row]) : row;
+  }
+  std::size_t node_number(VertexIndex row) const {
+    return is_given_ ? static_cast<std::size_t>(given_.node_number[row]) : row;
+  }
+  std::size_t n_nodes_of_whole() const;
+  std::size_t n_cells_of_whole() const;
+  /// Of a region, in the whole.
+  std::size_t n_cells_of_region(std::int32_t id) const;
+  /// The number of a tetrahedron within its region, from 0; `row_in_block` where the whole is here.
+  std::size_t number_in_region(std::size_t row, std::size_t row_in_block) const;
   std::int32_t part_of_cell(std::size_t row) const { return part_of_cell_[row]; }
   /// Parts with cells of their own at a node, ascending.
   std::span<const std::int32_t> parts_at(VertexIndex node) const {
@@ -60,6 +89,9 @@ class MeshParts {
 
   const ModelMesh& mesh_;
   std::int32_t n_parts_;
+  GivenPart given_;
+  bool is_given_ = false;
+  std::vector<std::size_t> first_of_region_;  // where given, by region id - 1: the number of its first cell
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
   std::vector<std::size_t> first_;  // by node, into parts_at_

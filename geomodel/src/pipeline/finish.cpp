@@ -366,6 +366,23 @@ void warn(std::vector<std::string>& warnings, const RunContext& context, std::st
   warnings.push_back(std::move(text));
 }
 
+VerifiedModel mesh_and_verify(PreparedModel& model, StageRecorder& recorder) {
+  try {
+    VerifiedModel meshed;
+    std::vector<double> volumes_of_input;
+    meshed.refined = mesh_to_size(model, recorder, volumes_of_input);
+    const StageScope stage(recorder.context(), "verify");
+    meshed.mesh = name_and_verify(meshed.refined.mesh, {}, model, recorder);
+    set_volumes_of_input(meshed.mesh, meshed.refined.mesh, volumes_of_input);
+    if (!volumes_of_input.empty()) require_volumes_within(meshed.mesh, model.refinement.tolerance);
+    return meshed;
+  } catch (const ModelError&) {
+    throw;
+  } catch (const Error& error) {
+    fail_in_terms_of_model(error, model, {}, recorder);
+  }
+}
+
 JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder,
                      const std::function<void()>& prepare) {
   require_writable_outputs(plan);

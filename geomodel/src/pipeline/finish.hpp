@@ -39,6 +39,7 @@ struct PreparedModel {
   SettledStack stack;  ///< as stage build settled it
   ModelVolume volume;
   BuiltRows built_rows;  ///< which triangles of the input surfaces rules made
+  double sparse_growth = 0, sparse_ratio = 10, sparse_surfaces = 1;  ///< RefineOptions
   std::string input_json;
   std::vector<std::string> notes;  ///< what was found before meshing and what rules changed
   std::vector<std::string> warnings;
@@ -57,6 +58,15 @@ struct OutputPlan {
 /// Nothing is written where verification finds a fault (InternalError) or an error is thrown.
 JobResult run_stages(PreparedModel& model, const OutputPlan& plan, StageRecorder& recorder,
                      const std::function<void()>& prepare);
+
+/// What was meshed, named and verified, and is not written. `refined.mesh` has the tetrahedra of `mesh`, in the
+/// same order.
+struct VerifiedModel {
+  RefineResult refined;
+  ModelMesh mesh;
+};
+/// The stages delaunay to verify, of a model that stage intersect has left. Errors as run_stages.
+VerifiedModel mesh_and_verify(PreparedModel& model, StageRecorder& recorder);
 
 /// Collects what a rule changed and passes it on to the log.
 void note(std::vector<std::string>& notes, const RunContext& context, std::string text);

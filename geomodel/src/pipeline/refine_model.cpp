@@ -264,6 +264,9 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   options.quality_measure = settings.quality_measure;
   options.time_budget = settings.time_budget;
   options.max_elements = settings.max_elements;
+  options.sparse_growth = model.sparse_growth;
+  options.sparse_ratio = model.sparse_ratio;
+  options.sparse_surfaces = model.sparse_surfaces;
   for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);
   options.facet_parent = facet_parents(model);
   options.segment_curve = segment_curves(model);

@@ -70,7 +70,12 @@ struct RefineOptions {
   /// surfaces where the worst elements need them. For surfaces full of short edges that are to be kept with few
   /// elements.
   bool size_surfaces = true;
-  bool refine = true;              ///< false: improve only, no points for size
+  bool refine = true;  ///< false: improve only, no points for size
+  /// A start for parts that are refined on their own (refine_part.hpp). Surfaces get `sparse_surfaces` times the sizes
+  /// asked, within the same tolerance. Sizes inside grow from there by this a unit of distance, up to `sparse_ratio`
+  /// times as large. RefineResult::size_field has the larger sizes then. 0: all is as fine as asked.
+  double sparse_growth = 0;
+  double sparse_ratio = 10, sparse_surfaces = 1;
   std::vector<Index> facet_patch;  ///< per facet of the PLC; empty: facets with equal provenance rows are one patch
   /// Honour::exact: per facet of the PLC the input triangle that it is a piece of (any number that only its pieces
   /// have), no_index: none. Pieces of one triangle that join in one plane (to rounding) across edges where nothing else

@@ -50,6 +50,10 @@ class SizeField {
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
+  /// All sizes asked times a factor; where they hold and how they grow stays. Powers of two do not round.
+  SizeField times(double factor) const;
+  /// Those that are left, each with its gradation. With the same limits they make the same field.
+  const std::vector<SizeSource>& sources() const { return sources_; }
 
  private:
   struct Node {

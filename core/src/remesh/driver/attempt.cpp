@@ -34,6 +34,7 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   result.statistics.sizes_on_surfaces = sizes_surfaces(options);
   result.statistics.quality_measure = options.quality_measure;
   if (options.refine) announce_estimate(plc, mesh, options, context, result);
+  if (options.sparse_growth > 0) result.size_field = result.size_field.times(options.sparse_surfaces);
 }
 
 /// Passes the stage's counts of elements on as shares of the estimate. `context` must outlive what is returned.
@@ -166,7 +167,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   tools.bad_cells_may_spread = !sizes_surfaces(options);
   const RunContext counted = counting_towards(result.statistics.estimated_elements, context);
   if (options.refine) refine_to_size(tools, options, counted);
-  if (options.refine && guard.exact() && sizes_surfaces(options))
+  if (options.refine && guard.exact() && sizes_surfaces(options) && !(options.sparse_growth > 0))
     refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);

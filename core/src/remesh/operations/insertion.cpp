@@ -159,6 +159,7 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
   gather_edge(mesh, c, a, b, cavity);
   const double before = removed_shape(mesh, cavity);
   const Index curve = mesh.curve_of(a, b);
+  if (tools.stays(cavity, curve)) return false;
   const Index patch = cavity.spokes.empty() ? no_index : mesh.patch_of_facet(cavity.spokes[0].facet);
   if (patch == hull_patch) return false;
   const Vec3 middle = 0.5 * (mesh.point(a) + mesh.point(b));

@@ -28,6 +28,7 @@ struct Toolbox {
   /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all
   /// over, and else not.
   bool bad_cells_may_spread = false;
+  bool borders_stay = false;  ///< whether curves and faces of no facet get no points
   bool points_in_thin_gaps =
       false;  ///< whether improvement may put points there, where they mostly make more flat elements
 
@@ -52,6 +53,11 @@ struct Toolbox {
   }
   bool spoils(const StarCavity& cavity, std::span<const double> shapes) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, shapes);
+  }
+  /// Whether the edge that the cavity is about gets no points.
+  bool stays(const StarCavity& cavity, Index curve) const {
+    if (!borders_stay) return false;
+    return curve != no_index || (!cavity.spokes.empty() && mesh.patch_of_facet(cavity.spokes[0].facet) == hull_patch);
   }
   /// Mean of the sizes at its vertices.
   double size_of_cell(CellIndex c);

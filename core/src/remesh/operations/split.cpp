@@ -70,6 +70,7 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
   if (mesh.is_pinched(a, b)) return std::nullopt;
   StarCavity& cavity = tools.work.cavity;
   gather_edge(mesh, c, a, b, cavity);
+  if (tools.stays(cavity, mesh.curve_of(a, b))) return std::nullopt;
   const Vec3 p = place ? *place : 0.5 * (mesh.point(a) + mesh.point(b));
   if (!star_is_positive(mesh, cavity, p)) return std::nullopt;
   if (min_shape > 0 && !(star_shape(mesh, cavity, p, min_shape) > min_shape)) return std::nullopt;

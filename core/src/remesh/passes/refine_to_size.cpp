@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The schedule of refinement; declared in passes.hpp.
+#include <optional>
+
 #include "remesh/operations/surface_repair.hpp"
 #include "remesh/passes/pass_runner.hpp"
 #include "remesh/passes/passes.hpp"
@@ -14,7 +16,15 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   const auto make_regular = [&] { make_surfaces_regular(tools, in_vain, context); };
   const auto collapse_on_surfaces = [&] { collapse_short_edges(tools, ShortEdges::on_surfaces, context); };
   const auto flip = [&] { flip_towards_delaunay(tools, context); };
-  const auto fill_components = [&] { refine_components_inside(tools, most, context); };
+  std::optional<SizeField> sparse;
+  std::optional<Toolbox> apart;
+  const auto inside = [&]() -> Toolbox& {  // once surfaces are as fine as asked
+    if (!(options.sparse_growth > 0)) return tools;
+    sparse.emplace(sparse_sizes(tools.mesh, tools.size, options));
+    apart.emplace(tools.mesh, tools.guard, *sparse, tools.statistics);
+    apart->bad_cells_may_spread = tools.bad_cells_may_spread;
+    return *apart;
+  };
 
   std::size_t n_split = 0;
   if (sizes_surfaces(options)) {
@@ -27,7 +37,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
                 [&] { n_split = split_long_edges(tools, LongEdges::of_surfaces, most, context); });
   }
   passes.once("cells flipped towards Delaunay", flip);
-  passes.once("points put inside", fill_components);
+  passes.once("points put inside", [&] { refine_components_inside(inside(), most, context); });
   if (sizes_surfaces(options)) passes.once("cells flipped towards Delaunay", flip);
   // Bisected faces are of poor shape. Their neighbourhood is loose enough to mend them only once it is filled.
   if (n_split > 0) {
@@ -35,7 +45,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
     passes.once("short edges of surfaces taken out", collapse_on_surfaces);
     passes.once("surfaces made regular", make_regular);
     passes.once("cells flipped towards Delaunay", flip);
-    passes.once("points put inside where there is room", [&] { refine_inside(tools, most, context); });
+    passes.once("points put inside where there is room", [&] { refine_inside(inside(), most, context); });
   }
   passes.once("short edges inside taken out", [&] { collapse_short_edges(tools, ShortEdges::inside, context); });
 }

@@ -41,6 +41,17 @@ SizeField::SizeField(std::vector<SizeSource> sources, Limits limits)
   }
 }
 
+SizeField SizeField::times(double factor) const {
+  Limits limits = limits_;
+  for (double* size : {&limits.global, &limits.min_size, &limits.max_size}) *size *= factor;
+  for (double& size : limits.component_size) size *= factor;
+  if (limits.background)
+    limits.background = [factor, background = limits.background](const Vec3& p) { return factor * background(p); };
+  std::vector<SizeSource> sources = sources_;
+  for (SizeSource& source : sources) source.size *= factor;
+  return SizeField(std::move(sources), std::move(limits));
+}
+
 /// A source never asks for the least where another asks for less at its place, by what it grows over its radius. That
 /// holds where none grows faster than it.
 bool SizeField::drop_redundant() {

@@ -24,6 +24,10 @@ SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh&
 /// The same with the tolerance that the options ask for.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
+/// For a mesh that is sparse inside (RefineOptions::sparse_growth): on surfaces and curves as they are now what is
+/// asked there, and from there growing up to the ratio times what is asked.
+SizeField sparse_sizes(const DomainMesh& mesh, const SizeField& asked, const RefineOptions& options);
+
 /// Whether surfaces get points for sizes: where they may be remeshed they always do.
 inline bool sizes_surfaces(const RefineOptions& o) { return o.size_surfaces || o.honour == Honour::tolerance; }
 /// The greatest; 0 where surfaces are kept.

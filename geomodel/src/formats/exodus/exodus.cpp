@@ -10,6 +10,7 @@
 #include "formats/exodus/exodus_fields.hpp"
 #include "formats/exodus/exodus_part.hpp"
 #include "formats/format_list.hpp"
+#include "formats/given_part.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "mesh_readers/mesh_readers.hpp"
@@ -203,13 +204,14 @@ std::filesystem::path file_of_part(const std::filesystem::path& whole, std::int3
   return whole.string() + "." + all + "." + std::string(all.size() - own.size(), '0') + own;
 }
 
-std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const WriteOptions& options,
+/// The names beside them come with the first part.
+std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const MeshParts& parts,
                                                const std::filesystem::path& file) {
-  const ModelMesh& model = *mesh.source;
-  const MeshParts parts(model, static_cast<std::int32_t>(options.partitions));
   WrittenFiles written;
   std::vector<SidecarGroup> sidecar;
-  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
+  bool has_first = false;
+  for (const std::int32_t p : parts.parts_here()) {
+    has_first = has_first || p == 0;
     const SolverPart part = part_of(mesh, parts, p, Ghosts::none);
     const ExodusPart all{mesh, parts, part};
     const std::filesystem::path name = file_of_part(file, p, parts.n_parts());
@@ -218,7 +220,7 @@ std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const Wri
     });
     written.add(name);
   }
-  written.add(write_sidecar(model, sidecar, file));
+  if (has_first) written.add(write_sidecar(*mesh.source, sidecar, file));
   return written.keep();
 }
 
@@ -226,7 +228,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
                                          const std::filesystem::path& stem) {
   const SolverMesh mesh = make_solver_mesh(model, options);
   const std::filesystem::path file = stem.string() + ".e";
-  if (options.partitions > 1) return write_parts(mesh, options, file);
+  if (options.partitions > 1)
+    return write_parts(mesh, MeshParts(model, static_cast<std::int32_t>(options.partitions)), file);
   std::vector<SidecarGroup> sidecar;
   write_complete_or_absent(
       file, [&](const std::filesystem::path& temporary) { sidecar = ExodusWriter(temporary, file, mesh).write(); });
@@ -234,6 +237,11 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> write_exodus_part(const ModelMesh& mesh, const MeshParts& parts,
+                                                     const WriteOptions& options, const std::filesystem::path& stem) {
+  return write_parts(make_solver_mesh(mesh, options), parts, stem.string() + ".e");
+}
 
 Format exodus_format() {
   return {"exodus",

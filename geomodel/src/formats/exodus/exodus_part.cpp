@@ -42,19 +42,21 @@ class NemesisWriter {
     for (const CellBlock& block : all_.whole.blocks)
       if (is_solid(block)) {
         ids.push_back(block.id);
-        sizes.push_back(static_cast<int>(block.n_cells()));
+        sizes.push_back(static_cast<int>(block.shape == CellShape::tetrahedron
+                                             ? all_.parts.n_cells_of_region(block.members.front())
+                                             : block.n_cells()));
       }
-    put(ex_put_init_global(file_, static_cast<int64_t>(all_.whole.n_nodes()),
-                           static_cast<int64_t>(all_.whole.n_solids()), count(ids), static_cast<int64_t>(sets.nodes),
-                           static_cast<int64_t>(sets.sides)));
+    put(ex_put_init_global(file_, static_cast<int64_t>(all_.parts.n_nodes_of_whole()),
+                           static_cast<int64_t>(all_.parts.n_cells_of_whole()), count(ids),
+                           static_cast<int64_t>(sets.nodes), static_cast<int64_t>(sets.sides)));
     put(ex_put_eb_info_global(file_, ids.data(), sizes.data()));
   }
   void put_numbers_in_whole() {
     std::vector<int> nodes, elements;
-    for (const VertexIndex v : part_.nodes) nodes.push_back(static_cast<int>(v) + 1);
+    for (const VertexIndex v : part_.nodes) nodes.push_back(static_cast<int>(all_.parts.node_number(v)) + 1);
     for (const CellBlock& block : all_.part.mesh.blocks)
       if (is_solid(block)) rows_.insert(rows_.end(), block.rows.begin(), block.rows.end());
-    for (const std::size_t row : rows_) elements.push_back(static_cast<int>(row) + 1);
+    for (const std::size_t row : rows_) elements.push_back(static_cast<int>(all_.parts.cell_number(row)) + 1);
     put(ex_put_id_map(file_, EX_NODE_MAP, nodes.data()));
     put(ex_put_id_map(file_, EX_ELEM_MAP, elements.data()));
   }

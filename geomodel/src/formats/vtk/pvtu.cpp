@@ -18,13 +18,14 @@ void add_part_arrays(const MeshParts& parts, const VtuLayout& layout, VtkDocumen
   VtkSection &points = document.sections[0], &cells = document.sections[1];
   points.attributes = "GlobalIds=\"GlobalPointIds\"";
   cells.attributes += " GlobalIds=\"GlobalCellIds\"";
-  points.arrays.push_back(
-      vtk_array<std::int64_t>("GlobalPointIds", part.nodes.size(), [&part](std::size_t i) { return part.nodes[i]; }));
+  points.arrays.push_back(vtk_array<std::int64_t>("GlobalPointIds", part.nodes.size(), [&part, &parts](std::size_t i) {
+    return parts.node_number(part.nodes[i]);
+  }));
   points.arrays.push_back(vtk_array<std::uint8_t>("vtkGhostType", part.nodes.size(), [&part, &parts](std::size_t i) {
     return parts.owner_of_node(part.nodes[i]) == part.number ? 0 : owned_elsewhere;
   }));
-  cells.arrays.push_back(
-      vtk_array<std::int64_t>("GlobalCellIds", part.cells.size(), [&part](std::size_t i) { return part.cells[i]; }));
+  cells.arrays.push_back(vtk_array<std::int64_t>(
+      "GlobalCellIds", part.cells.size(), [&part, &parts](std::size_t i) { return parts.cell_number(part.cells[i]); }));
   cells.arrays.push_back(vtk_array<std::uint8_t>(
       "vtkGhostType", part.cells.size(), [&part](std::size_t i) { return i < part.n_own ? 0 : owned_elsewhere; }));
   cells.arrays.push_back(vtk_array<std::int32_t>(
@@ -43,21 +44,31 @@ std::string arrays_of(const VtkSection& section) {
 
 std::vector<std::filesystem::path> write_pvtu(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem) {
-  const MeshParts parts(mesh, static_cast<std::int32_t>(options.partitions));
+  return write_pvtu(mesh, MeshParts(mesh, static_cast<std::int32_t>(options.partitions)), options, stem);
+}
+
+std::vector<std::filesystem::path> write_pvtu(const ModelMesh& mesh, const MeshParts& parts,
+                                              const WriteOptions& options, const std::filesystem::path& stem) {
+  const auto file_of_part = [&stem](std::int32_t p) {
+    return std::filesystem::path(stem.string() + ".part" + std::to_string(p) + ".vtu");
+  };
   WrittenFiles written;
   std::string arrays, pieces;
-  for (std::int32_t p = 0; p < parts.n_parts(); ++p) {
+  bool has_first = false;
+  for (const std::int32_t p : parts.parts_here()) {
     const MeshPart part = parts.part(p, Ghosts::one_layer);
     const VtuLayout layout(mesh, options, &part);
     VtkDocument document = vtu_document(mesh, options, layout);
     add_part_arrays(parts, layout, document);
-    const std::filesystem::path file = stem.string() + ".part" + std::to_string(p) + ".vtu";
-    write_vtk_document(document, options.compression, file);
-    written.add(file);
-    pieces += "<Piece Source=\"" + xml_text(file.filename().string()) + "\"/>\n";
+    write_vtk_document(document, options.compression, file_of_part(p));
+    written.add(file_of_part(p));
     if (p > 0) continue;
+    has_first = true;
     for (std::size_t s = 0; s < 3; ++s) arrays += "" + arrays_of(document.sections[s]);
   }
+  if (!has_first) return written.keep();
+  for (std::int32_t p = 0; p < parts.n_parts(); ++p)
+    pieces += "<Piece Source=\"" + xml_text(file_of_part(p).filename().string()) + "\"/>\n";
   const std::filesystem::path file = stem.string() + ".pvtu";
   write_text_file(file,
                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "

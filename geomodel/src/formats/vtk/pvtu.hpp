@@ -8,6 +8,7 @@
 
 #include "geomesh/geomodel/model_mesh.hpp"
 #include "geomesh/geomodel/write_options.hpp"
+#include "partition/mesh_parts.hpp"
 
 namespace geomesh::geomodel {
 
@@ -17,5 +18,8 @@ namespace geomesh::geomodel {
 /// owner). Returns the files, the .pvtu last; leaves none where one of them cannot be written.
 std::vector<std::filesystem::path> write_pvtu(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem);
+/// Those parts alone that are here; the .pvtu where the first is.
+std::vector<std::filesystem::path> write_pvtu(const ModelMesh& mesh, const MeshParts& parts,
+                                              const WriteOptions& options, const std::filesystem::path& stem);
 
 }  // namespace geomesh::geomodel

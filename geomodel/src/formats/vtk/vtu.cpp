@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAME.vtu: tetrahedra of named regions; with one grid for all also faces, curves and points; in parts NAME.pvtu.
 #include "formats/format_list.hpp"
+#include "formats/given_part.hpp"
 #include "formats/vtk/pvtu.hpp"
 #include "formats/vtk/vtp.hpp"
 #include "formats/vtk/vtu_grid.hpp"
@@ -26,6 +27,21 @@ std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
   return groups;
 }
 
+/// Faces, curves and names, which all parts have in common.
+void write_beside(const ModelMesh& mesh, const WriteOptions& options, const std::filesystem::path& stem,
+                  const std::filesystem::path& file, WrittenFiles& written) {
+  if (!options.single_grid) {
+    const std::filesystem::path faces = stem.string() + ".faces.vtp", curves = stem.string() + ".curves.vtp";
+    write_faces_vtp(mesh, options.compression, faces);
+    written.add(faces);
+    if (options.curves) {
+      write_curves_vtp(mesh, options.compression, curves);
+      written.add(curves);
+    }
+  }
+  written.add(write_sidecar(mesh, groups_of(mesh), file));
+}
+
 std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   WrittenFiles written;
@@ -38,20 +54,19 @@ std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptio
     write_vtk_document(vtu_document(mesh, options, layout), options.compression, file);
     written.add(file);
   }
-  if (!options.single_grid) {
-    const std::filesystem::path faces = stem.string() + ".faces.vtp", curves = stem.string() + ".curves.vtp";
-    write_faces_vtp(mesh, options.compression, faces);
-    written.add(faces);
-    if (options.curves) {
-      write_curves_vtp(mesh, options.compression, curves);
-      written.add(curves);
-    }
-  }
-  written.add(write_sidecar(mesh, groups_of(mesh), file));
+  write_beside(mesh, options, stem, file, written);
   return written.keep();
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> write_vtu_part(const ModelMesh& mesh, const MeshParts& parts, std::int32_t number,
+                                                  const WriteOptions& options, const std::filesystem::path& stem) {
+  WrittenFiles written;
+  written.add(write_pvtu(mesh, parts, options, stem));
+  if (number == 0) write_beside(mesh, options, stem, stem.string() + ".pvtu", written);
+  return written.keep();
+}
 
 Format vtu_format() {
   return {"vtu",

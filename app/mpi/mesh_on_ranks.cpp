@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_on_ranks.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+
+#include "archive.hpp"
+#include "divide.hpp"
+#include "formats/given_part.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/writers.hpp"
+#include "numbering.hpp"
+#include "part.hpp"
+#include "parts_report.hpp"
+#include "pipeline/stage_recorder.hpp"
+#include "strips.hpp"
+#include "verify_parts.hpp"
+
+namespace geomesh::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files of all ranks come into a folder of their own first, beside their place.
+class StagedFiles {
+ public:
+  StagedFiles(fs::path stem, const Ranks& ranks)
+      : stem_(std::move(stem)), folder_(stem_.parent_path() / ("." + stem_.filename().string() + ".unfinished")) {
+    ranks.wait_for_all();  // nothing is there before all have something to write
+    if (ranks.rank() == 0) {
+      fs::create_directories(stem_.parent_path());
+      fs::remove_all(folder_);
+      fs::create_directory(folder_);
+    }
+    ranks.wait_for_all();
+  }
+  StagedFiles(const StagedFiles&) = delete;
+  StagedFiles& operator=(const StagedFiles&) = delete;
+
+  fs::path stem() const { return folder_ / stem_.filename(); }
+  void add(const std::vector<fs::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
+  /// Once all ranks have written: the files get their names. Where one has failed none does: nothing is left, and it
+  /// throws what it has failed by, which ends the others.
+  std::vector<fs::path> finish(const std::exception_ptr& failure, const Ranks& ranks) {
+    const std::vector<char> failed = ranks.gather_all(static_cast<char>(failure != nullptr));
+    const bool has_failed = std::find(failed.begin(), failed.end(), 1) != failed.end();
+    std::vector<fs::path> named;
+    for (const fs::path& file : files_) {
+      if (has_failed) break;
+      named.push_back(stem_.parent_path() / file.filename());
+      fs::rename(file, named.back());
+    }
+    ranks.wait_for_all();
+    if (ranks.rank() == 0) fs::remove_all(folder_);
+    ranks.wait_for_all();
+    if (failure) std::rethrow_exception(failure);
+    if (has_failed) ranks.wait_for_all();  // until all are ended
+    return named;
+  }
+
+ private:
+  fs::path stem_, folder_;
+  std::vector<fs::path> files_;
+};
+
+RefineOptions options_of(const geomodel::Project& project) {
+  RefineOptions options;
+  options.quality = project.mesh.refinement.quality;
+  options.quality_measure = project.mesh.refinement.quality_measure;
+  options.max_elements = project.mesh.refinement.max_elements;
+  return options;
+}
+
+/// Processor seconds since the last look.
+class Watch {
+ public:
+  double lap() {
+    const double now = geomodel::process_cpu_seconds(), spent = now - last_;
+    last_ = now;
+    return spent;
+  }
+
+ private:
+  double last_ = geomodel::process_cpu_seconds();
+};
+
+std::vector<std::string> names_on_all(const std::vector<fs::path>& own, const Ranks& ranks) {
+  std::vector<std::string> names;
+  for (const fs::path& file : own) names.push_back(file.filename().string());
+  Packer packer;
+  packer(names);
+  std::vector<std::string> all;
+  for (const Bytes& bytes : ranks.gather_all(packer.take())) {
+    std::vector<std::string> of_rank;
+    Unpacker unpacker(bytes);
+    unpacker(of_rank);
+    all.insert(all.end(), of_rank.begin(), of_rank.end());
+  }
+  return all;
+}
+
+/// Tests make a rank fail at a place.
+void fail_if_asked(const Ranks& ranks) {
+  const char* const asked = std::getenv("GEOMESH_MPI_FAIL_ON_RANK");
+  if (asked && std::to_string(ranks.rank()) == asked)
+    throw Error(ErrorKind::cannot_mesh, "this rank fails, as GEOMESH_MPI_FAIL_ON_RANK asks");
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks& ranks, const RunContext& context) {
+  if (ranks.rank() != 0) ranks.wait_for_all();  // mistakes of the project are told once, by rank 0
+  const geomodel::Project project = geomodel::read_project(request.project);
+  refuse_what_ranks_lack(project);
+  if (ranks.rank() == 0) ranks.wait_for_all();
+  const fs::path stem = request.directory.value_or(project.output.directory) / project.name;
+  SparseRun run;
+  SparseModel sparse;
+  std::vector<std::int32_t> rank_of;
+  if (ranks.rank() == 0) {
+    geomodel::require_writable(stem.string() + ".report.json");
+    sparse = make_sparse_model(project, context, run);
+    rank_of = divide(sparse, ranks.size());
+  }
+  broadcast(sparse, ranks);
+  Packer packer;
+  packer(rank_of);
+  Bytes bytes = packer.take();
+  ranks.broadcast(bytes);
+  Unpacker unpacker(bytes);
+  unpacker(rank_of);
+
+  RankCost cost;
+  Watch watch;
+  const RefineOptions options = options_of(project);
+  const RankModel model(std::move(sparse));
+  RankMesh mesh = part_of_rank(model, rank_of, ranks.rank());
+  {
+    TetrahedraPart part = with_model(std::move(mesh), model);
+    refine_part(part, model.sparse.size, options, context);
+    mesh = without_model(std::move(part));
+  }
+  cost.refine_seconds = watch.lap();
+  const StripsResult strips = improve_strips(mesh, model, options, ranks, context);
+  cost.n_strip = strips.n_tetrahedra;
+  cost.strips_seconds = watch.lap();
+
+  const MeshFaces faces(mesh);
+  const VerifiedParts verified = verify_parts(model, mesh, faces, ranks);
+  const PartShapes own_shapes = shapes_of(mesh);
+  NumberedPart numbered = number_part(model, mesh, faces, ranks);
+  mesh = {};
+  cost.n_own = numbered.n_own;
+  cost.n_ghosts = numbered.mesh.tetrahedra.size() - numbered.n_own;
+  const std::uint64_t n_points = numbered.part.n_nodes;
+  watch.lap();
+  StagedFiles files(stem, ranks);
+  std::exception_ptr failure;
+  try {
+    fail_if_asked(ranks);
+    const geomodel::MeshParts parts(numbered.mesh, std::move(numbered.part));
+    for (const std::string& format : project.output.formats)
+      files.add(
+          geomodel::write_given_part(numbered.mesh, parts, ranks.rank(), format, files.stem(), project.output.options));
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  cost.write_seconds = watch.lap();
+  cost.cpu_seconds = geomodel::process_cpu_seconds();
+  cost.peak_bytes = geomodel::process_peak_bytes();
+
+  PartsReport report{model.sparse,        run, verified, numbered.mesh, {}, ranks.gather_all(cost), n_points,
+                     strips.n_never_free, {}};
+  for (const PartShapes& s : ranks.gather_all(own_shapes)) report.shapes.add(s);
+  const std::vector<fs::path> named = files.finish(failure, ranks);
+  report.files = names_on_all(named, ranks);
+  if (ranks.rank() != 0) return {};
+  geomodel::write_text_file(stem.string() + ".report.json", to_json(report));
+  std::vector<std::string> lines = summary_of(report);
+  for (const std::string& name : report.files) lines.push_back("wrote " + (stem.parent_path() / name).string());
+  lines.push_back("wrote " + stem.string() + ".report.json");
+  return lines;
+}
+
+}  // namespace geomesh::app

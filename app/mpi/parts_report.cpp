@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parts_report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "geomesh/core/quality.hpp"
+
+namespace geomesh::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+double first_percentile(const PartShapes& shapes) {
+  std::uint64_t seen = 0;
+  for (std::size_t k = 0; k < PartShapes::n_bins; ++k) {
+    seen += shapes.min_dihedral[k];
+    if (100 * seen >= shapes.n) return 0.1 * static_cast<double>(k);
+  }
+  return 0;
+}
+
+double mean(double sum, const PartShapes& shapes) { return shapes.n > 0 ? sum / static_cast<double>(shapes.n) : 0; }
+
+std::string words(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+void PartShapes::add(const PartShapes& other) {
+  n += other.n;
+  least_dihedral = std::min(least_dihedral, other.least_dihedral);
+  greatest_dihedral = std::max(greatest_dihedral, other.greatest_dihedral);
+  least_radius_ratio = std::min(least_radius_ratio, other.least_radius_ratio);
+  sum_min_dihedral += other.sum_min_dihedral;
+  sum_radius_ratio += other.sum_radius_ratio;
+  sum_mean_ratio += other.sum_mean_ratio;
+  for (std::size_t k = 0; k < n_bins; ++k) min_dihedral[k] += other.min_dihedral[k];
+}
+
+PartShapes shapes_of(const RankMesh& mesh) {
+  PartShapes shapes;
+  for (const Tetrahedron& t : mesh.tetrahedra) {
+    const TetrahedronShape s =
+        tetrahedron_shape(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]);
+    ++shapes.n;
+    shapes.least_dihedral = std::min(shapes.least_dihedral, s.min_dihedral);
+    shapes.greatest_dihedral = std::max(shapes.greatest_dihedral, s.max_dihedral);
+    shapes.least_radius_ratio = std::min(shapes.least_radius_ratio, s.radius_ratio);
+    shapes.sum_min_dihedral += s.min_dihedral;
+    shapes.sum_radius_ratio += s.radius_ratio;
+    shapes.sum_mean_ratio += s.mean_ratio;
+    const auto bin = static_cast<std::size_t>(std::max(0.0, 10 * s.min_dihedral));
+    ++shapes.min_dihedral[std::min(bin, PartShapes::n_bins - 1)];
+  }
+  return shapes;
+}
+
+std::string to_json(const PartsReport& report) {
+  ordered_json root;
+  root["command"] = "geomesh-mpi";
+  root["name"] = report.model.mesh.name;
+  root["ranks"] = report.ranks.size();
+  root["input"] = ordered_json::parse(report.run.input_json);
+  for (const auto& s : report.run.stages)
+    root["stages_of_rank_0"].push_back({{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}});
+  root["points"] = report.n_points;
+  root["tetrahedra"] = report.verified.n_tetrahedra;
+  root["sparse_tetrahedra"] = report.model.mesh.tetrahedra.size();
+  root["faces_between_ranks"] = report.verified.n_faces_between_ranks;
+  root["points_between_ranks_never_moved"] = report.n_never_free;
+  for (std::size_t k = 0; k < report.numbered.regions.size(); ++k) {
+    const auto& r = report.numbered.regions[k];
+    root["regions"].push_back({{"id", r.id},
+                               {"name", r.name},
+                               {"tetrahedra", r.n_tetrahedra},
+                               {"volume", report.verified.volume_of_region[k]}});
+  }
+  for (const auto& s : report.numbered.surfaces)
+    root["surfaces"].push_back({{"id", s.id}, {"name", s.name}, {"area", s.area}});
+  const PartShapes& q = report.shapes;
+  root["quality"] = {
+      {"min_dihedral",
+       {{"min", q.least_dihedral}, {"mean", mean(q.sum_min_dihedral, q)}, {"first_percentile", first_percentile(q)}}},
+      {"max_dihedral", q.greatest_dihedral},
+      {"radius_ratio", {{"min", q.least_radius_ratio}, {"mean", mean(q.sum_radius_ratio, q)}}},
+      {"mean_ratio", mean(q.sum_mean_ratio, q)}};
+  for (const RankCost& c : report.ranks)
+    root["by_rank"].push_back({{"tetrahedra", c.n_own},
+                               {"ghosts", c.n_ghosts},
+                               {"in_strips", c.n_strip},
+                               {"cpu_s", c.cpu_seconds},
+                               {"refine_cpu_s", c.refine_seconds},
+                               {"strips_cpu_s", c.strips_seconds},
+                               {"write_cpu_s", c.write_seconds},
+                               {"peak_bytes", c.peak_bytes}});
+  root["notes"] = report.run.notes;
+  root["warnings"] = report.run.warnings;
+  root["files"] = report.files;
+  return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> summary_of(const PartsReport& report) {
+  std::vector<std::string> lines;
+  lines.push_back(std::to_string(report.verified.n_tetrahedra) + " tetrahedra, " + std::to_string(report.n_points) +
+                  " points, " + std::to_string(report.numbered.regions.size()) + " regions on " +
+                  std::to_string(report.ranks.size()) + " ranks");
+  lines.push_back("verified: all tetrahedra are positive, " + std::to_string(report.verified.n_faces_between_ranks) +
+                  " faces between ranks are the same bit by bit, and regions have the volumes between their surfaces");
+  const PartShapes& q = report.shapes;
+  lines.push_back("dihedral angles are " + words("%.4g", q.least_dihedral) + " to " +
+                  words("%.4g", q.greatest_dihedral) + " degrees; the least of an element is " +
+                  words("%.4g", mean(q.sum_min_dihedral, q)) + " in the mean");
+  return lines;
+}
+
+}  // namespace geomesh::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Shapes, times and counts of all ranks as one report.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "numbering.hpp"
+#include "ranks.hpp"
+#include "sparse_model.hpp"
+#include "verify_parts.hpp"
+
+namespace geomesh::app {
+
+/// Of one rank, and summed over ranks. Plain data.
+struct PartShapes {
+  static constexpr std::size_t n_bins = 1800;  ///< of a tenth of a degree
+  std::uint64_t n = 0;
+  double least_dihedral = 180, greatest_dihedral = 0, least_radius_ratio = 1;
+  double sum_min_dihedral = 0, sum_radius_ratio = 0, sum_mean_ratio = 0;
+  std::array<std::uint64_t, n_bins> min_dihedral{};
+  void add(const PartShapes& other);
+};
+PartShapes shapes_of(const RankMesh& mesh);
+
+/// What one rank has spent and holds. Plain data.
+struct RankCost {
+  double cpu_seconds = 0, refine_seconds = 0, strips_seconds = 0, write_seconds = 0;
+  std::uint64_t peak_bytes = 0, n_own = 0, n_ghosts = 0, n_strip = 0;
+};
+
+struct PartsReport {
+  const SparseModel& model;
+  const SparseRun& run;
+  const VerifiedParts& verified;
+  const geomodel::ModelMesh& numbered;  ///< with counts of all ranks
+  PartShapes shapes;
+  std::vector<RankCost> ranks;
+  std::uint64_t n_points = 0, n_never_free = 0;
+  std::vector<std::string> files;
+};
+
+std::string to_json(const PartsReport& report);
+std::vector<std::string> summary_of(const PartsReport& report);
+
+}  // namespace geomesh::app

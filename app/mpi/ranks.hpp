@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The ranks of a run, and what they say to each other: MPI behind four verbs. Every call but rank() and size() is
+/// made by all ranks in the same order.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace geomesh::app {
+
+using Bytes = std::vector<char>;
+
+/// Begins MPI, and ends it.
+class Ranks {
+ public:
+  Ranks(int& argc, char**& argv);
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+
+  /// What rank 0 has.
+  void broadcast(Bytes& bytes) const;
+  /// By rank: what goes to it. Returns by rank what came from it. No message is longer than `longest_message`.
+  std::vector<Bytes> exchange(const std::vector<Bytes>& to) const;
+  template <class T>
+  std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>>& to) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<Bytes> bytes(to.size());
+    for (std::size_t r = 0; r < to.size(); ++r) {
+      bytes[r].resize(to[r].size() * sizeof(T));
+      if (!to[r].empty()) std::memcpy(bytes[r].data(), to[r].data(), bytes[r].size());
+    }
+    const std::vector<Bytes> came = exchange(bytes);
+    std::vector<std::vector<T>> from(to.size());
+    for (std::size_t r = 0; r < to.size(); ++r) {
+      from[r].resize(came[r].size() / sizeof(T));
+      if (!came[r].empty()) std::memcpy(from[r].data(), came[r].data(), came[r].size());
+    }
+    return from;
+  }
+  /// By rank what each gave.
+  std::vector<Bytes> gather_all(const Bytes& own) const;
+  template <class T>
+  std::vector<T> gather_all(const T& own) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    Bytes bytes(sizeof(T));
+    std::memcpy(bytes.data(), &own, sizeof(T));
+    const std::vector<Bytes> all = gather_all(bytes);
+    std::vector<T> values(all.size());
+    for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&values[r], all[r].data(), sizeof(T));
+    return values;
+  }
+  /// Byte by byte the greatest.
+  void greatest(Bytes& bytes) const;
+  void wait_for_all() const;
+  /// Ends all ranks.
+  [[noreturn]] static void abort(int status);
+
+ private:
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace geomesh::app

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sparse_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "archive.hpp"
+#include "geomesh/core/error.hpp"
+#include "pipeline/finish.hpp"
+#include "pipeline/jobs/prepare.hpp"
+
+namespace geomesh::geomodel {
+
+template <class A>
+void pass(A& archive, Region& r) {
+  archive(r.id, r.name, r.inside, r.n_tetrahedra, r.volume, r.unit, r.volume_of_input);
+}
+template <class A>
+void pass(A& archive, RegionAttribute& a) {
+  archive(a.name, a.by_region);
+}
+template <class A>
+void pass(A& archive, RegionGroup& g) {
+  archive(g.name, g.regions);
+}
+template <class A>
+void pass(A& archive, NamedSurface& s) {
+  archive(s.id, s.name, s.kind, s.area);
+}
+template <class A>
+void pass(A& archive, NamedCurve& c) {
+  archive(c.id, c.name, c.kind, c.length);
+}
+template <class A>
+void pass(A& archive, ModelMesh::MarkedPoint& p) {
+  archive(p.v, p.id, p.name);
+}
+template <class A>
+void pass(A& archive, NodeSet& s) {
+  archive(s.id, s.name, s.nodes);
+}
+template <class A>
+void pass(A& archive, ModelMesh& m) {
+  archive(m.name, m.points, m.point_kind, m.input_vertex, m.tetrahedra, m.tet_region, m.faces, m.surface_sets,
+          m.curve_edges, m.marked_points, m.regions, m.attributes, m.groups, m.surfaces, m.curves, m.node_sets,
+          m.origin, m.unit);
+}
+
+}  // namespace geomesh::geomodel
+
+namespace geomesh::app {
+
+namespace {
+
+[[noreturn]] void refuse(const geomodel::Project& project, const std::string& what) {
+  throw Error(ErrorKind::usage, project.file.filename().string() + ": " + what +
+                                    " is not there on ranks; leave it out, or mesh by geomesh, in one process");
+}
+
+/// Where a mesh is large, edges of the model are halved once: what rank 0 does alone comes to a quarter. Smaller ones
+/// are soon made, and of better shapes without.
+constexpr double large_mesh = 1e6;
+/// Features of the input may ask for less than twice the size. Where more than this share of the edges on surfaces is
+/// short for that, halves would be shorter than anybody has asked.
+constexpr double many_short = 0.05, short_edge = 0.55;
+/// Growth of the sizes inside, a unit of distance: tetrahedra between the surfaces are few, and their shapes still
+/// bear a border between parts.
+constexpr double growth = 0.7, slow_growth = 0.3;
+/// The largest tetrahedra come to a small share of a part, so that parts can be of one size. The ranks have no say:
+/// surfaces are the same whatever their number.
+constexpr double least_cells = 20000;
+constexpr double least_ratio = 2, most_ratio = 12;
+
+double ratio_for(double elements) { return std::clamp(std::cbrt(elements / least_cells), least_ratio, most_ratio); }
+
+/// About the elements that one size comes to in a volume.
+double elements_of(const geomodel::PreparedModel& model) {
+  const double size = model.refinement.size.base.global;
+  const Vec3 extent = model.volume.bounds.max - model.volume.bounds.min;
+  constexpr double elements_a_cube = 11;
+  return size > 0 ? elements_a_cube * extent.x * extent.y * extent.z / (size * size * size)
+                  : model.refinement.derived_elements;
+}
+
+}  // namespace
+
+void refuse_what_ranks_lack(const geomodel::Project& project) {
+  const geomodel::RefinementSettings& refinement = project.mesh.refinement;
+  const geomodel::WriteOptions& options = project.output.options;
+  if (!refinement.refine) refuse(project, "a mesh without refinement (refine: none)");
+  if (project.mesh.options.recover.mode == MeshMode::conforming) refuse(project, "mesh.mode: conforming");
+  if (refinement.target_elements > 0) refuse(project, "mesh.target_elements");
+  if (refinement.time_budget > 0) refuse(project, "mesh.time_budget");
+  if (!refinement.sizes_on_surfaces) refuse(project, "mesh.size.on_surfaces: false");
+  if (!refinement.cell_arrays.empty()) refuse(project, "mesh.cell_arrays");
+  if (!refinement.size.background.empty()) refuse(project, "mesh.size.background");
+  if (!refinement.size.by_depth.empty()) refuse(project, "mesh.size.by_depth");
+  if (project.crs.z_scale != 1) refuse(project, "crs.z_scale");
+  if (options.order == geomodel::ElementOrder::second) refuse(project, "output.order: 2");
+  if (options.starter) refuse(project, "output.starter");
+  if (!options.split.empty()) refuse(project, "output.split");
+  if (!options.fault_zones.empty()) refuse(project, "output.fault_zones");
+  if (!options.fields.empty()) refuse(project, "output.fields");
+  if (options.single_grid) refuse(project, "output.single_grid");
+  if (options.partitions > 1) refuse(project, "output.partitions, which is the number of ranks,");
+  for (const std::string& format : project.output.formats)
+    if (format != "vtu" && format != "exodus" && format != "msh" && format != "msh-binary")
+      refuse(project, "the format " + format);
+}
+
+namespace {
+
+/// Of edges of faces, each as often as it has faces.
+double share_of_short_edges(const geomodel::ModelMesh& mesh, const SizeField& size) {
+  std::size_t n = 0, n_short = 0;
+  for (const auto& face : mesh.faces)
+    for (unsigned i = 0; i < 3; ++i) {
+      const Vec3 &a = mesh.points[face.vertices[i]], &b = mesh.points[face.vertices[(i + 1) % 3]];
+      const double least = short_edge * size.at(0.5 * (a + b));
+      ++n;
+      n_short += dot(b - a, b - a) < least * least;
+    }
+  return n > 0 ? static_cast<double>(n_short) / static_cast<double>(n) : 0;
+}
+
+struct Start {
+  geomodel::PreparedModel model;
+  double elements = 0;  ///< about so many
+};
+
+Start prepare(const geomodel::Project& project, const RunContext& context) {
+  Start start;
+  start.model.command = "project";
+  start.model.name = project.name;
+  geomodel::prepare_project(project, start.model, context);
+  if (start.model.refinement.size.base.background) refuse(project, "a size that is a function of the place");
+  start.elements = elements_of(start.model);
+  return start;
+}
+
+}  // namespace
+
+SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run) {
+  geomodel::StageRecorder recorder(context, "");
+  Start start = prepare(project, recorder.context());
+  const auto mesh_with = [&](unsigned halvings) {
+    geomodel::PreparedModel& model = start.model;
+    if (halvings > 0) model.refinement.quality = QualityLevel::fast;  // tetrahedra go: surfaces alone count
+    model.sparse_growth = halvings > 0 ? growth : slow_growth;
+    model.sparse_surfaces = std::exp2(halvings);
+    model.sparse_ratio = ratio_for(start.elements);
+    geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(model, recorder);
+    run.input_json = model.input_json;
+    run.notes = model.notes;
+    run.warnings = model.warnings;
+    run.stages = recorder.records();
+    run.estimated_elements = meshed.refined.statistics.estimated_elements;
+    return SparseModel{std::move(meshed.mesh), std::move(meshed.refined.mesh.component),
+                       std::move(meshed.refined.size_field), halvings};
+  };
+  SparseModel sparse = mesh_with(start.elements < large_mesh ? 0 : 1);
+  if (sparse.halvings > 0 && share_of_short_edges(sparse.mesh, sparse.size) > many_short) {
+    start = prepare(project, recorder.context());
+    sparse = mesh_with(0);
+  }
+  sparse.size = sparse.size.times(std::exp2(-static_cast<double>(sparse.halvings)));
+  return sparse;
+}
+
+void broadcast(SparseModel& model, const Ranks& ranks) {
+  SizeField::Limits limits = model.size.limits();
+  std::vector<SizeSource> sources = model.size.sources();
+  const auto all = [&](auto& archive) {
+    archive(model.mesh, model.component, sources, limits.global, limits.min_size, limits.max_size, limits.gradation,
+            limits.component_size, model.halvings);
+  };
+  Bytes bytes;
+  if (ranks.rank() == 0) {
+    Packer packer;
+    all(packer);
+    bytes = packer.take();
+  }
+  ranks.broadcast(bytes);
+  if (ranks.rank() == 0) return;
+  Unpacker unpacker(bytes);
+  all(unpacker);
+  model.size = SizeField(std::move(sources), std::move(limits));
+}
+
+}  // namespace geomesh::app

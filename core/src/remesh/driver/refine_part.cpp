@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// A part of a mesh, all of whose constraints are faces of no facet: declared in geomesh/core/refine_part.hpp.
+#include "geomesh/core/refine_part.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "common/geometry.hpp"
+#include "geomesh/core/error.hpp"
+#include "remesh/domain/domain_io.hpp"
+#include "remesh/operations/surface_repair.hpp"
+#include "remesh/passes/improve_passes.hpp"
+#include "remesh/passes/passes.hpp"
+
+namespace geomesh {
+
+namespace {
+
+using remesh::DomainMesh;
+using remesh::FaceTag;
+
+using Corners = std::array<VertexIndex, 3>;
+
+Corners sorted_corners(const Triangle& t) {
+  Corners c{t[0], t[1], t[2]};
+  std::sort(c.begin(), c.end());
+  return c;
+}
+
+/// Faces of the tetrahedra in order, each with its cell.
+struct FaceOfCell {
+  Corners corners;
+  Index cell;
+  bool operator<(const FaceOfCell& o) const { return std::tie(corners, cell) < std::tie(o.corners, o.cell); }
+};
+
+std::vector<FaceOfCell> faces_of_cells(const TetrahedraPart& part) {
+  std::vector<FaceOfCell> faces;
+  faces.reserve(4 * part.tetrahedra.size());
+  for (Index t = 0; t < part.tetrahedra.size(); ++t)
+    for (unsigned i = 0; i < 4; ++i) faces.push_back({sorted_corners(remesh::face_of(part.tetrahedra[t], i)), t});
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// Marks the points of faces without a neighbour, and of what else stays.
+void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
+  for (std::size_t i = 0, j; i < faces.size(); i = j) {
+    for (j = i; j < faces.size() && faces[j].corners == faces[i].corners;) ++j;
+    if (j - i > 2) throw InternalError("refine_part: a face of more than two tetrahedra");
+    if (j - i > 1) continue;
+    for (const VertexIndex v : faces[i].corners) part.is_kept[v] = 1;
+  }
+  for (const Triangle& f : part.kept_faces)
+    for (const VertexIndex v : f) part.is_kept[v] = 1;
+  for (const auto& e : part.kept_edges)
+    for (const VertexIndex v : e) part.is_kept[v] = 1;
+}
+
+/// In the caller's terms for import_domain: what stays is input, kept faces are part of no facet.
+struct Imported {
+  PiecewiseLinearComplex plc;
+  ConstrainedTetrahedralization mesh;
+};
+
+Imported in_terms_of_import(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
+  Imported in;
+  in.mesh.points = std::move(part.points);
+  in.mesh.tetrahedra = std::move(part.tetrahedra);
+  in.mesh.component = std::move(part.component);
+  for (VertexIndex v = 0; v < in.mesh.points.size(); ++v) {
+    const bool is_kept = part.is_kept[v] != 0;
+    in.mesh.input_vertex.push_back(is_kept ? static_cast<VertexIndex>(in.plc.points.size()) : no_vertex);
+    in.mesh.origin.push_back(is_kept ? VertexOrigin::input : VertexOrigin::inside);
+    if (is_kept) in.plc.points.push_back(in.mesh.points[v]);
+  }
+  const auto cells_at = [&](const Triangle& t) {
+    const Corners corners = sorted_corners(t);
+    const auto at = std::lower_bound(faces.begin(), faces.end(), FaceOfCell{corners, 0});
+    if (at == faces.end() || at->corners != corners || at + 1 == faces.end() || (at + 1)->corners != corners)
+      throw InternalError("refine_part: a face that is to stay is not between two tetrahedra");
+    return std::pair(at->cell, (at + 1)->cell);
+  };
+  for (const Triangle& t : part.kept_faces) {
+    const auto [below, above] = cells_at(t);
+    in.mesh.faces.push_back({t, remesh::hull_facet, below, above});
+  }
+  for (Index k = 0; k < part.kept_edges.size(); ++k) {
+    const auto& [a, b] = part.kept_edges[k];
+    in.plc.segments.push_back({in.mesh.input_vertex[a], in.mesh.input_vertex[b], no_index});
+    in.mesh.edges.push_back({a, b, k});
+  }
+  return in;
+}
+
+void export_part(const DomainMesh& mesh, const Imported& in, TetrahedraPart& part) {
+  std::vector<VertexIndex> row(mesh.n_vertices(), no_vertex);
+  part.points.clear();
+  for (const bool kept : {true, false})
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) {
+      const bool is_kept = v < in.mesh.input_vertex.size() && in.mesh.input_vertex[v] != no_vertex;
+      if (is_kept != kept || mesh.kind(v) == remesh::VertexKind::dead) continue;
+      row[v] = static_cast<VertexIndex>(part.points.size());
+      part.points.push_back(mesh.point(v));
+    }
+  const std::size_t n_kept = in.plc.points.size();
+  if (part.points.size() < n_kept || !std::equal(in.plc.points.begin(), in.plc.points.end(), part.points.begin()))
+    throw InternalError("refine_part: a point that was to stay has not");
+  part.is_kept.assign(part.points.size(), 0);
+  std::fill_n(part.is_kept.begin(), n_kept, 1);
+  part.tetrahedra.clear();
+  part.component.clear();
+  for (const CellIndex c : mesh.live_cells()) {
+    Tetrahedron t = mesh.vertices(c);
+    for (VertexIndex& v : t) v = row[v];
+    part.tetrahedra.push_back(t);
+    part.component.push_back(mesh.component(c));
+  }
+  for (Triangle& f : part.kept_faces)
+    for (VertexIndex& v : f) v = row[v];
+  for (auto& e : part.kept_edges)
+    for (VertexIndex& v : e) v = row[v];
+}
+
+/// What is constrained in the mesh: faces without neighbour, faces with one, curves; in order.
+struct Constrained {
+  std::vector<Corners> border, faces;
+  std::vector<std::array<VertexIndex, 2>> edges;
+  bool operator==(const Constrained&) const = default;
+};
+
+Constrained constrained_of(const DomainMesh& mesh) {
+  Constrained found;
+  for (const CellIndex c : mesh.live_cells())
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!mesh.tag(c, i).constrained()) continue;
+      (mesh.has_neighbor(c, i) ? found.faces : found.border).push_back(sorted_corners(mesh.face(c, i)));
+    }
+  std::sort(found.border.begin(), found.border.end());
+  std::sort(found.faces.begin(), found.faces.end());
+  for (const auto& edge : mesh.curve_edges())
+    if (!mesh.curve_class(mesh.curve_of(edge[0], edge[1])).segments.empty()) found.edges.push_back(edge);
+  return found;
+}
+
+/// Points inside that were made for larger sizes are in the way of those that sizes ask for: the front begins at the
+/// border, as in a mesh that has no others yet.
+void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
+  constexpr double far_larger = 4;  // sizes by which nearly every point inside is one too many
+  constexpr unsigned rounds = 2;
+  const SizeField loose = tools.size.times(far_larger);
+  remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
+  apart.bad_cells_may_spread = true;
+  for (unsigned round = 0; round < rounds; ++round) {
+    remesh::collapse_short_edges(apart, remesh::ShortEdges::inside, context);
+    remesh::flip_towards_delaunay(apart, context);
+  }
+}
+
+}  // namespace
+
+RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& asked,
+                             const RunContext& context) {
+  RefineStatistics statistics;
+  RefineOptions options;
+  options.quality = asked.quality;
+  options.quality_measure = asked.quality_measure;
+  options.time_budget = asked.time_budget;
+  options.max_elements = asked.max_elements;
+  statistics.quality_measure = options.quality_measure;
+  std::vector<FaceOfCell> faces = faces_of_cells(part);
+  keep_border(part, faces);
+  Imported in = in_terms_of_import(part, faces);
+  faces = {};
+  DomainMesh mesh = remesh::import_domain(in.plc, in.mesh, options, {});
+  in.mesh.tetrahedra = {};
+  in.mesh.faces = {};
+  const Constrained before = constrained_of(mesh);
+  const remesh::SurfaceGuard guard;
+  remesh::Toolbox tools(mesh, guard, size, statistics);
+  tools.borders_stay = true;
+  if (asked.refine) {
+    const StageScope stage(context, "refine");
+    take_points_out(tools, context);
+    options.size_surfaces = false;
+    remesh::refine_to_size(tools, options, context);
+  }
+  {
+    const StageScope stage(context, "improve");
+    options.size_surfaces = true;  // points may be added inside
+    remesh::improve_mesh(tools, options, context);
+  }
+  if (const std::string fault = mesh.validate(); !fault.empty()) throw InternalError("refine_part: " + fault);
+  if (!(constrained_of(mesh) == before)) throw InternalError("refine_part: what was to stay has not");
+  export_part(mesh, in, part);
+  return statistics;
+}
+
+}  // namespace geomesh
