@@ -132,7 +132,8 @@ std::vector<TriangulatedSurface> BuiltSurfaces::model_surfaces() const {
   return kept;
 }
 
-BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
+BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
+                             const RunContext& context) {
   BuiltSurfaces built;
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
@@ -147,7 +148,14 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   for (const bool has_throw : {false, true})
     for (std::size_t s = 0; s < surfaces.size(); ++s)
       if (!rules.of(s).throw_at.empty() == has_throw) order.push_back(s);
+  const std::size_t n_steps = order.size() + 1;  // and the stack
+  std::size_t n_done = 0;
+  const auto pass_on = [&] {
+    context.check_cancelled();
+    context.report(n_done++, n_steps);
+  };
   for (const std::size_t s : order) {
+    pass_on();
     TriangulatedSurface& surface = built.surfaces[s];
     const SurfaceRules rule = rules.of(s);
     if ((rule.extend != Extend::none || !rule.throw_at.empty()) && !rules.box)
@@ -163,6 +171,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
       extend_to_box(surface, rule.extend, *rules.box, log);
     }
   }
+  pass_on();
   if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
   if (!settle_stack(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
     apply_min_thickness(built, rules);

@@ -133,9 +133,11 @@ struct BuiltSurfaces {
 void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes,
                  std::vector<std::string>& warnings);
 
-/// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none.
+/// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none. Surfaces done
+/// are counted, and a cancelled run ends between them.
 /// Cost: a 2D triangulation of the borders for each surface that has a rule.
-BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules);
+BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
+                             const RunContext& context = {});
 
 struct TrimmedSoup {
   PolygonSoup soup;

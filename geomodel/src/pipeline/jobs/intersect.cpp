@@ -139,7 +139,7 @@ void ask_of_thin_units(PreparedModel& model) {
 
 void build(PreparedModel& model, const RunContext& context) {
   StageScope stage(context, "build");
-  BuiltSurfaces built = build_surfaces(model.surfaces, model.rules);
+  BuiltSurfaces built = build_surfaces(model.surfaces, model.rules, context);
   model.surfaces = std::move(built.surfaces);
   model.built_rows = std::move(built.rows);
   model.stack = std::move(built.stack);
