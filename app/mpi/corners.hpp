@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Faces and places as keys.
+/// Faces, edges and places as keys.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/core/simplex_mesh.hpp"
 
 namespace geomesh::app {
 
@@ -19,6 +20,14 @@ inline Corners sorted_corners(const Triangle& t) {
   Corners c{t[0], t[1], t[2]};
   std::sort(c.begin(), c.end());
   return c;
+}
+
+using Edge = std::array<VertexIndex, 2>;
+inline Edge sorted_edge(VertexIndex a, VertexIndex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+/// Opposite vertex i, counter-clockwise seen from the tetrahedron.
+inline Triangle face_at(const Tetrahedron& t, unsigned i) {
+  return {t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
 }
 
 /// Points are the same where they are in the same place, bit by bit but for the sign of zero.

@@ -36,10 +36,7 @@ class Divider {
 
  private:
   const Vec3& point(std::size_t t, unsigned i) const { return model_.mesh.points[model_.mesh.tetrahedra[t][i]]; }
-  Corners face(std::size_t t, unsigned i) const {
-    const Tetrahedron& v = model_.mesh.tetrahedra[t];
-    return sorted_corners({v[face_vertices[i][0]], v[face_vertices[i][1]], v[face_vertices[i][2]]});
-  }
+  Corners face(std::size_t t, unsigned i) const { return sorted_corners(face_at(model_.mesh.tetrahedra[t], i)); }
   bool is_constrained(std::size_t t, unsigned i) const {
     return std::binary_search(constrained_.begin(), constrained_.end(), face(t, i));
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "corners.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
@@ -11,10 +12,6 @@
 namespace geomesh::app {
 
 namespace {
-
-using Edge = std::array<VertexIndex, 2>;
-
-Edge edge_of(VertexIndex a, VertexIndex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
 /// The middles of a list of edges, as new points.
 class Middles {
@@ -26,7 +23,7 @@ class Middles {
     for (const Edge& e : edges_) points.push_back(0.5 * (points[e[0]] + points[e[1]]));
   }
   VertexIndex of(VertexIndex a, VertexIndex b) const {
-    const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge_of(a, b));
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), sorted_edge(a, b));
     return first_ + static_cast<VertexIndex>(at - edges_.begin());
   }
   const std::vector<Edge>& edges() const { return edges_; }
@@ -65,7 +62,7 @@ void halve_tetrahedra(std::vector<Vec3>& points, std::vector<Tetrahedron>& tetra
   std::vector<Edge> edges;
   edges.reserve(6 * tetrahedra.size());
   for (const Tetrahedron& t : tetrahedra)
-    for (const auto& p : pairs) edges.push_back(edge_of(t[p[0]], t[p[1]]));
+    for (const auto& p : pairs) edges.push_back(sorted_edge(t[p[0]], t[p[1]]));
   const Middles middles(points, std::move(edges));
   std::vector<Tetrahedron> pieces;
   std::vector<Index> component_of_piece;
@@ -98,8 +95,8 @@ void halve_surfaces(geomodel::ModelMesh& mesh) {
   constexpr std::uint8_t on_segment = 2, on_facet = 3;
   std::vector<Edge> edges, curves;
   for (const auto& face : mesh.faces)
-    for (unsigned i = 0; i < 3; ++i) edges.push_back(edge_of(face.vertices[i], face.vertices[(i + 1) % 3]));
-  for (const auto& e : mesh.curve_edges) curves.push_back(edge_of(e.a, e.b));
+    for (unsigned i = 0; i < 3; ++i) edges.push_back(sorted_edge(face.vertices[i], face.vertices[(i + 1) % 3]));
+  for (const auto& e : mesh.curve_edges) curves.push_back(sorted_edge(e.a, e.b));
   edges.insert(edges.end(), curves.begin(), curves.end());
   std::sort(curves.begin(), curves.end());
   const Middles middles(mesh.points, std::move(edges));

@@ -10,11 +10,7 @@ namespace geomesh::app {
 
 namespace {
 
-Triangle face_at(const RankMesh& mesh, Index code) {
-  const Tetrahedron& t = mesh.tetrahedra[code / 4];
-  const auto& f = face_vertices[code % 4];
-  return {t[f[0]], t[f[1]], t[f[2]]};
-}
+Triangle face_of(const RankMesh& mesh, Index code) { return face_at(mesh.tetrahedra[code / 4], code % 4); }
 
 /// Whether the corners in ascending order run as the triangle does.
 bool is_even(const Triangle& t, const Corners& s) {
@@ -34,7 +30,7 @@ MeshFaces::MeshFaces(const RankMesh& mesh, Which which) {
     return takes_all || (mesh.may_be_outside[t[0]] && mesh.may_be_outside[t[1]] && mesh.may_be_outside[t[2]]);
   };
   for (Index code = 0; code < 4 * mesh.tetrahedra.size(); ++code) {
-    const Triangle t = face_at(mesh, code);
+    const Triangle t = face_of(mesh, code);
     if (!is_taken(t)) continue;
     const Corners c = sorted_corners(t);
     uses.push_back({std::uint64_t{c[0]} << 32 | c[1], c[2], code});
@@ -49,13 +45,13 @@ MeshFaces::MeshFaces(const RankMesh& mesh, Which which) {
     const bool is_inner = i + 1 < uses.size() && is_same(uses[i], uses[i + 1]);
     if (!is_inner) {
       const Index code = uses[i].code;
-      open.push_back({code / 4, code % 4, face_at(mesh, code)});
+      open.push_back({code / 4, code % 4, face_of(mesh, code)});
       ++i;
       continue;
     }
     const Corners c = uses[i].corners();
     if (i + 2 < uses.size() && is_same(uses[i], uses[i + 2])) throw InternalError("a face has three tetrahedra");
-    if (is_even(face_at(mesh, uses[i].code), c) == is_even(face_at(mesh, uses[i + 1].code), c))
+    if (is_even(face_of(mesh, uses[i].code), c) == is_even(face_of(mesh, uses[i + 1].code), c))
       throw InternalError("a face has two tetrahedra on one side");
     Use use = uses[i];
     use.other = uses[i + 1].cell();

@@ -108,35 +108,66 @@ void fail_if_asked(const Ranks& ranks) {
     throw Error(ErrorKind::cannot_mesh, "this rank fails, as GEOMESH_MPI_FAIL_ON_RANK asks");
 }
 
+/// What all ranks begin with: made by rank 0, with the rank of each tetrahedron.
+struct Start {
+  SparseModel sparse;
+  std::vector<std::int32_t> rank_of;
+};
+
+Start start_on_all(const geomodel::Project& project, const fs::path& stem, const Ranks& ranks,
+                   const RunContext& context, SparseRun& run) {
+  Start start;
+  if (ranks.rank() == 0) {
+    geomodel::require_writable(stem.string() + ".report.json");
+    start.sparse = make_sparse_model(project, context, run);
+    start.rank_of = divide(start.sparse, ranks.size());
+  }
+  broadcast(start.sparse, ranks);
+  Packer packer;
+  packer(start.rank_of);
+  Bytes bytes = packer.take();
+  ranks.broadcast(bytes);
+  Unpacker unpacker(bytes);
+  unpacker(start.rank_of);
+  return start;
+}
+
+/// Returns what has failed, if anything: others are told before it is thrown.
+std::exception_ptr write_part(const geomodel::Project& project, NumberedPart& numbered, const Ranks& ranks,
+                              StagedFiles& files) {
+  try {
+    fail_if_asked(ranks);
+    const geomodel::MeshParts parts(numbered.mesh, std::move(numbered.part));
+    for (const std::string& format : project.output.formats)
+      files.add(
+          geomodel::write_given_part(numbered.mesh, parts, ranks.rank(), format, files.stem(), project.output.options));
+  } catch (...) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks& ranks, const RunContext& context) {
   if (ranks.rank() != 0) ranks.wait_for_all();  // mistakes of the project are told once, by rank 0
-  const geomodel::Project project = geomodel::read_project(request.project);
+  geomodel::Project project = geomodel::read_project(request.project);
+  const std::vector<std::string> left_out = leave_out_page(project);
   refuse_what_ranks_lack(project);
   if (ranks.rank() == 0) ranks.wait_for_all();
   const fs::path stem = request.directory.value_or(project.output.directory) / project.name;
   SparseRun run;
-  SparseModel sparse;
-  std::vector<std::int32_t> rank_of;
-  if (ranks.rank() == 0) {
-    geomodel::require_writable(stem.string() + ".report.json");
-    sparse = make_sparse_model(project, context, run);
-    rank_of = divide(sparse, ranks.size());
+  Start start = start_on_all(project, stem, ranks, context, run);
+  for (const std::string& text : left_out) {
+    run.warnings.push_back(text);
+    context.note(LogLevel::warning, text);
   }
-  broadcast(sparse, ranks);
-  Packer packer;
-  packer(rank_of);
-  Bytes bytes = packer.take();
-  ranks.broadcast(bytes);
-  Unpacker unpacker(bytes);
-  unpacker(rank_of);
 
   RankCost cost;
   Watch watch;
   const RefineOptions options = options_of(project);
-  const RankModel model(std::move(sparse));
-  RankMesh mesh = part_of_rank(model, rank_of, ranks.rank());
+  const RankModel model(std::move(start.sparse));
+  RankMesh mesh = part_of_rank(model, start.rank_of, ranks.rank());
   {
     TetrahedraPart part = with_model(std::move(mesh), model);
     refine_part(part, model.sparse.size, options, context);
@@ -151,22 +182,15 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   const VerifiedParts verified = verify_parts(model, mesh, faces, ranks);
   const PartShapes own_shapes = shapes_of(mesh);
   NumberedPart numbered = number_part(model, mesh, faces, ranks);
+  for (std::size_t k = 0; k < verified.volume_of_region.size(); ++k)
+    numbered.mesh.regions[k].volume = verified.volume_of_region[k];
   mesh = {};
   cost.n_own = numbered.n_own;
   cost.n_ghosts = numbered.mesh.tetrahedra.size() - numbered.n_own;
   const std::uint64_t n_points = numbered.part.n_nodes;
   watch.lap();
   StagedFiles files(stem, ranks);
-  std::exception_ptr failure;
-  try {
-    fail_if_asked(ranks);
-    const geomodel::MeshParts parts(numbered.mesh, std::move(numbered.part));
-    for (const std::string& format : project.output.formats)
-      files.add(
-          geomodel::write_given_part(numbered.mesh, parts, ranks.rank(), format, files.stem(), project.output.options));
-  } catch (...) {
-    failure = std::current_exception();
-  }
+  const std::exception_ptr failure = write_part(project, numbered, ranks, files);
   cost.write_seconds = watch.lap();
   cost.cpu_seconds = geomodel::process_cpu_seconds();
   cost.peak_bytes = geomodel::process_peak_bytes();

@@ -9,18 +9,11 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "halve.hpp"
+#include "mesh_faces.hpp"
 
 namespace geomesh::app {
 
 namespace {
-
-using Edge = std::array<VertexIndex, 2>;
-
-Edge sorted(VertexIndex a, VertexIndex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
-
-Triangle face_at(const Tetrahedron& t, unsigned i) {
-  return {t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
-}
 
 /// Edges longer than this share of the size asked at their middle are halved: halves are not shorter than its inverse.
 constexpr double longest_share = 1.4;
@@ -31,16 +24,16 @@ class BorderHalver {
   BorderHalver(RankMesh& mesh, const SizeField& size, std::vector<bool> stays)
       : mesh_(mesh), size_(size), stays_(std::move(stays)), cells_at_(mesh.points.size()) {}
 
-  /// `border`: triangles between parts, each with a tetrahedron's component. `kept`: edges that stay, in order.
-  void run(const std::vector<std::pair<Triangle, Index>>& border, const std::vector<Edge>& kept) {
+  /// `border`: triangles between parts. `kept`: edges that stay, in order.
+  void run(const std::vector<OpenFace>& border, const std::vector<Edge>& kept) {
     kept_ = &kept;
     std::vector<bool> at_border(mesh_.points.size(), false);
-    for (const auto& [t, component] : border)
-      for (const VertexIndex v : t) at_border[v] = true;
+    for (const OpenFace& f : border)
+      for (const VertexIndex v : f.vertices) at_border[v] = true;
     for (Index c = 0; c < mesh_.tetrahedra.size(); ++c)
       for (const VertexIndex v : mesh_.tetrahedra[c])
         if (at_border[v]) cells_at_[v].push_back(c);
-    for (const auto& [t, component] : border) add_triangle(t, component);
+    for (const OpenFace& f : border) add_triangle(f.vertices, mesh_.component[f.cell]);
     while (!queue_.empty()) {
       const LongEdge e = queue_.top();
       queue_.pop();
@@ -71,7 +64,7 @@ class BorderHalver {
     const auto row = static_cast<Index>(triangles_.size());
     triangles_.push_back({t, component});
     for (unsigned i = 0; i < 3; ++i) {
-      const Edge e = sorted(t[i], t[(i + 1) % 3]);
+      const Edge e = sorted_edge(t[i], t[(i + 1) % 3]);
       auto& at = triangles_at_[e];
       at.push_back(row);
       if (at.size() == 1) ask(e, component);
@@ -96,7 +89,7 @@ class BorderHalver {
     halve_cells(e.ends, m);
     for (const Index row : rows) {
       const auto [t, component] = triangles_[row];
-      for (unsigned i = 0; i < 3; ++i) std::erase(triangles_at_[sorted(t[i], t[(i + 1) % 3])], row);
+      for (unsigned i = 0; i < 3; ++i) std::erase(triangles_at_[sorted_edge(t[i], t[(i + 1) % 3])], row);
       for (const VertexIndex gone : e.ends) {
         Triangle half = t;
         std::replace(half.begin(), half.end(), gone, m);
@@ -144,26 +137,6 @@ class BorderHalver {
   std::set<Index> touched_;
 };
 
-/// Faces of one tetrahedron alone, with its component.
-std::vector<std::pair<Triangle, Index>> border_of(const RankMesh& mesh) {
-  struct Use {
-    Corners corners;
-    Index cell;
-    unsigned face;
-  };
-  std::vector<Use> uses;
-  for (Index c = 0; c < mesh.tetrahedra.size(); ++c)
-    for (unsigned i = 0; i < 4; ++i) uses.push_back({sorted_corners(face_at(mesh.tetrahedra[c], i)), c, i});
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.corners < b.corners; });
-  std::vector<std::pair<Triangle, Index>> border;
-  for (std::size_t i = 0, j; i < uses.size(); i = j) {
-    for (j = i; j < uses.size() && uses[j].corners == uses[i].corners;) ++j;
-    if (j - i == 1)
-      border.emplace_back(face_at(mesh.tetrahedra[uses[i].cell], uses[i].face), mesh.component[uses[i].cell]);
-  }
-  return border;
-}
-
 }  // namespace
 
 ModelPoints::ModelPoints(const geomodel::ModelMesh& mesh) {
@@ -189,7 +162,7 @@ ModelSimplices::ModelSimplices(const geomodel::ModelMesh& mesh, const ModelPoint
     faces.push_back({sorted_corners({number(t[0]), number(t[1]), number(t[2])}), f});
   }
   std::sort(faces.begin(), faces.end());
-  for (const auto& e : mesh.curve_edges) edges.push_back(sorted(number(e.a), number(e.b)));
+  for (const auto& e : mesh.curve_edges) edges.push_back(sorted_edge(number(e.a), number(e.b)));
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
@@ -251,9 +224,9 @@ RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& r
     number.push_back(points.number_at(p));
     stays.push_back(number.back() != ModelPoints::none);
   }
-  std::vector<std::pair<Triangle, Index>> border = border_of(mesh);
-  std::erase_if(border, [&](const auto& face) {
-    const Triangle& t = face.first;
+  std::vector<OpenFace> border = MeshFaces(mesh).open;
+  std::erase_if(border, [&](const OpenFace& face) {
+    const Triangle& t = face.vertices;
     return stays[t[0]] && stays[t[1]] && stays[t[2]] &&
            simplices.face_of(sorted_corners({number[t[0]], number[t[1]], number[t[2]]})) != no_index;
   });
@@ -263,7 +236,7 @@ RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& r
   std::vector<Edge> kept;
   const auto keep = [&](std::uint32_t a, std::uint32_t b) {
     if (row_of_number[a] != no_vertex && row_of_number[b] != no_vertex)
-      kept.push_back(sorted(row_of_number[a], row_of_number[b]));
+      kept.push_back(sorted_edge(row_of_number[a], row_of_number[b]));
   };
   for (const ModelSimplices::Face& f : simplices.faces)
     for (unsigned i = 0; i < 3; ++i) keep(f.corners[i], f.corners[(i + 1) % 3]);
@@ -294,8 +267,9 @@ TetrahedraPart with_model(RankMesh mesh, const RankModel& model) {
     for (const auto& e : edge_vertices) {
       const VertexIndex a = t[e[0]], b = t[e[1]];
       if (!part.is_kept[a] || !part.is_kept[b]) continue;
-      const Edge by_number = sorted(number[a], number[b]);
-      if (std::binary_search(simplices.edges.begin(), simplices.edges.end(), by_number)) edges.push_back(sorted(a, b));
+      const Edge by_number = sorted_edge(number[a], number[b]);
+      if (std::binary_search(simplices.edges.begin(), simplices.edges.end(), by_number))
+        edges.push_back(sorted_edge(a, b));
     }
   }
   std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

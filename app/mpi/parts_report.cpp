@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geomesh/core/quality.hpp"
+#include "report/named_parts.hpp"
 
 namespace geomesh::app {
 
@@ -74,15 +75,8 @@ std::string to_json(const PartsReport& report) {
   root["sparse_tetrahedra"] = report.model.mesh.tetrahedra.size();
   root["faces_between_ranks"] = report.verified.n_faces_between_ranks;
   root["points_between_ranks_never_moved"] = report.n_never_free;
-  for (std::size_t k = 0; k < report.numbered.regions.size(); ++k) {
-    const auto& r = report.numbered.regions[k];
-    root["regions"].push_back({{"id", r.id},
-                               {"name", r.name},
-                               {"tetrahedra", r.n_tetrahedra},
-                               {"volume", report.verified.volume_of_region[k]}});
-  }
-  for (const auto& s : report.numbered.surfaces)
-    root["surfaces"].push_back({{"id", s.id}, {"name", s.name}, {"area", s.area}});
+  root["faces"] = report.numbered.faces.size();
+  root.update(geomodel::named_parts_json(report.numbered));
   const PartShapes& q = report.shapes;
   root["quality"] = {
       {"min_dihedral",

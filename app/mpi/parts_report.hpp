@@ -34,7 +34,7 @@ struct PartsReport {
   const SparseModel& model;
   const SparseRun& run;
   const VerifiedParts& verified;
-  const geomodel::ModelMesh& numbered;  ///< with counts of all ranks
+  const geomodel::ModelMesh& numbered;  ///< with counts and volumes of all ranks
   PartShapes shapes;
   std::vector<RankCost> ranks;
   std::uint64_t n_points = 0, n_never_free = 0;

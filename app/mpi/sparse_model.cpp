@@ -84,6 +84,13 @@ double elements_of(const geomodel::PreparedModel& model) {
 
 }  // namespace
 
+std::vector<std::string> leave_out_page(geomodel::Project& project) {
+  std::vector<std::string>& formats = project.output.formats;
+  if (formats.size() < 2 || std::erase(formats, "html") == 0) return {};
+  return {
+      "ranks write no page: the format html is left out; `geomesh PROJECT.yaml --preview` makes one of a coarse mesh"};
+}
+
 void refuse_what_ranks_lack(const geomodel::Project& project) {
   const geomodel::RefinementSettings& refinement = project.mesh.refinement;
   const geomodel::WriteOptions& options = project.output.options;

@@ -30,6 +30,9 @@ struct SparseRun {
   double estimated_elements = 0;
 };
 
+/// Takes the format html from a project that asks for others too, and returns a warning that says so.
+std::vector<std::string> leave_out_page(geomodel::Project& project);
+
 /// Throws Error{usage} where the project asks for what is not there on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 

@@ -7,6 +7,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
+#include "naming/sums.hpp"
 #include "shared_points.hpp"
 
 namespace geomesh::app {
@@ -19,25 +20,6 @@ constexpr double volume_accuracy = 1e-10;
 [[noreturn]] void fail(const std::string& what) {
   throw InternalError("the mesh of all ranks does not hold what it must (" + what + "), so nothing was written");
 }
-
-double volume_of(const std::vector<Vec3>& points, const Tetrahedron& t) {
-  const Vec3& o = points[t[0]];
-  return dot(cross(points[t[1]] - o, points[t[2]] - o), points[t[3]] - o) / 6;
-}
-
-/// Summed without cancellation (Neumaier 1974).
-class Sum {
- public:
-  void add(double x) {
-    const double s = sum_ + x;
-    rest_ += std::abs(sum_) >= std::abs(x) ? (sum_ - s) + x : (x - s) + sum_;
-    sum_ = s;
-  }
-  double value() const { return sum_ + rest_; }
-
- private:
-  double sum_ = 0, rest_ = 0;
-};
 
 std::uint64_t sum_over(const Ranks& ranks, std::uint64_t own) {
   std::uint64_t sum = 0;
@@ -135,12 +117,14 @@ void require_edges(const RankModel& model, const RankMesh& mesh, const std::vect
 
 std::vector<double> volumes_of_regions(const RankModel& model, const RankMesh& mesh, const Ranks& ranks) {
   const auto& regions = model.sparse.mesh.regions;
-  std::vector<Sum> own(regions.size()), all(regions.size());
-  for (Index c = 0; c < mesh.tetrahedra.size(); ++c)
+  std::vector<geomodel::CompensatedSum> own(regions.size()), all(regions.size());
+  for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
+    const auto& [p, q, r, s] = mesh.tetrahedra[c];
     own[static_cast<std::size_t>(model.region_of_component[mesh.component[c]] - 1)].add(
-        volume_of(mesh.points, mesh.tetrahedra[c]));
+        geomodel::signed_volume(mesh.points[p], mesh.points[q], mesh.points[r], mesh.points[s]));
+  }
   std::vector<double> volumes, result;
-  for (const Sum& s : own) volumes.push_back(s.value());
+  for (const geomodel::CompensatedSum& s : own) volumes.push_back(s.value());
   for (const auto& of_rank :
        ranks.exchange(std::vector<std::vector<double>>(static_cast<std::size_t>(ranks.size()), volumes)))
     for (std::size_t k = 0; k < regions.size(); ++k) all[k].add(of_rank[k]);

@@ -71,7 +71,7 @@ class OneMesh(RanksTest):
                 self.assertEqual(report["faces_between_ranks"] > 0, ranks > 1)
                 self.assertAlmostEqual(sum(r["volume"] for r in report["regions"]) / 9e10, 1, delta=1e-12)
                 for name in (".pvtu", "_1.msh", ".e.%d.0" % ranks):
-                    found = self.check(self.path("a%d" % ranks, NAME + name))
+                    found = self.check(self.path("a%d" % ranks, NAME + name), *(("--project", project) if name == ".pvtu" else ()))
                     self.assertEqual(sum(r["tetrahedra"] for r in found["regions"]), report["tetrahedra"], name)
                 self.mesh(ranks, project, "b%d" % ranks)
                 first = self.digests("a%d" % ranks)
@@ -110,6 +110,12 @@ class OneMesh(RanksTest):
         self.assertLess(report["sparse_tetrahedra"], 1e5)
         self.check(self.path("ranks", NAME + ".pvtu"))
 
+    def test_a_project_with_a_page_is_meshed_without_it_and_is_told_so(self):
+        report = self.mesh(2, self.project(400, "[vtu, html]"), "out")
+        self.assertIn("the format html is left out", " ".join(report["warnings"]))
+        self.assertFalse(os.path.exists(self.path("out", NAME + ".html")))
+        self.assertIn("html", self.mpirun(2, RANKS_PROGRAM, self.project(400, "[html]"), "-o", self.path("page"), "-q", status=USAGE))
+
     def test_dolfinx_reads_the_parts_and_solves_to_the_serial_answer(self):
         if subprocess.run([sys.executable, "-c", "import dolfinx, mpi4py, vtk"], stderr=subprocess.DEVNULL).returncode:
             self.skipTest("skipped: python3-dolfinx, python3-mpi4py or python3-vtk9 is not installed")
@@ -124,6 +130,9 @@ class OneMesh(RanksTest):
         self.assertGreater(answers[0], 0)
         for answer in answers[1:]:
             self.assertAlmostEqual(answer / answers[0], 1, delta=1e-8)
+        self.run_program(self.project(300, "[vtu], partitions: 4"), "-o", self.path("serial"))
+        output = self.mpirun(2, sys.executable, os.path.join(SOURCE, "tests", "app", "poisson_on_ranks.py"), self.path("serial", NAME), 4)
+        self.assertAlmostEqual(float(re.search(r"INTEGRAL (\S+)", output).group(1)) / answers[0], 1, delta=0.01, msg="another mesh of the same sizes")
 
 
 class Refused(RanksTest):

@@ -241,7 +241,8 @@ CheckResult check_mesh(const CheckRequest& request) {
   check_boundary(mesh, result);
   check_second_order(mesh, result);
 
-  const std::filesystem::path faces_path = request.mesh.extension() == ".vtu" ? beside(request.mesh, ".faces.vtp") : "";
+  const auto kind = request.mesh.extension();
+  const std::filesystem::path faces_path = kind == ".vtu" || kind == ".pvtu" ? beside(request.mesh, ".faces.vtp") : "";
   const bool contract = !faces_path.empty() || file.region_array == "region";
   check_regions(mesh, contract, result);
   if (!faces_path.empty()) check_point_arrays(mesh, result);

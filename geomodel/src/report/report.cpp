@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/warnings.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
+#include "report/named_parts.hpp"
 #include "report/quality.hpp"
 
 namespace geomesh::geomodel {
@@ -166,6 +167,16 @@ json tops_json(const std::vector<FittedTop>& tops, const Vec3& origin) {
 }
 
 void add_mesh(const ModelMesh& mesh, json& root) {
+  root["points"] = mesh.points.size();
+  root["tetrahedra"] = mesh.tetrahedra.size();
+  root["faces"] = mesh.faces.size();
+  root["origin"] = to_json(mesh.origin);
+  root.update(named_parts_json(mesh));
+}
+
+}  // namespace
+
+json named_parts_json(const ModelMesh& mesh) {
   json regions = json::array(), surfaces = json::array(), curves = json::array();
   for (const Region& r : mesh.regions) {
     regions.push_back(
@@ -178,16 +189,8 @@ void add_mesh(const ModelMesh& mesh, json& root) {
     curves.push_back({{"id", c.id}, {"name", c.name}, {"kind", c.kind}, {"length", c.length}});
   for (const auto& p : mesh.marked_points)
     curves.push_back({{"id", p.id}, {"name", p.name}, {"kind", "point"}, {"length", 0.0}});
-  root["points"] = mesh.points.size();
-  root["tetrahedra"] = mesh.tetrahedra.size();
-  root["faces"] = mesh.faces.size();
-  root["origin"] = to_json(mesh.origin);
-  root["regions"] = std::move(regions);
-  root["surfaces"] = std::move(surfaces);
-  root["curves"] = std::move(curves);
+  return {{"regions", std::move(regions)}, {"surfaces", std::move(surfaces)}, {"curves", std::move(curves)}};
 }
-
-}  // namespace
 
 namespace {
 

@@ -53,6 +53,32 @@ TEST_CASE("a face of no width looks where the face beyond its longest edge does,
   }
 }
 
+TEST_CASE("A step lower than half of the tolerance makes no crease, a higher one stays", "[refine]") {
+  constexpr double wide = 0.01, high = 0.03;  // faces of the step are 0.032 high
+  const auto step = [](const Vec3& p) {
+    return p.x == 0.5 ? Vec3{0.25 + wide, p.y, p.z == 0.5 ? 0.5 + high : p.z} : p;
+  };
+  const refine_models::Model model = refine_models::GridModel(
+                                         4, {1, 1, 1}, [](const Vec3& p) { return p.z < 0.5 ? 0u : 1u; },
+                                         [](const Vec3& p) { return refine_models::side_of_cube(p, 6); }, step)
+                                         .model();
+  for (const double tolerance : {0.1, 0.04}) {
+    RefineOptions options;
+    options.honour = Honour::tolerance;
+    options.tolerance = tolerance;
+    const DomainMesh mesh = import_domain(model.plc, model.mesh, options);
+    std::size_t n_free = 0, n_on_step = 0;
+    for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) {
+      const Vec3& p = mesh.point(v);
+      if (p.y == 0 || p.y == 1 || (p != step({0.5, p.y, 0.5}) && p != Vec3{0.25, p.y, 0.5})) continue;
+      ++n_on_step;
+      n_free += mesh.kind(v) == VertexKind::surface;
+    }
+    CHECK(n_on_step == 6);
+    CHECK(n_free == (tolerance == 0.1 ? n_on_step : 0));
+  }
+}
+
 TEST_CASE("a face wider than narrow looks where its normal says, and one beside none of its patch nowhere",
           "[refine]") {
   const SquareWithNeedle lifted({0, 0, 0.1});

@@ -206,6 +206,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Where little is allowed only what lies as near as that is asked of a change", "[refine]") {
+  const Model model = ball_in_box(6);
+  const DomainMesh mesh = import_domain(model.plc, model.mesh, within(0.5, 1));
+  const VertexIndex v = vertex_of_kind(mesh, VertexKind::surface);
+  constexpr double greatest = 0.5, least = 0.01;  // the triangles about are of a size between
+  const SizeField by_place({{mesh.point(v), least, 2, 1}},
+                           {.global = greatest, .component_size = {}, .background = {}});
+  const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, LocalTolerance(greatest, by_place));
+  EpochMarks marks;
+  StarCavity star;
+  gather_star(mesh, v, marks, star);
+  const SurfacePart faces = surface_of(mesh, star, mesh.point(v));
+  CHECK(guard.admits(faces, faces));
+}
+
 TEST_CASE("What is off is mended by points on the input", "[refine]") {
   const bool told_by_input = GENERATE(false, true);  // alone: what faces of the result are off is then not used
   const Model model = ball_in_box(6);

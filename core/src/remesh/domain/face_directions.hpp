@@ -19,9 +19,9 @@ struct EdgeUse {
 /// Whether the face runs along the edge from a to b, and not from b to a.
 bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b);
 
-/// Normals of length one by face. Three points that are on one line but for rounding have a normal that tells nothing.
-/// They come up where a crossing met the side of a triangle: a face lower than `narrow` takes that of the face beyond
-/// its longest edge. That edge must have one other face, and both must be of one patch; zero where no such one is found
+/// Normals of length one by face. A face lower than `narrow` could be taken away by moving a point by less than that:
+/// its own normal tells nothing, as where a crossing met the side of a triangle. It takes that of the face beyond its
+/// longest edge. That edge must have one other face, and both must be of one patch; zero where no such one is found
 /// within a few steps.
 ///
 /// Preconditions: `uses` in ascending order of edges, three a face. O(n).

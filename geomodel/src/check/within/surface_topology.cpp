@@ -102,7 +102,7 @@ class TopologyJudge {
       : claimed_(claimed),
         claim_(claimed.claim()),
         allowed_(allowed),
-        pairs_(pair_surfaces(claimed)),
+        pairs_(pair_surfaces(claimed, allowed.rounding)),
         edges_(edges_of(claimed.candidates())) {}
 
   void check_presence(CheckResult& result);

@@ -2,6 +2,7 @@
 #include "check/within/within_tolerance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "check/claim/taken_by_rules.hpp"
@@ -16,6 +17,21 @@ namespace {
 bool parts_something(const JudgedMesh& mesh, const FacePair& face) {
   if (is_boundary(face)) return true;
   return !mesh.file.region.empty() && is_inner(face) && mesh.file.region[face.even] != mesh.file.region[face.odd];
+}
+
+/// Whether a face where faces bear no names is one of the volume's own sides, to rounding. Where no unit ends inside
+/// nothing else bounds the mesh.
+bool is_side_of_volume(const ClaimedFaces& claimed, Index f, double rounding) {
+  const Claim& claim = claimed.claim();
+  if (!claim.volume || !is_boundary(claimed.mesh().faces[f])) return false;
+  const Box3* const box = claim.box();
+  if (!box) return !claim.ends_inside;
+  const Corners corners = corners_of(claimed, f);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double side : {box->min[k], box->max[k]})
+      if (std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return std::abs(p[k] - side) <= rounding; }))
+        return true;
+  return false;
 }
 
 /// "proven within 0.5 for 99.8 % of the area, the rest sampled at most 0.1 apart; largest distance sampled 0.34".
@@ -186,7 +202,7 @@ std::vector<Corners> triangles_of(const TriangulatedSurface& surface) {
   return corners;
 }
 
-std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed) {
+std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed, double rounding) {
   const Claim& claim = claimed.claim();
   std::vector<SurfacePair> pairs;
   if (claim.named && claimed.faces()) {
@@ -200,7 +216,9 @@ std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed) {
   SurfacePair all{"the surfaces given", {}, {}};
   for (Index s = 0; s < claim.surfaces.size(); ++s) all.rows.push_back(s);
   for (Index f = 0; f < claimed.candidates().size(); ++f)
-    if (claimed.faces() ? !claimed.is_side_alone(f) : parts_something(claimed.mesh(), claimed.mesh().faces[f]))
+    if (claimed.faces()
+            ? !claimed.is_side_alone(f)
+            : parts_something(claimed.mesh(), claimed.mesh().faces[f]) && !is_side_of_volume(claimed, f, rounding))
       all.faces.push_back(f);
   pairs.push_back(std::move(all));
   return pairs;
@@ -208,7 +226,7 @@ std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed) {
 
 void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
   SurfacesWithin within(claimed, allowed);
-  for (const SurfacePair& pair : pair_surfaces(claimed)) within.judge(pair);
+  for (const SurfacePair& pair : pair_surfaces(claimed, allowed.rounding)) within.judge(pair);
   within.report(result);
   if (!claimed.faces() || !claimed.claim().named) return;
   check_bodies_within(claimed, allowed, claimed.candidates(), result);

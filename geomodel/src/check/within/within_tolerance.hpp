@@ -26,7 +26,8 @@ struct SurfacePair {
   std::vector<Index> rows;   ///< of claim.surfaces
   std::vector<Index> faces;  ///< rows of the candidates
 };
-std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed);
+/// What lies on the sides of the volume, to `rounding`, stands for none.
+std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed, double rounding);
 Corners corners_of(const ClaimedFaces& claimed, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 
