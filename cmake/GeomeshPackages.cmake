@@ -12,7 +12,7 @@ set(documents "${CMAKE_INSTALL_DATAROOTDIR}/doc/geomesh")
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION "${documents}" COMPONENT program)
 install(FILES core/LICENSE DESTINATION "${documents}" RENAME LICENSE.core COMPONENT program)
 install(DIRECTORY docs/ DESTINATION "${documents}" COMPONENT program PATTERN "*.json" EXCLUDE)
-install(FILES docs/project.schema.json docs/report.schema.json DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/geomesh" COMPONENT program)
+install(FILES docs/project.schema.json docs/report.schema.json docs/ranks-report.schema.json DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/geomesh" COMPONENT program)
 install(DIRECTORY samples DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/geomesh" COMPONENT program USE_SOURCE_PERMISSIONS
         PATTERN out EXCLUDE PATTERN __pycache__ EXCLUDE)
 

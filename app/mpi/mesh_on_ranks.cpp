@@ -120,13 +120,16 @@ Start start_on_all(const geomodel::Project& project, const fs::path& stem, const
   if (ranks.rank() == 0) {
     geomodel::require_writable(stem.string() + ".report.json");
     start.sparse = make_sparse_model(project, context, run);
+    Watch watch;
     start.rank_of = divide(start.sparse, ranks.size());
+    run.divide_seconds = watch.lap();
   }
-  broadcast(start.sparse, ranks);
+  run.broadcast_bytes = broadcast(start.sparse, ranks);
   Packer packer;
   packer(start.rank_of);
   Bytes bytes = packer.take();
   ranks.broadcast(bytes);
+  run.broadcast_bytes += bytes.size();
   Unpacker unpacker(bytes);
   unpacker(start.rank_of);
   return start;
@@ -164,9 +167,11 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   }
 
   RankCost cost;
+  cost.start_seconds = geomodel::process_cpu_seconds();
   Watch watch;
   const RefineOptions options = options_of(project);
   const RankModel model(std::move(start.sparse));
+  cost.model_seconds = watch.lap();
   RankMesh mesh = part_of_rank(model, start.rank_of, ranks.rank());
   {
     TetrahedraPart part = with_model(std::move(mesh), model);
@@ -181,6 +186,7 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   const MeshFaces faces(mesh);
   const VerifiedParts verified = verify_parts(model, mesh, faces, ranks);
   const PartShapes own_shapes = shapes_of(mesh);
+  const geomodel::SolverVerdict own_verdict = judge_part(model, mesh);
   NumberedPart numbered = number_part(model, mesh, faces, ranks);
   for (std::size_t k = 0; k < verified.volume_of_region.size(); ++k)
     numbered.mesh.regions[k].volume = verified.volume_of_region[k];
@@ -188,15 +194,24 @@ std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks&
   cost.n_own = numbered.n_own;
   cost.n_ghosts = numbered.mesh.tetrahedra.size() - numbered.n_own;
   const std::uint64_t n_points = numbered.part.n_nodes;
-  watch.lap();
+  cost.verify_seconds = watch.lap();
   StagedFiles files(stem, ranks);
   const std::exception_ptr failure = write_part(project, numbered, ranks, files);
   cost.write_seconds = watch.lap();
   cost.cpu_seconds = geomodel::process_cpu_seconds();
   cost.peak_bytes = geomodel::process_peak_bytes();
+  cost.sent_bytes = ranks.sent_bytes();
 
-  PartsReport report{model.sparse,        run, verified, numbered.mesh, {}, ranks.gather_all(cost), n_points,
-                     strips.n_never_free, {}};
+  PartsReport report{model.sparse,
+                     run,
+                     verified,
+                     numbered.mesh,
+                     {},
+                     ranks.gather_all(cost),
+                     ranks.gather_all(own_verdict),
+                     n_points,
+                     strips.n_never_free,
+                     {}};
   for (const PartShapes& s : ranks.gather_all(own_shapes)) report.shapes.add(s);
   const std::vector<fs::path> named = files.finish(failure, ranks);
   report.files = names_on_all(named, ranks);

@@ -7,6 +7,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "geomesh/core/quality.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "halve.hpp"
 #include "mesh_faces.hpp"
@@ -47,6 +48,8 @@ class BorderHalver {
                     "a tetrahedron between two ranks is too flat to be divided; take another number of ranks");
     }
   }
+  /// Tetrahedra that were divided.
+  const std::set<Index>& touched() const { return touched_; }
 
  private:
   struct LongEdge {
@@ -212,6 +215,35 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
   return mesh;
 }
 
+/// Rank 0 has mended poor tetrahedra while surfaces could still be moved: they and those about them are not refined
+/// where they are as small as asked, or have no other points than the model's. `divided` ones are no longer what it
+/// has made.
+void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divided) {
+  constexpr double poor = 30;       // degrees: nearly what the serial program repairs
+  constexpr double as_asked = 1.6;  // times the size, the longest edge
+  std::vector<bool> is_about(mesh.points.size(), false);
+  const auto corners = [&](const Tetrahedron& t) {
+    return std::array{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
+  };
+  const auto shape = [&](const Tetrahedron& t) {
+    const auto p = corners(t);
+    return tetrahedron_shape(p[0], p[1], p[2], p[3]);
+  };
+  for (Index c = 0; c < mesh.tetrahedra.size(); ++c)
+    if (shape(mesh.tetrahedra[c]).min_dihedral < poor && !divided.contains(c))
+      for (const VertexIndex v : mesh.tetrahedra[c]) is_about[v] = true;
+  mesh.is_settled.assign(mesh.tetrahedra.size(), 0);
+  for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
+    const Tetrahedron& t = mesh.tetrahedra[c];
+    if (divided.contains(c) || std::ranges::none_of(t, [&](VertexIndex v) { return is_about[v]; })) continue;
+    const auto p = corners(t);
+    const Vec3 middle = 0.25 * ((p[0] + p[1]) + (p[2] + p[3]));
+    const auto is_of_model = [&](const Vec3& place) { return model.points.number_at(place) != ModelPoints::none; };
+    mesh.is_settled[c] = shape(t).longest_edge <= as_asked * model.sparse.size.at(middle, mesh.component[c]) ||
+                         std::ranges::all_of(p, is_of_model);
+  }
+}
+
 }  // namespace
 
 RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& rank_of, std::int32_t rank) {
@@ -243,7 +275,9 @@ RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& r
   for (const auto& e : simplices.edges) keep(e[0], e[1]);
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-  BorderHalver(mesh, model.sparse.size, std::move(stays)).run(border, kept);
+  BorderHalver halver(mesh, model.sparse.size, std::move(stays));
+  halver.run(border, kept);
+  if (model.sparse.halvings == 0) settle(mesh, model, halver.touched());
   return mesh;
 }
 
@@ -281,11 +315,12 @@ TetrahedraPart with_model(RankMesh mesh, const RankModel& model) {
   part.points = std::move(mesh.points);
   part.tetrahedra = std::move(mesh.tetrahedra);
   part.component = std::move(mesh.component);
+  part.is_settled = std::move(mesh.is_settled);
   return part;
 }
 
 RankMesh without_model(TetrahedraPart part) {
-  return {std::move(part.points), std::move(part.tetrahedra), std::move(part.component), std::move(part.is_kept)};
+  return {std::move(part.points), std::move(part.tetrahedra), std::move(part.component), std::move(part.is_kept), {}};
 }
 
 }  // namespace geomesh::app

@@ -62,6 +62,7 @@ struct RankMesh {
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Index> component;
   std::vector<std::uint8_t> may_be_outside;  ///< by point: 0 where all tetrahedra about it are here; empty: not known
+  std::vector<std::uint8_t> is_settled;      ///< TetrahedraPart
 };
 
 /// Tetrahedra of the sparse mesh that a rank has. Edges between it and others that are longer than asked are halved,

@@ -2,11 +2,13 @@
 #include "parts_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "geomesh/core/quality.hpp"
 #include "report/named_parts.hpp"
+#include "solver_verdict/velocities.hpp"
 
 namespace geomesh::app {
 
@@ -21,6 +23,47 @@ double first_percentile(const PartShapes& shapes) {
     if (100 * seen >= shapes.n) return 0.1 * static_cast<double>(k);
   }
   return 0;
+}
+
+/// Of all ranks together, but for what is counted against the median time step. Places without the row in a rank.
+geomodel::SolverVerdict of_all(const std::vector<geomodel::SolverVerdict>& by_rank) {
+  geomodel::SolverVerdict all;
+  for (const geomodel::SolverVerdict& v : by_rank) {
+    if (v.n_tetrahedra == 0) continue;
+    const bool is_first = all.n_tetrahedra == 0;
+    const auto least = [&](double& now, double own) {
+      const bool is_less = is_first || own < now;
+      if (is_less) now = own;
+      return is_less;
+    };
+    if (least(all.least_volume, v.least_volume)) all.flattest = v.flattest;
+    if (least(all.min_dihedral, v.min_dihedral)) all.sharpest = v.sharpest;
+    if (least(all.time_step, v.time_step)) all.smallest_step = v.smallest_step;
+    least(all.least_volume_16_digits, v.least_volume_16_digits);
+    least(all.least_edge, v.least_edge);
+    least(all.least_edge_over_size, v.least_edge_over_size);
+    all.max_dihedral = std::max(all.max_dihedral, v.max_dihedral);
+    all.n_tetrahedra += v.n_tetrahedra;
+    all.n_not_positive += v.n_not_positive;
+    all.n_implicit += v.n_implicit;
+    all.n_iterative += v.n_iterative;
+    all.n_flux += v.n_flux;
+    all.has_velocities |= v.has_velocities;
+  }
+  return all;
+}
+
+/// The keys are those of the report of one process; what needs all elements at once is left out.
+ordered_json solver_json(const PartsReport& report) {
+  geomodel::SolverVerdict all = of_all(report.verdicts);
+  Box3 box;
+  for (const Vec3& p : report.model.mesh.points) box.add(p);
+  const Vec3 extent = box.max - box.min;
+  all.least_edge_over_diagonal = all.least_edge / std::sqrt(dot(extent, extent));
+  ordered_json j = ordered_json::parse(geomodel::to_json(all));
+  for (const char* of_median : {"fail_explicit", "time_step_without_worst_ten", "median_time_step"}) j.erase(of_median);
+  for (const char* worst : {"flattest", "sharpest", "smallest_step"}) j[worst].erase("tetrahedron");
+  return j;
 }
 
 double mean(double sum, const PartShapes& shapes) { return shapes.n > 0 ? sum / static_cast<double>(shapes.n) : 0; }
@@ -62,6 +105,21 @@ PartShapes shapes_of(const RankMesh& mesh) {
   return shapes;
 }
 
+geomodel::SolverVerdict judge_part(const RankModel& model, const RankMesh& mesh) {
+  const std::vector<double> velocity = geomodel::velocity_by_region(model.sparse.mesh);
+  const SizeField& size = model.sparse.size;
+  geomodel::MeshForSolver judged;
+  judged.points = mesh.points;
+  judged.tetrahedra = mesh.tetrahedra;
+  judged.threads = 1;
+  judged.velocity = [&](std::size_t t) {
+    return velocity[static_cast<std::size_t>(model.region_of_component[mesh.component[t]] - 1)];
+  };
+  judged.largest_size = std::min(size.limits().global, size.limits().max_size);
+  judged.size = [&](std::size_t t, const Vec3& p) { return size.at(p, mesh.component[t]); };
+  return geomodel::judge_for_solvers(judged);
+}
+
 std::string to_json(const PartsReport& report) {
   ordered_json root;
   root["command"] = "geomesh-mpi";
@@ -69,10 +127,14 @@ std::string to_json(const PartsReport& report) {
   root["ranks"] = report.ranks.size();
   root["input"] = ordered_json::parse(report.run.input_json);
   for (const auto& s : report.run.stages)
-    root["stages_of_rank_0"].push_back({{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}});
+    root["stages_of_rank_0"].push_back(
+        {{"name", s.name}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"peak_bytes", s.peak_bytes}});
   root["points"] = report.n_points;
   root["tetrahedra"] = report.verified.n_tetrahedra;
   root["sparse_tetrahedra"] = report.model.mesh.tetrahedra.size();
+  root["halvings"] = report.model.halvings;
+  root["divide_cpu_s"] = report.run.divide_seconds;
+  root["broadcast_bytes"] = report.run.broadcast_bytes;
   root["faces_between_ranks"] = report.verified.n_faces_between_ranks;
   root["points_between_ranks_never_moved"] = report.n_never_free;
   root["faces"] = report.numbered.faces.size();
@@ -84,15 +146,27 @@ std::string to_json(const PartsReport& report) {
       {"max_dihedral", q.greatest_dihedral},
       {"radius_ratio", {{"min", q.least_radius_ratio}, {"mean", mean(q.sum_radius_ratio, q)}}},
       {"mean_ratio", mean(q.sum_mean_ratio, q)}};
-  for (const RankCost& c : report.ranks)
+  root["solver"] = solver_json(report);
+  for (std::size_t r = 0; r < report.ranks.size(); ++r) {
+    const RankCost& c = report.ranks[r];
+    const geomodel::SolverVerdict& v = report.verdicts[r];
     root["by_rank"].push_back({{"tetrahedra", c.n_own},
                                {"ghosts", c.n_ghosts},
                                {"in_strips", c.n_strip},
+                               {"not_positive", v.n_not_positive},
+                               {"fail_implicit", v.n_implicit},
+                               {"fail_iterative", v.n_iterative},
+                               {"fail_two_point_flux", v.n_flux},
                                {"cpu_s", c.cpu_seconds},
+                               {"start_cpu_s", c.start_seconds},
+                               {"model_cpu_s", c.model_seconds},
                                {"refine_cpu_s", c.refine_seconds},
                                {"strips_cpu_s", c.strips_seconds},
+                               {"verify_cpu_s", c.verify_seconds},
                                {"write_cpu_s", c.write_seconds},
+                               {"sent_bytes", c.sent_bytes},
                                {"peak_bytes", c.peak_bytes}});
+  }
   root["notes"] = report.run.notes;
   root["warnings"] = report.run.warnings;
   root["files"] = report.files;
@@ -110,6 +184,7 @@ std::vector<std::string> summary_of(const PartsReport& report) {
   lines.push_back("dihedral angles are " + words("%.4g", q.least_dihedral) + " to " +
                   words("%.4g", q.greatest_dihedral) + " degrees; the least of an element is " +
                   words("%.4g", mean(q.sum_min_dihedral, q)) + " in the mean");
+  lines.push_back(geomodel::to_lines(of_all(report.verdicts)).front());
   return lines;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "geomesh/geomodel/solver_verdict.hpp"
 #include "numbering.hpp"
 #include "ranks.hpp"
 #include "sparse_model.hpp"
@@ -24,10 +25,14 @@ struct PartShapes {
 };
 PartShapes shapes_of(const RankMesh& mesh);
 
+/// What solvers will make of the tetrahedra of one rank: velocities are those of their units.
+geomodel::SolverVerdict judge_part(const RankModel& model, const RankMesh& mesh);
+
 /// What one rank has spent and holds. Plain data.
 struct RankCost {
-  double cpu_seconds = 0, refine_seconds = 0, strips_seconds = 0, write_seconds = 0;
-  std::uint64_t peak_bytes = 0, n_own = 0, n_ghosts = 0, n_strip = 0;
+  double cpu_seconds = 0, start_seconds = 0, model_seconds = 0, refine_seconds = 0, strips_seconds = 0;
+  double verify_seconds = 0, write_seconds = 0;
+  std::uint64_t peak_bytes = 0, sent_bytes = 0, n_own = 0, n_ghosts = 0, n_strip = 0;
 };
 
 struct PartsReport {
@@ -37,6 +42,7 @@ struct PartsReport {
   const geomodel::ModelMesh& numbered;  ///< with counts and volumes of all ranks
   PartShapes shapes;
   std::vector<RankCost> ranks;
+  std::vector<geomodel::SolverVerdict> verdicts;  ///< by rank
   std::uint64_t n_points = 0, n_never_free = 0;
   std::vector<std::string> files;
 };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
 #include <thread>
 
@@ -79,6 +78,7 @@ std::vector<Bytes> Ranks::exchange(const std::vector<Bytes>& to) const {
   }
   for (std::size_t r = 0; r < n_ranks; ++r) {
     if (static_cast<int>(r) == rank_) continue;
+    sent_bytes_ += n_to[r];
     in_pieces(n_to[r], [&](std::size_t at, int count) {
       MPI_Isend(to[r].data() + at, count, MPI_CHAR, static_cast<int>(r), tag, MPI_COMM_WORLD,
                 &under_way.emplace_back());
@@ -94,6 +94,7 @@ std::vector<Bytes> Ranks::gather_all(const Bytes& own) const {
 }
 
 void Ranks::greatest(Bytes& bytes) const {
+  if (size_ > 1) sent_bytes_ += bytes.size();
   in_pieces(bytes.size(), [&](std::size_t at, int count) {
     run([&](MPI_Request* r) {
       MPI_Iallreduce(MPI_IN_PLACE, bytes.data() + at, count, MPI_SIGNED_CHAR, MPI_MAX, MPI_COMM_WORLD, r);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -57,6 +58,8 @@ class Ranks {
     for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&values[r], all[r].data(), sizeof(T));
     return values;
   }
+  /// To other ranks, broadcasts apart.
+  std::uint64_t sent_bytes() const { return sent_bytes_; }
   /// Byte by byte the greatest.
   void greatest(Bytes& bytes) const;
   void wait_for_all() const;
@@ -65,6 +68,7 @@ class Ranks {
 
  private:
   int rank_ = 0, size_ = 1;
+  mutable std::uint64_t sent_bytes_ = 0;
 };
 
 }  // namespace geomesh::app

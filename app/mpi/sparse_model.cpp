@@ -174,7 +174,7 @@ SparseModel make_sparse_model(const geomodel::Project& project, const RunContext
   return sparse;
 }
 
-void broadcast(SparseModel& model, const Ranks& ranks) {
+std::size_t broadcast(SparseModel& model, const Ranks& ranks) {
   SizeField::Limits limits = model.size.limits();
   std::vector<SizeSource> sources = model.size.sources();
   const auto all = [&](auto& archive) {
@@ -188,10 +188,11 @@ void broadcast(SparseModel& model, const Ranks& ranks) {
     bytes = packer.take();
   }
   ranks.broadcast(bytes);
-  if (ranks.rank() == 0) return;
+  if (ranks.rank() == 0) return bytes.size();
   Unpacker unpacker(bytes);
   all(unpacker);
   model.size = SizeField(std::move(sources), std::move(limits));
+  return bytes.size();
 }
 
 }  // namespace geomesh::app

@@ -27,7 +27,8 @@ struct SparseRun {
   std::string input_json;
   std::vector<geomodel::StageRecord> stages;
   std::vector<std::string> notes, warnings;
-  double estimated_elements = 0;
+  double estimated_elements = 0, divide_seconds = 0;  ///< processor seconds
+  std::size_t broadcast_bytes = 0;
 };
 
 /// Takes the format html from a project that asks for others too, and returns a warning that says so.
@@ -39,7 +40,7 @@ void refuse_what_ranks_lack(const geomodel::Project& project);
 /// The stages read to verify of the serial program, with few points inside. Errors as geomodel::run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
-/// From rank 0 to all.
-void broadcast(SparseModel& model, const Ranks& ranks);
+/// From rank 0 to all. Returns how many bytes it is.
+std::size_t broadcast(SparseModel& model, const Ranks& ranks);
 
 }  // namespace geomesh::app

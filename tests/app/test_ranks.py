@@ -47,7 +47,15 @@ class RanksTest(ProgramTest):
 
     def mesh(self, ranks, project, out):
         self.mpirun(ranks, RANKS_PROGRAM, project, "-o", self.path(out), "-q")
+        self.check_schema(self.path(out, NAME + ".report.json"))
         return self.report(self.path(out, NAME + ".report.json"))
+
+    def check_schema(self, report):
+        """By docs/ranks-report.schema.json, where python3-jsonschema is installed."""
+        no_jsonschema = 77
+        done = subprocess.run([sys.executable, os.path.join(SOURCE, "tests", "geomodel", "read_back.py"), "schema",
+                               os.path.join(SOURCE, "docs", "ranks-report.schema.json"), report], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertIn(done.returncode, (0, no_jsonschema), done.stdout)
 
     def digests(self, out):
         """Of all files but the report, which has times."""

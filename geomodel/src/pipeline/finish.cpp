@@ -18,6 +18,7 @@
 #include "pipeline/summary.hpp"
 #include "pipeline/target_elements.hpp"
 #include "solver_mesh/curved_edges.hpp"
+#include "solver_verdict/velocities.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -160,11 +161,7 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
 /// `core` has the tetrahedra of `mesh` but for those of fault zones, which come last, in the same order.
 SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const ModelMesh& mesh, const SizeField* size,
                             unsigned threads) {
-  std::vector<double> velocity(mesh.regions.size(), 0);
-  for (const RegionAttribute& a : mesh.attributes)
-    if (a.name == velocity_attribute)
-      for (std::size_t r = 0; r < std::min(velocity.size(), a.by_region.size()); ++r)
-        if (a.by_region[r] > 0) velocity[r] = a.by_region[r];
+  const std::vector<double> velocity = velocity_by_region(mesh);
   MeshForSolver judged{.points = mesh.points, .tetrahedra = mesh.tetrahedra, .threads = threads};
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
   if (size && size->limits().background) judged.threads = 1;  // it is asked on one thread alone

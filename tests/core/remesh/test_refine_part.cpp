@@ -35,6 +35,8 @@ std::vector<Face> border_of(const TetrahedraPart& part) {
   return border;
 }
 
+std::ptrdiff_t n_kept(const TetrahedraPart& part) { return std::ranges::count(part.is_kept, 1); }
+
 double volume_of(const TetrahedraPart& part) {
   double sum = 0;
   for (const Tetrahedron& t : part.tetrahedra) {
@@ -114,6 +116,36 @@ TEST_CASE("Parts refined on their own keep their borders and the faces told", "[
       std::sort(kept.begin(), kept.end());
       CHECK(std::binary_search(faces.begin(), faces.end(), kept));
     }
+  }
+}
+
+TEST_CASE("Points of settled tetrahedra stay through refinement, and no others inside", "[refine_part]") {
+  Model model = two_boxes(3);
+  RefineOptions options;
+  options.size.global = 0.1;
+  const RefineResult start = refine_and_improve(model.plc, model.mesh, options);
+  const TetrahedraPart part = half_of(start.mesh, 1e300, true);
+  const auto share_in_place = [&](const TetrahedraPart& result) {
+    std::vector<std::array<double, 3>> places;
+    for (const Vec3& p : result.points) places.push_back({p.x, p.y, p.z});
+    std::sort(places.begin(), places.end());
+    const auto n = std::ranges::count_if(part.points, [&](const Vec3& p) {
+      return std::binary_search(places.begin(), places.end(), std::array{p.x, p.y, p.z});
+    });
+    return static_cast<double>(n) / static_cast<double>(part.points.size());
+  };
+  TetrahedraPart settled = part, loose = part;
+  settled.is_settled.assign(part.tetrahedra.size(), 1);
+  refine_part(settled, start.size_field, options);
+  refine_part(loose, start.size_field, options);
+  CHECK(share_in_place(settled) > 0.6);
+  CHECK(share_in_place(loose) < 0.5);
+  for (const TetrahedraPart& result : {settled, loose}) {
+    CHECK(n_kept(result) == n_kept(loose));
+    CHECK(result.kept_faces.size() == part.kept_faces.size());
+    CHECK(result.is_settled.empty());
+    CHECK(border_of(result) == border_of(part));
+    CHECK(volume_of(result) == Approx(volume_of(part)).epsilon(1e-12));
   }
 }
 

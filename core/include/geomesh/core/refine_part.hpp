@@ -22,6 +22,9 @@ struct TetrahedraPart {
   std::vector<Index> component;                        ///< by tetrahedron: what SizeField::at takes
   std::vector<Triangle> kept_faces;                    ///< faces with tetrahedra on both sides that stay
   std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges of no kept face that stay
+  /// By tetrahedron: not 0 where its shape was mended before. Its points and faces stay until the others are refined;
+  /// points are put into it where it is larger than asked. Empty: nowhere, as in the result.
+  std::vector<std::uint8_t> is_settled;
 };
 
 /// Refines to the sizes where the options say so, then improves. Points inside that do not stay have no say where they

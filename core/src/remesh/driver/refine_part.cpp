@@ -123,6 +123,39 @@ void export_part(const DomainMesh& mesh, const Imported& in, TetrahedraPart& par
     for (VertexIndex& v : e) v = row[v];
 }
 
+/// Tetrahedra that are not refined stay with all of their faces and points, until the others are.
+class Settled {
+ public:
+  explicit Settled(TetrahedraPart& part) : n_faces_(part.kept_faces.size()) {
+    const std::vector<FaceOfCell> faces = faces_of_cells(part);
+    keep_border(part, faces);
+    const std::vector<std::uint8_t> was_kept = part.is_kept;
+    std::vector<Corners> kept;
+    for (const Triangle& f : part.kept_faces) kept.push_back(sorted_corners(f));
+    std::sort(kept.begin(), kept.end());
+    for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
+      const FaceOfCell &a = faces[i], &b = faces[i + 1];
+      if (a.corners != b.corners || !(part.is_settled[a.cell] || part.is_settled[b.cell])) continue;
+      if (!std::binary_search(kept.begin(), kept.end(), a.corners))
+        part.kept_faces.push_back({a.corners[0], a.corners[1], a.corners[2]});
+      for (const VertexIndex v : a.corners) part.is_kept[v] = 1;
+    }
+    for (VertexIndex v = 0; v < was_kept.size(); ++v)
+      if (part.is_kept[v]) is_free_later_.push_back(!was_kept[v]);
+    part.is_settled.clear();
+  }
+  /// Of what has come out of refinement: points that stay are first, in their order.
+  void release(TetrahedraPart& part) const {
+    for (std::size_t v = 0; v < is_free_later_.size(); ++v)
+      if (is_free_later_[v]) part.is_kept[v] = 0;
+    part.kept_faces.resize(n_faces_);
+  }
+
+ private:
+  std::size_t n_faces_;
+  std::vector<bool> is_free_later_;  // by point that stays
+};
+
 /// What is constrained in the mesh: faces without neighbour, faces with one, curves; in order.
 struct Constrained {
   std::vector<Corners> border, faces;
@@ -158,17 +191,10 @@ void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
   }
 }
 
-}  // namespace
-
-RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& asked,
-                             const RunContext& context) {
-  RefineStatistics statistics;
-  RefineOptions options;
-  options.quality = asked.quality;
-  options.quality_measure = asked.quality_measure;
-  options.time_budget = asked.time_budget;
-  options.max_elements = asked.max_elements;
-  statistics.quality_measure = options.quality_measure;
+/// Does `work` to the part, and proves that what is to stay has.
+template <class Work>
+void run_on_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
+                 RefineStatistics& statistics, const Work& work) {
   std::vector<FaceOfCell> faces = faces_of_cells(part);
   keep_border(part, faces);
   Imported in = in_terms_of_import(part, faces);
@@ -180,20 +206,45 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   const remesh::SurfaceGuard guard;
   remesh::Toolbox tools(mesh, guard, size, statistics);
   tools.borders_stay = true;
-  if (asked.refine) {
+  work(tools);
+  if (const std::string fault = mesh.validate(); !fault.empty()) throw InternalError("refine_part: " + fault);
+  if (!(constrained_of(mesh) == before)) throw InternalError("refine_part: what was to stay has not");
+  export_part(mesh, in, part);
+}
+
+}  // namespace
+
+RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& asked,
+                             const RunContext& context) {
+  RefineStatistics statistics;
+  RefineOptions options;
+  options.quality = asked.quality;
+  options.quality_measure = asked.quality_measure;
+  options.time_budget = asked.time_budget;
+  options.max_elements = asked.max_elements;
+  statistics.quality_measure = options.quality_measure;
+  const auto refine = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "refine");
     take_points_out(tools, context);
     options.size_surfaces = false;
     remesh::refine_to_size(tools, options, context);
-  }
-  {
+  };
+  const auto improve = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "improve");
     options.size_surfaces = true;  // points may be added inside
     remesh::improve_mesh(tools, options, context);
+  };
+  const bool has_settled = std::ranges::any_of(part.is_settled, [](std::uint8_t s) { return s != 0; });
+  if (asked.refine && has_settled) {
+    const Settled settled(part);
+    run_on_part(part, size, options, statistics, refine);
+    settled.release(part);
   }
-  if (const std::string fault = mesh.validate(); !fault.empty()) throw InternalError("refine_part: " + fault);
-  if (!(constrained_of(mesh) == before)) throw InternalError("refine_part: what was to stay has not");
-  export_part(mesh, in, part);
+  part.is_settled.clear();
+  run_on_part(part, size, options, statistics, [&](remesh::Toolbox& tools) {
+    if (asked.refine && !has_settled) refine(tools);
+    improve(tools);
+  });
   return statistics;
 }
 
