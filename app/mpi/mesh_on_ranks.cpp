@@ -124,7 +124,7 @@ Start start_on_all(const geomodel::Project& project, const fs::path& stem, const
     start.rank_of = divide(start.sparse, ranks.size());
     run.divide_seconds = watch.lap();
   }
-  run.broadcast_bytes = broadcast(start.sparse, ranks);
+  run.broadcast_bytes = broadcast(start.sparse, project, ranks);
   Packer packer;
   packer(start.rank_of);
   Bytes bytes = packer.take();

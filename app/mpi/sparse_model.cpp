@@ -6,6 +6,7 @@
 
 #include "archive.hpp"
 #include "geomesh/core/error.hpp"
+#include "grid_sizes/size_grid.hpp"
 #include "pipeline/finish.hpp"
 #include "pipeline/jobs/prepare.hpp"
 
@@ -100,8 +101,6 @@ void refuse_what_ranks_lack(const geomodel::Project& project) {
   if (refinement.time_budget > 0) refuse(project, "mesh.time_budget");
   if (!refinement.sizes_on_surfaces) refuse(project, "mesh.size.on_surfaces: false");
   if (!refinement.cell_arrays.empty()) refuse(project, "mesh.cell_arrays");
-  if (!refinement.size.background.empty()) refuse(project, "mesh.size.background");
-  if (!refinement.size.by_depth.empty()) refuse(project, "mesh.size.by_depth");
   if (project.crs.z_scale != 1) refuse(project, "crs.z_scale");
   if (options.order == geomodel::ElementOrder::second) refuse(project, "output.order: 2");
   if (options.starter) refuse(project, "output.starter");
@@ -140,7 +139,6 @@ Start prepare(const geomodel::Project& project, const RunContext& context) {
   start.model.command = "project";
   start.model.name = project.name;
   geomodel::prepare_project(project, start.model, context);
-  if (start.model.refinement.size.base.background) refuse(project, "a size that is a function of the place");
   start.elements = elements_of(start.model);
   return start;
 }
@@ -174,7 +172,22 @@ SparseModel make_sparse_model(const geomodel::Project& project, const RunContext
   return sparse;
 }
 
-std::size_t broadcast(SparseModel& model, const Ranks& ranks) {
+namespace {
+
+/// Sizes that are a function of the place, as prepare_project has them: every rank reads the file itself.
+std::function<double(const Vec3&)> size_by_place(const geomodel::Project& project, const geomodel::ModelMesh& mesh) {
+  geomodel::RefinementSettings settings = project.mesh.refinement;
+  if (settings.size.background.empty() && settings.size.by_depth.empty()) return {};
+  geomodel::load_background(settings.size, project.output.origin);
+  Box3 bounds;
+  for (const Vec3& p : mesh.points) bounds.add(p);
+  geomodel::settle_sizes(settings, bounds, project.naming.attributes, project.output.origin);
+  return settings.size.base.background;
+}
+
+}  // namespace
+
+std::size_t broadcast(SparseModel& model, const geomodel::Project& project, const Ranks& ranks) {
   SizeField::Limits limits = model.size.limits();
   std::vector<SizeSource> sources = model.size.sources();
   const auto all = [&](auto& archive) {
@@ -191,6 +204,7 @@ std::size_t broadcast(SparseModel& model, const Ranks& ranks) {
   if (ranks.rank() == 0) return bytes.size();
   Unpacker unpacker(bytes);
   all(unpacker);
+  limits.background = size_by_place(project, model.mesh);
   model.size = SizeField(std::move(sources), std::move(limits));
   return bytes.size();
 }

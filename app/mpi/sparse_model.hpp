@@ -40,7 +40,7 @@ void refuse_what_ranks_lack(const geomodel::Project& project);
 /// The stages read to verify of the serial program, with few points inside. Errors as geomodel::run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
-/// From rank 0 to all. Returns how many bytes it is.
-std::size_t broadcast(SparseModel& model, const Ranks& ranks);
+/// From rank 0 to all. Returns how many bytes it is. Sizes that are a function of the place come from the project.
+std::size_t broadcast(SparseModel& model, const geomodel::Project& project, const Ranks& ranks);
 
 }  // namespace geomesh::app

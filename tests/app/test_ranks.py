@@ -88,6 +88,46 @@ class OneMesh(RanksTest):
         for ranks in (2, 4):
             self.assertEqual(self.digests("a%d" % ranks)[NAME + ".faces.vtp"], self.digests("a1")[NAME + ".faces.vtp"], "surfaces do not depend on the ranks")
 
+    def test_sizes_by_depth_and_from_a_file_are_those_of_the_serial_mesh(self):
+        with open(self.path("sizes.txt"), "w") as file:
+            file.write("".join("%d %d %d %d\n" % (x, y, z, 150 if x < 3000 else 400) for x in (0, 2500, 3500, 6000) for y in (0, 5000) for z in (-3000, 0)))
+        for name, size in (("depth", "by_depth: [[0, 180], [3000, 400]]"), ("file", "background: %s" % self.path("sizes.txt"))):
+            with self.subTest(sizes=name):
+                project = self.project(500, "[vtu]")
+                with open(project) as file:
+                    text = file.read()
+                with open(project, "w") as file:
+                    file.write(text.replace("size: 500", "size: {global: 500, %s}" % size))
+                self.run_program(project, "-o", self.path("serial"))
+                serial, report = self.report(self.path("serial", NAME + ".report.json")), self.mesh(3, project, "ranks")
+                self.assertAlmostEqual(report["tetrahedra"] / serial["tetrahedra"], 1, delta=0.05)
+                self.check(self.path("ranks", NAME + ".pvtu"), "--project", project)
+
+    def test_the_verdict_for_solvers_is_that_of_the_check(self):
+        report = self.mesh(3, self.project(300, "[vtu]"), "out")
+        self.run_program("check", self.path("out", NAME + ".pvtu"), "--solver", "--report", self.path("check.json"))
+        found, verdict = self.report(self.path("check.json"))["solver"], report["solver"]
+        self.assertTrue(verdict["passes"])
+        for count in ("not_positive", "fail_implicit", "fail_iterative", "fail_two_point_flux"):
+            self.assertEqual(verdict[count], found[count], count)
+            self.assertEqual(sum(r[count] for r in report["by_rank"]), found[count], count)
+        for measure in ("least_volume", "least_volume_16_digits", "least_edge", "least_edge_over_diagonal", "min_dihedral", "max_dihedral", "time_step"):
+            self.assertAlmostEqual(verdict[measure] / found[measure], 1, delta=1e-12, msg=measure)
+        self.assertEqual(verdict["sharpest"]["place"], found["sharpest"]["place"])
+
+    def test_the_worst_elements_are_no_worse_than_those_of_the_serial_mesh(self):
+        sample = os.path.join(SOURCE, "samples", "exploration")  # where surfaces force poor elements that the serial run mends by moving them
+        shutil.copytree(sample, self.path("worst"), ignore=shutil.ignore_patterns("out"))
+        project = self.path("worst", "project.yaml")
+        with open(project) as file:
+            text = file.read()
+        with open(project, "w") as file:
+            file.write(re.sub(r"formats: *\[[^]]*\]", "formats: [vtu]", text))
+        self.run_program(project, "-o", self.path("serial"))
+        self.mpirun(2, RANKS_PROGRAM, project, "-o", self.path("out"), "-q")
+        serial, report = (self.report(glob.glob(self.path(folder, "*.report.json"))[0]) for folder in ("serial", "out"))
+        self.assertGreater(report["quality"]["min_dihedral"]["min"], 0.98 * serial["quality"]["whole"]["min_dihedral"]["min"])
+
     def compare(self, size, ranks):
         project = self.project(size, "[vtu]")
         self.run_program(project, "-o", self.path("serial"))
