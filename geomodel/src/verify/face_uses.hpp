@@ -18,9 +18,13 @@ struct FaceUse {
   bool is_listed;
   bool even;  ///< whether the cyclic order of its vertices is that of the ascending ones
 
+  /// By vertices, then those of tetrahedra first, then by row: two words each, which compare faster than arrays.
   friend bool operator<(const FaceUse& p, const FaceUse& q) {
-    if (p.vertices != q.vertices) return p.vertices < q.vertices;
-    return p.is_listed != q.is_listed ? q.is_listed : p.row < q.row;
+    const auto first = [](const FaceUse& u) { return std::uint64_t{u.vertices[0]} << 32 | u.vertices[1]; };
+    if (first(p) != first(q)) return first(p) < first(q);
+    if (p.vertices[2] != q.vertices[2]) return p.vertices[2] < q.vertices[2];
+    const auto last = [](const FaceUse& u) { return std::uint64_t{u.is_listed} << 32 | u.row; };
+    return last(p) < last(q);
   }
 };
 
