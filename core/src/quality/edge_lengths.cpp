@@ -26,7 +26,7 @@ struct Part {
 
 /// The parts that there are, ascending, and the row of that of each tetrahedron.
 struct PartTable {
-  explicit PartTable(const CellParts& parts) : row(parts.group.size()) {
+  explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
     const auto part_of = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
     for (std::size_t t = 0; t < row.size(); ++t)
       if (t == 0 || part_of(t) != part_of(t - 1)) part.push_back(part_of(t));
@@ -38,6 +38,7 @@ struct PartTable {
   }
   std::vector<Part> part;
   std::vector<Index> row;
+  std::size_t n_groups;
 };
 
 /// An edge's upper vertex, and below it the row of a part that the edge is in: sorted, the uses of an edge stand side
@@ -57,13 +58,13 @@ std::uint8_t bin_of(double ratio) {
 class EdgeBlock {
  public:
   EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,
-            std::size_t n_groups, const SizeField* size, std::size_t begin, std::size_t end)
+            const SizeField* size, std::size_t begin, std::size_t end)
       : points_(points),
         size_(size),
         parts_(parts.part),
         begin_(begin),
         first_(end - begin + 1, 0),
-        lengths_(1 + n_groups) {
+        lengths_(1 + parts.n_groups) {
     const auto for_each_edge = [&](const auto& visit) {
       for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         const Tetrahedron& v = tetrahedra[t];
@@ -147,7 +148,7 @@ std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<c
   const bool asks_caller = size && size->limits().background;  // who is asked on one thread alone
   for_each_task(n_blocks, asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     const std::size_t begin = points.size() * k / n_blocks, end = points.size() * (k + 1) / n_blocks;
-    blocks[k] = EdgeBlock(points, tetrahedra, table, parts.n_groups, size, begin, end).measure();
+    blocks[k] = EdgeBlock(points, tetrahedra, table, size, begin, end).measure();
   });
   std::vector<EdgeLengths> out(1 + parts.n_groups);
   for (std::vector<EdgeLengths>& block : blocks)
