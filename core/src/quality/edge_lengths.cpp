@@ -2,11 +2,13 @@
 #include "quality/edge_lengths.hpp"
 
 #include <algorithm>
+#include <compare>
+#include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "common/parallel.hpp"
+#include "common/sort_unique.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "quality/measure/shape.hpp"
 
@@ -14,17 +16,37 @@ namespace geomesh {
 
 namespace {
 
-constexpr std::size_t n_blocks = 8;  ///< of vertices; one that is at work takes its share of 72 bytes a tetrahedron
+constexpr std::size_t n_blocks = 8;  ///< of vertices; one that is at work takes its share of 48 bytes a tetrahedron
 
-/// An edge's upper vertex, with a group and a component that it is in.
-struct Use {
-  VertexIndex upper;
+/// A group with a component: parts that some tetrahedron is in.
+struct Part {
   Index group, component;
-  friend bool operator==(const Use&, const Use&) = default;
-  friend bool operator<(const Use& x, const Use& y) {
-    return std::tie(x.upper, x.group, x.component) < std::tie(y.upper, y.group, y.component);
-  }
+  friend auto operator<=>(const Part&, const Part&) = default;
 };
+
+/// The parts that there are, ascending, and the row of that of each tetrahedron.
+struct PartTable {
+  explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
+    const auto part_of = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
+    for (std::size_t t = 0; t < row.size(); ++t)
+      if (t == 0 || part_of(t) != part_of(t - 1)) part.push_back(part_of(t));
+    sort_unique(part);
+    for (std::size_t t = 0; t < row.size(); ++t)
+      row[t] = t > 0 && part_of(t) == part_of(t - 1)
+                   ? row[t - 1]
+                   : static_cast<Index>(std::lower_bound(part.begin(), part.end(), part_of(t)) - part.begin());
+  }
+  std::vector<Part> part;
+  std::vector<Index> row;
+  std::size_t n_groups;
+};
+
+/// An edge's upper vertex, and below it the row of a part that the edge is in: sorted, the uses of an edge stand side
+/// by side, by group.
+using Use = std::uint64_t;
+constexpr Use use_of(VertexIndex upper, Index part) { return Use{upper} << 32 | part; }
+constexpr VertexIndex upper_of(Use use) { return static_cast<VertexIndex>(use >> 32); }
+constexpr Index part_of(Use use) { return static_cast<Index>(use & 0xffffffff); }
 
 std::uint8_t bin_of(double ratio) {
   constexpr std::array<double, 7> bounds{0.25, 0.5, 0.70710678118654752, 1, 1.4142135623730951, 2, 4};
@@ -35,23 +57,30 @@ std::uint8_t bin_of(double ratio) {
 /// vertex's own.
 class EdgeBlock {
  public:
-  EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
+  EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,
             const SizeField* size, std::size_t begin, std::size_t end)
-      : points_(points), size_(size), begin_(begin), first_(end - begin + 1, 0), lengths_(1 + parts.n_groups) {
+      : points_(points),
+        size_(size),
+        parts_(parts.part),
+        begin_(begin),
+        first_(end - begin + 1, 0),
+        lengths_(1 + parts.n_groups) {
     const auto for_each_edge = [&](const auto& visit) {
-      for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+      for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+        const Tetrahedron& v = tetrahedra[t];
+        if (std::min(std::min(v[0], v[1]), std::min(v[2], v[3])) >= end) continue;
         for (const auto& e : edge_vertices) {
-          const auto [lower, upper] = std::minmax(tetrahedra[t][e[0]], tetrahedra[t][e[1]]);
+          const VertexIndex lower = std::min(v[e[0]], v[e[1]]), upper = std::max(v[e[0]], v[e[1]]);
           if (lower >= begin && lower < end) visit(lower - begin, upper, t);
         }
+      }
     };
     for_each_edge([&](std::size_t row, VertexIndex, std::size_t) { ++first_[row + 1]; });
     for (std::size_t row = 0; row + 1 < first_.size(); ++row) first_[row + 1] += first_[row];
     uses_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for_each_edge([&](std::size_t row, VertexIndex upper, std::size_t t) {
-      uses_[next[row]++] = {upper, parts.group[t], parts.component[t]};
-    });
+    for_each_edge(
+        [&](std::size_t row, VertexIndex upper, std::size_t t) { uses_[next[row]++] = use_of(upper, parts.row[t]); });
   }
 
   /// Of the whole, then of each group.
@@ -63,7 +92,7 @@ class EdgeBlock {
       const auto last = std::unique(begin, stop);
       size_here_ = {no_index, 0};
       for (auto edge = begin, next = edge; edge != last; edge = next) {
-        next = std::find_if(edge, last, [&](const Use& u) { return u.upper != edge->upper; });
+        next = std::find_if(edge, last, [&](Use u) { return upper_of(u) != upper_of(*edge); });
         measure_edge(static_cast<VertexIndex>(begin_ + row), std::span<const Use>(edge, next));
       }
     }
@@ -72,7 +101,7 @@ class EdgeBlock {
 
  private:
   void measure_edge(VertexIndex lower, std::span<const Use> uses) {
-    const Vec3 &a = points_[lower], &b = points_[uses[0].upper];
+    const Vec3 &a = points_[lower], &b = points_[upper_of(uses[0])];
     const double length = distance(a, b);
     const auto add = [&](std::size_t part, double asked) {
       lengths_[part].length.push_back(length);
@@ -80,10 +109,10 @@ class EdgeBlock {
     };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < uses.size();) {
-      const Index group = uses[i].group;
+      const Index group = parts_[part_of(uses[i])].group;
       double asked = std::numeric_limits<double>::infinity();
-      for (; i < uses.size() && uses[i].group == group; ++i)
-        if (size_) asked = std::min(asked, size_at(0.5 * (a + b), uses[i].component, a));
+      for (; i < uses.size() && parts_[part_of(uses[i])].group == group; ++i)
+        if (size_) asked = std::min(asked, size_at(0.5 * (a + b), parts_[part_of(uses[i])].component, a));
       add(1 + group, asked);
       least = std::min(least, asked);
     }
@@ -99,6 +128,7 @@ class EdgeBlock {
 
   std::span<const Vec3> points_;
   const SizeField* size_;
+  const std::vector<Part>& parts_;
   struct {
     Index component;
     double size;  ///< 0: not known
@@ -113,11 +143,12 @@ class EdgeBlock {
 
 std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                                        const CellParts& parts, const SizeField* size, unsigned threads) {
+  const PartTable table(parts);
   std::array<std::vector<EdgeLengths>, n_blocks> blocks;
   const bool asks_caller = size && size->limits().background;  // who is asked on one thread alone
   for_each_task(n_blocks, asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     const std::size_t begin = points.size() * k / n_blocks, end = points.size() * (k + 1) / n_blocks;
-    blocks[k] = EdgeBlock(points, tetrahedra, parts, size, begin, end).measure();
+    blocks[k] = EdgeBlock(points, tetrahedra, table, size, begin, end).measure();
   });
   std::vector<EdgeLengths> out(1 + parts.n_groups);
   for (std::vector<EdgeLengths>& block : blocks)

@@ -2,11 +2,13 @@
 // Statistics of a whole mesh, declared in geomesh/core/quality.hpp.
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "common/parallel.hpp"
 #include "geomesh/core/quality.hpp"
 #include "quality/causes.hpp"
 #include "quality/edge_lengths.hpp"
+#include "quality/shape_table.hpp"
 
 namespace geomesh {
 
@@ -26,116 +28,55 @@ Distribution distribution(std::vector<double>& values) {
   return d;
 }
 
-/// Of N equal ones from 0 to `top`.
-template <std::size_t N>
-std::size_t bin_of(double value, double top) {
-  const double bin = value / top * static_cast<double>(N);
-  return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(N) - 1));
-}
-
-/// Shapes of all tetrahedra, an array for each measure.
-struct ShapeTable {
-  explicit ShapeTable(std::size_t n)
-      : min_dihedral(n),
-        max_dihedral(n),
-        radius_ratio(n),
-        aspect(n),
-        mean_ratio(n),
-        volume(n),
-        solid_angle(n),
-        dihedral_bin(n) {}
-
-  std::vector<double> min_dihedral, max_dihedral, radius_ratio, aspect, mean_ratio, volume;
-  std::vector<std::array<double, 4>> solid_angle;
-  std::vector<std::array<std::uint8_t, 6>> dihedral_bin;
-};
-
-ShapeTable measure_all(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, unsigned threads) {
-  ShapeTable table(tetrahedra.size());
-  for_each_index(tetrahedra.size(), threads, [&](std::size_t i) {
-    const Tetrahedron& t = tetrahedra[i];
-    const TetrahedronShape s = tetrahedron_shape(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
-    table.min_dihedral[i] = s.min_dihedral;
-    table.max_dihedral[i] = s.max_dihedral;
-    table.radius_ratio[i] = s.radius_ratio;
-    table.aspect[i] = s.aspect;
-    table.mean_ratio[i] = s.mean_ratio;
-    table.volume[i] = s.volume;
-    table.solid_angle[i] = s.solid_angle;
-    for (unsigned e = 0; e < 6; ++e)
-      table.dihedral_bin[i][e] = static_cast<std::uint8_t>(bin_of<36>(s.dihedral[e], 180));
-  });
-  return table;
-}
-
-/// Counts and sums of the tetrahedra in `rows`.
-ShapeStatistics count_shapes(const ShapeTable& table, std::span<const Index> rows) {
-  ShapeStatistics out;
-  if (rows.empty()) return out;
-  out.n_tetrahedra = rows.size();
-  std::size_t below_10 = 0, above_24_85 = 0;
-  for (const Index t : rows) {
-    out.volume += table.volume[t];
-    for (const std::uint8_t bin : table.dihedral_bin[t]) ++out.dihedral_histogram[bin];
-    ++out.min_dihedral_histogram[bin_of<18>(table.min_dihedral[t], 90)];
-    ++out.radius_ratio_histogram[bin_of<20>(table.radius_ratio[t], 1)];
-    below_10 += table.min_dihedral[t] < 10;
-    above_24_85 += table.min_dihedral[t] > 24.85;
-  }
-  out.share_below_10 = static_cast<double>(below_10) / static_cast<double>(rows.size());
-  out.share_above_24_85 = static_cast<double>(above_24_85) / static_cast<double>(rows.size());
-  return out;
-}
-
-/// A distribution of the statistics, with the values that it is of: one of five, or solid angles.
-struct Measure {
-  Distribution ShapeStatistics::*result;
-  std::vector<double> ShapeTable::*values;
-};
-constexpr std::array<Measure, 5> measures{{{&ShapeStatistics::min_dihedral, &ShapeTable::min_dihedral},
-                                           {&ShapeStatistics::max_dihedral, &ShapeTable::max_dihedral},
-                                           {&ShapeStatistics::radius_ratio, &ShapeTable::radius_ratio},
-                                           {&ShapeStatistics::aspect, &ShapeTable::aspect},
-                                           {&ShapeStatistics::mean_ratio, &ShapeTable::mean_ratio}}};
-
-Distribution distribution_of(const std::vector<double>& measure, std::span<const Index> rows) {
-  std::vector<double> values;
-  values.reserve(rows.size());
-  for (const Index t : rows) values.push_back(measure[t]);
-  return distribution(values);
-}
-
-Distribution solid_angles(const ShapeTable& table, std::span<const Index> rows) {
-  std::vector<double> values;
-  values.reserve(4 * rows.size());
-  for (const Index t : rows) values.insert(values.end(), table.solid_angle[t].begin(), table.solid_angle[t].end());
-  return distribution(values);
-}
-
-/// Rows of tetrahedra by group, each in ascending order; the first list is that of all.
+/// Rows of tetrahedra by group, each in ascending order.
 std::vector<std::vector<Index>> rows_by_group(std::span<const Index> group, std::size_t n_groups) {
-  std::vector<std::vector<Index>> rows(1 + n_groups);
-  for (std::size_t t = 0; t < group.size(); ++t)
-    for (const std::size_t k : {std::size_t{0}, std::size_t{1} + group[t]}) rows[k].push_back(static_cast<Index>(t));
+  std::vector<std::size_t> count(n_groups, 0);
+  for (const Index g : group) ++count[g];
+  std::vector<std::vector<Index>> rows(n_groups);
+  for (std::size_t g = 0; g < n_groups; ++g) rows[g].reserve(count[g]);
+  for (std::size_t t = 0; t < group.size(); ++t) rows[group[t]].push_back(static_cast<Index>(t));
   return rows;
 }
 
-/// Of the whole, then of each group: one task a group and kind of statistics, the largest first.
-std::vector<ShapeStatistics> summarize_shapes(const ShapeTable& table, const CellParts& parts, unsigned threads) {
-  const std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
-  const std::size_t n = rows.size();
-  std::vector<ShapeStatistics> out(n);
-  for_each_task(n, threads, [&](std::size_t k) { out[k] = count_shapes(table, rows[k]); });
-  for_each_task(n, threads, [&](std::size_t k) { out[k].solid_angle = solid_angles(table, rows[k]); });
-  for_each_task(n * measures.size(), threads, [&](std::size_t k) {
-    const auto& [result, values] = measures[k % measures.size()];
-    out[k / measures.size()].*result = distribution_of(table.*values, rows[k / measures.size()]);
+/// Rows of one group that are measured as one task.
+struct Block {
+  std::size_t group;
+  std::span<const Index> rows;
+};
+
+std::vector<Block> blocks_of(const std::vector<std::vector<Index>>& rows) {
+  constexpr std::size_t block_size = 65536;
+  std::vector<Block> blocks;
+  for (std::size_t g = 0; g < rows.size(); ++g)
+    for (std::size_t begin = 0; begin < rows[g].size(); begin += block_size)
+      blocks.push_back({g, std::span(rows[g]).subspan(begin, std::min(block_size, rows[g].size() - begin))});
+  return blocks;
+}
+
+/// Of the whole, then of each group.
+std::vector<ShapeStatistics> summarize_shapes(ShapeTable& table, const CellParts& parts, unsigned threads) {
+  std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
+  const std::vector<Block> blocks = blocks_of(rows);
+  std::vector<ShapeSums> of_block(blocks.size());
+  for_each_task(blocks.size(), threads, [&](std::size_t k) { table.measure(blocks[k].rows, of_block[k]); });
+  std::vector<ShapeSums> sums(1 + rows.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    for (const std::size_t part : {std::size_t{0}, 1 + blocks[k].group}) sums[part].join(of_block[k]);
+  std::vector<ShapeStatistics> out;
+  for (const ShapeSums& s : sums) out.push_back(s.statistics());
+  std::vector<Index> all(parts.group.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  for_each_task(out.size() * n_shape_measures, threads, [&](std::size_t k) {
+    const std::size_t part = k / n_shape_measures;
+    const auto which = static_cast<ShapeMeasure>(k % n_shape_measures);
+    const std::span<const Index> of_part = part == 0 ? all : rows[part - 1];
+    if (!of_part.empty()) result_of(out[part], which).first_percentile = table.first_percentile(which, of_part);
   });
   return out;
 }
 
 /// Of the whole, then of each group. Edges come first: their tables are gone when those of shapes are made.
-std::vector<ShapeStatistics> summarize_all(ShapeTable& table, std::span<const Vec3> points,
+std::vector<ShapeStatistics> summarize_all(std::optional<ShapeTable>& table, std::span<const Vec3> points,
                                            std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
                                            const SizeField* size, unsigned threads) {
   std::vector<EdgeLengths> edges = measure_edges(points, tetrahedra, parts, size, threads);
@@ -144,8 +85,8 @@ std::vector<ShapeStatistics> summarize_all(ShapeTable& table, std::span<const Ve
     edge_length[k] = distribution(edges[k].length);
     edges[k].length = {};
   });
-  table = measure_all(points, tetrahedra, threads);
-  std::vector<ShapeStatistics> out = summarize_shapes(table, parts, threads);
+  table.emplace(points, tetrahedra);
+  std::vector<ShapeStatistics> out = summarize_shapes(*table, parts, threads);
   for (std::size_t k = 0; k < out.size(); ++k) {
     out[k].edge_length = edge_length[k];
     out[k].edge_size_histogram = edges[k].by_size;
@@ -158,7 +99,7 @@ std::vector<ShapeStatistics> summarize_all(ShapeTable& table, std::span<const Ve
 ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
   const unsigned threads = thread_count(0);
   const std::vector<Index> component(tetrahedra.size(), no_index), group(tetrahedra.size(), 0);
-  ShapeTable table(0);
+  std::optional<ShapeTable> table;
   return summarize_all(table, points, tetrahedra, {component, group, 1}, nullptr, threads).front();
 }
 
@@ -168,22 +109,13 @@ namespace {
 /// first.
 std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const ShapeTable& shapes) {
-  const std::vector<double>& least = shapes.min_dihedral;
-  std::vector<Index> order(least.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  const auto first_good =
-      std::partition(order.begin(), order.end(), [&](Index t) { return least[t] < options.bad_angle; });
-  const auto worse = [&](Index a, Index b) { return least[a] != least[b] ? least[a] < least[b] : a < b; };
-  const auto n_bad = static_cast<std::size_t>(first_good - order.begin());
-  const std::size_t n = std::max(n_bad, std::min(options.min_worst, order.size()));
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end(), worse);
   std::vector<WorstElement> worst;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Tetrahedron& v = mesh.tetrahedra[order[i]];
+  for (const auto& [angle, row] : shapes.with_least_angles(options.bad_angle, options.min_worst)) {
+    const Tetrahedron& v = mesh.tetrahedra[row];
     WorstElement w;
-    w.tetrahedron = order[i];
-    w.min_dihedral = least[order[i]];
-    w.max_dihedral = shapes.max_dihedral[order[i]];
+    w.tetrahedron = row;
+    w.min_dihedral = angle;
+    w.max_dihedral = shapes.shape(row).max_dihedral;
     w.place = 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
     worst.push_back(w);
   }
@@ -196,14 +128,14 @@ MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const Constrained
                             const QualityOptions& options) {
   MeshQuality q;
   const unsigned threads = thread_count(options.threads);
-  ShapeTable shapes(0);
+  std::optional<ShapeTable> shapes;
   const CellParts parts = options.group.empty() ? CellParts{mesh.component, mesh.component, mesh.n_components}
                                                 : CellParts{mesh.component, options.group, options.n_groups};
   q.per_component = summarize_all(shapes, mesh.points, mesh.tetrahedra, parts, options.size, threads);
   q.whole = q.per_component.front();
   q.per_component.erase(q.per_component.begin());
 
-  q.worst = worst_elements(mesh, options, shapes);
+  q.worst = worst_elements(mesh, options, *shapes);
   if (q.worst.empty()) return q;
   const InputCreases creases = find_creases(plc, options);
   CauseFinder causes(mesh, options, creases);

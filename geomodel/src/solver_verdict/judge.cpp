@@ -29,26 +29,32 @@ double with_16_digits(double x) {
 }
 
 double greatest_face_area(const std::array<Vec3, 4>& p) {
-  double greatest = 0;
-  for (unsigned i = 0; i < 4; ++i)
-    greatest =
-        std::max(greatest, 0.5 * length(cross(p[(i + 2) % 4] - p[(i + 1) % 4], p[(i + 3) % 4] - p[(i + 1) % 4])));
-  return greatest;
+  double greatest = 0;  // squared, four times
+  for (unsigned i = 0; i < 4; ++i) {
+    const Vec3 normal = cross(p[(i + 2) % 4] - p[(i + 1) % 4], p[(i + 3) % 4] - p[(i + 1) % 4]);
+    greatest = std::max(greatest, dot(normal, normal));
+  }
+  return 0.5 * std::sqrt(greatest);
 }
 
 Vec3 centroid(const std::array<Vec3, 4>& p) { return 0.25 * ((p[0] + p[1]) + (p[2] + p[3])); }
 
-/// Ends and length of the shortest edge.
-struct Edge {
+/// The shortest edge, and the length of the longest.
+struct Edges {
   Vec3 middle;
-  double length;
+  double shortest, longest;
 };
-Edge shortest_edge(const std::array<Vec3, 4>& p) {
-  Edge shortest{{}, infinity};
+Edges edges_of(const std::array<Vec3, 4>& p) {
+  Edges edges{{}, infinity, 0};
   for (unsigned i = 0; i < 4; ++i)
-    for (unsigned j = i + 1; j < 4; ++j)
-      if (const double l = length(p[j] - p[i]); l < shortest.length) shortest = {0.5 * (p[i] + p[j]), l};
-  return shortest;
+    for (unsigned j = i + 1; j < 4; ++j) {
+      const Vec3 along = p[j] - p[i];
+      const double squared = dot(along, along);
+      if (squared < edges.shortest) edges.middle = 0.5 * (p[i] + p[j]), edges.shortest = squared;
+      edges.longest = std::max(edges.longest, squared);
+    }
+  edges.shortest = std::sqrt(edges.shortest), edges.longest = std::sqrt(edges.longest);
+  return edges;
 }
 
 /// What is told of each element, but for time steps, which are told of all together.
@@ -116,34 +122,33 @@ class Judge {
 
   void look_at(std::size_t t, Tally& tally) {
     const std::array<Vec3, 4> p = corners(mesh_.points, t);
-    const TetrahedronShape shape = tetrahedron_shape(p[0], p[1], p[2], p[3]);
-    const double cube = shape.longest_edge * shape.longest_edge * shape.longest_edge, as_is = volume(p) / cube,
+    const Edges edges = edges_of(p);
+    const double cube = edges.longest * edges.longest * edges.longest, size = volume(p), as_is = size / cube,
                  as_written = volume(corners(rounded_, t)) / cube;
     SolverVerdict& v = tally.v;
     v.n_not_positive += !(std::min(as_is, as_written) > 0);
     if (as_is < v.least_volume) v.flattest = {t, centroid(p)};
     v.least_volume = std::min(v.least_volume, as_is);
     v.least_volume_16_digits = std::min(v.least_volume_16_digits, as_written);
-    look_at_angles(t, shape, std::min(as_is, as_written), v);
-    look_at_edges(t, p, tally);
-    step_[t] = 3 * std::max(volume(p), 0.0) / greatest_face_area(p) / velocity(t, v);
+    look_at_angles(t, dihedral_range(p[0], p[1], p[2], p[3]), std::min(as_is, as_written), v);
+    look_at_edges(t, edges, tally);
+    step_[t] = 3 * std::max(size, 0.0) / greatest_face_area(p) / velocity(t, v);
   }
 
-  void look_at_angles(std::size_t t, const TetrahedronShape& s, double least_volume, SolverVerdict& v) const {
-    if (s.min_dihedral < v.min_dihedral) v.sharpest = {t, centroid(corners(mesh_.points, t))};
-    v.min_dihedral = std::min(v.min_dihedral, s.min_dihedral);
-    v.max_dihedral = std::max(v.max_dihedral, s.max_dihedral);
-    v.n_implicit += !(least_volume >= limits_.least_volume) || s.min_dihedral < limits_.least_implicit_angle ||
-                    s.max_dihedral > limits_.most_implicit_angle;
-    v.n_iterative += s.min_dihedral < limits_.least_iterative_angle || s.max_dihedral > limits_.most_iterative_angle;
-    v.n_flux += s.max_dihedral > limits_.most_flux_angle;
+  void look_at_angles(std::size_t t, const DihedralRange& s, double least_volume, SolverVerdict& v) const {
+    if (s.least < v.min_dihedral) v.sharpest = {t, centroid(corners(mesh_.points, t))};
+    v.min_dihedral = std::min(v.min_dihedral, s.least);
+    v.max_dihedral = std::max(v.max_dihedral, s.greatest);
+    v.n_implicit += !(least_volume >= limits_.least_volume) || s.least < limits_.least_implicit_angle ||
+                    s.greatest > limits_.most_implicit_angle;
+    v.n_iterative += s.least < limits_.least_iterative_angle || s.greatest > limits_.most_iterative_angle;
+    v.n_flux += s.greatest > limits_.most_flux_angle;
   }
 
-  void look_at_edges(std::size_t t, const std::array<Vec3, 4>& p, Tally& tally) const {
-    const Edge edge = shortest_edge(p);
-    tally.v.least_edge = std::min(tally.v.least_edge, edge.length);
-    if (mesh_.size && edge.length < tally.least_over_size * mesh_.largest_size)
-      tally.least_over_size = std::min(tally.least_over_size, edge.length / mesh_.size(t, edge.middle));
+  void look_at_edges(std::size_t t, const Edges& edges, Tally& tally) const {
+    tally.v.least_edge = std::min(tally.v.least_edge, edges.shortest);
+    if (mesh_.size && edges.shortest < tally.least_over_size * mesh_.largest_size)
+      tally.least_over_size = std::min(tally.least_over_size, edges.shortest / mesh_.size(t, edges.middle));
   }
 
   /// 1 where it is not known.

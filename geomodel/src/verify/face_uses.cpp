@@ -20,7 +20,7 @@ FaceUse make_use(Triangle t, Index row, bool is_listed) {
       std::swap(t[i], t[j]);
       even = !even;
     }
-  return {t, row, is_listed, even};
+  return FaceUse(t, row, is_listed, even);
 }
 
 /// Calls visit(use) for the faces of rows [begin, end): tetrahedra first, then listed faces.
@@ -44,7 +44,7 @@ FaceUses::FaceUses(const ModelMesh& mesh, unsigned threads) {
   const std::size_t n_uses = 4 * mesh.tetrahedra.size() + mesh.faces.size();
   const std::size_t n_blocks = n_uses / uses_a_block + 1;
   const std::size_t n_vertices = std::max<std::size_t>(mesh.points.size(), 1);
-  const auto block_of = [&](const FaceUse& use) { return use.vertices[0] * n_blocks / n_vertices; };
+  const auto block_of = [&](const FaceUse& use) { return use.least_vertex() * n_blocks / n_vertices; };
 
   // Counted by chunk and block, then written to where the counts say.
   const Chunks chunks(n_rows);

@@ -24,6 +24,10 @@ bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
   const std::size_t n = m.points.size(), before = faults.size();
   if (m.point_kind.size() != n || m.input_vertex.size() != n) faults.push_back("point arrays differ in length");
   if (m.tet_region.size() != m.tetrahedra.size()) faults.push_back("tet_region differs in length from tetrahedra");
+  if (std::max({n, m.tetrahedra.size(), m.faces.size()}) >= FaceUse::limit) {
+    faults.push_back("there are more than 2^31 points, tetrahedra or faces");
+    return false;
+  }
   const auto bad = [&](auto first, auto last) {
     return std::any_of(first, last, [&](VertexIndex v) { return v >= n; });
   };
@@ -106,32 +110,34 @@ using NamedFaults = std::map<std::string, FaultList>;
 /// The tetrahedra and listed faces on one triangle: `uses` share their vertices.
 void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
-  const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed; });
+  const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed(); });
   const std::span<const FaceUse> tets(uses.begin(), first_listed), listed(first_listed, uses.end());
-  if (tets.size() == 2 && listed.empty() && tets[0].even != tets[1].even &&
-      m.tet_region[tets[0].row] == m.tet_region[tets[1].row])
+  if (tets.size() == 2 && listed.empty() && tets[0].even() != tets[1].even() &&
+      m.tet_region[tets[0].row()] == m.tet_region[tets[1].row()])
     return;  // most faces
-  if (tets.size() > 2) report("tetrahedra that share a face with two others", tets[2].row);
-  if (tets.size() == 2 && tets[0].even == tets[1].even) report("tetrahedra that overlap their neighbour", tets[0].row);
-  if (listed.size() > 1) report("faces listed twice", listed[1].row);
-  if (tets.empty()) report("faces that are no face of a tetrahedron", listed[0].row);
+  if (tets.size() > 2) report("tetrahedra that share a face with two others", tets[2].row());
+  if (tets.size() == 2 && tets[0].even() == tets[1].even())
+    report("tetrahedra that overlap their neighbour", tets[0].row());
+  if (listed.size() > 1) report("faces listed twice", listed[1].row());
+  if (tets.empty()) report("faces that are no face of a tetrahedron", listed[0].row());
   if (tets.empty() || tets.size() > 2) return;
   if (listed.empty()) {
-    const bool in_hull = m.regions[static_cast<std::size_t>(m.tet_region[tets[0].row] - 1)].name.rfind("hull", 0) == 0;
-    if (tets.size() == 2 && m.tet_region[tets[0].row] != m.tet_region[tets[1].row])
-      report("tetrahedra next to another region without a face between", tets[0].row);
-    if (tets.size() == 1 && !in_hull) report("tetrahedra on the outer boundary without a face there", tets[0].row);
+    const bool in_hull =
+        m.regions[static_cast<std::size_t>(m.tet_region[tets[0].row()] - 1)].name.rfind("hull", 0) == 0;
+    if (tets.size() == 2 && m.tet_region[tets[0].row()] != m.tet_region[tets[1].row()])
+      report("tetrahedra next to another region without a face between", tets[0].row());
+    if (tets.size() == 1 && !in_hull) report("tetrahedra on the outer boundary without a face there", tets[0].row());
     return;
   }
   // A tetrahedron's faces are counter-clockwise seen from inside: its own normal points inwards, so a face with the
   // same order has the tetrahedron on its plus side.
   std::int32_t minus = 0, plus = 0;
-  for (const FaceUse& t : tets) (t.even == listed[0].even ? plus : minus) = m.tet_region[t.row];
-  const ModelMesh::Face& face = m.faces[listed[0].row];
+  for (const FaceUse& t : tets) (t.even() == listed[0].even() ? plus : minus) = m.tet_region[t.row()];
+  const ModelMesh::Face& face = m.faces[listed[0].row()];
   if (face.region_minus != minus || face.region_plus != plus)
-    report("faces whose regions differ from those of the tetrahedra there", listed[0].row);
+    report("faces whose regions differ from those of the tetrahedra there", listed[0].row());
   if (minus == 0 || (plus != 0 && plus < minus))
-    report("faces whose normal does not point from the lower region id to the higher", listed[0].row);
+    report("faces whose normal does not point from the lower region id to the higher", listed[0].row());
 }
 
 void check_faces(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
@@ -141,7 +147,7 @@ void check_faces(const ModelMesh& m, unsigned threads, std::vector<std::string>&
     const std::span<const FaceUse> block = uses.block(b);
     for (std::size_t begin = 0; begin < block.size();) {
       std::size_t end = begin + 1;
-      while (end < block.size() && block[end].vertices == block[begin].vertices) ++end;
+      while (end < block.size() && block[end].same_triangle(block[begin])) ++end;
       check_one_face(m, block.subspan(begin, end - begin), by_block[b]);
       begin = end;
     }

@@ -34,6 +34,13 @@ struct TetrahedronShape {
 /// O(1). The tetrahedron should be positive; a flat or inverted one yields angles of 0 and 180 and ratios of 0.
 TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+struct DihedralRange {
+  double least = 0, greatest = 0;  ///< degrees
+};
+
+/// The least and greatest of tetrahedron_shape's dihedral angles, in about a third of its time. O(1).
+DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 struct Distribution {
   double min = 0, max = 0, mean = 0, first_percentile = 0;
 };

@@ -15,7 +15,38 @@ namespace {
 /// The edges at each vertex, in the order of edge_vertices.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> edges_at{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
 
+/// An angle from 0 to 180 degrees by its sine and cosine, both times the same length. It is greater the more it is
+/// turned.
+struct Turned {
+  double sine = 0, cosine = 0;
+  bool is_less_than(const Turned& o) const { return sine * o.cosine > o.sine * cosine; }
+  double degrees() const { return std::atan2(sine, cosine) * degrees_per_radian; }
+};
+
 }  // namespace
+
+DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double det = dot(cross(b - a, c - a), d - a);
+  if (!(det > 0)) {
+    const TetrahedronShape s = tetrahedron_shape(a, b, c, d);
+    return {s.min_dihedral, s.max_dihedral};
+  }
+  const std::array<Vec3, 4> p{a, b, c, d};
+  std::array<Vec3, 4> n;
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto& f = face_vertices[i];
+    n[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
+  }
+  Turned least, greatest;
+  for (unsigned e = 0; e < 6; ++e) {
+    const auto [i, j] = edge_vertices[e];
+    const auto [k, l] = edge_vertices[5 - e];
+    const Turned angle{det * distance(p[i], p[j]), -dot(n[k], n[l])};
+    if (e == 0 || angle.is_less_than(least)) least = angle;
+    if (e == 0 || greatest.is_less_than(angle)) greatest = angle;
+  }
+  return {least.degrees(), greatest.degrees()};
+}
 
 TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   TetrahedronShape s{};

@@ -23,6 +23,7 @@ class Exporter {
   ConstrainedTetrahedralization whole() {
     for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
       if (domain_.kind(v) != VertexKind::dead) add_vertex(v);
+    cells_.reserve(domain_.n_cells());
     for (const CellIndex c : domain_.live_cells()) add_cell(c);
     out_.n_components = before_.n_components;
     out_.component_seed = before_.component_seed;
@@ -83,6 +84,11 @@ class Exporter {
     std::sort(vertices_.begin(), vertices_.end());
     std::stable_sort(vertices_.begin(), vertices_.end(),
                      [&](VertexIndex a, VertexIndex b) { return input_of(a) < input_of(b); });
+    out_.points.reserve(vertices_.size());
+    out_.input_vertex.reserve(vertices_.size());
+    out_.origin.reserve(vertices_.size());
+    out_.tetrahedra.reserve(cells_.size());
+    out_.component.reserve(cells_.size());
     for (const VertexIndex v : vertices_) {
       row_[v] = static_cast<VertexIndex>(out_.points.size());
       out_.points.push_back(domain_.point(v));

@@ -173,11 +173,13 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
       "bad cells mended by looking ahead", [&] { rescue_bad_cells(tools, rescue, out_of_time); }, rescues_bad);
   // What solvers refuse is worth it at every level.
   passes.once(
-      "cells too flat for solvers mended by looking ahead", [&] { rescue_flat_cells(tools, flat_rescue, out_of_time); },
+      "cells too flat for solvers mended by looking ahead",
+      [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },
       !tools.bad_cells_may_spread);
   const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle));
   passes.once(
-      "the last poor cells mended by looking ahead", [&] { rescue_flat_cells(tools, aim_rescue, out_of_time); },
+      "the last poor cells mended by looking ahead",
+      [&] { rescue_flat_cells(tools, aim_rescue, rescue_limits.most_vain_poor, out_of_time); },
       rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
   const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
   passes.run({.name = "points too near to others taken out, and what is about them mended",

@@ -240,8 +240,8 @@ bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) {
   return attempt(tools, place, BadCells::may_spread, [&] { return place.mend(c); });
 }
 
-VainTrials vain_trials(std::size_t n_cells) {
-  return {std::clamp(n_cells / rescue_limits.cells_a_vain_opening, rescue_limits.least_vain, rescue_limits.most_vain)};
+VainTrials vain_trials(std::size_t n_cells, std::size_t most) {
+  return {std::clamp(n_cells / rescue_limits.cells_a_vain_opening, rescue_limits.least_vain, most)};
 }
 
 bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule, VainTrials& vain) {
@@ -299,8 +299,8 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
   sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) { return rescue_cell(tools, c, rule); });
 }
 
-void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time) {
-  VainTrials vain = vain_trials(tools.mesh.n_cells());
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time) {
+  VainTrials vain = vain_trials(tools.mesh.n_cells(), most_vain);
   sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) {
     return rescue_cell(tools, c, rule) || (vain.left > 0 && rescue_cell_by_openings(tools, c, rule, vain));
   });

@@ -22,8 +22,8 @@ using OutOfTime = std::function<bool()>;
 struct VainTrials {
   std::size_t left;
 };
-/// For a mesh of so many cells.
-VainTrials vain_trials(std::size_t n_cells);
+/// For a mesh of so many cells; no more than `most`.
+VainTrials vain_trials(std::size_t n_cells, std::size_t most);
 
 /// Mends the bad cell c and whatever becomes bad by that. Each operation raises the worst shape about it, while the
 /// number of bad cells may rise. Kept where in the end there are fewer bad cells than before, or as many and the worst
@@ -60,8 +60,8 @@ bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, 
 /// Rescues over all bad cells of the mesh, again where something has changed since.
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
-/// The same for the worst there are: with openings where that is in vain, as long as few are in vain.
-void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
+/// The same for the worst there are: with openings where that is in vain, as long as no more than `most_vain` are.
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time);
 
 /// What is bad by our own doing, and not by the input's, is worth more: with openings, and a search among these.
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
