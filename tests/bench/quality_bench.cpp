@@ -2,8 +2,8 @@
 /// @file
 /// Writes the tables of the Refinement section of docs/history/0.1-measurements.md to standard output:
 ///     quality_bench [--section peers|levels|growth]... [--model NAME] [--limit SECONDS]
-/// peers: beside `tetgen -pq1.414` and `gmsh -3 -optimize_netgen` (command-line programs) on the same surfaces and,
-/// within a tenth, the same number of tetrahedra; `--model`: on the models whose names contain NAME. levels: fast,
+/// peers: beside `tetgen -pq1.414`, `gmsh -3 -optimize_netgen` (command-line programs) and Netgen on the same surfaces
+/// and, within a tenth, the same number of tetrahedra; `--model`: on the models whose names contain NAME. levels: fast,
 /// default and best, surfaces kept and within 0.2 % of a grain's size. growth: to a million tetrahedra, by stage.
 /// `--limit`: processor seconds of one run.
 #include <tbb/global_control.h>
@@ -45,7 +45,8 @@ void compare_levels(double limit_s) {
 
 constexpr const char* usage =
     "usage: quality_bench [--section peers|levels|growth]... [--model NAME] [--limit SECONDS]\n"
-    "peers: beside tetgen and gmsh, with --model on the models whose names contain NAME; levels: fast, default, best;\n"
+    "peers: beside tetgen, gmsh and Netgen, with --model on the models whose names contain NAME; levels: fast, "
+    "default, best;\n"
     "growth: to a million tetrahedra. --limit: processor seconds of one run. Without --section: all three.\n";
 
 struct Settings {

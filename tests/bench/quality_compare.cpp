@@ -83,7 +83,7 @@ bool is_matched(const Row& ours, const Row& peer) {
 }
 
 struct Verdict {
-  std::string model, tetgen, gmsh, speed, within;
+  std::string model, tetgen, gmsh, netgen, speed, within;
 };
 
 std::string judge_speed(const Row& ours, const Row& peer) {
@@ -131,17 +131,18 @@ void compare_peers(const CompareOptions& options) {
     }
     QualityModel same = model;
     same.plc = model.merged();
-    const std::array<Row, 2> peers{run_tetgen(same, stem, options.peer_limit_s),
-                                   run_gmsh(same, stem, options.peer_limit_s)};
-    std::array<Row, 2> ours;
-    for (std::size_t i = 0; i < 2; ++i) {
+    const std::array<Row, 3> peers{run_tetgen(same, stem, options.peer_limit_s),
+                                   run_gmsh(same, stem, options.peer_limit_s),
+                                   run_netgen(same, stem, options.peer_limit_s)};
+    std::array<Row, 3> ours;
+    for (std::size_t i = 0; i < peers.size(); ++i) {
       print_row(model.name, peers[i]);
       if (peers[i].tetrahedra == 0) continue;
       const Surfaces surfaces = model.sizes_from_edges || i == 0 ? Surfaces::kept : Surfaces::kept_unsized;
       ours[i] = run_matched(model, surfaces, peers[i].tetrahedra, options.own_limit_s);
       print_row(model.name, ours[i]);
     }
-    if (peers[0].tetrahedra + peers[1].tetrahedra == 0) {  // nothing to match
+    if (peers[0].tetrahedra + peers[1].tetrahedra + peers[2].tetrahedra == 0) {  // nothing to match
       constexpr double gradation = 1, fiftieth = 0.02;
       print_row(model.name, run_geomesh(model, options_of(model, Surfaces::kept_unsized, gradation), "geomesh",
                                         options.own_limit_s));
@@ -158,15 +159,15 @@ void compare_peers(const CompareOptions& options) {
       print_row(model.name, free);
       within = judge(free, peers[1]) + "; speed: " + judge_speed(free, peers[1]);
     }
-    verdicts.push_back(
-        {model.name, judge(ours[0], peers[0]), judge(ours[1], peers[1]), judge_speed(ours[1], peers[1]), within});
+    verdicts.push_back({model.name, judge(ours[0], peers[0]), judge(ours[1], peers[1]), judge(ours[2], peers[2]),
+                        judge_speed(ours[1], peers[1]), within});
   }
   std::printf(
-      "\n| model | all four better than tetgen | all four better than gmsh | no slower than gmsh | the same with "
-      "surfaces within 0.1 %% |\n|---|---|---|---|---|\n");
+      "\n| model | all four better than tetgen | all four better than gmsh | all four better than netgen | "
+      "no slower than gmsh | the same with surfaces within 0.1 %% |\n|---|---|---|---|---|---|\n");
   for (const Verdict& v : verdicts)
-    std::printf("| %s | %s | %s | %s | %s |\n", v.model.c_str(), v.tetgen.c_str(), v.gmsh.c_str(), v.speed.c_str(),
-                v.within.c_str());
+    std::printf("| %s | %s | %s | %s | %s | %s |\n", v.model.c_str(), v.tetgen.c_str(), v.gmsh.c_str(),
+                v.netgen.c_str(), v.speed.c_str(), v.within.c_str());
   std::filesystem::remove_all(folder);
 }
 

@@ -12,6 +12,7 @@
 
 #include "geomesh/core/tetrahedralize.hpp"
 #include "quality_runs.hpp"
+#include "test_places.hpp"
 
 namespace geomesh::bench {
 namespace {
@@ -179,6 +180,27 @@ void write_gmsh(const QualityModel& model, const std::string& stem) {
   for (const auto& [c, parts_of] : embedded) geo << "Surface {" << list(parts_of) << "} In Volume {" << c + 1 << "};\n";
 }
 
+/// STEM.surface: what netgen_peer.py reads. Volumes count from 1.
+void write_netgen(const QualityModel& model, const std::string& stem) {
+  const ConstrainedTetrahedralization mesh = tetrahedralize(model.plc);
+  std::map<VertexIndex, std::size_t> row;
+  for (const auto& face : mesh.faces)
+    for (const VertexIndex v : face.vertices) row.try_emplace(v, 0);
+  std::ofstream out(stem + ".surface");
+  out.precision(17);
+  out << row.size() << ' ' << mesh.faces.size() << '\n';
+  std::size_t n = 0;
+  for (auto& [v, id] : row) {
+    id = n++;
+    out << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << mesh.points[v].z << '\n';
+  }
+  const auto volume = [&](Index t) { return t == no_index ? 0 : mesh.component[t] + 1; };
+  for (const auto& face : mesh.faces) {
+    for (const VertexIndex v : face.vertices) out << row[v] << ' ';
+    out << volume(face.tetrahedron_below) << ' ' << volume(face.tetrahedron_above) << '\n';
+  }
+}
+
 PlainMesh read_gmsh(const std::string& path) {
   PlainMesh mesh;
   std::map<long, VertexIndex> row;
@@ -215,6 +237,17 @@ Row run_tetgen(const QualityModel& model, const std::string& stem, double limit_
   Row row{"tetgen -pq1.414", 0, {}, 0};
   const std::string failure = run("tetgen -pq1.414 " + stem + ".poly", stem, limit_s, row.cpu_s);
   if (!failure.empty()) row.tool += ": " + failure;
+  measure_into(row, read_tetgen(stem));
+  return row;
+}
+
+Row run_netgen(const QualityModel& model, const std::string& stem, double limit_s) {
+  write_netgen(model, stem);
+  for (const char* end : {".1.node", ".1.ele"}) std::remove((stem + end).c_str());
+  Row row{"netgen", 0, {}, 0};
+  const std::string script = std::string(GEOMESH_SOURCE_DIR) + "/tests/bench/netgen_peer.py ";
+  const std::string failure = run("/usr/bin/python3 " + script + stem, stem, limit_s, row.cpu_s);
+  if (!failure.empty()) row.tool += log_has(stem, "No module named") ? ": not installed" : ": " + failure;
   measure_into(row, read_tetgen(stem));
   return row;
 }

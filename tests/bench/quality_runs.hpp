@@ -37,4 +37,8 @@ Row run_tetgen(const QualityModel& model, const std::string& stem, double limit_
 /// is not compiled in, what its own optimiser left is the result, and the row says so.
 Row run_gmsh(const QualityModel& model, const std::string& stem, double limit_s);
 
+/// Netgen by its Python module (`python3-netgen`), with its three rounds of optimisation, between the triangles that
+/// run_gmsh() takes. Reading and writing by Python counts as its time.
+Row run_netgen(const QualityModel& model, const std::string& stem, double limit_s);
+
 }  // namespace geomesh::bench

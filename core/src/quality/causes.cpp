@@ -110,20 +110,25 @@ void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double sha
   }
 }
 
+std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle) {
+  // The measure is not above the least sine.
+  if (remesh::shape_of_cell<remesh::DihedralMeasure>(a, b, c, d) > remesh::DihedralMeasure::of_angle(bad_angle))
+    return std::nullopt;
+  const double least = tetrahedron_shape(a, b, c, d).min_dihedral;
+  return least < bad_angle ? std::optional(least) : std::nullopt;
+}
+
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const InputCreases& creases, std::size_t n_judged) {
   std::vector<WorstElement> bad;
-  const double limit = remesh::DihedralMeasure::of_angle(options.bad_angle);
   for (Index row = 0; row < std::min(n_judged, mesh.tetrahedra.size()); ++row) {
     const Tetrahedron& t = mesh.tetrahedra[row];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
-    if (remesh::shape_of_cell<remesh::DihedralMeasure>(a, b, c, d) > limit)
-      continue;  // quick: the measure is not above the least sine
-    const double least = tetrahedron_shape(a, b, c, d).min_dihedral;
-    if (!(least < options.bad_angle)) continue;
+    const std::optional<double> least = angle_if_bad(a, b, c, d, options.bad_angle);
+    if (!least) continue;
     WorstElement& w = bad.emplace_back();
     w.tetrahedron = row;
-    w.min_dihedral = least;
+    w.min_dihedral = *least;
     w.place = 0.25 * (a + b + c + d);
   }
   if (bad.empty()) return {};

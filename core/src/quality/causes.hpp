@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,9 @@ class CauseFinder {
   GapFinder gaps_;
   std::vector<MeetingAngle> angles_;  // by vertex; negative: not looked for yet
 };
+
+/// The least dihedral angle (degrees) of the tetrahedron a b c d where it is below `bad_angle`. Quick where it is not.
+std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle);
 
 /// Rows of the elements (of the first `n_judged`) below the bad angle that nothing forces, the worst first. O(n) but
 /// for what CauseFinder costs.

@@ -2,6 +2,7 @@
 #include "remesh/driver/judge_cells.hpp"
 
 #include <memory>
+#include <optional>
 
 #include "quality/causes.hpp"
 #include "remesh/domain/domain_io.hpp"
@@ -27,6 +28,7 @@ class Judge {
   }
 
   std::vector<CellIndex> find(const DomainMesh& mesh) const {
+    if (!has_bad_cell(mesh)) return {};  // most meshes: no copy of them is made
     std::vector<CellIndex> cells, bad;
     for (const CellIndex c : mesh.live_cells()) cells.push_back(c);
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
@@ -42,6 +44,14 @@ class Judge {
   }
 
  private:
+  bool has_bad_cell(const DomainMesh& mesh) const {
+    for (const CellIndex cell : mesh.live_cells()) {
+      const auto [a, b, c, d] = mesh.places(mesh.vertices(cell));
+      if (angle_if_bad(a, b, c, d, judging_.bad_angle)) return true;
+    }
+    return false;
+  }
+
   const ConstrainedTetrahedralization& input_;
   QualityOptions judging_;
   InputCreases creases_;
