@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Flips of surface edges towards Delaunay, declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
+#include <optional>
 
 #include "common/parallel.hpp"
 #include "quality/measure/shape.hpp"
@@ -13,7 +14,8 @@ namespace {
 /// Lawson's flips (1986; Joe 1989) at faces that are not locally Delaunay, constrained faces left alone.
 class DelaunayFlipper {
  public:
-  explicit DelaunayFlipper(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {}
+  DelaunayFlipper(Toolbox& tools, std::optional<std::uint64_t> since)
+      : tools_(tools), mesh_(tools.mesh), since_(since) {}
 
   std::size_t run(const RunContext& context) {
     push_all(thread_count(context.threads));
@@ -43,12 +45,14 @@ class DelaunayFlipper {
     for_each_task(asked.size(), threads, [&](std::size_t k) {
       const auto end = static_cast<CellIndex>(std::min<std::size_t>(mesh_.n_slots(), (k + 1) * chunk));
       for (auto c = static_cast<CellIndex>(k * chunk); c < end; ++c)
-        if (mesh_.is_live(c) && any_face_to_flip(c, [](unsigned, FaceRef, VertexIndex) { return true; }))
+        if (mesh_.is_live(c) && may_have_changed(c) && any_face_to_flip(c, [](unsigned, FaceRef, VertexIndex) { return true; }))
           asked[k].push_back(c);
     });
     for (const std::vector<CellIndex>& cells : asked)
       for (const CellIndex c : cells) push(c);
   }
+
+  bool may_have_changed(CellIndex c) const { return !since_ || changed_since(mesh_, mesh_.vertices(c), *since_); }
 
   /// Whether flip(i, neighbour, its apex) holds for a face i that is not locally Delaunay; the first one that it does.
   template <class Flip>
@@ -104,13 +108,14 @@ class DelaunayFlipper {
 
   Toolbox& tools_;
   DomainMesh& mesh_;
+  std::optional<std::uint64_t> since_;
   std::vector<std::pair<CellIndex, Tetrahedron>> stack_;
 };
 
 }  // namespace
 
-std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context) {
-  return DelaunayFlipper(tools).run(context);
+std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context, std::optional<std::uint64_t> since) {
+  return DelaunayFlipper(tools, since).run(context);
 }
 
 }  // namespace geomesh::remesh

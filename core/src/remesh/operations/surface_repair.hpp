@@ -3,6 +3,9 @@
 /// Operations on the whole mesh: facets of faces made anew, breaches mended, flips towards Delaunay.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -22,7 +25,9 @@ enum class MendBy : std::uint8_t {
 /// were treated: other places may be off then, so verify again. O(n log n).
 std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches, MendBy by = MendBy::moves_and_splits);
 
-/// Flips (2-3 and 3-2) until no face admits one that makes it locally Delaunay: insertion works best from there.
-std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context);
+/// Flips (2-3 and 3-2) until no face admits one that makes it locally Delaunay: insertion works best from there. Where
+/// the mesh was so at the time `since`, only cells are looked at that were changed later, or a vertex of which was.
+std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context,
+                                  std::optional<std::uint64_t> since = std::nullopt);
 
 }  // namespace geomesh::remesh

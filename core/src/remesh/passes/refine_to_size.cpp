@@ -41,10 +41,11 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   if (sizes_surfaces(options)) passes.once("cells flipped towards Delaunay", flip);
   // Bisected faces are of poor shape. Their neighbourhood is loose enough to mend them only once it is filled.
   if (n_split > 0) {
+    const std::uint64_t flipped = tools.mesh.tick();
     passes.once("surfaces made regular", make_regular);
     passes.once("short edges of surfaces taken out", collapse_on_surfaces);
     passes.once("surfaces made regular", make_regular);
-    passes.once("cells flipped towards Delaunay", flip);
+    passes.once("cells flipped towards Delaunay", [&] { flip_towards_delaunay(tools, context, flipped); });
     passes.once("points put inside where there is room", [&] { refine_inside(inside(), most, context); });
   }
   passes.once("short edges inside taken out", [&] { collapse_short_edges(tools, ShortEdges::inside, context); });
