@@ -45,7 +45,8 @@ class DelaunayFlipper {
     for_each_task(asked.size(), threads, [&](std::size_t k) {
       const auto end = static_cast<CellIndex>(std::min<std::size_t>(mesh_.n_slots(), (k + 1) * chunk));
       for (auto c = static_cast<CellIndex>(k * chunk); c < end; ++c)
-        if (mesh_.is_live(c) && may_have_changed(c) && any_face_to_flip(c, [](unsigned, FaceRef, VertexIndex) { return true; }))
+        if (mesh_.is_live(c) && may_have_changed(c) &&
+            any_face_to_flip(c, [](unsigned, FaceRef, VertexIndex) { return true; }))
           asked[k].push_back(c);
     });
     for (const std::vector<CellIndex>& cells : asked)
