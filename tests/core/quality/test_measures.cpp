@@ -167,3 +167,21 @@ TEST_CASE("Limits given as angles rise with the angle and mean the same sliver t
     CHECK(quality.bad() == quality.of_angle(8));
   }
 }
+
+TEST_CASE("The range of dihedral angles is that of all six", "[quality]") {
+  RandomCells cells(7);
+  const auto agrees = [](const Cell& p) {
+    const TetrahedronShape all = tetrahedron_shape(p[0], p[1], p[2], p[3]);
+    const DihedralRange range = dihedral_range(p[0], p[1], p[2], p[3]);
+    return range.least == all.min_dihedral && range.greatest == all.max_dihedral;
+  };
+  CHECK(agrees(regular));
+  std::size_t n_wrong = 0;
+  for (int k = 0; k < 20000; ++k) {
+    Cell p = cells.next();
+    n_wrong += !agrees(p);
+    if (k % 10 == 0) std::swap(p[0], p[1]), n_wrong += !agrees(p);  // inverted
+  }
+  CHECK(n_wrong == 0);
+  CHECK(agrees({Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 1, 0}}));  // flat
+}

@@ -19,7 +19,7 @@ constexpr std::array<std::array<std::uint8_t, 3>, 4> edges_at{{{0, 1, 2}, {0, 3,
 /// turned.
 struct Turned {
   double sine = 0, cosine = 0;
-  bool is_less_than(const Turned& o) const { return sine * o.cosine > o.sine * cosine; }
+  bool is_less_than(const Turned& o) const { return o.sine * cosine > sine * o.cosine; }
   double degrees() const { return std::atan2(sine, cosine) * degrees_per_radian; }
 };
 
