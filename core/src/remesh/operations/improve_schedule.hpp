@@ -79,6 +79,7 @@ struct ImproveSchedule {
   // Repair, the worst cell first.
   unsigned repair_rounds = 8;
   double target_angle = 32;              ///< cells below are repaired
+  unsigned poor_classes = 8;             ///< of these, the worst class first
   double insertion_angle = 26;           ///< below this also by new points
   double good_above_target = 4;          ///< degrees above the target from which a vertex is not moved further
   unsigned smoothing_steps = 12;         ///< of one vertex

@@ -63,8 +63,11 @@ class RepairRounds {
 
   Next round(unsigned k) {
     const CellQuality& measure = mesh_.measure();
-    const std::vector<BadCell> poor = cells_below(mesh_, measure.of_angle(schedule_.target_angle));
-    const std::size_t n_worst = count_below(poor, measure.of_angle(schedule_.progress_angle));
+    const std::vector<BadCell> poor =
+        cells_below_by_class(mesh_, measure.of_angle(schedule_.target_angle), schedule_.poor_classes);
+    const double worst = measure.of_angle(schedule_.progress_angle);
+    const auto n_worst = static_cast<std::size_t>(
+        std::ranges::count_if(poor, [&](const BadCell& b) { return b.shape < worst; }));
     if (is_in_vain(k, poor.size(), n_worst)) return Next::done;
     fewest_ = std::min(fewest_, poor.size());
     fewest_worst_ = std::min(fewest_worst_, n_worst);
@@ -75,11 +78,6 @@ class RepairRounds {
   }
 
  private:
-  static std::size_t count_below(const std::vector<BadCell>& sorted, double limit) {
-    const auto end =
-        std::partition_point(sorted.begin(), sorted.end(), [&](const BadCell& b) { return b.shape < limit; });
-    return static_cast<std::size_t>(end - sorted.begin());
-  }
   bool is_in_vain(unsigned k, std::size_t n_poor, std::size_t n_worst) const {
     const auto falls = [&](std::size_t now, std::size_t fewest) {
       return static_cast<double>(now) <= schedule_.progress * static_cast<double>(fewest);
