@@ -11,7 +11,7 @@ namespace geomesh::remesh {
 namespace {
 
 /// Of the least gain that is worth a move: what gained more is looked at again, with what is about it.
-constexpr double much_gained = 3;
+constexpr double much_gained = 6;
 
 class MeanRaiser {
  public:
