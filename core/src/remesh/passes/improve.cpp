@@ -66,8 +66,8 @@ class RepairRounds {
     const std::vector<BadCell> poor =
         cells_below_by_class(mesh_, measure.of_angle(schedule_.target_angle), schedule_.poor_classes);
     const double worst = measure.of_angle(schedule_.progress_angle);
-    const auto n_worst = static_cast<std::size_t>(
-        std::ranges::count_if(poor, [&](const BadCell& b) { return b.shape < worst; }));
+    const auto n_worst =
+        static_cast<std::size_t>(std::ranges::count_if(poor, [&](const BadCell& b) { return b.shape < worst; }));
     if (is_in_vain(k, poor.size(), n_worst)) return Next::done;
     fewest_ = std::min(fewest_, poor.size());
     fewest_worst_ = std::min(fewest_worst_, n_worst);
