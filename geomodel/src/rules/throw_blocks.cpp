@@ -16,7 +16,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
 constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
 
 Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {

@@ -63,8 +63,10 @@ class RepairRounds {
 
   Next round(unsigned k) {
     const CellQuality& measure = mesh_.measure();
-    const std::vector<BadCell> poor =
-        cells_below_by_class(mesh_, measure.of_angle(schedule_.target_angle), schedule_.poor_classes);
+    const double limit = measure.of_angle(schedule_.target_angle);
+    const std::vector<BadCell> poor = schedule_.poor_classes > 0
+                                          ? cells_below_by_class(mesh_, limit, schedule_.poor_classes)
+                                          : cells_below(mesh_, limit);
     const double worst = measure.of_angle(schedule_.progress_angle);
     const auto n_worst =
         static_cast<std::size_t>(std::ranges::count_if(poor, [&](const BadCell& b) { return b.shape < worst; }));
@@ -139,7 +141,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                    flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle));
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
-  RaisedBefore raised;
+  RaisedBefore raised{.much_gained = schedule.much_gained};
   const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(low_percentile(mesh, schedule), least, measure.of_angle(schedule.mean_floor_angle));
@@ -171,7 +173,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
       "bad cells mended by looking ahead", [&] { rescue_bad_cells(tools, rescue, out_of_time); }, rescues_bad);
   // What solvers refuse is worth it at every level.
   passes.once(
-      "cells too flat for solvers mended by looking ahead", [&] { rescue_flat_cells(tools, flat_rescue, out_of_time); },
+      "cells too flat for solvers mended by looking ahead",
+      [&] { rescue_flat_cells(tools, flat_rescue, out_of_time, rescue_limits.most_vain_flat); },
       !tools.bad_cells_may_spread);
   const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle));
   passes.once(
