@@ -63,9 +63,7 @@ struct RescueLimits {
   std::size_t cells_a_vain_opening = 10;  ///< one sequence in vain for so many cells of the mesh
   std::size_t least_vain = 4'000;         ///< of all cells together, whatever the size of the mesh: some seconds
   std::size_t most_vain = 60'000;
-  std::size_t most_vain_flat = 200;  ///< flat cells in vain from which the input is taken to force the others,
-  std::size_t vain_a_mended = 4;     ///< where they are so many for each that was mended
-  std::size_t cells_a_trial = 25;    ///< one trial for so many cells of the mesh: less than a fifth of the whole time
+  std::size_t cells_a_trial = 25;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
 };
 inline constexpr RescueLimits rescue_limits{};
 
@@ -101,6 +99,7 @@ struct ImproveSchedule {
   double forced_share = 0.001;  ///< of all cells, 0..1: so many of the worst are mended where they are forced
   double forced_room = 0.01;    ///< of the asked size
   double flat_angle = 1.5;      ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
+  double few_flat = 0.01;  ///< of all cells, 0..1; where more are flat the input forces them: `forced_share` is mended
   /// Where few cells are below, they are mended as those are. No more may be below where points too near go again.
   double aim_angle = 20;
   double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are forced by the surfaces

@@ -2,6 +2,7 @@
 // The schedule of improvement; declared in improve_passes.hpp.
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/pass_runner.hpp"
@@ -116,6 +117,14 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
+/// All where they are few. In a mesh that is full of them their mending is not seen, and takes longer than all else.
+std::size_t flat_cells_to_mend(const DomainMesh& mesh, const RescueRule& rule, const ImproveSchedule& schedule) {
+  const std::size_t n = cells_below(mesh, rule.bad_shape).size();
+  const bool are_forced = share(n, mesh) > schedule.few_flat;
+  return are_forced ? static_cast<std::size_t>(schedule.forced_share * static_cast<double>(mesh.n_cells()))
+                    : std::numeric_limits<std::size_t>::max();
+}
+
 /// One step of a pass that takes points out: inside, then on surfaces that may be remeshed. Done when nothing went.
 template <class Thin>
 Next thin_points(const Toolbox& tools, const Thin& thin) {
@@ -174,7 +183,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   // What solvers refuse is worth it at every level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
-      [&] { rescue_flat_cells(tools, flat_rescue, out_of_time, rescue_limits.most_vain_flat); },
+      [&] { rescue_flat_cells(tools, flat_rescue, out_of_time, flat_cells_to_mend(mesh, flat_rescue, schedule)); },
       !tools.bad_cells_may_spread);
   const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle));
   passes.once(

@@ -299,15 +299,12 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
   sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) { return rescue_cell(tools, c, rule); });
 }
 
-void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time, std::size_t most_vain) {
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time, std::size_t most_cells) {
   VainTrials vain = vain_trials(tools.mesh.n_cells());
-  std::size_t n_mended = 0, n_vain = 0;
   sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) {
-    if (n_vain >= most_vain && n_vain / rescue_limits.vain_a_mended >= n_mended) return false;
-    const bool is_mended =
-        rescue_cell(tools, c, rule) || (vain.left > 0 && rescue_cell_by_openings(tools, c, rule, vain));
-    ++(is_mended ? n_mended : n_vain);
-    return is_mended;
+    if (most_cells == 0) return false;
+    --most_cells;
+    return rescue_cell(tools, c, rule) || (vain.left > 0 && rescue_cell_by_openings(tools, c, rule, vain));
   });
 }
 

@@ -62,10 +62,10 @@ bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, 
 /// Rescues over all bad cells of the mesh, again where something has changed since.
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
-/// The same for the worst there are: with openings where that is in vain, as long as few are in vain. No cell is looked
-/// at any more once `most_vain` have been in vain, and several for each that was mended: then the input forces them.
+/// The same for the worst there are, `most_cells` of them: with openings where that is in vain, as long as few are in
+/// vain.
 void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time,
-                       std::size_t most_vain = std::numeric_limits<std::size_t>::max());
+                       std::size_t most_cells = std::numeric_limits<std::size_t>::max());
 
 /// What is bad by our own doing, and not by the input's, is worth more: with openings, and a search among these.
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
