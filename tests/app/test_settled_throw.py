@@ -149,6 +149,16 @@ class SettledThrow(ProgramTest):
     def test_undefined_strips(self):
         self.assert_settled([Plane("f1", 1700, 40, 60)], torn=True, entry="throw_at: auto, extend: tangent")
 
+    def test_horizons_given_block_by_block(self):
+        """Each block's sheet stops short of the fault, and is continued to it and beyond it on its own."""
+        _, names = self.assert_settled([Plane("f1", 1700, 40, 60)], smear=20.0, torn=True, entry="throw_at: [f1], extend: tangent")
+        self.assertTrue({"upper__B1", "upper__B2", "lower__B1", "lower__B2"} <= set(names), names)
+
+    def test_four_blocks_of_two_faults_that_cross(self):
+        faults = [Plane("f1", 1700, 40, 60), Plane("f2", 1000, 30, along_x=True)]
+        _, names = self.assert_settled(faults, smear=20.0, torn=True, entry="throw_at: [f1, f2], extend: tangent")
+        self.assertEqual(len([name for name in names if name.startswith("lower__B")]), 4, names)
+
     def test_a_turned_model_with_two_faults_and_more_noise(self):
         for self.angle in (-30.0, 17.0):
             self.assert_settled([Plane("f1", 1300, 40, 60), Plane("f2", 2900, -30, 70)], noise=1.5)

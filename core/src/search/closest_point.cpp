@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry.hpp"
+
 namespace geomesh::search {
 
 Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -30,6 +32,7 @@ PreparedTriangle::PreparedTriangle(const std::array<Vec3, 3>& corners)
       acac_(dot(ac_, ac_)) {
   const Vec3 n = cross(ab_, ac_);
   has_area_ = dot(n, n) > 0;
+  normal_ = unit(n);
 }
 
 Vec3 PreparedTriangle::closest_on_sides(const Vec3& p) const {

@@ -48,12 +48,14 @@ class PreparedTriangle {
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners);
   const std::array<Vec3, 3>& corners() const { return corners_; }
   Vec3 closest_to(const Vec3& p) const;
+  /// Of length one; of a triangle without area zero.
+  const Vec3& normal() const { return normal_; }
 
  private:
   Vec3 closest_on_sides(const Vec3& p) const;
 
   std::array<Vec3, 3> corners_;
-  Vec3 ab_, ac_;
+  Vec3 ab_, ac_, normal_;
   double abab_, abac_, acac_;
   bool has_area_;
 };

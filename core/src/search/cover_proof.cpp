@@ -20,7 +20,7 @@ constexpr std::size_t pieces_besides = 200;
 constexpr double least_piece = 1.0 / 64;  ///< radius, of the limit
 constexpr double on_plane = 1e-9;         ///< of the piece's radius: not cut off
 
-double distance_to(const Vec3& p, const Corners& t) { return distance(p, closest_on_triangle(p, t[0], t[1], t[2])); }
+double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }
 
 bool is_line(const Corners& c) { return c[1] == c[2]; }
 
@@ -134,7 +134,7 @@ bool CoverProver::is_over_sheet(const Corners& item) const {
 
 bool CoverProver::covers_large(const Corners& item) {
   near_.clear();
-  set_.for_each_in(box_about(item, limit_), group_, [&](const auto& other) { near_.push_back(other.corners); });
+  set_.for_each_row_in(box_about(item, limit_), group_, [&](Index row) { near_.push_back(&set_.prepared(row)); });
   if (near_.size() > few) {
     const Vec3 centre = middle_of(item);
     const double d = set_.closest(centre, group_).distance, r = radius_about(centre, item);
@@ -143,7 +143,7 @@ bool CoverProver::covers_large(const Corners& item) {
     if (d > limit_) return fails_at(centre, d);
     // Of many about a small piece the one that has all of it over itself is looked for as well.
     const bool is_small = r <= least_piece * limit_;
-    const auto has_all = [&](const Corners& other) {
+    const auto has_all = [&](const PreparedTriangle* other) {
       return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });
     };
     if (std::any_of(near_.begin(), near_.end(), has_all)) return true;
@@ -186,7 +186,7 @@ bool CoverProver::covers_by_cuts(const Polygon& piece, const std::vector<Index>&
   for (std::size_t k = 0; k < std::min(rows.size(), most_cut); ++k) {
     std::vector<Polygon> parts;
     Polygon rest = piece;
-    for (const Plane& plane : planes_on_sides(near_[rows[k]])) {
+    for (const Plane& plane : planes_on_sides(near_[rows[k]]->corners())) {
       Cut both = cut(rest, plane, tiny);
       if (!both.beyond.empty()) parts.push_back(std::move(both.beyond));
       rest = std::move(both.over);

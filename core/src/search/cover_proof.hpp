@@ -59,7 +59,7 @@ class CoverProver {
   std::span<const std::uint8_t> open_edges_;
   Index group_ = no_index;
   Cover cover_;
-  std::vector<Corners> near_;
+  std::vector<const PreparedTriangle*> near_;
   RecentPlaces distances_;  // to the group
   std::size_t pieces_left_ = 0;
 };

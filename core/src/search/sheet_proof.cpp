@@ -117,8 +117,7 @@ Over SheetProof::judge(const SheetTriangle& t) {
     n = kept;
     if (n == 0) return Over::nothing;
   }
-  const Vec3 across = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
-  if (std::abs(dot(across, normal_)) < steep_cosine) return Over::border;
+  if (std::abs(dot(t.triangle->normal(), normal_)) < steep_cosine) return Over::border;
   const auto& part = parts[now];
   std::array<double, 3> middle{};
   for (std::size_t i = 0; i < n; ++i) {

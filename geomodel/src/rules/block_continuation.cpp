@@ -2,7 +2,6 @@
 // Each block of a horizon continued on its own, declared in rules/throw_blocks.hpp. What of a continuation lies wholly
 // beyond a fault is left out: parting would take it away, and near-equal sheets of all blocks would cross there.
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "common/union_find.hpp"
@@ -13,8 +12,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
 constexpr double nearly_all = 0.9;  // of a block's area on one side of a fault that bounds it
 
 Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {

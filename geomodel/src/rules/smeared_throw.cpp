@@ -26,7 +26,6 @@ constexpr double most_of_step = 2, least_of_step = 0.25;  // of the ramps, for t
 constexpr std::size_t least_sheet = 24;                   // triangles; fewer between ramps belong to them
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
 
 /// The triangles of a fault by their side of the surface at which it ends; those that cross it are divided down to
 /// `least`.

@@ -16,7 +16,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Box3 everywhere{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
 constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
 
 Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
@@ -190,20 +189,27 @@ std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   return centres;
 }
 
-}  // namespace
-
-FaultSides::FaultSides(const TriangulatedSurface& fault) : centres_(centres_of(fault)), nearest_(centres_) {
-  const UpwardSides up = orient_upward(fault);
-  for (Index t = 0; t < fault.triangles.size(); ++t) {
-    const Triangle& v = fault.triangles[t];
-    const Vec3 n = cross(fault.points[v[1]] - fault.points[v[0]], fault.points[v[2]] - fault.points[v[0]]);
-    normals_.push_back(up.as_stored[t] ? n : -1.0 * n);
+/// Through the centres of the triangles, their normals to one side.
+std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
+  const UpwardSides up = orient_upward(s);
+  std::vector<SidedPlane> planes;
+  for (Index t = 0; t < s.triangles.size(); ++t) {
+    const Triangle& v = s.triangles[t];
+    const Vec3 n = cross(s.points[v[1]] - s.points[v[0]], s.points[v[2]] - s.points[v[0]]);
+    planes.push_back({centre_of(s, v), up.as_stored[t] ? n : -1.0 * n});
   }
+  return planes;
 }
 
+}  // namespace
+
+FaultSides::FaultSides(const TriangulatedSurface& fault)
+    : planes_(planes_of(fault)), nearest_(centres_of(fault)), bounds_(planes_) {}
+
 bool FaultSides::is_above(const Vec3& p) const {
+  if (const SideOfAll side = bounds_.side(p); side != SideOfAll::not_known) return side == SideOfAll::above;
   const Index nearest = nearest_.find(p);
-  return nearest != no_index && dot(p - centres_[nearest], normals_[nearest]) > 0;
+  return nearest != no_index && dot(p - planes_[nearest].point, planes_[nearest].normal) > 0;
 }
 
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,

@@ -8,6 +8,7 @@
 #include "rules/extend.hpp"
 #include "rules/throw/fault_crossings.hpp"
 #include "rules/throw/nearest_point.hpp"
+#include "rules/throw/side_bounds.hpp"
 
 namespace geomesh::geomodel {
 
@@ -30,7 +31,8 @@ struct SortedBlocks {
   std::vector<std::vector<bool>> sides{};  ///< per block: whether it lies above each of the faults
 };
 
-/// A fault's triangles with normals to one side. A query costs O(log triangles).
+/// A fault's triangles with normals to one side. A query costs O(log triangles), and next to nothing where the place
+/// is on one side of the planes of all.
 class FaultSides {
  public:
   explicit FaultSides(const TriangulatedSurface& fault);
@@ -38,8 +40,9 @@ class FaultSides {
   bool is_above(const Vec3& p) const;
 
  private:
-  std::vector<Vec3> centres_, normals_;
+  std::vector<SidedPlane> planes_;  ///< by triangle, through their centres
   NearestPoint nearest_;
+  SideBounds bounds_;
 };
 
 /// The block of each triangle, from 0 in the order of their first triangles: sheets that lie, for most of their area,

@@ -9,6 +9,7 @@
 
 #include "geomesh/geomodel/model_rules.hpp"
 #include "rules/throw/nearest_point.hpp"
+#include "rules/throw/side_bounds.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -191,4 +192,29 @@ TEST_CASE("the nearest of points is found as by looking at all", "[throw]") {
     for (const Vec3& q : points) REQUIRE(distance(p, points[found]) <= distance(p, q) * (1 + 1e-12));
   }
   CHECK(NearestPoint({}).find({0, 0, 0}) == no_index);
+}
+
+TEST_CASE("a place is on one side of many planes only where each of them says so", "[throw]") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<SidedPlane> planes;
+  for (int k = 0; k < 400; ++k) {
+    const double x = 10 * uniform(random), y = 10 * uniform(random);
+    planes.push_back({{x, y, 0.01 * x * x}, {-0.02 * x + 0.05 * uniform(random), 0.05 * uniform(random), 1}});
+  }
+  const SideBounds bounds(planes);
+  std::size_t n_above = 0, n_below = 0, n_open = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p{20 * uniform(random), 20 * uniform(random), 8 * uniform(random)};
+    const SideOfAll side = bounds.side(p);
+    n_above += side == SideOfAll::above, n_below += side == SideOfAll::below, n_open += side == SideOfAll::not_known;
+    for (const SidedPlane& plane : planes) {
+      if (side == SideOfAll::above) REQUIRE(dot(p - plane.point, plane.normal) > 0);
+      if (side == SideOfAll::below) REQUIRE(dot(p - plane.point, plane.normal) < 0);
+    }
+  }
+  CHECK((n_above > 200 && n_below > 200 && n_open > 100));
+  planes.push_back({{0, 0, 0}, {0, 0, 0}});
+  CHECK(SideBounds(planes).side({0, 0, 100}) == SideOfAll::not_known);
+  CHECK(SideBounds({}).side({0, 0, 1}) == SideOfAll::not_known);
 }

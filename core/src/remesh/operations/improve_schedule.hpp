@@ -75,11 +75,13 @@ struct ImproveSchedule {
   unsigned poor_mean_factor = 4;   ///< times as many rounds after a repair that left many poor cells
   double mean_floor_angle = 30;    ///< no cell falls below this for the mean
   double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
+  double much_gained = 3;          ///< of the least gain worth a move: what gained more is looked at again
   double many_poor = 0.1;          ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
 
   // Repair, the worst cell first.
   unsigned repair_rounds = 8;
   double target_angle = 32;              ///< cells below are repaired
+  unsigned poor_classes = 0;             ///< of shape, the worst class first; 0: the worst cell first
   double insertion_angle = 26;           ///< below this also by new points
   double good_above_target = 4;          ///< degrees above the target from which a vertex is not moved further
   unsigned smoothing_steps = 12;         ///< of one vertex
@@ -98,6 +100,7 @@ struct ImproveSchedule {
   double forced_share = 0.001;  ///< of all cells, 0..1: so many of the worst are mended where they are forced
   double forced_room = 0.01;    ///< of the asked size
   double flat_angle = 1.5;      ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
+  double few_flat = 0.01;  ///< of all cells, 0..1; where more are flat the input forces them: `forced_share` is mended
   /// Where few cells are below, they are mended as those are. No more may be below where points too near go again.
   double aim_angle = 20;
   double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are forced by the surfaces
@@ -109,7 +112,7 @@ constexpr ImproveSchedule schedule_of(QualityLevel level) {
   if (level == QualityLevel::fast) {  // about as long as refinement
     s.mean_rounds = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
     s.target_angle = 20, s.insertion_angle = 0;
-    s.smoothing_steps = 6, s.least_rise = 1.05;
+    s.smoothing_steps = 6, s.least_rise = 1.05, s.much_gained = 6, s.poor_classes = 8;
   } else if (level == QualityLevel::best) {  // until nothing improves
     s.repair_rounds = 60, s.sliver_rounds = 20;
     s.target_angle = 36, s.insertion_angle = 30, s.aim_angle = 25;

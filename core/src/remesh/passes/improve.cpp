@@ -2,6 +2,7 @@
 // The schedule of improvement; declared in improve_passes.hpp.
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/pass_runner.hpp"
@@ -63,8 +64,13 @@ class RepairRounds {
 
   Next round(unsigned k) {
     const CellQuality& measure = mesh_.measure();
-    const std::vector<BadCell> poor = cells_below(mesh_, measure.of_angle(schedule_.target_angle));
-    const std::size_t n_worst = count_below(poor, measure.of_angle(schedule_.progress_angle));
+    const double limit = measure.of_angle(schedule_.target_angle);
+    const std::vector<BadCell> poor = schedule_.poor_classes > 0
+                                          ? cells_below_by_class(mesh_, limit, schedule_.poor_classes)
+                                          : cells_below(mesh_, limit);
+    const double worst = measure.of_angle(schedule_.progress_angle);
+    const auto n_worst =
+        static_cast<std::size_t>(std::ranges::count_if(poor, [&](const BadCell& b) { return b.shape < worst; }));
     if (is_in_vain(k, poor.size(), n_worst)) return Next::done;
     fewest_ = std::min(fewest_, poor.size());
     fewest_worst_ = std::min(fewest_worst_, n_worst);
@@ -75,11 +81,6 @@ class RepairRounds {
   }
 
  private:
-  static std::size_t count_below(const std::vector<BadCell>& sorted, double limit) {
-    const auto end =
-        std::partition_point(sorted.begin(), sorted.end(), [&](const BadCell& b) { return b.shape < limit; });
-    return static_cast<std::size_t>(end - sorted.begin());
-  }
   bool is_in_vain(unsigned k, std::size_t n_poor, std::size_t n_worst) const {
     const auto falls = [&](std::size_t now, std::size_t fewest) {
       return static_cast<double>(now) <= schedule_.progress * static_cast<double>(fewest);
@@ -116,6 +117,14 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
+/// All where they are few. In a mesh that is full of them their mending is not seen, and takes longer than all else.
+std::size_t flat_cells_to_mend(const DomainMesh& mesh, const RescueRule& rule, const ImproveSchedule& schedule) {
+  const std::size_t n = cells_below(mesh, rule.bad_shape).size();
+  const bool are_forced = share(n, mesh) > schedule.few_flat;
+  return are_forced ? static_cast<std::size_t>(schedule.forced_share * static_cast<double>(mesh.n_cells()))
+                    : std::numeric_limits<std::size_t>::max();
+}
+
 /// One step of a pass that takes points out: inside, then on surfaces that may be remeshed. Done when nothing went.
 template <class Thin>
 Next thin_points(const Toolbox& tools, const Thin& thin) {
@@ -141,7 +150,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                    flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle));
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
-  RaisedBefore raised;
+  RaisedBefore raised{.much_gained = schedule.much_gained};
   const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(low_percentile(mesh, schedule), least, measure.of_angle(schedule.mean_floor_angle));
@@ -174,12 +183,15 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   // What solvers refuse is worth it at every level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
-      [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },
+      [&] {
+        const RescueWork work{rescue_limits.most_vain, flat_cells_to_mend(mesh, flat_rescue, schedule)};
+        rescue_flat_cells(tools, flat_rescue, work, out_of_time);
+      },
       !tools.bad_cells_may_spread);
   const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle));
   passes.once(
       "the last poor cells mended by looking ahead",
-      [&] { rescue_flat_cells(tools, aim_rescue, rescue_limits.most_vain_poor, out_of_time); },
+      [&] { rescue_flat_cells(tools, aim_rescue, {rescue_limits.most_vain_poor}, out_of_time); },
       rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
   const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
   passes.run({.name = "points too near to others taken out, and what is about them mended",

@@ -25,6 +25,7 @@ std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned 
 struct RaisedBefore {
   std::vector<double> gains;  ///< by vertex, of its move. Empty before the first pass
   std::uint64_t end = 0;      ///< the mesh's time then
+  double much_gained = 3;     ///< of the least gain that is worth a move: what gained more is looked at again
 };
 
 /// One pass of flips, edges in the inside alone, and one of moves that raise the mean worth of shapes (MeanGoal); none

@@ -10,9 +10,6 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of the least gain that is worth a move: what gained more is looked at again, with what is about it.
-constexpr double much_gained = 3;
-
 class MeanRaiser {
  public:
   MeanRaiser(Toolbox& tools, double floor, RaisedBefore& before, double poor)
@@ -53,7 +50,7 @@ class MeanRaiser {
     std::vector<double> gain_about = before_.gains;
     gain_about.resize(mesh_.n_vertices(), 0);
     std::vector<bool> is_poor(mesh_.n_vertices(), false);
-    const double much = much_gained * least_gain_;
+    const double much = before_.much_gained * least_gain_;
     for (const CellIndex c : mesh_.live_cells()) {
       double most = 0;
       for (const VertexIndex v : mesh_.vertices(c))

@@ -17,6 +17,19 @@ std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit) {
   return bad;
 }
 
+std::vector<BadCell> cells_below_by_class(const DomainMesh& mesh, double limit, unsigned n_classes) {
+  std::vector<std::vector<BadCell>> classes(n_classes);
+  for (const CellIndex c : mesh.live_cells()) {
+    const double shape = mesh.shape_of(c);
+    if (!(shape < limit)) continue;
+    const double place = std::max(shape / limit, 0.0) * n_classes;
+    classes[std::min(static_cast<unsigned>(place), n_classes - 1)].push_back(bad_cell(mesh, c));
+  }
+  std::vector<BadCell> bad;
+  for (const std::vector<BadCell>& of_class : classes) bad.insert(bad.end(), of_class.begin(), of_class.end());
+  return bad;
+}
+
 bool is_left(const DomainMesh& mesh, const BadCell& b) {
   return mesh.is_live(b.cell) && mesh.vertices(b.cell) == b.vertices;
 }

@@ -3,6 +3,8 @@
 /// Repair that looks ahead: sequences of operations about a bad cell, each kept only where the whole of it is worth it.
 #pragma once
 
+#include <limits>
+
 #include "remesh/operations/operations.hpp"
 #include "remesh/rescue/bad_cells.hpp"
 #include "remesh/rescue/openings.hpp"
@@ -60,8 +62,14 @@ bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, 
 /// Rescues over all bad cells of the mesh, again where something has changed since.
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
-/// The same for the worst there are: with openings where that is in vain, as long as no more than `most_vain` are.
-void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time);
+/// How much is done at most.
+struct RescueWork {
+  std::size_t most_vain;  ///< sequences in vain
+  std::size_t most_cells = std::numeric_limits<std::size_t>::max();
+};
+
+/// The same for the worst there are: with openings where that is in vain, as long as few are in vain.
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, RescueWork work, const OutOfTime& out_of_time);
 
 /// What is bad by our own doing, and not by the input's, is worth more: with openings, and a search among these.
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,

@@ -10,6 +10,9 @@
 
 namespace geomesh::geomodel {
 
+/// The box that nothing is outside of.
+inline constexpr Box3 everywhere{Box3{}.max, Box3{}.min};
+
 /// A fault across which a horizon has throw, and where its own continuation begins (its number of triangles where there
 /// is none).
 struct ThrowFault {

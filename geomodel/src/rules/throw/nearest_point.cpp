@@ -39,7 +39,11 @@ void NearestPoint::build(std::size_t begin, std::size_t end) {
 }
 
 void NearestPoint::look_at(Index row, const Vec3& p, Best& best) const {
-  const double d = norm(p - points_[row]);
+  constexpr double by_rounding = 1 + 1e-9;
+  const Vec3 off = p - points_[row];
+  const double squared = dot(off, off);
+  if (best.row != no_index && squared > by_rounding * best.distance * best.distance) return;
+  const double d = std::sqrt(squared);
   if (best.row == no_index || d < best.distance || (d == best.distance && row < best.row)) best = {row, d};
 }
 
@@ -56,7 +60,7 @@ void NearestPoint::find(std::size_t begin, std::size_t end, const Vec3& p, const
   Vec3 further = off;
   further[axis] = std::max(off[axis], std::abs(beyond));
   constexpr double by_rounding = 1 - 1e-9;
-  if (by_rounding * norm(further) <= best.distance)
+  if (by_rounding * dot(further, further) <= best.distance * best.distance)
     find(is_low ? middle + 1 : begin, is_low ? end : middle, p, further, best);
 }
 
