@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sizes as a geologist asks for them, typed into a project file: elements across a unit, a frequency, depths, a number of elements."""
+import os
 import random
+import re
 
-from geomesh_program import USAGE, ProgramTest, level, main, triangles_ts
+from geomesh_program import SOURCE, USAGE, ProgramTest, level, main, triangles_ts
 
 BOX = "box: {min: [0, 0, -1000], max: [1000, 1000, 0]}\n"
 
@@ -64,6 +66,19 @@ class SizesAsked(ProgramTest):
         for wanted in (8_000, 20_000):
             report, _ = self.mesh([500, 700], "{target_elements: %d}" % wanted)
             self.assertAlmostEqual(report["tetrahedra"] / wanted, 1, delta=0.1)
+
+    def test_few_elements_are_met_where_surfaces_ask_for_most_of_them(self):
+        """Larger sizes alone leave the salt dome at 50,000 elements: sizes grow sooner away from its surfaces then."""
+        with open(os.path.join(SOURCE, "samples", "salt-dome", "project.yaml")) as file:
+            text = file.read().replace("file: surfaces/", "file: " + os.path.join(SOURCE, "samples", "salt-dome", "surfaces/"))
+        for wanted in (10_000, 30_000):
+            project = self.write("dome.yaml", re.sub(r"(?m)^mesh:.*$", "mesh: {target_elements: %d}" % wanted, text))
+            self.run_program(project, "-o", self.folder)
+            report = self.report(self.path("salt_dome.report.json"))
+            self.assertAlmostEqual(report["tetrahedra"] / wanted, 1, delta=0.1)
+            self.assertTrue(any("times as fast" in note for note in report["notes"]), report["notes"])
+            self.assertEqual(len(report["regions"]), 5)
+            self.check(self.path("salt_dome.vtu"), "--project", project)
 
     def rough(self, name, n, z, noise, rng):
         """A horizon of n by n points with noise."""

@@ -30,6 +30,16 @@ double greatest_factor(const PreparedModel& model, const RefineOptions& options)
   return std::max(most_of_diagonal * std::sqrt(dot(extent, extent)) / options.tolerance, 1.0);
 }
 
+/// Sizes several times those of a box with nothing in it change no more than the tolerance that follows them.
+double factor_of_empty_box(const PreparedModel& model, const RefineOptions& options, double target) {
+  constexpr double elements_a_cube = 8.5, most = 8;
+  if (!(options.size.global > 0)) return infinity;
+  Box3 box;
+  for (const Vec3& p : model.plc.plc.points) box.add(p);
+  const Vec3 extent = box.max - box.min;
+  return most * std::cbrt(elements_a_cube * extent.x * extent.y * extent.z / target) / options.size.global;
+}
+
 /// By the estimate alone; at most `most`, however many elements surfaces ask for that cross and touch all over.
 double first_factor(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
                     double target, double most) {
@@ -94,31 +104,114 @@ RefineOptions scaled_sizes(RefineOptions options, double factor) {
   return options;
 }
 
+namespace {
+
+/// What is scaled: sizes, and how soon they grow with the distance from where they are small.
+struct Scale {
+  double size = 1, gradation = 1;
+};
+
+struct Try {
+  Scale scale;
+  double count = 0;  ///< of elements
+};
+
+/// The search for the scales by which so many elements come out.
+class CountSearch {
+ public:
+  CountSearch(double target, double most_size, double gradation)
+      : target_(target), most_size_(most_size), most_gradation_(std::max(most_gradation / gradation, 1.0)) {}
+
+  bool is_near(const Try& t) const { return std::abs(t.count / target_ - 1) <= near_enough; }
+  bool is_nearer(const Try& t, const Try& than) const {
+    return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
+  }
+
+  /// Where larger sizes bring hardly fewer elements, those about surfaces that ask for short edges count: sizes grow
+  /// away from them sooner. Between tries with too many and too few elements, as if these went with a power of the
+  /// scale.
+  Scale after(const std::vector<Try>& tries) const {
+    const Try& now = tries.back();
+    const auto [many, few] = nearest_on_both_sides(tries);
+    if (many && few) {
+      const double share = std::log(many->count / target_) / std::log(many->count / few->count);
+      const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
+      return {between(many->scale.size, few->scale.size), between(many->scale.gradation, few->scale.gradation)};
+    }
+    const bool may_grow_sooner = now.count > target_ && now.scale.gradation < most_gradation_;
+    if (may_grow_sooner && (now.scale.size >= most_size_ || is_in_vain(tries)))
+      return {tries.size() > 1 ? std::min(tries[tries.size() - 2].scale.size, now.scale.size) : now.scale.size,
+              std::min(2 * now.scale.gradation, most_gradation_)};
+    return {std::min(next_factor(now.scale.size, now.count, target_), most_size_), now.scale.gradation};
+  }
+
+ private:
+  static constexpr double most_gradation = 1;
+
+  std::pair<const Try*, const Try*> nearest_on_both_sides(const std::vector<Try>& tries) const {
+    const Try *many = nullptr, *few = nullptr;
+    for (const Try& t : tries) {
+      const Try*& side = t.count > target_ ? many : few;
+      if (!side || is_nearer(t, *side)) side = &t;
+    }
+    return {many, few};
+  }
+
+  static bool is_in_vain(const std::vector<Try>& tries) {
+    constexpr double much_larger = 1.2, hardly_fewer = 0.8;
+    if (tries.size() < 2) return false;
+    const Try &before = tries[tries.size() - 2], &now = tries.back();
+    return now.scale.gradation == before.scale.gradation && now.scale.size > much_larger * before.scale.size &&
+           now.count > hardly_fewer * before.count;
+  }
+
+  double target_, most_size_, most_gradation_;
+};
+
+}  // namespace
+
 RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                              const RefineOptions& options, const RunContext& context) {
-  constexpr unsigned most_runs = 4;
+  constexpr unsigned most_runs = 8;
   const double target = model.refinement.target_elements;
-  const double most = greatest_factor(model, options);
-  double factor = first_factor(model, mesh, options, target, most);
+  const double most = std::min(greatest_factor(model, options), factor_of_empty_box(model, options, target));
+  const CountSearch search(target, most, options.size.gradation);
+  const auto scaled = [&](const Scale& scale) {
+    RefineOptions out = scaled_sizes(options, scale.size);
+    out.size.gradation *= scale.gradation;
+    return out;
+  };
   const std::vector<std::string> warnings = model.warnings;
-  for (unsigned run = 1;; ++run) {
+  std::vector<Try> tries;
+  struct {
+    Try found;
+    RefineResult result;
+    std::vector<std::string> warnings;
+  } best;
+  Scale scale{first_factor(model, mesh, options, target, most), 1};
+  while (tries.size() < most_runs) {
     model.warnings = warnings;
-    const RefineOptions scaled = scaled_sizes(options, factor);
-    RefineResult result = refine_model(model, mesh, scaled, context);
-    const auto count = static_cast<double>(result.mesh.tetrahedra.size());
-    const bool is_near = std::abs(count / target - 1) <= near_enough;
-    if (!is_near && run < most_runs) {
-      factor = std::min(next_factor(factor, count, target), most);
-      continue;
-    }
-    if (!is_near)
-      warn(model.warnings, context,
-           "target_elements: " + short_words(count) + " elements came out and not " + short_words(target) +
-               ", whatever the size: the surfaces alone ask for others");
-    settle(model, scaled);
-    note(model.notes, context, "target_elements: sizes are " + short_words(factor) + " times those asked for");
-    return result;
+    RefineResult result = refine_model(model, mesh, scaled(scale), context);
+    tries.push_back({scale, static_cast<double>(result.mesh.tetrahedra.size())});
+    if (tries.size() == 1 || search.is_nearer(tries.back(), best.found))
+      best = {tries.back(), std::move(result), model.warnings};
+    if (search.is_near(best.found)) break;
+    const Scale next = search.after(tries);
+    if (next.size == scale.size && next.gradation == scale.gradation) break;
+    scale = next;
   }
+  model.warnings = std::move(best.warnings);
+  if (!search.is_near(best.found))
+    warn(model.warnings, context,
+         "target_elements: " + short_words(best.found.count) + " elements came out and not " + short_words(target) +
+             ", whatever the size: the surfaces alone ask for others");
+  settle(model, scaled(best.found.scale));
+  note(model.notes, context,
+       "target_elements: sizes are " + short_words(best.found.scale.size) + " times those asked for" +
+           (best.found.scale.gradation > 1
+                ? ", and grow " + short_words(best.found.scale.gradation) + " times as fast away from small ones"
+                : ""));
+  return std::move(best.result);
 }
 
 }  // namespace geomesh::geomodel
