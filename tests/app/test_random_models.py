@@ -6,13 +6,21 @@
 import os
 import sys
 
-from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
+from random_models import RandomModel  # noqa: E402
 from run_random_models import outcome_of  # noqa: E402
 
 COUNT = int(os.environ.get("GEOMESH_RANDOM_MODELS", "100" if NIGHTLY else "6"))
 FIRST = int(os.environ.get("GEOMESH_RANDOM_SEED", "1"))
+
+
+def joined_blocks(lines):
+    """The lines of a TSurf whose second block (five points a row, three rows a block) shares its first row with the first block's last."""
+    def joined(row):
+        return row - 5 if 16 <= row <= 20 else row
+    return [" ".join(["TRGL"] + [str(joined(int(w))) for w in line.split()[1:]]) if line.startswith("TRGL") else line for line in lines]
 
 
 class RandomModels(ProgramTest):
@@ -29,6 +37,40 @@ class RandomModels(ProgramTest):
         for seed in (123, 1007):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("strips%d" % seed), PROGRAM, 120), ("passes", ""))
+
+    def test_cracks_as_thin_as_rounding_are_judged_open_or_closed(self):
+        """Found by seed 20100: a crack between two blocks, an ulp wide, is closed in part, and the judge took its open part for a fault."""
+        project = os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")
+        self.run_program(project, "-o", self.folder)
+        report = self.check(self.path("model.vtu"), "--project", project)
+        self.assertTrue(any(done.startswith("surfaces end where their input ends") for done in report["checks_done"]), report["checks_done"])
+        # What ends where the input has neither border nor crack is a fault still.
+        with open(project) as file:
+            text = file.read()
+        other = self.path("whole", "project.yaml")
+        os.makedirs(os.path.dirname(other))
+        with open(other, "w") as file:
+            file.write(text)
+        with open(os.path.join(os.path.dirname(project), "h1.ts")) as file:
+            lines = file.read().split("\n")
+        with open(self.path("whole", "h1.ts"), "w") as file:
+            file.write("\n".join(joined_blocks(lines)))
+        printed = self.run_program("check", self.path("model.vtu"), "--project", other, status=None)
+        self.assertIn("borders_off", printed)
+
+    def test_a_refusal_names_surfaces_and_the_way_out(self):
+        """Seed 20007: with preserve_boundary no double is left for one point. The same model is meshed without it."""
+        project = RandomModel(20007).write(self.folder)
+        printed = self.run_program(project, "--quiet", status=CANNOT_MESH)
+        self.assertIn("leaves all cells positive", printed)
+        self.assertIn("without preserve_boundary", printed)
+        self.assertIn("(surfaces: h2, h3, f1, f1_twin, ymax)", printed)
+        with open(project) as file:
+            text = file.read()
+        with open(project, "w") as file:
+            file.write(text.replace(", preserve_boundary: true", ""))
+        self.run_program(project, "--quiet")
+        self.check(self.path("out", "model.vtu"), "--project", project)
 
 
 if __name__ == "__main__":

@@ -91,6 +91,12 @@ Topology topology_of(const std::vector<Triangle>& triangles) {
   return t;
 }
 
+/// An edge of the input with one triangle.
+struct BorderEdge {
+  Corners edge;
+  bool crack = false;  ///< along other triangles of its surface: intersecting may close it, in whole or in part
+};
+
 std::string words(const Topology& t) {
   return std::to_string(t.pieces) + " pieces, " + std::to_string(t.borders) + " borders, Euler characteristic " +
          std::to_string(t.euler);
@@ -120,7 +126,8 @@ class TopologyJudge {
   std::vector<Triangle> faces_of(Index row) const;
   std::vector<Corners> free_edges(Index row, bool but_excused) const;
   bool is_excused(const Edge& e, Index row) const;
-  std::vector<Corners> input_border(Index row) const;
+  std::vector<BorderEdge> input_border(Index row) const;
+  bool is_cracked(Index row) const;
   Corners as_corners(const Edge& e) const {
     const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
     return {a, b, b};
@@ -178,13 +185,18 @@ void TopologyJudge::check_presence(CheckResult& result) {
   missing.report(result, "surfaces that lie in the box have no face in the mesh: " + names);
 }
 
-/// Surfaces that nothing clips have the topology of their input.
+bool TopologyJudge::is_cracked(Index row) const {
+  const std::vector<BorderEdge> border = input_border(row);
+  return std::any_of(border.begin(), border.end(), [](const BorderEdge& e) { return e.crack; });
+}
+
+/// Surfaces that nothing clips have the topology of their input. Cracks may be closed in part and give another one.
 void TopologyJudge::check_whole_surfaces(CheckResult& result) {
   FaultCollector changed("surfaces_changed");
   std::string how;
   std::size_t n_judged = 0;
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
-    if (!is_whole(row) || pairs_[row].faces.empty()) continue;
+    if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(claim_.surfaces[row])), now = topology_of(faces_of(row));
     if (!input.manifold || !now.manifold) continue;  // meets itself: it is parted there
     ++n_judged;
@@ -195,7 +207,7 @@ void TopologyJudge::check_whole_surfaces(CheckResult& result) {
   changed.report(result, "surfaces are not made of the pieces, borders and handles of their input (" + how + ")");
   result.checks_done.push_back(
       std::to_string(n_judged) + " of " + std::to_string(claim_.surfaces.size()) +
-      " surfaces are clipped by nothing and do not meet themselves: their pieces, borders and Euler "
+      " surfaces are clipped by nothing, have no cracks and do not meet themselves: their pieces, borders and Euler "
       "characteristic were held against the input's");
 }
 
@@ -219,14 +231,14 @@ std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) cons
   return free;
 }
 
-/// Without what lies on other triangles of the surface: a crack that intersecting has closed.
-std::vector<Corners> TopologyJudge::input_border(Index row) const {
+std::vector<BorderEdge> TopologyJudge::input_border(Index row) const {
   const TriangulatedSurface& s = claim_.surfaces[row];
   const TriangleSet all(triangles_of(s));
-  std::vector<Corners> border;
+  std::vector<BorderEdge> border;
   for (const auto& [e, at] : edges_of(welded(s))) {
+    if (at.size() != 1) continue;
     const Vec3 &a = s.points[e[0]], &b = s.points[e[1]];
-    if (at.size() == 1 && all.near(0.5 * (a + b), allowed_.rounding).size() <= 1) border.push_back({a, b, b});
+    border.push_back({{a, b, b}, all.near(0.5 * (a + b), allowed_.rounding).size() > 1});
   }
   return border;
 }
@@ -234,8 +246,10 @@ std::vector<Corners> TopologyJudge::input_border(Index row) const {
 void TopologyJudge::check_borders(CheckResult& result) {
   FaultCollector off("borders_off");
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
-    const std::vector<Corners> border = input_border(row);
-    const TriangleSet input(border), mesh(free_edges(row, false));
+    const std::vector<BorderEdge> border = input_border(row);
+    std::vector<Corners> edges;
+    for (const BorderEdge& e : border) edges.push_back(e.edge);
+    const TriangleSet input(edges), mesh(free_edges(row, false));
     const auto is_near = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
     for (const Corners& e : free_edges(row, true))
       for (const double t : between) {
@@ -244,10 +258,10 @@ void TopologyJudge::check_borders(CheckResult& result) {
         off.add(row, p);
         break;
       }
-    for (const Corners& e : border)
+    for (const auto& [e, crack] : border)
       for (const double t : between) {
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
+        if (crack || may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
             claimed_.is_removed(row, p, {}))
           continue;
         off.add(row, p);
