@@ -254,6 +254,21 @@ TEST_CASE("each mistake has its own words", "[project]") {
   }
 }
 
+TEST_CASE("names are UTF-8: the first and last letters of each length are taken, other bytes are refused",
+          "[project]") {
+  const ProjectFolder f;
+  const auto text = [](const std::string& letter) { return "name: \"a" + letter + "b\"\n" + two_surfaces; };
+  for (const char* letter : {"\xc2\xa1", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80", "\xef\xbf\xbd",
+                             "\xf0\x90\x80\x80", "\xf3\xbf\xbf\xbd", "\xf4\x8f\xbf\xbd"})
+    CHECK(read_project(f.write(text(letter))).name == std::string("a") + letter + "b");
+  for (const char* letter : {"\x80", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xed\xbf\xbf", "\xf0\x8f\xbf\xbf",
+                             "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xc3", "\xe2\x82", "\xf0\x9f\x98"}) {
+    const std::string words = complaint(text(letter));
+    INFO(words);
+    CHECK(words.find("UTF-8") != std::string::npos);
+  }
+}
+
 TEST_CASE("a missing project is an error of usage", "[project]") {
   try {
     read_project("/no/such/project.yaml");
