@@ -4,9 +4,10 @@
     GEOMESH_RANDOM_MODELS=1000 GEOMESH_RANDOM_SEED=5000 ctest ... -R app.random_models     another number, other seeds
 """
 import os
+import shutil
 import sys
 
-from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
 from random_models import RandomModel  # noqa: E402
@@ -16,11 +17,15 @@ COUNT = int(os.environ.get("GEOMESH_RANDOM_MODELS", "100" if NIGHTLY else "6"))
 FIRST = int(os.environ.get("GEOMESH_RANDOM_SEED", "1"))
 
 
-def joined_blocks(lines):
-    """The lines of a TSurf whose second block (five points a row, three rows a block) shares its first row with the first block's last."""
-    def joined(row):
-        return row - 5 if 16 <= row <= 20 else row
-    return [" ".join(["TRGL"] + [str(joined(int(w))) for w in line.split()[1:]]) if line.startswith("TRGL") else line for line in lines]
+def sheet_of_two_blocks(gap):
+    """The sheet of tests/corpus/cracked_sheet, the second block above the first by `gap` where they meet."""
+    points, triangles = [], []
+    for rows in ((0, 1, 2), (2, 3, 4)):
+        first = len(points)
+        points += [(6e6 + 100 * i, 6e6 + 100 * j, -500 + 20 * ((7 * i + 3 * j) % 5) + (gap if first and j == 2 else 0)) for j in rows for i in range(5)]
+        for a in (first + 5 * j + i for j in range(2) for i in range(4)):
+            triangles += [(a, a + 1, a + 6), (a, a + 6, a + 5)]
+    return triangles_ts("h1", points, triangles)
 
 
 class RandomModels(ProgramTest):
@@ -45,18 +50,24 @@ class RandomModels(ProgramTest):
         report = self.check(self.path("model.vtu"), "--project", project)
         self.assertTrue(any(done.startswith("surfaces end where their input ends") for done in report["checks_done"]), report["checks_done"])
         # What ends where the input has neither border nor crack is a fault still.
-        with open(project) as file:
-            text = file.read()
-        other = self.path("whole", "project.yaml")
-        os.makedirs(os.path.dirname(other))
-        with open(other, "w") as file:
-            file.write(text)
-        with open(os.path.join(os.path.dirname(project), "h1.ts")) as file:
-            lines = file.read().split("\n")
-        with open(self.path("whole", "h1.ts"), "w") as file:
-            file.write("\n".join(joined_blocks(lines)))
-        printed = self.run_program("check", self.path("model.vtu"), "--project", other, status=None)
-        self.assertIn("borders_off", printed)
+        self.assertIn("borders_off", self.judged_against(project, sheet_of_two_blocks(0)))
+
+    def judged_against(self, project, sheet):
+        """What the check says of the mesh where the project's surface is another one."""
+        os.makedirs(self.path("other"), exist_ok=True)
+        self.write("other/h1.ts", sheet)
+        shutil.copy(project, self.path("other", "project.yaml"))
+        return self.run_program("check", self.path("model.vtu"), "--project", self.path("other", "project.yaml"), status=None)
+
+    def test_borders_nearer_to_each_other_than_the_tolerance_may_be_joined(self):
+        """Found by seed 20113: a throw of 1 m within a tolerance of 8 m, closed where a border meets the box."""
+        with open(os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")) as file:
+            project = self.write("project.yaml", file.read())
+        self.write("h1.ts", sheet_of_two_blocks(0))
+        self.run_program(project, "-o", self.folder)
+        self.check(self.path("model.vtu"), "--project", project)
+        self.assertNotIn("FAULT", self.judged_against(project, sheet_of_two_blocks(4)))
+        self.assertIn("borders_off", self.judged_against(project, sheet_of_two_blocks(12)))
 
     def test_a_refusal_names_surfaces_and_the_way_out(self):
         """Seed 20007: with preserve_boundary no double is left for one point. The same model is meshed without it."""
