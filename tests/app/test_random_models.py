@@ -69,6 +69,30 @@ class RandomModels(ProgramTest):
         self.assertNotIn("FAULT", self.judged_against(project, sheet_of_two_blocks(4)))
         self.assertIn("borders_off", self.judged_against(project, sheet_of_two_blocks(12)))
 
+    def test_a_horizon_thrown_to_the_height_of_the_next_is_not_clipped_as_if_it_crossed(self):
+        """Found by seed 20187: the far block of h2 goes on where the near block of h1 ends, and rises. It crosses nothing."""
+        def blocks(near, far):
+            points = [(x, y, z) for x, z in ((-10, near), (100, near), (100, far), (210, far + 11)) for y in (-10, 110)]
+            return points, [(0, 2, 3), (0, 3, 1), (4, 6, 7), (4, 7, 5)]
+        for name, near, far in (("h1", 60, 90), ("h2", 30, 60)):
+            self.write(name + ".ts", triangles_ts(name, *blocks(near, far)))
+        self.write("f.ts", triangles_ts("f", [(100, -10, -10), (100, 110, -10), (100, 110, 160), (100, -10, 160)], [(0, 1, 2), (0, 2, 3)]))
+        for rule in ("clip_older", "clip_younger", "error"):
+            project = self.write("project.yaml", """name: m
+box: {min: [0, 0, 0], max: [200, 100, 150]}
+surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
+column: [u1, h1, u2, h2, u3]
+rules: {stack: keep, on_crossing: %s}
+mesh: {mode: constrained, refine: none}
+output: {directory: out, formats: [vtu]}
+""" % rule)
+            self.run_program(project)
+            self.check(self.path("out", "m.vtu"), "--project", project)
+            volumes = {r["name"]: r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"]}
+            unit = {u: sum(v for name, v in volumes.items() if name.split("__")[0] == u) for u in ("u1", "u2", "u3")}
+            self.assertAlmostEqual(unit["u2"], 2 * 100 * 100 * 30, delta=1)
+            self.assertAlmostEqual(unit["u3"], 100 * 100 * 30 + 100 * 100 * 65, delta=1)
+
     def test_a_refusal_names_surfaces_and_the_way_out(self):
         """Seed 20007: with preserve_boundary no double is left for one point. The same model is meshed without it."""
         project = RandomModel(20007).write(self.folder)
