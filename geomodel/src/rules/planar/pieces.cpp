@@ -33,25 +33,26 @@ bool runs_upward(const WorkingSoup& w, Index f, Index y, const UpwardSides& side
   return runs_from(w.soup.facets[f], a, b) == facet_is_up;
 }
 
-/// Whether, in the map, c and d are on different sides of the line through a and b.
-bool are_apart(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const auto side = [&](const Vec3& p) { return orient2d({a.x, a.y}, {b.x, b.y}, {p.x, p.y}); };
-  return side(c) * side(d) == Sign::negative;
+/// Whether, in the map, two facets are on different sides of an edge of both.
+bool are_apart(const WorkingSoup& w, const EdgeUse& edge, Index f, Index g) {
+  const Vec3 &a = w.soup.points[edge.a], &b = w.soup.points[edge.b];
+  const auto side = [&](Index facet) {
+    const Vec3& p = w.soup.points[apex_of(w.soup.facets[facet], edge.a, edge.b)];
+    return orient2d({a.x, a.y}, {b.x, b.y}, {p.x, p.y});
+  };
+  return side(f) * side(g) == Sign::negative;
 }
 
 /// Side of point d at the edge against the facets of y there: 1 above, -1 below, 0 on it or undecided. Facets of y
 /// are one (y ends here) or two (d is in the upper or the lower wedge between them).
 int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<Index>& of_y, Index y,
-                 const UpwardSides& sides, VertexIndex d, BeyondEnd beyond) {
+                 const UpwardSides& sides, VertexIndex d) {
   const VertexIndex a = edge.a, b = edge.b;
   const auto orient = [&](VertexIndex c, VertexIndex e) {
     return orient3d(w.soup.points[a], w.soup.points[b], w.soup.points[c], w.soup.points[e]);
   };
   if (of_y.size() == 1) {
-    const VertexIndex c = apex_of(w.soup.facets[of_y[0]], a, b);
-    const auto& points = w.soup.points;
-    if (beyond == BeyondEnd::has_none && are_apart(points[a], points[b], points[c], points[d])) return 0;
-    const Sign s = orient(c, d);
+    const Sign s = orient(apex_of(w.soup.facets[of_y[0]], a, b), d);
     return static_cast<int>(runs_upward(w, of_y[0], y, sides, a, b) ? s : -s);
   }
   if (of_y.size() != 2) return 0;
@@ -183,8 +184,9 @@ std::vector<Piece> pieces_of(const WorkingSoup& w, const std::function<bool(Inde
       if (n_alive == 1) piece.free_border += length;
       if (!of_cutter.empty()) piece.contact += length;
       if (!sides || of_cutter.empty()) continue;
-      const int side = side_at_edge(w, edge[0], of_cutter, cutters.front(), *sides,
-                                    apex_of(w.soup.facets[f], edge[0].a, edge[0].b), beyond);
+      if (beyond == BeyondEnd::has_none && of_cutter.size() == 1 && are_apart(w, edge[0], of_cutter[0], f)) continue;
+      const int side =
+          side_at_edge(w, edge[0], of_cutter, cutters.front(), *sides, apex_of(w.soup.facets[f], edge[0].a, edge[0].b));
       (side > 0 ? piece.above : piece.below) += side == 0 ? 0 : length;
     }
   });
