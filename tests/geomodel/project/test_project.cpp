@@ -243,6 +243,8 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {refine: none, cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
       {s + "mesh: {preserve_boundary: yes}\n", "true or false was expected, found 'yes'"},
       {s + "mesh: {cluster_distance: -2}\n", "auto or a length of zero or more was expected"},
+      {s + "rules: {topography: salt}\n", "a horizon was expected, but no horizon is named 'salt'"},
+      {s + "rules: {topography: nowhere}\n", "a horizon was expected, but no horizon is named 'nowhere'"},
       {s + "output: {formats: [vtk]}\n", "output.formats[1]: "},
       {s + "---\nname: b\n", "several YAML documents"},
   };
