@@ -4,15 +4,28 @@
     GEOMESH_RANDOM_MODELS=1000 GEOMESH_RANDOM_SEED=5000 ctest ... -R app.random_models     another number, other seeds
 """
 import os
+import shutil
 import sys
 
-from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
+from random_models import RandomModel  # noqa: E402
 from run_random_models import outcome_of  # noqa: E402
 
 COUNT = int(os.environ.get("GEOMESH_RANDOM_MODELS", "100" if NIGHTLY else "6"))
 FIRST = int(os.environ.get("GEOMESH_RANDOM_SEED", "1"))
+
+
+def sheet_of_two_blocks(gap):
+    """The sheet of tests/corpus/cracked_sheet, the second block above the first by `gap` where they meet."""
+    points, triangles = [], []
+    for rows in ((0, 1, 2), (2, 3, 4)):
+        first = len(points)
+        points += [(6e6 + 100 * i, 6e6 + 100 * j, -500 + 20 * ((7 * i + 3 * j) % 5) + (gap if first and j == 2 else 0)) for j in rows for i in range(5)]
+        for a in (first + 5 * j + i for j in range(2) for i in range(4)):
+            triangles += [(a, a + 1, a + 6), (a, a + 6, a + 5)]
+    return triangles_ts("h1", points, triangles)
 
 
 class RandomModels(ProgramTest):
@@ -29,6 +42,70 @@ class RandomModels(ProgramTest):
         for seed in (123, 1007):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("strips%d" % seed), PROGRAM, 120), ("passes", ""))
+
+    def test_cracks_as_thin_as_rounding_are_judged_open_or_closed(self):
+        """Found by seed 20100: a crack between two blocks, an ulp wide, is closed in part, and the judge took its open part for a fault."""
+        project = os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")
+        self.run_program(project, "-o", self.folder)
+        report = self.check(self.path("model.vtu"), "--project", project)
+        self.assertTrue(any(done.startswith("surfaces end where their input ends") for done in report["checks_done"]), report["checks_done"])
+        # What ends where the input has neither border nor crack is a fault still.
+        self.assertIn("borders_off", self.judged_against(project, sheet_of_two_blocks(0)))
+
+    def judged_against(self, project, sheet):
+        """What the check says of the mesh where the project's surface is another one."""
+        os.makedirs(self.path("other"), exist_ok=True)
+        self.write("other/h1.ts", sheet)
+        shutil.copy(project, self.path("other", "project.yaml"))
+        return self.run_program("check", self.path("model.vtu"), "--project", self.path("other", "project.yaml"), status=None)
+
+    def test_borders_nearer_to_each_other_than_the_tolerance_may_be_joined(self):
+        """Found by seed 20113: a throw of 1 m within a tolerance of 8 m, closed where a border meets the box."""
+        with open(os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")) as file:
+            project = self.write("project.yaml", file.read())
+        self.write("h1.ts", sheet_of_two_blocks(0))
+        self.run_program(project, "-o", self.folder)
+        self.check(self.path("model.vtu"), "--project", project)
+        self.assertNotIn("FAULT", self.judged_against(project, sheet_of_two_blocks(4)))
+        self.assertIn("borders_off", self.judged_against(project, sheet_of_two_blocks(12)))
+
+    def test_a_horizon_thrown_to_the_height_of_the_next_is_not_clipped_as_if_it_crossed(self):
+        """Found by seed 20187: the far block of h2 goes on where the near block of h1 ends, and rises. It crosses nothing."""
+        def blocks(near, far):
+            points = [(x, y, z) for x, z in ((-10, near), (100, near), (100, far), (210, far + 11)) for y in (-10, 110)]
+            return points, [(0, 2, 3), (0, 3, 1), (4, 6, 7), (4, 7, 5)]
+        for name, near, far in (("h1", 60, 90), ("h2", 30, 60)):
+            self.write(name + ".ts", triangles_ts(name, *blocks(near, far)))
+        self.write("f.ts", triangles_ts("f", [(100, -10, -10), (100, 110, -10), (100, 110, 160), (100, -10, 160)], [(0, 1, 2), (0, 2, 3)]))
+        for rule in ("clip_older", "clip_younger", "error"):
+            project = self.write("project.yaml", """name: m
+box: {min: [0, 0, 0], max: [200, 100, 150]}
+surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
+column: [u1, h1, u2, h2, u3]
+rules: {stack: keep, on_crossing: %s}
+mesh: {mode: constrained, refine: none}
+output: {directory: out, formats: [vtu]}
+""" % rule)
+            self.run_program(project)
+            self.check(self.path("out", "m.vtu"), "--project", project)
+            volumes = {r["name"]: r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"]}
+            unit = {u: sum(v for name, v in volumes.items() if name.split("__")[0] == u) for u in ("u1", "u2", "u3")}
+            self.assertAlmostEqual(unit["u2"], 2 * 100 * 100 * 30, delta=1)
+            self.assertAlmostEqual(unit["u3"], 100 * 100 * 30 + 100 * 100 * 65, delta=1)
+
+    def test_a_refusal_names_surfaces_and_the_way_out(self):
+        """Seed 20007: with preserve_boundary no double is left for one point. The same model is meshed without it."""
+        project = RandomModel(20007).write(self.folder)
+        printed = self.run_program(project, "--quiet", status=CANNOT_MESH)
+        self.assertIn("leaves all cells positive", printed)
+        self.assertIn("without preserve_boundary", printed)
+        self.assertIn("(surfaces: h2, h3, f1, f1_twin, ymax)", printed)
+        with open(project) as file:
+            text = file.read()
+        with open(project, "w") as file:
+            file.write(text.replace(", preserve_boundary: true", ""))
+        self.run_program(project, "--quiet")
+        self.check(self.path("out", "model.vtu"), "--project", project)
 
 
 if __name__ == "__main__":

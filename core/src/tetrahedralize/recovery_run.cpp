@@ -103,7 +103,7 @@ RecoveryOutcome RecoveryRun::recover() {
                                        ") ends: " + dead_end->what());
     if (dead_end->kind() == ErrorKind::cannot_mesh)
       if (std::optional<Error> crossing = recovery.describe_crossing()) return {std::nullopt, std::move(crossing)};
-    if (is_final(*dead_end, attempt, recovery)) return {std::nullopt, std::move(dead_end)};
+    if (is_final(*dead_end, attempt, recovery)) return {std::nullopt, with_way_out(*dead_end)};
     hard_parts_.learn(recovery, model_);
   }
 }
@@ -143,6 +143,17 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
     validate_stage(recovery);
   }
   recover::validate_recovered(recovery);
+}
+
+/// Where the boundary must stay as it is, the message says that the model may be meshed without that.
+Error RecoveryRun::with_way_out(const Error& dead_end) const {
+  const std::string message = dead_end.what();
+  if (!options_.recover.preserve_boundary || dead_end.kind() != ErrorKind::cannot_mesh ||
+      message.find("preserve_boundary") != std::string::npos)
+    return dead_end;
+  return Error(dead_end.kind(),
+               message + "; without preserve_boundary points may be added on surfaces, which may leave more room",
+               dead_end.context());
 }
 
 /// What recovery finds wrong with the model is believed where the exact search for crossings agrees, and after the last

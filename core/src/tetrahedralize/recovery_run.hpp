@@ -37,6 +37,7 @@ class RecoveryRun {
   recover::StartTriangulation start(const Attempt& attempt);
   void recover_stages(const Attempt& attempt, recover::Recovery& recovery);
   bool is_final(const Error& dead_end, const Attempt& attempt, const recover::Recovery& recovery) const;
+  Error with_way_out(const Error& dead_end) const;
 
   const PiecewiseLinearComplex& plc_;
   const ModelNames& names_;

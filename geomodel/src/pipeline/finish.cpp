@@ -325,6 +325,9 @@ ModelItems items_of(const Error& error, const PreparedModel& model) {
 [[noreturn]] void fail_in_terms_of_model(const Error& error, const PreparedModel& model, const OutputPlan& plan,
                                          const StageRecorder& recorder) {
   std::string message = error.what();
+  std::vector<Index> facets = error.context().facets;
+  std::erase_if(facets, [&](Index f) { return f >= model.plc.plc.n_facets(); });
+  if (const std::string names = surfaces_of(facets, model); !names.empty()) message += " (surfaces: " + names + ")";
   if (!error.context().excerpt || plan.stem.empty()) {
     // nothing to look at, or nowhere to write it
   } else if (recorder.stop_after() == "recover") {

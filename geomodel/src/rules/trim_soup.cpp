@@ -51,7 +51,9 @@ struct Trimming {
     Index largest = no_index;
     const UpwardSides& sides = sides_of(y);
     std::vector<Piece> gone;
-    for (Piece& piece : pieces_of(working, x, {y}, &sides))
+    const bool are_horizons = surfaces[x].kind == SurfaceKind::horizon && surfaces[y].kind == SurfaceKind::horizon;
+    const BeyondEnd beyond = are_horizons ? BeyondEnd::has_none : BeyondEnd::has_a_side;
+    for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond))
       if (side_of(working, piece, y, sides) == side) gone.push_back(std::move(piece));
     for (const Piece& piece : gone) {
       if (largest == no_index || working.area(piece.largest) > working.area(largest)) largest = piece.largest;
@@ -130,7 +132,7 @@ void refuse_crossing(Trimming& work, Index younger, Index older) {
   double area = 0;
   Vec3 place;
   const UpwardSides& sides = work.sides_of(older);
-  for (const Piece& piece : pieces_of(work.working, younger, {older}, &sides))
+  for (const Piece& piece : pieces_of(work.working, younger, {older}, &sides, BeyondEnd::has_none))
     if (piece.contact > 0 && piece.below > piece.above) {
       area += piece.area;
       place = work.working.centre(piece.largest);

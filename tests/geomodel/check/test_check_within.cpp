@@ -8,6 +8,7 @@
 #include <random>
 
 #include "check/exact/deviation.hpp"
+#include "check/exact/vertical_line.hpp"
 #include "check_fixture.hpp"
 #include "geomesh/geomodel/check.hpp"
 
@@ -289,4 +290,25 @@ TEST_CASE("check within a tolerance: what is called proven is so at many points"
   }
   CHECK(n_proven > 50);
   CHECK(n_beyond > 40);
+}
+
+TEST_CASE("verticals find the triangles that they pass, and those that they pass near", "[check]") {
+  geomesh::geomodel::TriangulatedSurface s;
+  s.points = {{0, 0, 10}, {100, 0, 20}, {0, 100, 10}, {100, 100, 20}, {100, 100, 90}};
+  s.triangles = {{0, 1, 2}, {2, 1, 3}, {1, 3, 4}};  // the last is upright
+  const auto tree = geomesh::geomodel::checking::tree_over_triangles(s);
+  const auto heights = [&](double x, double y) {
+    std::vector<std::pair<Index, double>> found;
+    geomesh::geomodel::checking::for_each_height(s, tree, {x, y, 0}, 0.5,
+                                                 [&](Index t, double z) { found.emplace_back(t, z); });
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  using Found = std::vector<std::pair<Index, double>>;
+  CHECK(heights(30, 30) == Found{{0, 13}});
+  CHECK(heights(80, 70) == Found{{1, 18}});
+  CHECK(heights(50, 50) == Found{{0, 15}, {1, 15}});
+  CHECK(heights(20, -0.25) == Found{{0, 12}});
+  CHECK(heights(20, -0.75).empty());
+  CHECK(heights(100.25, 50) == Found{{1, 20}});
 }

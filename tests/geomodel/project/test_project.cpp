@@ -243,6 +243,8 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {refine: none, cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
       {s + "mesh: {preserve_boundary: yes}\n", "true or false was expected, found 'yes'"},
       {s + "mesh: {cluster_distance: -2}\n", "auto or a length of zero or more was expected"},
+      {s + "rules: {topography: salt}\n", "a horizon was expected, but no horizon is named 'salt'"},
+      {s + "rules: {topography: nowhere}\n", "a horizon was expected, but no horizon is named 'nowhere'"},
       {s + "output: {formats: [vtk]}\n", "output.formats[1]: "},
       {s + "---\nname: b\n", "several YAML documents"},
   };
@@ -251,6 +253,21 @@ TEST_CASE("each mistake has its own words", "[project]") {
     const std::string text = complaint(c.text);
     INFO(text);
     CHECK(text.find(c.words) != std::string::npos);
+  }
+}
+
+TEST_CASE("names are UTF-8: the first and last letters of each length are taken, other bytes are refused",
+          "[project]") {
+  const ProjectFolder f;
+  const auto text = [](const std::string& letter) { return "name: \"a" + letter + "b\"\n" + two_surfaces; };
+  for (const char* letter : {"\xc2\xa1", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80", "\xef\xbf\xbd",
+                             "\xf0\x90\x80\x80", "\xf3\xbf\xbf\xbd", "\xf4\x8f\xbf\xbd"})
+    CHECK(read_project(f.write(text(letter))).name == std::string("a") + letter + "b");
+  for (const char* letter : {"\x80", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xed\xbf\xbf", "\xf0\x8f\xbf\xbf",
+                             "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xc3", "\xe2\x82", "\xf0\x9f\x98"}) {
+    const std::string words = complaint(text(letter));
+    INFO(words);
+    CHECK(words.find("UTF-8") != std::string::npos);
   }
 }
 

@@ -67,6 +67,12 @@ TEST_CASE("nulls of each grid format are holes", "[readers][grids]") {
   CHECK(n_points("a.irap", "-996 2 1 1\n0 2 0 1\n3 0 0 0\n0 0 0 0 0 0 0\n1 2 3 4 5 9999900\n") == 5);
 }
 
+TEST_CASE("fault traces of a Surfer grid are told where there are some", "[readers][grids]") {
+  const std::string grid = plane_file("surfer7.grd");
+  CHECK(read_text("plain7.grd", grid).warnings.empty());
+  CHECK(says(read_text("faults7.grd", grid + "FLTI" + std::string(4, '\0')).warnings, "fault traces"));
+}
+
 TEST_CASE("a rotated grid turns about its origin, counter-clockwise", "[readers][grids]") {
   const FileContents contents =
       read_text("turn.irap", "-996 2 10 20\n0 10 0 20\n2 30 100 200\n0 0 0 0 0 0 0\n1 2 3 4\n");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
@@ -111,6 +112,19 @@ TEST_CASE("sides of turned boxes and of polygons close and face outwards, whiche
     CHECK(volume.sides.size() == 8);
     CHECK(volume.sides[0].name == "side_1");
     std::reverse(polygon.polygon.begin(), polygon.polygon.end());
+  }
+}
+
+TEST_CASE("a polygon far from the origin is the same volume, whichever way it turns", "[volume]") {
+  for (const Vec2 far : {Vec2{4e5, 6.5e6}, Vec2{-4e5, 6.5e6}, Vec2{4e5, -6.5e6}, Vec2{-4e5, -6.5e6}}) {
+    VolumeSpec polygon = l_shape();
+    for (Vec2& p : polygon.polygon) p = {p.x + far.x, p.y + far.y};
+    for (int turn = 0; turn < 2; ++turn) {
+      const ModelVolume volume = make_volume(polygon, {}, {far.x, far.y, 0});
+      CHECK(is_closed(hull_of(volume)));
+      CHECK(enclosed(hull_of(volume)) == Approx(30 * l_area));
+      std::reverse(polygon.polygon.begin(), polygon.polygon.end());
+    }
   }
 }
 

@@ -173,9 +173,11 @@ Error error_of_rounding(const Recovery& recovery, const std::vector<VertexIndex>
   const VertexIndex x = points.front();
   std::vector<Index> facets = facets_about(recovery, x);
   const std::string where = facets.empty() ? "" : " at " + list(recovery, facets);
-  return Error(ErrorKind::cannot_mesh,
-               std::to_string(points.size()) + " Steiner points, the first " + describe_vertex(recovery, x) + where +
-                   ", have no double near them that leaves all cells positive" + advice(ErrorKind::cannot_mesh),
+  const std::string at = describe_vertex(recovery, x) + where;
+  const std::string what = points.size() == 1 ? "no double near " + at + " leaves all cells positive"
+                                              : "no doubles near " + std::to_string(points.size()) +
+                                                    " added vertices leave all cells positive, the first " + at;
+  return Error(ErrorKind::cannot_mesh, what + advice(ErrorKind::cannot_mesh),
                context_of(recovery, std::move(facets), {x}));
 }
 

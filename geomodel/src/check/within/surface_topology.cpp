@@ -9,6 +9,7 @@
 
 #include "check/exact/exact.hpp"
 #include "check/judged/faults.hpp"
+#include "check/within/input_border.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -28,22 +29,6 @@ std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangl
   for (Index t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) edges[edge_of(triangles[t], i)].push_back(t);
   return edges;
-}
-
-/// The surface's triangles with equal points as one; triangles that are degenerate then are left out.
-std::vector<Triangle> welded(const TriangulatedSurface& surface) {
-  const auto less = [&](VertexIndex a, VertexIndex b) {
-    const Vec3 &p = surface.points[a], &q = surface.points[b];
-    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-  };
-  std::set<VertexIndex, decltype(less)> first(less);
-  std::vector<Triangle> triangles;
-  for (const Triangle& t : surface.triangles) {
-    Triangle w{};
-    for (std::size_t i = 0; i < 3; ++i) w[i] = *first.insert(t[i]).first;
-    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) triangles.push_back(w);
-  }
-  return triangles;
 }
 
 struct Topology {
@@ -120,7 +105,7 @@ class TopologyJudge {
   std::vector<Triangle> faces_of(Index row) const;
   std::vector<Corners> free_edges(Index row, bool but_excused) const;
   bool is_excused(const Edge& e, Index row) const;
-  std::vector<Corners> input_border(Index row) const;
+  bool is_cracked(Index row) const;
   Corners as_corners(const Edge& e) const {
     const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
     return {a, b, b};
@@ -178,13 +163,27 @@ void TopologyJudge::check_presence(CheckResult& result) {
   missing.report(result, "surfaces that lie in the box have no face in the mesh: " + names);
 }
 
-/// Surfaces that nothing clips have the topology of their input.
+/// Whether parts of its border may have been joined to each other.
+bool TopologyJudge::is_cracked(Index row) const {
+  const InputBorder border(claim_.surfaces[row], allowed_);
+  for (Index e = 0; e < border.edges().size(); ++e) {
+    const Corners& edge = border.edges()[e];
+    if (border.is_crack(e) || std::any_of(between.begin(), between.end(), [&](double t) {
+          return border.faces_border(e, edge[0] + t * (edge[1] - edge[0]));
+        }))
+      return true;
+  }
+  return false;
+}
+
+/// Surfaces that nothing clips have the topology of their input. Where its border faces itself, parts may have been
+/// joined and give another one.
 void TopologyJudge::check_whole_surfaces(CheckResult& result) {
   FaultCollector changed("surfaces_changed");
   std::string how;
   std::size_t n_judged = 0;
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
-    if (!is_whole(row) || pairs_[row].faces.empty()) continue;
+    if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(claim_.surfaces[row])), now = topology_of(faces_of(row));
     if (!input.manifold || !now.manifold) continue;  // meets itself: it is parted there
     ++n_judged;
@@ -195,7 +194,7 @@ void TopologyJudge::check_whole_surfaces(CheckResult& result) {
   changed.report(result, "surfaces are not made of the pieces, borders and handles of their input (" + how + ")");
   result.checks_done.push_back(
       std::to_string(n_judged) + " of " + std::to_string(claim_.surfaces.size()) +
-      " surfaces are clipped by nothing and do not meet themselves: their pieces, borders and Euler "
+      " surfaces are clipped by nothing, have no cracks and do not meet themselves: their pieces, borders and Euler "
       "characteristic were held against the input's");
 }
 
@@ -219,23 +218,11 @@ std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) cons
   return free;
 }
 
-/// Without what lies on other triangles of the surface: a crack that intersecting has closed.
-std::vector<Corners> TopologyJudge::input_border(Index row) const {
-  const TriangulatedSurface& s = claim_.surfaces[row];
-  const TriangleSet all(triangles_of(s));
-  std::vector<Corners> border;
-  for (const auto& [e, at] : edges_of(welded(s))) {
-    const Vec3 &a = s.points[e[0]], &b = s.points[e[1]];
-    if (at.size() == 1 && all.near(0.5 * (a + b), allowed_.rounding).size() <= 1) border.push_back({a, b, b});
-  }
-  return border;
-}
-
 void TopologyJudge::check_borders(CheckResult& result) {
   FaultCollector off("borders_off");
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
-    const std::vector<Corners> border = input_border(row);
-    const TriangleSet input(border), mesh(free_edges(row, false));
+    const InputBorder border(claim_.surfaces[row], allowed_);
+    const TriangleSet input(border.edges()), mesh(free_edges(row, false));
     const auto is_near = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
     for (const Corners& e : free_edges(row, true))
       for (const double t : between) {
@@ -244,11 +231,12 @@ void TopologyJudge::check_borders(CheckResult& result) {
         off.add(row, p);
         break;
       }
-    for (const Corners& e : border)
+    for (Index i = 0; i < border.edges().size(); ++i)
       for (const double t : between) {
+        const Corners& e = border.edges()[i];
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
-            claimed_.is_removed(row, p, {}))
+        if (border.is_crack(i) || may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
+            border.faces_border(i, p) || claimed_.is_removed(row, p, {}))
           continue;
         off.add(row, p);
         break;

@@ -33,6 +33,16 @@ bool runs_upward(const WorkingSoup& w, Index f, Index y, const UpwardSides& side
   return runs_from(w.soup.facets[f], a, b) == facet_is_up;
 }
 
+/// Whether, in the map, two facets are on different sides of an edge of both.
+bool are_apart(const WorkingSoup& w, const EdgeUse& edge, Index f, Index g) {
+  const Vec3 &a = w.soup.points[edge.a], &b = w.soup.points[edge.b];
+  const auto side = [&](Index facet) {
+    const Vec3& p = w.soup.points[apex_of(w.soup.facets[facet], edge.a, edge.b)];
+    return orient2d({a.x, a.y}, {b.x, b.y}, {p.x, p.y});
+  };
+  return side(f) * side(g) == Sign::negative;
+}
+
 /// Side of point d at the edge against the facets of y there: 1 above, -1 below, 0 on it or undecided. Facets of y
 /// are one (y ends here) or two (d is in the upper or the lower wedge between them).
 int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<Index>& of_y, Index y,
@@ -125,14 +135,14 @@ PolygonSoup WorkingSoup::result() const {
   return out;
 }
 
-std::vector<Piece> pieces_of(const WorkingSoup& w, Index x, const std::vector<Index>& cutters,
-                             const UpwardSides* sides) {
+std::vector<Piece> pieces_of(const WorkingSoup& w, Index x, const std::vector<Index>& cutters, const UpwardSides* sides,
+                             BeyondEnd beyond) {
   return pieces_of(
-      w, [&](Index f) { return w.has(f, x); }, cutters, sides);
+      w, [&](Index f) { return w.has(f, x); }, cutters, sides, beyond);
 }
 
 std::vector<Piece> pieces_of(const WorkingSoup& w, const std::function<bool(Index)>& is_mine,
-                             const std::vector<Index>& cutters, const UpwardSides* sides) {
+                             const std::vector<Index>& cutters, const UpwardSides* sides, BeyondEnd beyond) {
   const auto is_cutter = [&](Index f) {
     return std::any_of(cutters.begin(), cutters.end(), [&](Index c) { return w.has(f, c); });
   };
@@ -174,6 +184,7 @@ std::vector<Piece> pieces_of(const WorkingSoup& w, const std::function<bool(Inde
       if (n_alive == 1) piece.free_border += length;
       if (!of_cutter.empty()) piece.contact += length;
       if (!sides || of_cutter.empty()) continue;
+      if (beyond == BeyondEnd::has_none && of_cutter.size() == 1 && are_apart(w, edge[0], of_cutter[0], f)) continue;
       const int side =
           side_at_edge(w, edge[0], of_cutter, cutters.front(), *sides, apex_of(w.soup.facets[f], edge[0].a, edge[0].b));
       (side > 0 ? piece.above : piece.below) += side == 0 ? 0 : length;

@@ -3,6 +3,7 @@
 /// Pieces into which one surface of a soup is cut by others, and their sides.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct WorkingSoup {
   PolygonSoup result() const;
 };
 
+/// Whether an edge where the cutting surface ends tells the side of what goes on beyond it in the map. It does for
+/// faults, which stand on that end. A horizon beyond it may be the one across a fault, thrown to that height.
+enum class BeyondEnd : std::uint8_t { has_a_side, has_none };
+
 struct Piece {
   std::vector<Index> facets;  ///< ascending, of the surface alone or with others
   double area = 0;
@@ -44,10 +49,11 @@ struct Piece {
 /// a cutter are left out. Where `sides` is given (of the only cutter), contacts are told apart by exact orientation
 /// about the edge.
 std::vector<Piece> pieces_of(const WorkingSoup& working, Index x, const std::vector<Index>& cutters,
-                             const UpwardSides* sides);
+                             const UpwardSides* sides, BeyondEnd beyond = BeyondEnd::has_a_side);
 /// The same for the facets that `is_mine` accepts.
 std::vector<Piece> pieces_of(const WorkingSoup& working, const std::function<bool(Index)>& is_mine,
-                             const std::vector<Index>& cutters, const UpwardSides* sides);
+                             const std::vector<Index>& cutters, const UpwardSides* sides,
+                             BeyondEnd beyond = BeyondEnd::has_a_side);
 
 /// Side of a piece against surface y: 1 above, -1 below, 0 unknown: by its contacts, else on the vertical through its
 /// largest facet.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/within/input_border.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace geomesh::geomodel::checking {
+
+std::vector<Triangle> welded(const TriangulatedSurface& surface) {
+  const auto less = [&](VertexIndex a, VertexIndex b) {
+    const Vec3 &p = surface.points[a], &q = surface.points[b];
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  std::set<VertexIndex, decltype(less)> first(less);
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : surface.triangles) {
+    Triangle w{};
+    for (std::size_t i = 0; i < 3; ++i) w[i] = *first.insert(t[i]).first;
+    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) triangles.push_back(w);
+  }
+  return triangles;
+}
+
+InputBorder::InputBorder(const TriangulatedSurface& surface, const Allowed& allowed)
+    : set_(std::vector<Corners>{}), length_(allowed.both()) {
+  std::map<std::array<VertexIndex, 2>, std::size_t> count;
+  for (const Triangle& t : welded(surface))
+    for (std::size_t i = 0; i < 3; ++i) ++count[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+  const TriangleSet all(triangles_of(surface));
+  for (const auto& [e, n] : count) {
+    if (n != 1) continue;
+    const Vec3 &a = surface.points[e[0]], &b = surface.points[e[1]];
+    for (const VertexIndex v : e) at_[v].push_back(static_cast<Index>(edges_.size()));
+    edges_.push_back({a, b, b});
+    ends_.push_back(e);
+    cracks_.push_back(all.near(0.5 * (a + b), allowed.rounding).size() > 1);
+  }
+  set_ = TriangleSet(edges_);
+}
+
+bool InputBorder::faces_border(Index row, const Vec3& p) const {
+  const auto distance_to = [&](const Vec3& q) { return std::sqrt(dot(q - p, q - p)); };
+  const std::vector<TriangleSet::Near> near = set_.near(p, length_);
+  const auto length = [&](Index e) {
+    const Vec3 d = edges_[e][1] - edges_[e][0];
+    return std::sqrt(dot(d, d));
+  };
+  std::set<Index> reached{row};
+  std::map<VertexIndex, double> along;  // to vertices within twice the length, the shortest seen
+  std::vector<std::pair<VertexIndex, double>> open;
+  for (std::size_t k = 0; k < 2; ++k) open.emplace_back(ends_[row][k], distance_to(edges_[row][k]));
+  while (!open.empty()) {
+    const auto [v, distance] = open.back();
+    open.pop_back();
+    if (distance > 2 * length_) continue;
+    const auto known = along.find(v);
+    if (known != along.end() && known->second <= distance) continue;
+    along[v] = distance;
+    for (const Index e : at_.at(v)) {
+      reached.insert(e);
+      open.emplace_back(ends_[e][0] == v ? ends_[e][1] : ends_[e][0], distance + length(e));
+    }
+  }
+  return std::any_of(near.begin(), near.end(),
+                     [&](const TriangleSet::Near& n) { return !reached.contains(n.triangle); });
+}
+
+}  // namespace geomesh::geomodel::checking
