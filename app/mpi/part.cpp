@@ -225,13 +225,11 @@ void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divid
   const auto corners = [&](const Tetrahedron& t) {
     return std::array{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
   };
-  const auto shape = [&](const Tetrahedron& t) {
-    const auto p = corners(t);
-    return tetrahedron_shape(p[0], p[1], p[2], p[3]);
-  };
-  for (Index c = 0; c < mesh.tetrahedra.size(); ++c)
-    if (shape(mesh.tetrahedra[c]).min_dihedral < poor && !divided.contains(c))
+  for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
+    const auto p = corners(mesh.tetrahedra[c]);
+    if (dihedral_range(p[0], p[1], p[2], p[3]).least < poor && !divided.contains(c))
       for (const VertexIndex v : mesh.tetrahedra[c]) is_about[v] = true;
+  }
   mesh.is_settled.assign(mesh.tetrahedra.size(), 0);
   for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
     const Tetrahedron& t = mesh.tetrahedra[c];
@@ -239,7 +237,8 @@ void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divid
     const auto p = corners(t);
     const Vec3 middle = 0.25 * ((p[0] + p[1]) + (p[2] + p[3]));
     const auto is_of_model = [&](const Vec3& place) { return model.points.number_at(place) != ModelPoints::none; };
-    mesh.is_settled[c] = shape(t).longest_edge <= as_asked * model.sparse.size.at(middle, mesh.component[c]) ||
+    mesh.is_settled[c] = tetrahedron_shape(p[0], p[1], p[2], p[3]).longest_edge <=
+                             as_asked * model.sparse.size.at(middle, mesh.component[c]) ||
                          std::ranges::all_of(p, is_of_model);
   }
 }

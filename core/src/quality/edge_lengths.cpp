@@ -27,14 +27,14 @@ struct Part {
 /// The parts that there are, ascending, and the row of that of each tetrahedron.
 struct PartTable {
   explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
-    const auto part_of = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
+    const auto at = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
     for (std::size_t t = 0; t < row.size(); ++t)
-      if (t == 0 || part_of(t) != part_of(t - 1)) part.push_back(part_of(t));
+      if (t == 0 || at(t) != at(t - 1)) part.push_back(at(t));
     sort_unique(part);
     for (std::size_t t = 0; t < row.size(); ++t)
-      row[t] = t > 0 && part_of(t) == part_of(t - 1)
+      row[t] = t > 0 && at(t) == at(t - 1)
                    ? row[t - 1]
-                   : static_cast<Index>(std::lower_bound(part.begin(), part.end(), part_of(t)) - part.begin());
+                   : static_cast<Index>(std::lower_bound(part.begin(), part.end(), at(t)) - part.begin());
   }
   std::vector<Part> part;
   std::vector<Index> row;

@@ -20,24 +20,25 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Elements go with the cube of the size; where surfaces take their share, with less.
 double next_factor(double factor, double count, double target) { return factor * std::cbrt(count / target); }
 
+Box3 bounds_of(const PreparedModel& model) {
+  Box3 box;
+  for (const Vec3& p : model.plc.plc.points) box.add(p);
+  return box;
+}
+
 /// Beyond it the tolerance that follows the sizes would be refused.
 double greatest_factor(const PreparedModel& model, const RefineOptions& options) {
   constexpr double most_of_diagonal = 0.05;
   if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
-  Box3 box;
-  for (const Vec3& p : model.plc.plc.points) box.add(p);
+  const Box3 box = bounds_of(model);
   const Vec3 extent = box.max - box.min;
   return std::max(most_of_diagonal * std::sqrt(dot(extent, extent)) / options.tolerance, 1.0);
 }
 
-/// Sizes several times those of a box with nothing in it change no more than the tolerance that follows them.
-double factor_of_empty_box(const PreparedModel& model, const RefineOptions& options, double target) {
-  constexpr double elements_a_cube = 8.5, most = 8;
-  if (!(options.size.global > 0)) return infinity;
-  Box3 box;
-  for (const Vec3& p : model.plc.plc.points) box.add(p);
-  const Vec3 extent = box.max - box.min;
-  return most * std::cbrt(elements_a_cube * extent.x * extent.y * extent.z / target) / options.size.global;
+/// Sizes several times those of a volume with nothing in it change no more than the tolerance that follows them.
+double factor_of_empty_volume(const PreparedModel& model, const RefineOptions& options, double target) {
+  constexpr double most = 7;
+  return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
 }
 
 /// By the estimate alone; at most `most`, however many elements surfaces ask for that cross and touch all over.
@@ -60,6 +61,7 @@ double first_factor(const PreparedModel& model, const ConstrainedTetrahedralizat
 void settle(PreparedModel& model, const RefineOptions& options) {
   RefinementSettings& settings = model.refinement;
   settings.size.base.global = options.size.global;
+  settings.size.base.gradation = options.size.gradation;
   settings.tolerance = options.tolerance;
   auto input = nlohmann::ordered_json::parse(model.input_json, nullptr, false);
   if (input.is_discarded()) return;
@@ -172,9 +174,9 @@ class CountSearch {
 
 RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                              const RefineOptions& options, const RunContext& context) {
-  constexpr unsigned most_runs = 8;
+  constexpr unsigned most_runs = 6;
   const double target = model.refinement.target_elements;
-  const double most = std::min(greatest_factor(model, options), factor_of_empty_box(model, options, target));
+  const double most = std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target));
   const CountSearch search(target, most, options.size.gradation);
   const auto scaled = [&](const Scale& scale) {
     RefineOptions out = scaled_sizes(options, scale.size);

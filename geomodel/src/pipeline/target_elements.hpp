@@ -19,7 +19,7 @@ RefineOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedr
 
 /// Refines with sizes scaled by the estimate, and again by what came out. Where larger sizes bring hardly fewer
 /// elements, sizes grow sooner away from small ones. Ends when the number of elements is within a tenth of
-/// settings.target_elements, or after eight times. Then the nearest counts, with a warning: the input alone takes more.
+/// settings.target_elements, or after six times. Then the nearest counts, with a warning: the input alone takes more.
 RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                              const RefineOptions& options, const RunContext& context);
 

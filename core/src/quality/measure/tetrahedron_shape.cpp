@@ -23,6 +23,16 @@ struct Turned {
   double degrees() const { return std::atan2(sine, cosine) * degrees_per_radian; }
 };
 
+/// Of the faces, of length twice the area.
+std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
+  std::array<Vec3, 4> n;
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto& f = face_vertices[i];
+    n[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
+  }
+  return n;
+}
+
 }  // namespace
 
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -31,12 +41,7 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
     const TetrahedronShape s = tetrahedron_shape(a, b, c, d);
     return {s.min_dihedral, s.max_dihedral};
   }
-  const std::array<Vec3, 4> p{a, b, c, d};
-  std::array<Vec3, 4> n;
-  for (unsigned i = 0; i < 4; ++i) {
-    const auto& f = face_vertices[i];
-    n[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
-  }
+  const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
   Turned least, greatest;
   for (unsigned e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertices[e];
@@ -50,14 +55,11 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   TetrahedronShape s{};
-  const std::array<Vec3, 4> p{a, b, c, d};
+  const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
   const double det = dot(cross(b - a, c - a), d - a);
   s.volume = det / 6;
-  std::array<Vec3, 4> n;  // inward, of length twice the area
   double area = 0, largest = 0;
   for (unsigned i = 0; i < 4; ++i) {
-    const auto& f = face_vertices[i];
-    n[i] = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
     area += length(n[i]) / 2;
     largest = std::max(largest, length(n[i]) / 2);
   }

@@ -119,8 +119,7 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
 
 /// All where they are few. In a mesh that is full of them their mending is not seen, and takes longer than all else.
 std::size_t flat_cells_to_mend(const DomainMesh& mesh, const RescueRule& rule, const ImproveSchedule& schedule) {
-  const std::size_t n = cells_below(mesh, rule.bad_shape).size();
-  const bool are_forced = share(n, mesh) > schedule.few_flat;
+  const bool are_forced = share(count_below(mesh, rule.bad_shape), mesh) > schedule.few_flat;
   return are_forced ? static_cast<std::size_t>(schedule.forced_share * static_cast<double>(mesh.n_cells()))
                     : std::numeric_limits<std::size_t>::max();
 }
@@ -133,6 +132,59 @@ Next thin_points(const Toolbox& tools, const Thin& thin) {
   return n == 0 ? Next::done : Next::again;
 }
 
+RescueRule rescue_below(double shape, const ImproveSchedule& schedule) {
+  return {shape, schedule.smoothing_steps, rescue_limits.steps};
+}
+
+bool mends_bad_cells(const Toolbox& tools, const ImproveSchedule& schedule) {
+  return schedule.sliver_rounds > 0 && !tools.bad_cells_may_spread;
+}
+
+struct Mending {
+  Toolbox& tools;
+  const ImproveSchedule& schedule;
+  const PassRunner& passes;
+  const RunContext& context;
+  const OutOfTime& out_of_time;
+};
+
+/// What the repair has left is mended by sequences of operations, and points that it put near others in vain are taken
+/// out.
+void mend_what_is_left(const Mending& mending) {
+  const auto& [tools, schedule, passes, context, out_of_time] = mending;
+  DomainMesh& mesh = tools.mesh;
+  const CellQuality& measure = mesh.measure();
+  const bool rescues_bad = mends_bad_cells(tools, schedule);
+  const double thinning_floor = std::max(measure.of_angle(schedule.sliver_angle), low_percentile(mesh, schedule));
+  const auto thin_unneeded = [&](ShortEdges which) { return thin_out(tools, which, thinning_floor, context); };
+  passes.run({.name = "points taken out that were not needed",
+              .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
+              .most_rounds = schedule.thinning_rounds,
+              .applies = rescues_bad});
+  passes.once(
+      "bad cells mended by looking ahead",
+      [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); }, rescues_bad);
+  const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
+  // What solvers refuse is worth it at every level.
+  passes.once(
+      "cells too flat for solvers mended by looking ahead",
+      [&] {
+        const RescueWork work{rescue_limits.most_vain, flat_cells_to_mend(mesh, flat_rescue, schedule)};
+        rescue_flat_cells(tools, flat_rescue, work, out_of_time);
+      },
+      !tools.bad_cells_may_spread);
+  const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle), schedule);
+  passes.once(
+      "the last poor cells mended by looking ahead",
+      [&] { rescue_flat_cells(tools, aim_rescue, {rescue_limits.most_vain_poor}, out_of_time); },
+      rescues_bad && share(count_below(mesh, aim_rescue.bad_shape), mesh) <= schedule.few_below_aim);
+  const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
+  passes.run({.name = "points too near to others taken out, and what is about them mended",
+              .round = [&](unsigned) { return thin_points(tools, thin_mending); },
+              .most_rounds = schedule.thinning_rounds,
+              .applies = rescues_bad});
+}
+
 }  // namespace
 
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge) {
@@ -142,12 +194,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const TimeBudget budget(options.time_budget, tools.statistics, context);
   const OutOfTime out_of_time = [&] { return budget.is_spent(); };
   const bool may_add_points = options.size_surfaces || options.honour != Honour::exact;
-  const bool rescues_bad = schedule.sliver_rounds > 0 && !tools.bad_cells_may_spread;
-  const auto rescue_below = [&](double shape) {
-    return RescueRule{shape, schedule.smoothing_steps, rescue_limits.steps};
-  };
-  const RescueRule rescue = rescue_below(measure.bad()),
-                   flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle));
+  const bool rescues_bad = mends_bad_cells(tools, schedule);
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
   RaisedBefore raised{.much_gained = schedule.much_gained};
@@ -172,33 +219,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                 .round = [&](unsigned) { return repair_slivers(tools, schedule, repair, room); },
                 .most_rounds = schedule.sliver_rounds});
   }
-  const double thinning_floor = std::max(measure.of_angle(schedule.sliver_angle), low_percentile(mesh, schedule));
-  const auto thin_unneeded = [&](ShortEdges which) { return thin_out(tools, which, thinning_floor, context); };
-  passes.run({.name = "points taken out that were not needed",
-              .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
-              .most_rounds = schedule.thinning_rounds,
-              .applies = rescues_bad});
-  passes.once(
-      "bad cells mended by looking ahead", [&] { rescue_bad_cells(tools, rescue, out_of_time); }, rescues_bad);
-  // What solvers refuse is worth it at every level.
-  passes.once(
-      "cells too flat for solvers mended by looking ahead",
-      [&] {
-        const RescueWork work{rescue_limits.most_vain, flat_cells_to_mend(mesh, flat_rescue, schedule)};
-        rescue_flat_cells(tools, flat_rescue, work, out_of_time);
-      },
-      !tools.bad_cells_may_spread);
-  const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle));
-  passes.once(
-      "the last poor cells mended by looking ahead",
-      [&] { rescue_flat_cells(tools, aim_rescue, {rescue_limits.most_vain_poor}, out_of_time); },
-      rescues_bad && share(cells_below(mesh, aim_rescue.bad_shape).size(), mesh) <= schedule.few_below_aim);
-  const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
-  passes.run({.name = "points too near to others taken out, and what is about them mended",
-              .round = [&](unsigned) { return thin_points(tools, thin_mending); },
-              .most_rounds = schedule.thinning_rounds,
-              .applies = rescues_bad});
-  const double poor_share = share(cells_below(mesh, measure.of_angle(schedule.target_angle)).size(), mesh);
+  mend_what_is_left({tools, schedule, passes, context, out_of_time});
+  const double poor_share = share(count_below(mesh, measure.of_angle(schedule.target_angle)), mesh);
   // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
@@ -206,7 +228,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
               .most_rounds = schedule.poor_mean_factor * schedule.mean_rounds,
               .applies = poor_share > schedule.many_poor});
   passes.once(
-      "bad cells searched that nothing forces", [&] { rescue_free_cells(tools, rescue, *judge, out_of_time); },
+      "bad cells searched that nothing forces",
+      [&] { rescue_free_cells(tools, rescue_below(measure.bad(), schedule), *judge, out_of_time); },
       rescues_bad && judge);
 }
 

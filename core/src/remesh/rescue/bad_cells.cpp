@@ -7,6 +7,12 @@ namespace geomesh::remesh {
 
 BadCell bad_cell(const DomainMesh& mesh, CellIndex c) { return {mesh.shape_of(c), c, mesh.vertices(c)}; }
 
+std::size_t count_below(const DomainMesh& mesh, double limit) {
+  std::size_t n = 0;
+  for (const CellIndex c : mesh.live_cells()) n += mesh.shape_of(c) < limit;
+  return n;
+}
+
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit) {
   std::vector<BadCell> bad;
   for (const CellIndex c : mesh.live_cells())

@@ -18,6 +18,7 @@ struct BadCell {
   Tetrahedron vertices;
 };
 
+std::size_t count_below(const DomainMesh& mesh, double limit);
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
 /// The same by classes of equal width in shape, the worst class first. Within a class cells come in the order of the

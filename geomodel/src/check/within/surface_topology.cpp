@@ -88,7 +88,9 @@ class TopologyJudge {
         claim_(claimed.claim()),
         allowed_(allowed),
         pairs_(pair_surfaces(claimed, allowed.rounding)),
-        edges_(edges_of(claimed.candidates())) {}
+        edges_(edges_of(claimed.candidates())) {
+    for (const TriangulatedSurface& s : claim_.surfaces) borders_.emplace_back(s, allowed_);
+  }
 
   void check_presence(CheckResult& result);
   void check_whole_surfaces(CheckResult& result);
@@ -117,6 +119,7 @@ class TopologyJudge {
   Allowed allowed_;
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
+  std::vector<InputBorder> borders_;          ///< of the input's surfaces
 };
 
 bool TopologyJudge::is_in_box(const Vec3& p, double room) const {
@@ -165,7 +168,7 @@ void TopologyJudge::check_presence(CheckResult& result) {
 
 /// Whether parts of its border may have been joined to each other.
 bool TopologyJudge::is_cracked(Index row) const {
-  const InputBorder border(claim_.surfaces[row], allowed_);
+  const InputBorder& border = borders_[row];
   for (Index e = 0; e < border.edges().size(); ++e) {
     const Corners& edge = border.edges()[e];
     if (border.is_crack(e) || std::any_of(between.begin(), between.end(), [&](double t) {
@@ -221,7 +224,7 @@ std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) cons
 void TopologyJudge::check_borders(CheckResult& result) {
   FaultCollector off("borders_off");
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
-    const InputBorder border(claim_.surfaces[row], allowed_);
+    const InputBorder& border = borders_[row];
     const TriangleSet input(border.edges()), mesh(free_edges(row, false));
     const auto is_near = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
     for (const Corners& e : free_edges(row, true))
