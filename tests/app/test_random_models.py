@@ -53,6 +53,13 @@ class RandomModels(ProgramTest):
         """Halves of the edges across such a strip made a million cells for a model of 624 triangles (200092)."""
         self.assertEqual(outcome_of(200092, self.path("strips"), PROGRAM, 60), ("passes", ""))
 
+    def test_a_unit_of_a_coarse_stack_keeps_its_region_in_each_block(self):
+        """A unit with 0.8 elements of volume in its block joined another unit without a word (200080)."""
+        self.assertEqual(outcome_of(200080, self.path("coarse"), PROGRAM, 120), ("passes", ""))
+
+    def test_faces_that_touch_a_body_within_rounding_are_not_inside_it(self):
+        self.assertEqual(outcome_of(200202, self.path("touching"), PROGRAM, 120), ("passes", ""))
+
     def test_cracks_as_thin_as_rounding_are_judged_open_or_closed(self):
         """Found by seed 20100: a crack between two blocks, an ulp wide, is closed in part, and the judge took its open part for a fault."""
         project = os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")
