@@ -28,7 +28,9 @@ class Field:
 class RandomModel:
     """`surfaces`: (name, kind, points, triangles, extra keys of the entry); `wells`: (name, points); `text` of the project."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, as_default=False):
+        """as_default: with the same model, `mesh: {size: L}` and nothing else."""
+        self.as_default = as_default
         self.chance = chance = random.Random(seed)
         self.rounded = chance.random() < 0.2
         self.origin = chance.choice([(0.0, 0.0, 0.0), (-500.0, 300.0, -2500.0), (432000.0, 6512000.0, -4000.0), (7.1e6, 1.2e7, 0.0)])
@@ -223,6 +225,8 @@ class RandomModel:
     def mesh_text(self):
         chance = self.chance
         size = float("%.3g" % (min(self.size) * chance.uniform(0.15, 0.6)))
+        if self.as_default:
+            return "{size: %r}" % size
         draw = chance.random()
         if draw < 0.3:
             return "{mode: constrained, refine: none}"

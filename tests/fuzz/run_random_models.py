@@ -3,6 +3,7 @@
 """Meshes random whole models and has each judged by `geomesh check`; what is not in order is listed and kept.
 
     tests/fuzz/run_random_models.py --count 1000 --seed 1 --folder build/random     all that fails stays in the folder
+    tests/fuzz/run_random_models.py --count 1000 --as-default                       with `mesh: {size: L}`, what most projects ask for
     tests/fuzz/run_random_models.py --seed 4711 --count 1 --folder here --keep      one of them
 
 Outcomes: `passes`, `refused` (status 3 or 4 with a message), `wrong` (the check finds faults), `bug` (status 1, a signal, or a refusal
@@ -29,8 +30,8 @@ def run(program, arguments, limit):
     return done.returncode, done.stdout
 
 
-def outcome_of(seed, folder, program, limit):
-    project = RandomModel(seed).write(folder)
+def outcome_of(seed, folder, program, limit, as_default=False):
+    project = RandomModel(seed, as_default).write(folder)
     status, printed = run(program, [project, "--quiet", "--threads", "1"], limit)
     if status in (-24, -9):  # SIGXCPU, or the harder bound behind it
         return "slow", "meshing took more than %d s" % limit
@@ -56,11 +57,12 @@ def main():
     options.add_argument("--program", default=os.path.join(HERE, "..", "..", "build", "release", "bin", "geomesh"))
     options.add_argument("--limit", type=int, default=120, help="CPU seconds of one run")
     options.add_argument("--keep", action="store_true", help="keep models that pass, too")
+    options.add_argument("--as-default", action="store_true", help="with `mesh: {size: L}` in place of the modes")
     options = options.parse_args()
     counts = {}
     for seed in range(options.seed, options.seed + options.count):
         folder = os.path.join(options.folder, str(seed))
-        outcome, why = outcome_of(seed, folder, options.program, options.limit)
+        outcome, why = outcome_of(seed, folder, options.program, options.limit, options.as_default)
         counts[outcome] = counts.get(outcome, 0) + 1
         if outcome != "passes":
             print("%d %s: %s" % (seed, outcome, why.replace("\n", " ")), flush=True)
