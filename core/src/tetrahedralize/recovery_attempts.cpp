@@ -7,7 +7,21 @@
 
 namespace geomesh {
 
+namespace {
+
+/// With doubles near their places.
+unsigned most_attempts(const RecoverOptions& options) {
+  if (options.mode == MeshMode::conforming) return 1;  // constrained mode follows
+  return std::min(options.max_attempts, recover::recovery_budget.attempts);
+}
+
+}  // namespace
+
 const char* Attempt::difference() const {
+  if (doubles == recover::DoublesTried::all_of_star)
+    return order == InsertionOrder::hard_parts_first
+               ? "Steiner points held exactly, hard parts recovered first, all doubles of their stars tried"
+               : "Steiner points held exactly, all doubles of their stars tried";
   if (order == InsertionOrder::hard_parts_first) return "Steiner points held exactly, hard parts recovered first";
   if (places == SteinerPlaces::exact) return "Steiner points held exactly";
   return "Steiner points rounded as they are made";
@@ -21,9 +35,17 @@ Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
   return out;
 }
 
-unsigned most_attempts(const RecoverOptions& options) {
-  if (options.mode == MeshMode::conforming) return 1;  // constrained mode follows
-  return std::min(options.max_attempts, recover::recovery_budget.attempts);
+std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
+                                     const recover::HardPartsFirst& hard_parts, bool near_is_hopeless) {
+  const bool is_near = attempt.doubles == recover::DoublesTried::near_places;
+  if (is_near && !near_is_hopeless && attempt.number + 1 < most_attempts(options))
+    return attempt_of(attempt.number + 1, hard_parts);
+  const bool has_all_of_near = most_attempts(options) == recover::recovery_budget.attempts;
+  const unsigned number = is_near ? 1 : attempt.number + 1;
+  if (!has_all_of_near || number > recover::recovery_budget.attempts_all_doubles) return std::nullopt;
+  Attempt out = attempt_of(number, hard_parts);
+  out.doubles = recover::DoublesTried::all_of_star;
+  return out;
 }
 
 }  // namespace geomesh

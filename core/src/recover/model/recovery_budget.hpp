@@ -13,6 +13,8 @@ struct RecoveryBudget {
   // Attempts.
   /// Models an ulp thick took up to 7 on what was tried. More would only put off a refusal.
   unsigned attempts = 12;
+  /// Those that follow, with all doubles of a star. The first was enough for all that was tried.
+  unsigned attempts_all_doubles = 3;
   /// Points that no double did for, over all attempts: from there on the model is refused. As many as attempts: where
   /// one point is left each time, all of them are made (soup 7944 with its boundary kept is meshed in the ninth). Most
   /// too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
@@ -103,6 +105,12 @@ struct RecoveryBudget {
   double least_centring_part = 0.1;  ///< of a step: below, the height has been misjudged
   int ulps = 2;                      ///< from the nearest double
   unsigned rounding_growths = 30;    ///< cells that give way to a double beside a star
+  // Doubles in thin stars (wide_polyhedron.cpp).
+  unsigned analytic_steps = 200;   ///< of Newton's method: some twenty are taken
+  unsigned lattice_steps = 2000;   ///< of a basis' reduction: some hundred where a star is 1e15 times longer than thick
+  double lattice_layers = 20;      ///< looked through on each side of the centre
+  std::size_t lattice_lines = 9;   ///< in each layer
+  std::size_t lattice_points = 3;  ///< on each line
 
   // Conforming mode (conforming.hpp).
   double sharp_cosine = 0.5;           ///< segments that meet at less than 60 degrees meet sharply
