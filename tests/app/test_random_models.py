@@ -38,6 +38,11 @@ class RandomModels(ProgramTest):
                 self.assertIn(outcome, ("passes", "refused"), why)
         self.assertLess(len(outcomes.get("refused", [])), max(1, COUNT // 4), outcomes)
 
+    def test_added_points_in_stars_thinner_than_an_ulp_find_doubles(self):
+        for seed in (20007, 20144, 100052, 100183, 100329, 200084):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("thin%d" % seed), PROGRAM, 120), ("passes", ""))
+
     def test_surfaces_that_cross_in_narrow_strips_share_no_edge_that_no_curve_lists(self):
         for seed in (123, 1007):
             with self.subTest(seed=seed):

@@ -19,9 +19,7 @@ unsigned most_attempts(const RecoverOptions& options) {
 
 const char* Attempt::difference() const {
   if (doubles == recover::DoublesTried::all_of_star)
-    return order == InsertionOrder::hard_parts_first
-               ? "Steiner points held exactly, hard parts recovered first, all doubles of their stars tried"
-               : "Steiner points held exactly, all doubles of their stars tried";
+    return "Steiner points held exactly, all doubles of their stars tried";
   if (order == InsertionOrder::hard_parts_first) return "Steiner points held exactly, hard parts recovered first";
   if (places == SteinerPlaces::exact) return "Steiner points held exactly";
   return "Steiner points rounded as they are made";
@@ -37,13 +35,11 @@ Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
 
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
                                      const recover::HardPartsFirst& hard_parts, bool near_is_hopeless) {
-  const bool is_near = attempt.doubles == recover::DoublesTried::near_places;
-  if (is_near && !near_is_hopeless && attempt.number + 1 < most_attempts(options))
+  if (attempt.doubles == recover::DoublesTried::all_of_star) return std::nullopt;
+  if (!near_is_hopeless && attempt.number + 1 < most_attempts(options))
     return attempt_of(attempt.number + 1, hard_parts);
-  const bool has_all_of_near = most_attempts(options) == recover::recovery_budget.attempts;
-  const unsigned number = is_near ? 1 : attempt.number + 1;
-  if (!has_all_of_near || number > recover::recovery_budget.attempts_all_doubles) return std::nullopt;
-  Attempt out = attempt_of(number, hard_parts);
+  if (most_attempts(options) < recover::recovery_budget.attempts) return std::nullopt;  // the caller has another way
+  Attempt out = attempt_of(1, hard_parts);
   out.doubles = recover::DoublesTried::all_of_star;
   return out;
 }

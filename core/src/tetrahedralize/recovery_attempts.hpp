@@ -35,9 +35,9 @@ struct Attempt {
 /// The attempt of that number, given what those before it have learned.
 Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts);
 
-/// The one after `attempt`; nothing after the last. Attempts that try all doubles of a star come at the end, numbered
-/// from 1 again: what is meshed without them keeps its mesh. `near_is_hopeless`: too many points had no double near
-/// them, so the end begins at once.
+/// The one after `attempt`; nothing after the last. That is the second one again, with all doubles of stars: it comes
+/// at the end, so what is meshed without it keeps its mesh. `near_is_hopeless`: too many points had no double near
+/// them, so it comes at once.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
                                      const recover::HardPartsFirst& hard_parts, bool near_is_hopeless);
 

@@ -13,8 +13,6 @@ struct RecoveryBudget {
   // Attempts.
   /// Models an ulp thick took up to 7 on what was tried. More would only put off a refusal.
   unsigned attempts = 12;
-  /// Those that follow, with all doubles of a star. The first was enough for all that was tried.
-  unsigned attempts_all_doubles = 3;
   /// Points that no double did for, over all attempts: from there on the model is refused. As many as attempts: where
   /// one point is left each time, all of them are made (soup 7944 with its boundary kept is meshed in the ninth). Most
   /// too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
