@@ -10,7 +10,6 @@ import sys
 from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
-from random_models import RandomModel  # noqa: E402
 from run_random_models import outcome_of  # noqa: E402
 
 COUNT = int(os.environ.get("GEOMESH_RANDOM_MODELS", "100" if NIGHTLY else "6"))
@@ -37,6 +36,11 @@ class RandomModels(ProgramTest):
                 outcomes.setdefault(outcome, []).append(seed)
                 self.assertIn(outcome, ("passes", "refused"), why)
         self.assertLess(len(outcomes.get("refused", [])), max(1, COUNT // 4), outcomes)
+
+    def test_added_points_in_stars_thinner_than_an_ulp_find_doubles(self):
+        for seed in (20007, 20144, 100052, 100183, 100329, 200084):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("thin%d" % seed), PROGRAM, 120), ("passes", ""))
 
     def test_surfaces_that_cross_in_narrow_strips_share_no_edge_that_no_curve_lists(self):
         for seed in (123, 1007):
@@ -111,18 +115,13 @@ output: {directory: out, formats: [vtu]}
             self.assertAlmostEqual(unit["u3"], 100 * 100 * 30 + 100 * 100 * 65, delta=1)
 
     def test_a_refusal_names_surfaces_and_the_way_out(self):
-        """Seed 20007: with preserve_boundary no double is left for one point. The same model is meshed without it."""
-        project = RandomModel(20007).write(self.folder)
-        printed = self.run_program(project, "--quiet", status=CANNOT_MESH)
-        self.assertIn("leaves all cells positive", printed)
-        self.assertIn("without preserve_boundary", printed)
-        self.assertIn("(surfaces: h2, h3, f1, f1_twin, ymax)", printed)
-        with open(project) as file:
-            text = file.read()
-        with open(project, "w") as file:
-            file.write(text.replace(", preserve_boundary: true", ""))
-        self.run_program(project, "--quiet")
-        self.check(self.path("out", "model.vtu"), "--project", project)
+        """Slits that are too thin in either way; that points may be added on surfaces is said where they may not."""
+        model = os.path.join(SOURCE, "tests", "corpus", "thin_slits", "thin_slits.off")
+        for option, hint in (((), self.assertNotIn), (("--preserve-boundary",), self.assertIn)):
+            printed = self.run_program("mesh", model, "-o", self.path("slits.vtu"), *option, status=CANNOT_MESH)
+            self.assertIn("leave all cells positive", printed)
+            self.assertIn("(surfaces: thin_slits)", printed)
+            hint("without preserve_boundary", printed)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,19 @@
 
 namespace geomesh {
 
+namespace {
+
+/// With doubles near their places.
+unsigned most_attempts(const RecoverOptions& options) {
+  if (options.mode == MeshMode::conforming) return 1;  // constrained mode follows
+  return std::min(options.max_attempts, recover::recovery_budget.attempts);
+}
+
+}  // namespace
+
 const char* Attempt::difference() const {
+  if (doubles == recover::DoublesTried::all_of_star)
+    return "Steiner points held exactly, all doubles of their stars tried";
   if (order == InsertionOrder::hard_parts_first) return "Steiner points held exactly, hard parts recovered first";
   if (places == SteinerPlaces::exact) return "Steiner points held exactly";
   return "Steiner points rounded as they are made";
@@ -21,9 +33,15 @@ Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
   return out;
 }
 
-unsigned most_attempts(const RecoverOptions& options) {
-  if (options.mode == MeshMode::conforming) return 1;  // constrained mode follows
-  return std::min(options.max_attempts, recover::recovery_budget.attempts);
+std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
+                                     const recover::HardPartsFirst& hard_parts, bool near_is_hopeless) {
+  if (attempt.doubles == recover::DoublesTried::all_of_star) return std::nullopt;
+  if (!near_is_hopeless && attempt.number + 1 < most_attempts(options))
+    return attempt_of(attempt.number + 1, hard_parts);
+  if (most_attempts(options) < recover::recovery_budget.attempts) return std::nullopt;  // the caller has another way
+  Attempt out = attempt_of(1, hard_parts);
+  out.doubles = recover::DoublesTried::all_of_star;
+  return out;
 }
 
 }  // namespace geomesh

@@ -4,7 +4,10 @@
 /// others end in a dead end there, where a Steiner point has no double near it that leaves all cells positive.
 #pragma once
 
+#include <optional>
+
 #include "geomesh/core/tetrahedralize.hpp"
+#include "recover/model/recover.hpp"
 #include "recover/start/hard_parts_first.hpp"
 
 namespace geomesh {
@@ -23,6 +26,7 @@ struct Attempt {
   unsigned number = 0;  ///< from 0; also the seed of what is chosen at random
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
+  recover::DoublesTried doubles = recover::DoublesTried::near_places;
 
   /// How it differs from those before it, in a few words.
   const char* difference() const;
@@ -31,7 +35,10 @@ struct Attempt {
 /// The attempt of that number, given what those before it have learned.
 Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts);
 
-/// How many a mode has at most.
-unsigned most_attempts(const RecoverOptions& options);
+/// The one after `attempt`; nothing after the last. That is the second one again, with all doubles of stars: it comes
+/// at the end, so what is meshed without it keeps its mesh. `near_is_hopeless`: too many points had no double near
+/// them, so it comes at once.
+std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
+                                     const recover::HardPartsFirst& hard_parts, bool near_is_hopeless);
 
 }  // namespace geomesh

@@ -9,7 +9,7 @@
 
 #include "recover/model/messages.hpp"
 #include "recover/model/recovery_budget.hpp"
-#include "recover/steiner_removal/rounding.hpp"
+#include "recover/rounding/rounding.hpp"
 
 namespace geomesh {
 
@@ -86,25 +86,31 @@ StartTriangulation RecoveryRun::start(const Attempt& attempt) {
 
 RecoveryOutcome RecoveryRun::recover() {
   CrossingsOf crossings(plc_);
-  for (unsigned number = 0;; ++number) {
-    const Attempt attempt = attempt_of(number, hard_parts_);
-    StartTriangulation from = number == 0 ? std::move(*first_start_) : start(attempt);
+  Attempt attempt = attempt_of(0, hard_parts_);
+  std::optional<Error> refusal;  // the last dead end of which the place can be looked at, else the last one
+  for (unsigned n_made = 1;; ++n_made) {
+    StartTriangulation from = n_made == 1 ? std::move(*first_start_) : start(attempt);
     ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model_.input_vertex.size());
-    mesh.reseed(1 + number);
+    mesh.reseed(1 + attempt.number);
     Recovery recovery{mesh, model_.constraints, statistics_, context_, model_.input_vertex, plc_, names_, crossings};
-    recovery.attempt = number;
+    recovery.attempt = attempt.number;
+    recovery.doubles = attempt.doubles;
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
     recovery.least_spacing = least_spacing_;
     recover_stages(attempt, recovery);
     n_decided_ += mesh.exact_places().n_decided();
     std::optional<Error>& dead_end = recovery.dead_end;
     if (!dead_end) return {std::move(mesh), std::nullopt};
-    context_.note(LogLevel::debug, "attempt " + std::to_string(number + 1) + " (" + attempt.difference() +
-                                       ") ends: " + dead_end->what());
+    context_.note(LogLevel::debug,
+                  "attempt " + std::to_string(n_made) + " (" + attempt.difference() + ") ends: " + dead_end->what());
     if (dead_end->kind() == ErrorKind::cannot_mesh)
       if (std::optional<Error> crossing = recovery.describe_crossing()) return {std::nullopt, std::move(crossing)};
-    if (is_final(*dead_end, attempt, recovery)) return {std::nullopt, with_way_out(*dead_end)};
+    const bool says_more = dead_end->context().excerpt || dead_end->kind() == ErrorKind::invalid_input;
+    if (!refusal || !refusal->context().excerpt || says_more) refusal = dead_end;
     hard_parts_.learn(recovery, model_);
+    const std::optional<Attempt> next = attempt_after(attempt, *dead_end, recovery);
+    if (!next) return {std::nullopt, with_way_out(*refusal)};
+    attempt = *next;
   }
 }
 
@@ -157,13 +163,15 @@ Error RecoveryRun::with_way_out(const Error& dead_end) const {
 }
 
 /// What recovery finds wrong with the model is believed where the exact search for crossings agrees, and after the last
-/// attempt. Many points without a double make an attempt the last one: another would fare no better. So do many
-/// orientations decided: another would take too long.
-bool RecoveryRun::is_final(const Error& dead_end, const Attempt& attempt, const Recovery& recovery) const {
-  return attempt.number + 1 >= most_attempts(options_.recover) ||
-         n_without_double_ >= recover::recovery_budget.points_without_double ||
-         n_decided_ >= recover::recovery_budget.decisions_per_facet * plc_.n_facets() ||
-         (dead_end.kind() == ErrorKind::invalid_input && recovery.has_crossings());
+/// attempt. Many points without a double near them make it the last one of its kind: another would fare no better. Many
+/// orientations decided make it the last one at all: another would take too long.
+std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const Error& dead_end,
+                                                  const Recovery& recovery) const {
+  if (n_decided_ >= recover::recovery_budget.decisions_per_facet * plc_.n_facets() ||
+      (dead_end.kind() == ErrorKind::invalid_input && recovery.has_crossings()))
+    return std::nullopt;
+  return geomesh::attempt_after(attempt, options_.recover, hard_parts_,
+                                n_without_double_ >= recover::recovery_budget.points_without_double);
 }
 
 }  // namespace geomesh

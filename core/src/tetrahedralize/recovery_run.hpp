@@ -36,7 +36,8 @@ class RecoveryRun {
  private:
   recover::StartTriangulation start(const Attempt& attempt);
   void recover_stages(const Attempt& attempt, recover::Recovery& recovery);
-  bool is_final(const Error& dead_end, const Attempt& attempt, const recover::Recovery& recovery) const;
+  std::optional<Attempt> attempt_after(const Attempt& attempt, const Error& dead_end,
+                                       const recover::Recovery& recovery) const;
   Error with_way_out(const Error& dead_end) const;
 
   const PiecewiseLinearComplex& plc_;

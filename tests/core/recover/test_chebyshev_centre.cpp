@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "recover/steiner_removal/chebyshev_centre.hpp"
+#include "recover/rounding/chebyshev_centre.hpp"
 
 using namespace geomesh::recover;
 

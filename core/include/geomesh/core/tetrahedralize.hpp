@@ -24,7 +24,7 @@ enum class MeshMode {
 struct RecoverOptions {
   MeshMode mode = MeshMode::constrained;
   bool preserve_boundary = false;  ///< no new point on any facet or segment of the PLC, only inside regions
-  /// constrained: where rounding of added points has led into a dead end, recovery is begun again; 1 to 12
+  /// constrained: where added points end in a dead end, recovery is begun again; 1 to 12, and with 12 once more
   unsigned max_attempts = 12;
   std::size_t max_steiner_per_facet =
       200;  ///< conforming: a facet with small angles (or a segment's facets) is given up, and listed, beyond this

@@ -103,6 +103,12 @@ struct RecoveryBudget {
   double least_centring_part = 0.1;  ///< of a step: below, the height has been misjudged
   int ulps = 2;                      ///< from the nearest double
   unsigned rounding_growths = 30;    ///< cells that give way to a double beside a star
+  // Doubles in thin stars (wide_polyhedron.cpp).
+  unsigned analytic_steps = 200;   ///< of Newton's method: some twenty are taken
+  unsigned lattice_steps = 2000;   ///< of a basis' reduction: some hundred where a star is 1e15 times longer than thick
+  double lattice_layers = 20;      ///< looked through on each side of the centre
+  std::size_t lattice_lines = 9;   ///< in each layer
+  std::size_t lattice_points = 3;  ///< on each line
 
   // Conforming mode (conforming.hpp).
   double sharp_cosine = 0.5;           ///< segments that meet at less than 60 degrees meet sharply

@@ -27,8 +27,9 @@ class PlaneTriangle {
   double distance(const Vec3& p) const;
   /// How far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its sides.
   double outside(const Vec3& p) const;
-  /// Side (0..2) on whose line both points lie within `tolerance`; -1: none.
-  int common_side(const Vec3& p, const Vec3& q, double tolerance) const;
+  /// Whether both points, projected into the plane, lie beyond the line of one side, or within it by `tolerance` at
+  /// most.
+  bool are_beyond_a_side(const Vec3& p, const Vec3& q, double tolerance) const;
   /// Area that the triangle p q r, projected into the plane, has in common with this one.
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
   /// Area of the part inside the closed box.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/steiner_removal/rounding.hpp"
+#include "recover/rounding/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 #include "recover/model/recovery_budget.hpp"
 #include "recover/operations/cavity_retriangulation.hpp"
 #include "recover/operations/exact_points.hpp"
-#include "recover/steiner_removal/chebyshev_centre.hpp"
+#include "recover/rounding/chebyshev_centre.hpp"
+#include "recover/rounding/kernel_of_star.hpp"
 #include "recover/steiner_removal/point_removal.hpp"
 
 namespace geomesh::recover {
@@ -150,6 +151,25 @@ std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   return out;
 }
 
+/// Any double that the whole star sees, however thin the star. Points of segments and facets stay near these.
+bool round_anywhere_in_star(Recovery& recovery, VertexIndex x) {
+  ConstrainedMesh& mesh = recovery.mesh;
+  if (is_on_boundary(recovery, x)) return false;
+  std::vector<CellIndex> cells;
+  mesh.star(x, cells);
+  const auto kernel = kernel_of_star(mesh, cells, x);
+  if (!kernel) return false;
+  const Star star(mesh, x);
+  const ExactPlace exact = mesh.exact_places().of(x);
+  const auto fits = [&](const Vec3& p) {
+    mesh.move_point(x, p);
+    return star.is_positive();
+  };
+  if (find_double_inside(*kernel, fits)) return true;
+  mesh.move_point(x, exact);
+  return false;
+}
+
 /// Places near a star where there may be more room than in it: the middles of the cells about it that nothing locked
 /// parts from it.
 std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star, VertexIndex x) {
@@ -205,6 +225,8 @@ std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
     for (const VertexIndex v : left) make_room(recovery, v);
   }
   std::erase_if(left, [&](VertexIndex v) { return round_elsewhere(recovery, v); });
+  if (recovery.doubles == DoublesTried::all_of_star)
+    std::erase_if(left, [&](VertexIndex v) { return round_anywhere_in_star(recovery, v); });
   return left;
 }
 

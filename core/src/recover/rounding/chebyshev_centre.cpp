@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/steiner_removal/chebyshev_centre.hpp"
+#include "recover/rounding/chebyshev_centre.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// An open convex polyhedron that may be far thinner than the spacing of doubles about it, and the doubles in it.
+///
+/// Thin is not empty. A slab of 1e-15 m by 10 m by 10 m has 1e23 points of a lattice of 1e-12 m, unless it lies along
+/// that. They are seldom near any given place in it, so they are not looked for about one. The basis of the lattice is
+/// reduced in the shape of the polyhedron (Lenstra 1983, integer programming in a fixed dimension).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "predicates/two_double.hpp"
+
+namespace geomesh::recover {
+
+using WidePoint = std::array<exact::TwoDouble, 3>;
+
+/// at + normal . y > 0
+struct WidePlane {
+  WidePoint normal;
+  exact::TwoDouble at;
+};
+
+/// Bounded, with all planes positive at `inside`. Places are relative to `origin`.
+struct WidePolyhedron {
+  Vec3 origin;   ///< a multiple of the spacing
+  Vec3 spacing;  ///< powers of two: multiples of them are doubles wherever the polyhedron is
+  std::vector<WidePlane> planes;
+  WidePoint inside;
+};
+
+/// Hands points of the lattice that lie in the polyhedron, but for rounding, to `accept` until that returns true. Those
+/// far from all planes come first, on the whole. False: none was accepted. Bounded work: O(planes^2) for each of at
+/// most a thousand points.
+bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bool(const Vec3&)>& accept);
+
+}  // namespace geomesh::recover
