@@ -43,6 +43,12 @@ class RandomModels(ProgramTest):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("strips%d" % seed), PROGRAM, 120), ("passes", ""))
 
+    def test_crossings_as_shallow_as_the_tolerance_are_judged_by_their_depth(self):
+        """Overshoots (200068), grazed kinks (20201), small angles (200016), and surfaces that lie in one another (200149)."""
+        for seed in (20201, 200016, 200068, 200149):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("shallow%d" % seed), PROGRAM, 120), ("passes", ""))
+
     def test_cracks_as_thin_as_rounding_are_judged_open_or_closed(self):
         """Found by seed 20100: a crack between two blocks, an ulp wide, is closed in part, and the judge took its open part for a fault."""
         project = os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")
