@@ -295,8 +295,8 @@ bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) 
   return passes(i, s, j) && passes(j, t, i) && !is_met;
 }
 
-/// Where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh nearby, or the
-/// inputs pass no deeper than what is allowed.
+/// Where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh nearby. That is
+/// not asked where they pass no deeper than what is allowed.
 void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
   const FollowedSurface &a = followed_[i], &b = followed_[j];
   const TriangleSet meeting = meeting_of(i, j);
