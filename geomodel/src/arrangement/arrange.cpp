@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
@@ -31,9 +32,11 @@ double unit_in_the_last_place(const Complex& complex) {
   return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
 }
 
+constexpr int widest_mending = 9;  ///< a power of two, in units of the last place
+
 /// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
 double mending_distance(const Complex& complex, unsigned round) {
-  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
+  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), widest_mending));
 }
 
 /// A point may move once a step: the sum of the largest bounds it.
@@ -111,9 +114,13 @@ PolygonSoup soup_of(Complex&& complex) {
 }
 
 /// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
+Index first_fixed_of(const SurfaceList& surfaces, const ArrangementOptions& options) {
+  return options.box ? no_index : static_cast<Index>(surfaces.given.size());
+}
+
 JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& options, const Complex& complex,
                       const Contacts& contacts) {
-  const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
+  const Index first_fixed = first_fixed_of(surfaces, options);
   if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
   return JoinRule(surfaces_that_meet(complex, contacts), first_fixed);
 }
@@ -161,6 +168,8 @@ class Arrangement {
       if (contacts.empty()) break;
       log_round(context_, round, complex, contacts);
       result_.n_rounding_rounds = round;
+      if (join_what_lies_in_each_other(complex, contacts))
+        contacts = find_contacts(complex, context_, result_.memory_bound);
       for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -197,6 +206,22 @@ class Arrangement {
     RoundingOptions rounding{0, bounds_};
     rounding.snap = mending_distance(complex, round);
     return take(round_to_doubles(arranged, complex, rounding));
+  }
+
+  /// Surfaces that still cross once they are rounded lie in each other somewhere. They are brought together wherever
+  /// they are within the widest mending distance. Were they mended at the crossings alone, pockets and gaps as thin as
+  /// rounding would stay between them. Sides of the volume keep what they are. False where nothing was near enough.
+  bool join_what_lies_in_each_other(Complex& complex, const Contacts& contacts) {
+    std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
+    std::erase_if(pairs, [this](const SurfacePair& pair) { return pair.second >= surfaces_.given.size(); });
+    if (pairs.empty()) return false;
+    for (const auto& [a, b] : std::set(pairs)) pairs.insert({{a, a}, {b, b}});  // needles that this makes go, too
+    const double distance = std::ldexp(unit_in_the_last_place(complex), widest_mending);
+    const SnapOutcome outcome = snap_near(
+        complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
+        {distance, bounds_, MoveToBox::none, JoinRule(pairs, first_fixed_of(surfaces_, options_)).beyond_borders()});
+    take(outcome);
+    return outcome.changed();
   }
 
   /// Brings together what lies within the mending distance among the facets that still meet.

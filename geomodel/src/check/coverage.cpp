@@ -155,7 +155,7 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, co
     for (int i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
   }
   for (const auto& [e, n] : uses) {
-    if (n != 1 || triangle.common_side(mesh_.point(e.first), mesh_.point(e.second), tolerance_) >= 0) continue;
+    if (n != 1 || triangle.are_beyond_side(mesh_.point(e.first), mesh_.point(e.second), tolerance_)) continue;
     if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e)) return false;
   }
   return true;

@@ -17,7 +17,9 @@ namespace geomesh::geomodel::arrangement {
 using SurfacePair = std::pair<Index, Index>;  ///< the lesser row first
 inline SurfacePair surface_pair(Index a, Index b) { return a < b ? SurfacePair{a, b} : SurfacePair{b, a}; }
 
-/// Pairs of surfaces that touch, cross, overlap or share a vertex.
+/// Pairs of surfaces of which facets touch, cross or overlap.
+std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts);
+/// Those, and pairs of surfaces that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
 /// Two things may join where one of them is a free border, and a surface of the one meets another surface of the other
@@ -42,6 +44,14 @@ class JoinRule {
     return rule;
   }
 
+  /// The same for all parts of these surfaces, whether they end there or not. A pair of one surface twice joins parts
+  /// of its own.
+  JoinRule beyond_borders() const {
+    JoinRule rule = *this;
+    rule.needs_border_ = false;
+    return rule;
+  }
+
   bool restricts() const { return restricts_; }
   /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
   /// a side of the box.
@@ -62,7 +72,7 @@ class JoinRule {
 
   std::set<SurfacePair> meeting_;
   Index first_fixed_ = no_index;
-  bool restricts_ = false, joins_all_ = false;
+  bool restricts_ = false, joins_all_ = false, needs_border_ = true;
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;

@@ -65,14 +65,14 @@ double PlaneTriangle::outside(const Vec3& p) const {
   return worst;
 }
 
-int PlaneTriangle::common_side(const Vec3& p, const Vec3& q, double tolerance) const {
+bool PlaneTriangle::are_beyond_side(const Vec3& p, const Vec3& q, double tolerance) const {
   const Vec2 fp = project(p), fq = project(q);
   for (int i = 0; i < 3; ++i) {
     const Vec2 &a = flat_[i], &b = flat_[(i + 1) % 3];
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    if (std::abs(turn(a, b, fp)) <= tolerance * length && std::abs(turn(a, b, fq)) <= tolerance * length) return i;
+    const double most = tolerance * std::hypot(b.x - a.x, b.y - a.y);
+    if (turn(a, b, fp) <= most && turn(a, b, fq) <= most) return true;
   }
-  return -1;
+  return false;
 }
 
 double PlaneTriangle::common_area(const Vec3& p, const Vec3& q, const Vec3& r) const {

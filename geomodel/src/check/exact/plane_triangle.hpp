@@ -27,8 +27,9 @@ class PlaneTriangle {
   double distance(const Vec3& p) const;
   /// How far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its sides.
   double outside(const Vec3& p) const;
-  /// Side (0..2) on whose line both points lie within `tolerance`; -1: none.
-  int common_side(const Vec3& p, const Vec3& q, double tolerance) const;
+  /// Whether both points lie beyond the line of one side, or no more than `tolerance` before it: what is between them
+  /// bounds nothing inside.
+  bool are_beyond_side(const Vec3& p, const Vec3& q, double tolerance) const;
   /// Area that the triangle p q r, projected into the plane, has in common with this one.
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
   /// Area of the part inside the closed box.
