@@ -49,6 +49,23 @@ class RandomModels(ProgramTest):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("shallow%d" % seed), PROGRAM, 120), ("passes", ""))
 
+    def test_points_stay_on_strips_that_are_as_thin_as_rounding(self):
+        """Strips beyond a fault, an ulp wide, have no plane that doubles can tell: points were put 36 m off them (100338), 3 m (200419)."""
+        for seed in (100338, 200419):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("hair%d" % seed), PROGRAM, 120), ("passes", ""))
+
+    def test_long_edges_of_thin_strips_are_flipped_before_they_are_halved(self):
+        """Halves of the edges across such a strip made a million cells for a model of 624 triangles (200092)."""
+        self.assertEqual(outcome_of(200092, self.path("strips"), PROGRAM, 60), ("passes", ""))
+
+    def test_a_unit_of_a_coarse_stack_keeps_its_region_in_each_block(self):
+        """A unit with 0.8 elements of volume in its block joined another unit without a word (200080)."""
+        self.assertEqual(outcome_of(200080, self.path("coarse"), PROGRAM, 120), ("passes", ""))
+
+    def test_faces_that_touch_a_body_within_rounding_are_not_inside_it(self):
+        self.assertEqual(outcome_of(200202, self.path("touching"), PROGRAM, 120), ("passes", ""))
+
     def test_cracks_as_thin_as_rounding_are_judged_open_or_closed(self):
         """Found by seed 20100: a crack between two blocks, an ulp wide, is closed in part, and the judge took its open part for a fault."""
         project = os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")

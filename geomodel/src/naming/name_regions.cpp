@@ -277,10 +277,9 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   if (rules.join_pieces) {  // what is small then is what settling the stack left over, or a body, which stays
     for (std::size_t c = 0; c < facts.size(); ++c)
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
-    return target;
   }
   for (std::size_t c = 0; c < facts.size(); ++c) {
-    if (facts[c].volume >= rules.min_volume) continue;
+    if (facts[c].volume >= rules.min_volume || (rules.join_pieces && target[c] == c)) continue;
     const std::string what = "region of " + labels[c].name + " near " + to_text(facts[c].inside_point) +
                              " has a volume of " + to_text(facts[c].volume) + ", less than min_volume";
     warnings.push_back(target[c] == c ? what : what + ": it joins " + labels[target[c]].name);

@@ -145,7 +145,6 @@ class SurfaceInsertion {
   }
 
   bool guard_allows(const StarCavity& cavity) const {
-    if (tools_.guard.exact()) return true;
     SurfacePart before;
     for (const FaceRef f : opened_)
       before.faces.push_back({mesh_.places(mesh_.facet_face(f)), mesh_.patch_of(mesh_.tag(f))});

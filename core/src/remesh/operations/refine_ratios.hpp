@@ -22,13 +22,14 @@ struct RefineRatios {
   double large_cell = 0.75;          ///< circumradius from which a cell gets a point; 0.61 for the regular one
   double large_face = 0.72;          ///< circumradius from which a face gets a point; 0.58 for the equilateral one
   double long_edge = 1.2;            ///< length from which an edge of a face is not done; below split_edge
-  double least_height = 0.2;         ///< square of a new point's height above its face, by that of the edges asked
-  double least_way = 0.5;            ///< of the height, 0..1: a new point goes at least so far towards the circumcentre
-  double inside_shape = 1e-3;        ///< least shape of a cell that a new point inside makes
-  double surface_shape = 1e-7;       ///< the same on surfaces, whose neighbourhood is filled later
-  double collapse_floor = 0.05;      ///< shape that a contraction may fall to where it was better
-  double regular_floor = 1e-3;       ///< shape that flips and moves on surfaces may fall to, as `surface_shape`
-  unsigned regular_rounds = 4;       ///< of flips and moves on surfaces; the fourth changes one face in a hundred
+  double hair = 1e-6;         ///< width of a strip of a kept surface below which points between its borders are in vain
+  double least_height = 0.2;  ///< square of a new point's height above its face, by that of the edges asked
+  double least_way = 0.5;     ///< of the height, 0..1: a new point goes at least so far towards the circumcentre
+  double inside_shape = 1e-3;    ///< least shape of a cell that a new point inside makes
+  double surface_shape = 1e-7;   ///< the same on surfaces, whose neighbourhood is filled later
+  double collapse_floor = 0.05;  ///< shape that a contraction may fall to where it was better
+  double regular_floor = 1e-3;   ///< shape that flips and moves on surfaces may fall to, as `surface_shape`
+  unsigned regular_rounds = 4;   ///< of flips and moves on surfaces; the fourth changes one face in a hundred
   /// Factor of the worst face about a vertex, > 1, that is worth its move. At 1.01, with good faces left alone, a tenth
   /// of refinement is saved, and six times as many cells end below 24.85 degrees.
   double regular_rise = 1.001;

@@ -37,7 +37,11 @@ CellIndex cell_with_edge(Toolbox& tools, VertexIndex a, VertexIndex b) {
 
 class EdgeSplitter {
  public:
-  EdgeSplitter(Toolbox& tools, LongEdges which) : tools_(tools), mesh_(tools.mesh), which_(which) {}
+  EdgeSplitter(Toolbox& tools, LongEdges which)
+      : tools_(tools),
+        mesh_(tools.mesh),
+        which_(which),
+        may_flip_(which == LongEdges::of_surfaces && tools.guard.exact()) {}
 
   std::size_t run(std::size_t max_cells, const RunContext& context) {
     for (const CellIndex c : mesh_.live_cells()) push_edges(c, no_vertex);
@@ -48,12 +52,16 @@ class EdgeSplitter {
       if (n % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
       const CellIndex c = cell_with_edge(tools_, e.a, e.b);
       if (c == no_cell || !is_asked(c, e.a, e.b)) continue;
+      if (may_flip_ && flip_surface_edge(tools_, c, e.a, e.b, refine_ratios.surface_shape)) {
+        push_created(no_vertex);
+        continue;
+      }
+      if (may_flip_ && is_within_hair(c, e.a, e.b)) continue;
       const auto v = split_edge(tools_, c, e.a, e.b);
       if (!v) continue;
       ++n;
       if (mesh_.n_cells() > max_cells) throw_too_many_cells(max_cells);
-      const std::vector<CellIndex> created = tools_.work.created;
-      for (const CellIndex k : created) push_edges(k, *v);
+      push_created(*v);
     }
     return n;
   }
@@ -66,6 +74,25 @@ class EdgeSplitter {
     std::vector<VertexIndex> ring;
     const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells, ring);
     return constrained_faces_of_ring(mesh_, cells, ring, closed).n > 0;
+  }
+
+  /// Whether both faces at the edge are of a strip so thin that points between its borders help nothing: where its
+  /// edges cannot be flipped, each half would make two more long ones.
+  bool is_within_hair(CellIndex c, VertexIndex a, VertexIndex b) const {
+    std::vector<CellIndex> cells;
+    std::vector<VertexIndex> ring;
+    const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells, ring);
+    const EdgeFaces faces = constrained_faces_of_ring(mesh_, cells, ring, closed);
+    const Vec3 &p = mesh_.point(a), along = mesh_.point(b) - p;
+    const double limit = refine_ratios.hair * tools_.size_of_edge(a, b) * length(along);
+    return faces.n == 2 && std::all_of(faces.at.begin(), faces.at.end(), [&](std::size_t k) {
+             return length(cross(along, mesh_.point(ring[k]) - p)) <= limit;
+           });
+  }
+
+  void push_created(VertexIndex only) {
+    const std::vector<CellIndex> created = tools_.work.created;
+    for (const CellIndex c : created) push_edges(c, only);
   }
 
   void push_edges(CellIndex c, VertexIndex only) {
@@ -83,6 +110,7 @@ class EdgeSplitter {
   Toolbox& tools_;
   DomainMesh& mesh_;
   LongEdges which_;
+  bool may_flip_;  ///< where patches are planar: an edge of a strip that is flipped needs no half
   std::priority_queue<MeasuredEdge> queue_;
 };
 

@@ -27,6 +27,8 @@ constexpr double proven_share = 1 - 1e-6;
 constexpr double faces_over_samples = 1.15;
 /// Of the angle between a reference's normals and their mean up to which no samples are needed.
 constexpr double even_cosine = 0.9;
+/// What rounding may put a place off its plane by, over the greatest coordinate.
+constexpr double rounding_share = 64 * std::numeric_limits<double>::epsilon();
 /// Whose tolerance a thread remembers: more than the vertices that it works on in turn.
 constexpr std::size_t n_recent_places = 16384;
 
@@ -144,6 +146,8 @@ double SurfaceGuard::share_about(std::span<const Vec3> points) const {
 /// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than
 /// rounding.
 void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc) {
+  for (const Vec3& p : plc.points)
+    for (std::size_t i = 0; i < 3; ++i) rounding_ = std::max(rounding_, rounding_share * std::abs(p[i]));
   planes_.resize(mesh.n_patches());
   std::vector<Index> count(mesh.n_patches(), 0);
   std::vector<double> weight(mesh.n_patches(), 0);
@@ -272,9 +276,29 @@ bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
   return is_proven_within(f, proven_share * reach_, over);
 }
 
+bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const {
+  const auto is_on_one = [&](const Vec3& p) {
+    return std::any_of(before.begin(), before.end(), [&](const SurfaceFace& f) {
+      const auto& [a, b, c] = f.corners;
+      return p == a || p == b || p == c ||
+             squared_distance(p, search::closest_on_triangle(p, a, b, c)) <= rounding_ * rounding_;
+    });
+  };
+  const Vec3* last = nullptr;  // of an operation, faces that come mostly share a corner
+  return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
+    return std::all_of(f.corners.begin(), f.corners.end(), [&](const Vec3& p) {
+      if (last && *last == p) return true;
+      if (!is_on_one(p)) return false;
+      if (&p == &f.corners[0]) last = &p;
+      return true;
+    });
+  });
+}
+
 bool SurfaceGuard::admits(const SurfacePart& before, const SurfacePart& after,
                           const std::vector<SurfaceFace>& around) const {
-  if (exact() || (before.faces.empty() && before.curves.empty())) return true;
+  if (before.faces.empty() && before.curves.empty()) return true;
+  if (exact()) return corners_on(before.faces, after.faces);
   if (!curves_near(before.curves, after.curves)) return false;
   std::vector<Index> over(after.faces.size(), no_index);
   for (std::size_t k = 0; k < over.size(); ++k)

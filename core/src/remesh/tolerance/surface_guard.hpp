@@ -3,15 +3,16 @@
 /// Keeps surfaces and curves where the user allows them to be while they are remeshed.
 ///
 /// `exact`: a patch is one facet or several in its plane. So a vertex within a patch moves in that plane, and a curve
-/// is one input edge; no face can leave its plane but by rounding. `tolerance`: every point of a new face is proven to
-/// be within 0.8 of the tolerance of the ORIGINAL triangles of its patch (search/proven_distance.hpp; what is not
-/// proven is refused). The other way round nothing is asked where those are a smooth sheet about the change; elsewhere
-/// samples of the original patch near the faces that go must be near those that come or their neighbours. The most is
-/// 0.7 of the tolerance; they are eight tolerances apart at most where a triangle is not longer than a hundred. Curves
-/// are held to 0.7 of it at samples both ways. Deviations do not add up over operations. No new face may be turned by
-/// 78 degrees or more from the original where it is nearest, which is near enough to a fold: nothing else keeps
-/// surfaces from folding on the side where nothing is meshed. What is promised is proven of the whole result in the end
-/// (verify_surfaces.hpp).
+/// is one input edge; no face can leave its plane but by rounding. A strip a few roundings wide has no plane that
+/// doubles can tell: a place must be on the faces that go as well. `tolerance`: every point of a new
+/// face is proven to be within 0.8 of the tolerance of the ORIGINAL triangles of its patch (search/proven_distance.hpp;
+/// what is not proven is refused). The other way round nothing is asked where those are a smooth sheet about the
+/// change; elsewhere samples of the original patch near the faces that go must be near those that come or their
+/// neighbours. The most is 0.7 of the tolerance; they are eight tolerances apart at most where a triangle is not longer
+/// than a hundred. Curves are held to 0.7 of it at samples both ways. Deviations do not add up over operations. No new
+/// face may be turned by 78 degrees or more from the original where it is nearest, which is near enough to a fold:
+/// nothing else keeps surfaces from folding on the side where nothing is meshed. What is promised is proven of the
+/// whole result in the end (verify_surfaces.hpp).
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -75,7 +76,7 @@ class SurfaceGuard {
   Index nearest_facet(Index patch, const Vec3& p) const;
 
   /// Not for several threads at once. Whether faces and curve pieces may be exchanged; `around` are faces that stay and
-  /// share a vertex with those that go.
+  /// share a vertex with those that go. Exact: whether corners that come are on the faces that go, but for rounding.
   bool admits(const SurfacePart& before, const SurfacePart& after, const std::vector<SurfaceFace>& around = {}) const;
 
   /// Whether all of a face is proven to be within the tolerance of the reference.
@@ -114,7 +115,11 @@ class SurfaceGuard {
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
+  /// Whether each corner that comes is within rounding of a face that goes.
+  bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
+
   Honour honour_ = Honour::exact;
+  double rounding_ = 0;   // a distance that rounding alone makes, for exact
   double tolerance_ = 0;  // what samples are held to, outside of zones
   std::vector<TightZone> zones_;
   search::ClosestPointTrees zone_boxes_;  // as line pieces from corner to corner

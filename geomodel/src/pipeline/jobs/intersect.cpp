@@ -116,13 +116,15 @@ void drop_spots_of_stack(PreparedModel& model) {
   });
 }
 
-/// Regions of a settled stack are units, or units in fault blocks; what is smaller than one element joins a neighbour.
+/// Regions of a settled stack are units, or units in fault blocks. What is smaller than a tenth of an element joins a
+/// neighbour. A unit of an element in a block is no remainder: where sizes are coarse, it is as thick as others.
 void name_by_unit_and_block(PreparedModel& model) {
   constexpr double element = 0.118;  // volume of a regular tetrahedron over the cube of its side
+  constexpr double least_share = 0.1;
   model.naming.join_pieces = true;
   model.naming.fault_blocks = true;
   if (model.naming.min_volume > 0) return;
-  model.naming.min_volume = element * model.stack.size * model.stack.size * model.stack.size;
+  model.naming.min_volume = least_share * element * model.stack.size * model.stack.size * model.stack.size;
   model.naming.merge_small = true;
 }
 
