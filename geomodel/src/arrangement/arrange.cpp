@@ -210,18 +210,25 @@ class Arrangement {
 
   /// Surfaces that still cross once they are rounded lie in each other somewhere. They are brought together wherever
   /// they are within the widest mending distance. Were they mended at the crossings alone, pockets and gaps as thin as
-  /// rounding would stay between them. Sides of the volume keep what they are. False where nothing was near enough.
+  /// rounding would stay between them. Sides of the volume keep what they are. False where nothing was near enough, or
+  /// where facets could not follow: they would end beside their neighbours.
   bool join_what_lies_in_each_other(Complex& complex, const Contacts& contacts) {
     std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
     std::erase_if(pairs, [this](const SurfacePair& pair) { return pair.second >= surfaces_.given.size(); });
     if (pairs.empty()) return false;
-    for (const auto& [a, b] : std::set(pairs)) pairs.insert({{a, a}, {b, b}});  // needles that this makes go, too
+    // Needles that this makes in a surface or a side go, too.
+    for (const auto& [a, b] : std::set(pairs)) pairs.insert({{a, a}, {b, b}});
+    for (std::size_t side = surfaces_.given.size(); side < surfaces_.size(); ++side)
+      pairs.insert({static_cast<Index>(side), static_cast<Index>(side)});
     const double distance = std::ldexp(unit_in_the_last_place(complex), widest_mending);
+    Complex joined = complex;
     const SnapOutcome outcome = snap_near(
-        complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
+        joined, std::vector<std::uint8_t>(joined.facets.size(), 1),
         {distance, bounds_, MoveToBox::none, JoinRule(pairs, first_fixed_of(surfaces_, options_)).beyond_borders()});
+    if (!outcome.changed() || outcome.n_facets_left_alone > 0) return false;
     take(outcome);
-    return outcome.changed();
+    complex = std::move(joined);
+    return true;
   }
 
   /// Brings together what lies within the mending distance among the facets that still meet.
