@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
 #include "arrangement/model/memory_bound.hpp"
+#include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
 #include "geomesh/geomodel/model_error.hpp"
@@ -32,11 +32,12 @@ double unit_in_the_last_place(const Complex& complex) {
   return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
 }
 
-constexpr int widest_mending = 9;  ///< a power of two, in units of the last place
+double widest_mending(const Complex& complex) { return 512 * unit_in_the_last_place(complex); }
 
 /// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
 double mending_distance(const Complex& complex, unsigned round) {
-  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), widest_mending));
+  return std::min(std::ldexp(unit_in_the_last_place(complex), 1 + 3 * static_cast<int>(round)),
+                  widest_mending(complex));
 }
 
 /// A point may move once a step: the sum of the largest bounds it.
@@ -114,15 +115,22 @@ PolygonSoup soup_of(Complex&& complex) {
 }
 
 /// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
-Index first_fixed_of(const SurfaceList& surfaces, const ArrangementOptions& options) {
-  return options.box ? no_index : static_cast<Index>(surfaces.given.size());
-}
-
 JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& options, const Complex& complex,
                       const Contacts& contacts) {
-  const Index first_fixed = first_fixed_of(surfaces, options);
+  const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
   if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
   return JoinRule(surfaces_that_meet(complex, contacts), first_fixed);
+}
+
+/// Facets that meet others.
+std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& complex) {
+  std::vector<std::uint8_t> marks(complex.facets.size(), 0);
+  for (const FacetContact& c : contacts.facets) {
+    marks[c.facet] = 1;
+    if (c.other != no_index) marks[c.other] = 1;
+  }
+  for (const Overlap& o : contacts.overlaps) marks[o.a] = marks[o.b] = 1;
+  return marks;
 }
 
 /// One arrangement: what is read in, and what its rounds have done so far.
@@ -146,6 +154,7 @@ class Arrangement {
         for (const Vec3& p : side.points) bounds_->add(p);
     }
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
+    joining_ = {widest_mending(ingested_.complex), bounds_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
@@ -168,8 +177,10 @@ class Arrangement {
       if (contacts.empty()) break;
       log_round(context_, round, complex, contacts);
       result_.n_rounding_rounds = round;
-      if (join_what_lies_in_each_other(complex, contacts))
+      if (const auto joined = join_what_lies_in_each_other(complex, contacts, joining_)) {
+        take(*joined);
         contacts = find_contacts(complex, context_, result_.memory_bound);
+      }
       for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -208,40 +219,12 @@ class Arrangement {
     return take(round_to_doubles(arranged, complex, rounding));
   }
 
-  /// Surfaces that still cross once they are rounded lie in each other somewhere. They are brought together wherever
-  /// they are within the widest mending distance. Were they mended at the crossings alone, pockets and gaps as thin as
-  /// rounding would stay between them. Sides of the volume keep what they are. False where nothing was near enough, or
-  /// where facets could not follow: they would end beside their neighbours.
-  bool join_what_lies_in_each_other(Complex& complex, const Contacts& contacts) {
-    std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
-    std::erase_if(pairs, [this](const SurfacePair& pair) { return pair.second >= surfaces_.given.size(); });
-    if (pairs.empty()) return false;
-    // Needles that this makes in a surface or a side go, too.
-    for (const auto& [a, b] : std::set(pairs)) pairs.insert({{a, a}, {b, b}});
-    for (std::size_t side = surfaces_.given.size(); side < surfaces_.size(); ++side)
-      pairs.insert({static_cast<Index>(side), static_cast<Index>(side)});
-    const double distance = std::ldexp(unit_in_the_last_place(complex), widest_mending);
-    Complex joined = complex;
-    const SnapOutcome outcome = snap_near(
-        joined, std::vector<std::uint8_t>(joined.facets.size(), 1),
-        {distance, bounds_, MoveToBox::none, JoinRule(pairs, first_fixed_of(surfaces_, options_)).beyond_borders()});
-    if (!outcome.changed() || outcome.n_facets_left_alone > 0) return false;
-    take(outcome);
-    complex = std::move(joined);
-    return true;
-  }
-
   /// Brings together what lies within the mending distance among the facets that still meet.
   /// False where nothing was near enough, or nothing meets any more.
   bool snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
     if (contacts.empty()) return false;
-    std::vector<std::uint8_t> active(complex.facets.size(), 0);
-    for (const FacetContact& c : contacts.facets) {
-      active[c.facet] = 1;
-      if (c.other != no_index) active[c.other] = 1;
-    }
-    for (const Overlap& o : contacts.overlaps) active[o.a] = active[o.b] = 1;
-    const SnapOutcome outcome = snap_near(complex, active, {mending_distance(complex, round), bounds_});
+    const SnapOutcome outcome =
+        snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds_});
     take(outcome);
     return outcome.changed();
   }
@@ -295,6 +278,7 @@ class Arrangement {
   std::optional<Box3> bounds_;  ///< of the box or the volume
   std::vector<VanishedFacet> vanished_;
   JoinRule join_rule_;  ///< of `tolerance`
+  Joining joining_;
 };
 
 }  // namespace

@@ -37,18 +37,16 @@ class JoinRule {
   JoinRule() = default;
   explicit JoinRule(std::set<SurfacePair> meeting, Index first_fixed = no_index)
       : meeting_(std::move(meeting)), first_fixed_(first_fixed), restricts_(true) {}
+  /// All parts of these surfaces may join, whether they end there or not. A pair of one surface twice joins its parts.
+  static JoinRule all_of(std::set<SurfacePair> pairs, Index first_fixed) {
+    JoinRule rule(std::move(pairs), first_fixed);
+    rule.needs_border_ = false;
+    return rule;
+  }
   /// Everything else may join.
   static JoinRule all_but(Index first_fixed) {
     JoinRule rule({}, first_fixed);
     rule.joins_all_ = true;
-    return rule;
-  }
-
-  /// The same for all parts of these surfaces, whether they end there or not. A pair of one surface twice joins parts
-  /// of its own.
-  JoinRule beyond_borders() const {
-    JoinRule rule = *this;
-    rule.needs_border_ = false;
     return rule;
   }
 

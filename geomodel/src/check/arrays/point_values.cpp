@@ -6,6 +6,7 @@
 #include <set>
 
 #include "check/arrays/judge_arrays.hpp"
+#include "check/exact/deviation.hpp"
 #include "check/judged/faults.hpp"
 #include "check/names/region_places.hpp"
 
@@ -75,6 +76,18 @@ bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool 
   }
 }
 
+/// Whether two surfaces of the input pass p within rounding: bringing these together there may have left one of them
+/// alone. O(triangles).
+bool are_two_at(const Claim& claim, const Vec3& p, double rounding) {
+  return std::count_if(claim.surfaces.begin(), claim.surfaces.end(), [&](const TriangulatedSurface& s) {
+           return std::any_of(s.triangles.begin(), s.triangles.end(), [&](const Triangle& t) {
+             const Corners corners{s.points[t[0]], s.points[t[1]], s.points[t[2]]};
+             const Vec3 d = nearest_on_triangle(p, corners) - p;
+             return std::sqrt(dot(d, d)) <= rounding;
+           });
+         }) > 1;
+}
+
 }  // namespace
 
 void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves, double rounding, CheckResult& result) {
@@ -103,7 +116,9 @@ void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves,
     } else if (row != -1 || (exact && here >= 0 && !at[v].surfaces.empty())) {
       wrong_row.add(v, p);
     }
-    if (!fits(mesh.file.kind[v], at[v], row, trimmed || claim.merging > 0)) wrong_kind.add(v, p);
+    if (!fits(mesh.file.kind[v], at[v], row, trimmed || claim.merging > 0) &&
+        !(fits(mesh.file.kind[v], at[v], row, true) && are_two_at(claim, p, rounding)))
+      wrong_kind.add(v, p);
   }
   wrong_kind.report(
       result, "points have a kind that does not fit what lies at them (surfaces, curves, an input point, nothing)");
