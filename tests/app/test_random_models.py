@@ -7,7 +7,7 @@ import os
 import shutil
 import sys
 
-from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
+from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
 from random_models import RandomModel  # noqa: E402
@@ -116,19 +116,16 @@ output: {directory: out, formats: [vtu]}
             self.assertAlmostEqual(unit["u2"], 2 * 100 * 100 * 30, delta=1)
             self.assertAlmostEqual(unit["u3"], 100 * 100 * 30 + 100 * 100 * 65, delta=1)
 
-    def test_a_refusal_names_surfaces_and_the_way_out(self):
-        """Seed 20007: with preserve_boundary no double is left for one point. The same model is meshed without it."""
-        project = RandomModel(20007).write(self.folder)
-        printed = self.run_program(project, "--quiet", status=CANNOT_MESH)
-        self.assertIn("leaves all cells positive", printed)
-        self.assertIn("without preserve_boundary", printed)
-        self.assertIn("(surfaces: h2, h3, f1, f1_twin, ymax)", printed)
-        with open(project) as file:
-            text = file.read()
-        with open(project, "w") as file:
-            file.write(text.replace(", preserve_boundary: true", ""))
-        self.run_program(project, "--quiet")
-        self.check(self.path("out", "model.vtu"), "--project", project)
+    def test_surfaces_that_lie_in_each_other_are_brought_together_as_wholes(self):
+        """Blocks and continuations in the plane of a fault, to rounding. Between them were pockets of an ulp: no doubles for what had to be added
+        (20007, 20144, 100183, 200084), cracks (100215, 200029), units that ran into one another through gaps of an ulp (20071)."""
+        for seed, n_regions in ((20007, 5), (20144, 10), (100183, 10), (200084, 13), (100215, 11), (200029, 6), (20071, 13)):
+            with self.subTest(seed=seed):
+                folder = self.path("joined%d" % seed)
+                self.assertEqual(outcome_of(seed, folder, PROGRAM, 120), ("passes", ""))
+                regions = self.report(os.path.join(folder, "out", "model.report.json"))["regions"]
+                self.assertEqual(len(regions), n_regions)
+                self.assertGreater(min(r["volume"] for r in regions), 1)
 
 
 if __name__ == "__main__":

@@ -32,13 +32,13 @@ double unit_in_the_last_place(const Complex& complex) {
   return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
 }
 
-double widest_mending(const Complex& complex) { return 512 * unit_in_the_last_place(complex); }
-
 /// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
 double mending_distance(const Complex& complex, unsigned round) {
-  return std::min(std::ldexp(unit_in_the_last_place(complex), 1 + 3 * static_cast<int>(round)),
-                  widest_mending(complex));
+  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
+
+/// Surfaces that lie in each other are a few ulps apart.
+constexpr double joining_ulps = 32;
 
 /// A point may move once a step: the sum of the largest bounds it.
 void add(const Displacement& more, Displacement& total) {
@@ -154,7 +154,7 @@ class Arrangement {
         for (const Vec3& p : side.points) bounds_->add(p);
     }
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
-    joining_ = {widest_mending(ingested_.complex), bounds_, surfaces.size(), !options.box};
+    joining_ = {joining_ulps * unit_in_the_last_place(ingested_.complex), bounds_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
