@@ -90,5 +90,31 @@ class Judge(ProgramTest):
     def test_every_corruption_of_a_mesh_within_a_tolerance_is_named(self):
         self.see_all("within")
 
+    def write_pyramid_and_fault(self, folder, level, peak, top):
+        """Horizon h1 is flat at `level`, h2 below it rises to `peak`, and the fault f to `top`. Returns the project file."""
+        os.makedirs(self.path(folder), exist_ok=True)
+        corners = [(-10, -10, 300), (1010, -10, 300), (1010, 1010, 300), (-10, 1010, 300)]
+        self.write(folder + "/h1.ts", triangles_ts("h1", [(x, y, level) for x, y, _ in corners], [(0, 1, 2), (0, 2, 3)]))
+        self.write(folder + "/h2.ts", triangles_ts("h2", [*corners, (600, 400, peak)], [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]))
+        self.write(folder + "/f.ts", triangles_ts("f", [(100, -10, -10), (100, 1010, -10), (100, 1010, top), (100, -10, top)], [(0, 1, 2), (0, 2, 3)]))
+        return self.write(folder + "/project.yaml", """name: m
+box: {min: [0, 0, 0], max: [1000, 1000, 1000]}
+surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
+rules: {stack: keep}
+mesh: {mode: constrained, refine: none}
+output: {directory: out, formats: [vtu]}
+""")
+
+    def test_a_crossing_deeper_than_the_tolerance_is_due_and_no_other(self):
+        """In the mesh nothing reaches h1, and all is within 10 m of the inputs. There h2 and f pass through h1: by 8 m, or one of them by 15 m."""
+        self.run_program(self.write_pyramid_and_fault("mesh", 508, 506, 506))
+        for peak, top, faults in ((508, 508, set()), (515, 508, {"curves_off"}), (508, 515, {"curves_off"})):
+            project = self.write_pyramid_and_fault("%d_%d" % (peak, top), 500, peak, top)
+            with self.subTest(peak=peak, top=top):
+                self.run_program("check", self.path("mesh", "out", "m.vtu"), "--project", project, "--within", "10", "--report", self.path("check.json"), status=None)
+                found = {fault["id"] for fault in self.report(self.path("check.json"))["faults"]}
+                self.assertEqual(found - {"wrong_input_vertices"}, faults)  # the mesh keeps the vertices of its own input
+
+
 if __name__ == "__main__":
     main()

@@ -47,6 +47,12 @@ class RandomModels(ProgramTest):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("strips%d" % seed), PROGRAM, 120), ("passes", ""))
 
+    def test_crossings_as_shallow_as_the_tolerance_are_judged_by_their_depth(self):
+        """Overshoots (200068), grazed kinks (20201), small angles (200016), and surfaces that lie in one another (200149)."""
+        for seed in (20201, 200016, 200068, 200149):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("shallow%d" % seed), PROGRAM, 120), ("passes", ""))
+
     def test_points_stay_on_strips_that_are_as_thin_as_rounding(self):
         """Strips beyond a fault, an ulp wide, have no plane that doubles can tell: points were put 36 m off them (100338), 3 m (200419)."""
         for seed in (100338, 200419):
@@ -122,6 +128,17 @@ output: {directory: out, formats: [vtu]}
             self.assertIn("leave all cells positive", printed)
             self.assertIn("(surfaces: thin_slits)", printed)
             hint("without preserve_boundary", printed)
+
+    def test_surfaces_that_lie_in_each_other_are_brought_together_as_wholes(self):
+        """Blocks and continuations in the plane of a fault, to rounding. Between them were pockets of an ulp: no doubles for what had to be added
+        (20007, 20144, 100183, 200084), cracks (100215, 200029), units that ran into one another through gaps of an ulp (20071)."""
+        for seed, n_regions in ((20007, 5), (20144, 10), (100183, 10), (200084, 13), (100215, 11), (200029, 6), (20071, 13)):
+            with self.subTest(seed=seed):
+                folder = self.path("joined%d" % seed)
+                self.assertEqual(outcome_of(seed, folder, PROGRAM, 120), ("passes", ""))
+                regions = self.report(os.path.join(folder, "out", "model.report.json"))["regions"]
+                self.assertEqual(len(regions), n_regions)
+                self.assertGreater(min(r["volume"] for r in regions), 1)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
 #include "arrangement/model/memory_bound.hpp"
+#include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
 #include "geomesh/geomodel/model_error.hpp"
@@ -35,6 +36,9 @@ double unit_in_the_last_place(const Complex& complex) {
 double mending_distance(const Complex& complex, unsigned round) {
   return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
+
+/// Surfaces that lie in each other are a few ulps apart.
+constexpr double joining_ulps = 32;
 
 /// A point may move once a step: the sum of the largest bounds it.
 void add(const Displacement& more, Displacement& total) {
@@ -118,6 +122,17 @@ JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& opt
   return JoinRule(surfaces_that_meet(complex, contacts), first_fixed);
 }
 
+/// Facets that meet others.
+std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& complex) {
+  std::vector<std::uint8_t> marks(complex.facets.size(), 0);
+  for (const FacetContact& c : contacts.facets) {
+    marks[c.facet] = 1;
+    if (c.other != no_index) marks[c.other] = 1;
+  }
+  for (const Overlap& o : contacts.overlaps) marks[o.a] = marks[o.b] = 1;
+  return marks;
+}
+
 /// One arrangement: what is read in, and what its rounds have done so far.
 class Arrangement {
  public:
@@ -139,6 +154,7 @@ class Arrangement {
         for (const Vec3& p : side.points) bounds_->add(p);
     }
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
+    joining_ = {joining_ulps * unit_in_the_last_place(ingested_.complex), bounds_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
@@ -161,6 +177,10 @@ class Arrangement {
       if (contacts.empty()) break;
       log_round(context_, round, complex, contacts);
       result_.n_rounding_rounds = round;
+      if (const auto joined = join_what_lies_in_each_other(complex, contacts, joining_)) {
+        take(*joined);
+        contacts = find_contacts(complex, context_, result_.memory_bound);
+      }
       for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -203,13 +223,8 @@ class Arrangement {
   /// False where nothing was near enough, or nothing meets any more.
   bool snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
     if (contacts.empty()) return false;
-    std::vector<std::uint8_t> active(complex.facets.size(), 0);
-    for (const FacetContact& c : contacts.facets) {
-      active[c.facet] = 1;
-      if (c.other != no_index) active[c.other] = 1;
-    }
-    for (const Overlap& o : contacts.overlaps) active[o.a] = active[o.b] = 1;
-    const SnapOutcome outcome = snap_near(complex, active, {mending_distance(complex, round), bounds_});
+    const SnapOutcome outcome =
+        snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds_});
     take(outcome);
     return outcome.changed();
   }
@@ -263,6 +278,7 @@ class Arrangement {
   std::optional<Box3> bounds_;  ///< of the box or the volume
   std::vector<VanishedFacet> vanished_;
   JoinRule join_rule_;  ///< of `tolerance`
+  Joining joining_;
 };
 
 }  // namespace

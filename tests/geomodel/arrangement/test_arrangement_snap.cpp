@@ -198,6 +198,40 @@ TEST_CASE("arrange: 1000 integer-grid soups turned by an odd angle", "[arrangeme
   }
 }
 
+TEST_CASE("arrange: surfaces that lie in each other to rounding are one where both are", "[arrangement]") {
+  // Sheets of n by n squares of one plane, far from the origin: their points are up to an ulp off it.
+  const auto sheet = [](const std::string& name, int n, double from, double to) {
+    const auto place = [&](int i, int j) {
+      const double u = from + (to - from) * i / n, v = from + (to - from) * j / n;
+      return Vec3{7.1e6 + 83.1 * u - 31.7 * v, 1.2e7 + 29.3 * u + 71.9 * v, -2000 + 41.3 * u + 57.7 * v};
+    };
+    std::vector<std::array<Vec3, 3>> all;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        all.push_back({place(i, j), place(i + 1, j), place(i + 1, j + 1)});
+        all.push_back({place(i, j), place(i + 1, j + 1), place(i, j + 1)});
+      }
+    return triangles(name, all, SurfaceKind::fault);
+  };
+  const auto result = arrange({sheet("a", 7, 0, 10), sheet("b", 5, 2.3, 7.9)}, {}, {}, ArrangementOptions{});
+  require_sound(result.soup);
+  const auto area = [](const std::array<Vec3, 3>& t) {
+    const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+    return 0.5 * std::sqrt(dot(n, n));
+  };
+  double of_both = 0, of_b = 0;
+  for (Index f = 0; f < result.soup.facets.size(); ++f) {
+    const auto& t = result.soup.facets[f];
+    const double own = area({result.soup.points[t[0]], result.soup.points[t[1]], result.soup.points[t[2]]});
+    bool is_a = false, is_b = false;
+    for (Index k = result.soup.origin_offsets[f]; k < result.soup.origin_offsets[f + 1]; ++k)
+      (result.soup.origins[k].surface == 0 ? is_a : is_b) = true;
+    if (is_b) of_b += own;
+    if (is_a && is_b) of_both += own;
+  }
+  CHECK(of_both == Approx(of_b).epsilon(1e-9));
+}
+
 TEST_CASE("diagnosis: horizons that cross, a gap and a loose end in words", "[arrangement]") {
   ArrangementOptions options;
   options.box = Box3{{0, 0, -2000}, {4000, 4000, 0}};

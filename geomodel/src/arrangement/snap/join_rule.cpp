@@ -25,12 +25,17 @@ void add_pairs(std::span<const Index> a, std::span<const Index> b, std::set<Surf
 
 }  // namespace
 
-std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts) {
+std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts) {
   std::set<SurfacePair> pairs;
   const auto add = [&](Index f, Index g) { add_pairs(surfaces_of(complex, f), surfaces_of(complex, g), pairs); };
   for (const FacetContact& c : contacts.facets)
     if (c.other != no_index) add(c.facet, c.other);
   for (const Overlap& o : contacts.overlaps) add(o.a, o.b);
+  return pairs;
+}
+
+std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts) {
+  std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
   std::vector<Index> first(complex.points.size(), no_index);  // surface at a vertex
   for (Index f = 0; f < complex.facets.size(); ++f)
     for (const Index surface : surfaces_of(complex, f))
@@ -111,9 +116,9 @@ bool JoinRule::allows(const Thing& a, const Thing& b) const {
   const auto is_fixed = [&](const std::vector<Index>& of) { return !of.empty() && of.back() >= first_fixed_; };
   if (is_fixed(x) || is_fixed(y)) return false;
   if (joins_all_) return true;
-  if (!a.is_border && !b.is_border) return false;
+  if (needs_border_ && !a.is_border && !b.is_border) return false;
   return std::any_of(x.begin(), x.end(), [&](Index s) {
-    return std::any_of(y.begin(), y.end(), [&](Index t) { return s != t && meeting_.contains(surface_pair(s, t)); });
+    return std::any_of(y.begin(), y.end(), [&](Index t) { return meeting_.contains(surface_pair(s, t)); });
   });
 }
 

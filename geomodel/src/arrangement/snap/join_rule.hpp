@@ -17,7 +17,9 @@ namespace geomesh::geomodel::arrangement {
 using SurfacePair = std::pair<Index, Index>;  ///< the lesser row first
 inline SurfacePair surface_pair(Index a, Index b) { return a < b ? SurfacePair{a, b} : SurfacePair{b, a}; }
 
-/// Pairs of surfaces that touch, cross, overlap or share a vertex.
+/// Pairs of surfaces of which facets touch, cross or overlap.
+std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts);
+/// Those, and pairs of surfaces that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
 /// Two things may join where one of them is a free border, and a surface of the one meets another surface of the other
@@ -35,6 +37,12 @@ class JoinRule {
   JoinRule() = default;
   explicit JoinRule(std::set<SurfacePair> meeting, Index first_fixed = no_index)
       : meeting_(std::move(meeting)), first_fixed_(first_fixed), restricts_(true) {}
+  /// All parts of these surfaces may join, whether they end there or not. A pair of one surface twice joins its parts.
+  static JoinRule all_of(std::set<SurfacePair> pairs, Index first_fixed) {
+    JoinRule rule(std::move(pairs), first_fixed);
+    rule.needs_border_ = false;
+    return rule;
+  }
   /// Everything else may join.
   static JoinRule all_but(Index first_fixed) {
     JoinRule rule({}, first_fixed);
@@ -62,7 +70,7 @@ class JoinRule {
 
   std::set<SurfacePair> meeting_;
   Index first_fixed_ = no_index;
-  bool restricts_ = false, joins_all_ = false;
+  bool restricts_ = false, joins_all_ = false, needs_border_ = true;
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;

@@ -46,6 +46,7 @@ class Rebuilding {
       std::vector<VertexIndex> all = border;
       all.insert(all.end(), in.begin(), in.end());
       const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
+      outcome_.n_facets_left_alone += !split;
       if (!split)
         push(out, t, f, 1);
       else if (split->empty())

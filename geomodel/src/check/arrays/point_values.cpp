@@ -6,6 +6,7 @@
 #include <set>
 
 #include "check/arrays/judge_arrays.hpp"
+#include "check/exact/deviation.hpp"
 #include "check/judged/faults.hpp"
 #include "check/names/region_places.hpp"
 
@@ -75,6 +76,24 @@ bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool 
   }
 }
 
+/// Whether two triangles of the input that share no corner pass p within rounding: bringing surfaces together there, or
+/// closing a crack, may have left nothing of the intersection but the point. O(triangles).
+bool were_apart_at(const Claim& claim, const Vec3& p, double rounding) {
+  std::vector<Corners> near;
+  for (const TriangulatedSurface& s : claim.surfaces)
+    for (const Triangle& t : s.triangles) {
+      const Corners corners{s.points[t[0]], s.points[t[1]], s.points[t[2]]};
+      const Vec3 d = nearest_on_triangle(p, corners) - p;
+      if (std::sqrt(dot(d, d)) <= rounding) near.push_back(corners);
+    }
+  const auto share_corner = [](const Corners& s, const Corners& t) {
+    return std::any_of(s.begin(), s.end(), [&](const Vec3& q) { return std::find(t.begin(), t.end(), q) != t.end(); });
+  };
+  return std::any_of(near.begin(), near.end(), [&](const Corners& s) {
+    return std::any_of(near.begin(), near.end(), [&](const Corners& t) { return !share_corner(s, t); });
+  });
+}
+
 }  // namespace
 
 void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves, double rounding, CheckResult& result) {
@@ -103,7 +122,9 @@ void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves,
     } else if (row != -1 || (exact && here >= 0 && !at[v].surfaces.empty())) {
       wrong_row.add(v, p);
     }
-    if (!fits(mesh.file.kind[v], at[v], row, trimmed || claim.merging > 0)) wrong_kind.add(v, p);
+    if (!fits(mesh.file.kind[v], at[v], row, trimmed || claim.merging > 0) &&
+        !(fits(mesh.file.kind[v], at[v], row, true) && were_apart_at(claim, p, rounding)))
+      wrong_kind.add(v, p);
   }
   wrong_kind.report(
       result, "points have a kind that does not fit what lies at them (surfaces, curves, an input point, nothing)");

@@ -10,6 +10,7 @@
 #include "check/exact/exact.hpp"
 #include "check/judged/faults.hpp"
 #include "check/within/input_border.hpp"
+#include "check/within/passage.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -112,7 +113,18 @@ class TopologyJudge {
     const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
     return {a, b, b};
   }
-  void check_crossings(Index i, Index j, FaultCollector& off, std::size_t& n_places);
+  struct Places {
+    std::size_t looked_at = 0,
+                farther = 0;  ///< sampled; those farther than allowed from where the mesh's surfaces meet
+  };
+  /// A place where triangle s of surface i and t of j pass through each other, and the direction of the curve there.
+  struct Passage {
+    Index i, j, s, t;
+    Vec3 place, along;
+  };
+  TriangleSet meeting_of(Index i, Index j) const;
+  bool is_lost(const Passage& passage, const TriangleSet& meeting) const;
+  void check_crossings(Index i, Index j, FaultCollector& off, Places& places);
 
   const ClaimedFaces& claimed_;
   const Claim& claim_;
@@ -120,6 +132,7 @@ class TopologyJudge {
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
   std::vector<InputBorder> borders_;          ///< of the input's surfaces
+  std::vector<FollowedSurface> followed_;     ///< the input's surfaces, once curves are judged
 };
 
 bool TopologyJudge::is_in_box(const Vec3& p, double room) const {
@@ -254,25 +267,8 @@ void TopologyJudge::check_borders(CheckResult& result) {
         "sampled, both ways");
 }
 
-/// Where the edge p q passes through the inside of the triangle; nothing where it touches its rim or lies in its plane.
-/// Decided exactly.
-std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Corners& t) {
-  const Sign above = orientation(t[0], t[1], t[2], p), below = orientation(t[0], t[1], t[2], q);
-  if (above == Sign::zero || below == Sign::zero || above == below) return std::nullopt;
-  const Sign turn = orientation(p, q, t[0], t[1]);
-  if (turn == Sign::zero || orientation(p, q, t[1], t[2]) != turn || orientation(p, q, t[2], t[0]) != turn)
-    return std::nullopt;
-  const double a = std::abs(six_volumes(t[0], t[1], t[2], p)), b = std::abs(six_volumes(t[0], t[1], t[2], q));
-  return p + (a / (a + b)) * (q - p);
-}
-
-/// Every place where input triangles of surfaces i and j pass through each other is near a mesh edge at which both
-/// surfaces meet.
-void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, std::size_t& n_places) {
-  const std::vector<Corners> a = triangles_of(claim_.surfaces[i]), b = triangles_of(claim_.surfaces[j]);
-  std::vector<Box3> boxes;
-  for (const Corners& t : b) boxes.push_back(box_of(t[0], t[1], t[2]));
-  const BoxTree tree(std::move(boxes));
+/// Mesh edges at which both surfaces meet, and faces that bear both.
+TriangleSet TopologyJudge::meeting_of(Index i, Index j) const {
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {
     const auto carries = [&, &at = at](Index row) {
@@ -280,41 +276,67 @@ void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, std::
     };
     if (carries(i) && carries(j)) shared.push_back(as_corners(e));
   }
-  const TriangleSet curve(std::move(shared));
+  for (const Index f : pairs_[i].faces)
+    if (claimed_.carries(f, j)) shared.push_back(checking::corners_of(claimed_, f));
+  return TriangleSet(std::move(shared));
+}
+
+/// Whether the inputs pass through each other there, each deeper than what is allowed, and the surfaces meet nowhere
+/// about it in the mesh. Both may have been moved: where they are no farther than what is allowed from each other,
+/// their curve may be anywhere across.
+bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) const {
+  const auto& [i, j, s, t, place, along] = passage;
+  bool is_met = false;
+  const auto passes = [&](Index surface, Index triangle, Index other) {
+    const AlongLine line{[&](const Vec3& p) { return !is_in_box(p, 0) || claimed_.is_removed(surface, p, {}, other); },
+                         [&](const Vec3& p) { is_met = is_met || !meeting.near(p, allowed_.both()).empty(); }};
+    return passes_through(followed_[surface], triangle, {place, along}, followed_[other], allowed_.both(), line);
+  };
+  return passes(i, s, j) && passes(j, t, i) && !is_met;
+}
+
+/// Where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh nearby. That is
+/// not asked where they pass no deeper than what is allowed.
+void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
+  const FollowedSurface &a = followed_[i], &b = followed_[j];
+  const TriangleSet meeting = meeting_of(i, j);
   const auto is_due = [&](const Vec3& p) {
     return is_in_box(p, allowed_.both()) && !claimed_.is_removed(i, p, {}, j) && !claimed_.is_removed(j, p, {}, i);
   };
-  for (const Corners& s : a)
-    tree.query(box_of(s[0], s[1], s[2]), [&](Index row) {
-      const Corners& t = b[row];
-      std::vector<Vec3> ends;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (const auto p = piercing(s[k], s[(k + 1) % 3], t)) ends.push_back(*p);
-        if (const auto p = piercing(t[k], t[(k + 1) % 3], s)) ends.push_back(*p);
-      }
-      if (ends.size() != 2) return;
+  for (Index k = 0; k < a.triangles().size(); ++k) {
+    const Corners& s = a.triangles()[k];
+    b.tree().query(box_of(s[0], s[1], s[2]), [&](Index row) {
+      const auto crossing = crossing_of(s, b.triangles()[row]);
+      if (!crossing) return;
+      const auto& [from, to] = *crossing;
       for (const double at : between) {
-        const Vec3 p = ends[0] + at * (ends[1] - ends[0]);
-        ++n_places;
-        if (!curve.near(p, allowed_.both()).empty() || !is_due(p)) continue;
+        const Vec3 p = from + at * (to - from);
+        ++places.looked_at;
+        if (!meeting.near(p, allowed_.both()).empty() || !is_due(p)) continue;
+        ++places.farther;
+        if (!is_lost({i, j, k, row, p, to - from}, meeting)) continue;
         off.add(row, p);
         return;
       }
     });
+  }
 }
 
 void TopologyJudge::check_curves(CheckResult& result) {
   FaultCollector off("curves_off");
-  std::size_t n_places = 0;
+  Places places;
+  for (const TriangulatedSurface& surface : claim_.surfaces) followed_.emplace_back(surface);
   for (Index i = 0; i < claim_.surfaces.size(); ++i)
     for (Index j = i + 1; j < claim_.surfaces.size(); ++j)
-      if (!may_be_trimmed(i) && !may_be_trimmed(j)) check_crossings(i, j, off, n_places);
-  off.report(
-      result,
-      "places where input surfaces cross are farther than the tolerance from every mesh edge at which both meet");
+      if (!may_be_trimmed(i) && !may_be_trimmed(j)) check_crossings(i, j, off, places);
+  off.report(result,
+             "places where input surfaces pass through each other deeper than the tolerance, and do not meet in the "
+             "mesh within it");
   if (off.count() == 0)
     result.checks_done.push_back(
-        "surfaces that no rule trims meet where their inputs cross: " + std::to_string(n_places) + " places sampled");
+        "surfaces that no rule trims meet where their inputs cross: " + std::to_string(places.looked_at) +
+        " places sampled; at " + std::to_string(places.farther) +
+        " they are too near to each other for one place of the curve, or pass no deeper than the tolerance");
 }
 
 }  // namespace

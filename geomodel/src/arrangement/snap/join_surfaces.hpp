@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Surfaces that lie in each other to rounding, brought together as wholes.
+#pragma once
+
+#include <optional>
+
+#include "arrangement/snap/snap.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// How far, and which surfaces are sides of the volume: rows from `first_side` on. A volume that is no box has none of
+/// its sides joined.
+struct Joining {
+  double distance = 0;
+  std::optional<Box3> box;
+  std::size_t first_side = 0;
+  bool sides_are_fixed = false;
+};
+
+/// Surfaces that still cross once they are rounded lie in each other somewhere. They are brought together wherever they
+/// are within the distance. Were they mended at the crossings alone, pockets and gaps as thin as rounding would stay
+/// between them. Sides of a box keep their planes. Nothing where nothing was near enough, or where facets could not
+/// follow: they would end beside their neighbours. The complex is then as it was. Cost: that of snap_near.
+std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
+                                                        const Joining& joining);
+
+}  // namespace geomesh::geomodel::arrangement
