@@ -63,6 +63,15 @@ class RandomModels(ProgramTest):
         """Halves of the edges across such a strip made a million cells for a model of 624 triangles (200092)."""
         self.assertEqual(outcome_of(200092, self.path("strips"), PROGRAM, 60), ("passes", ""))
 
+    def test_surfaces_that_were_given_twice_are_meshed_as_one_by_default(self):
+        """Faults 0.3 to 2 mm apart asked for edges of a metre, or took minutes (500020, 500026, 500035)."""
+        for seed in (500020, 500035):
+            folder = self.path("twins%d" % seed)
+            self.assertEqual(outcome_of(seed, folder, PROGRAM, 60, as_default=True), ("passes", ""))
+            report = self.report(os.path.join(folder, "out", "model.report.json"))
+            self.assertTrue(any("meshed as one where they do" in w for w in report["warnings"]), report["warnings"])
+            self.assertLess(sum(r["tetrahedra"] for r in report["regions"]), 40000)
+
     def test_a_unit_of_a_coarse_stack_keeps_its_region_in_each_block(self):
         """A unit with 0.8 elements of volume in its block joined another unit without a word (200080)."""
         self.assertEqual(outcome_of(200080, self.path("coarse"), PROGRAM, 120), ("passes", ""))
