@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "arrangement/diagnosis/near_twins.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "pipeline/near_twins.hpp"
 
 namespace geomesh::geomodel {
 
@@ -57,7 +57,7 @@ void take_from_tolerance(RefinementSettings& refinement, double moved) {
 std::optional<ArrangementResult> arrange_merging_twins(PreparedModel& model, const std::vector<Polyline>& wells,
                                                        ArrangementOptions options, double distance,
                                                        const RunContext& context) {
-  const auto twins = near_twins(model.surfaces, distance);
+  const auto twins = arrangement::near_twins(model.surfaces, distance);
   if (!twins) return std::nullopt;
   options.tolerance = distance;
   options.merging = ArrangementOptions::MergingOf::everything;

@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 /// merging_distance(). That is so where the options ask for no merging of their own. The refinement's tolerance becomes
 /// what merging leaves of it. Half of the distance is tried where something moves by more than half of the tolerance,
 /// or where no arrangement comes of it; then a quarter; then none. Where two surfaces follow each other a hundred times
-/// nearer than that, everything is merged that is as near, and nothing else (near_twins.hpp).
+/// nearer than that, everything is merged that is as near, and nothing else (arrangement/diagnosis/near_twins.hpp).
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context);
 

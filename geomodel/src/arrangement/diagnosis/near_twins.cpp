@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/near_twins.hpp"
+#include "arrangement/diagnosis/near_twins.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "geomesh/core/surface_distance.hpp"
 
-namespace geomesh::geomodel {
+namespace geomesh::geomodel::arrangement {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::optional<std::pair<Index, Index>> near_twins(const std::vector<Triangulated
   return std::nullopt;
 }
 
-}  // namespace geomesh::geomodel
+}  // namespace geomesh::geomodel::arrangement
