@@ -81,4 +81,18 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
                   off + ". Ask for a smaller tolerance, for smaller sizes there, or keep the surfaces exactly");
 }
 
+void require_volume_filled(const ModelMesh& mesh, double volume, bool ends_inside) {
+  constexpr double rounding = 1e-9;
+  CompensatedSum sum;
+  for (const Region& r : mesh.regions) sum.add(r.volume);
+  const double more = sum.value() / volume - 1;
+  if (more <= rounding && (ends_inside || more >= -rounding)) return;
+  char text[260];
+  std::snprintf(text, sizeof text,
+                "the regions hold %.12g, the model volume %.12g, so nothing was written: a side of it has a crack or a "
+                "fold. Ask for another `tolerance`, or none, or move the box by a little",
+                sum.value(), volume);
+  throw Error(ErrorKind::cannot_mesh, text);
+}
+
 }  // namespace geomesh::geomodel

@@ -24,4 +24,8 @@ void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& 
 /// more. `tolerance` in the mesh's unit.
 void require_volumes_within(const ModelMesh& mesh, double tolerance);
 
+/// Throws Error{cannot_mesh} where the regions do not fill the model volume but for rounding (1e-9 of it): a side of it
+/// has a crack or a fold then. Where the model ends inside of it, at a topography or floor, they may fill less.
+void require_volume_filled(const ModelMesh& mesh, double volume, bool ends_inside);
+
 }  // namespace geomesh::geomodel
