@@ -37,7 +37,6 @@ class CoverageJudge : public ClaimedFaces {
 
  private:
   void collect_clip_edges();
-  bool is_on(const Body& body, const Vec3& p) const;
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
   /// A triangle of the input: row of its surface, its own row there.
@@ -107,19 +106,6 @@ void CoverageJudge::check_sources(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Whether p is within the tolerance of a triangle of the body: rounding may have put it on either side.
-bool CoverageJudge::is_on(const Body& body, const Vec3& p) const {
-  bool found = false;
-  body.tree.query(inflated(box_of(p, p, p), tolerance_), [&](Index k) {
-    const Triangle& s = body.surface->triangles[k];
-    const auto& points = body.surface->points;
-    const PlaneTriangle triangle(points[s[0]], points[s[1]], points[s[2]]);
-    found =
-        found || (!triangle.degenerate() && triangle.distance(p) <= tolerance_ && triangle.outside(p) <= tolerance_);
-  });
-  return found;
-}
-
 /// No face of a horizon or fault lies inside a body that cuts.
 void CoverageJudge::check_bodies(CheckResult& result) {
   if (bodies_.empty()) return;
@@ -138,7 +124,8 @@ void CoverageJudge::check_bodies(CheckResult& result) {
       if (!body.surface->cuts_all) continue;
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
                                                   corner(t, 0), corner(t, 1), corner(t, 2));
-      if (winding && *winding != 0 && !is_on(body, centroid(mesh_, t))) {
+      if (winding && *winding != 0 &&
+          !is_near(body, centroid(mesh_, t), tolerance_)) {  // rounding puts it on either side
         inside.add(f, centroid(mesh_, t));
         break;
       }

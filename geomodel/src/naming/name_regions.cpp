@@ -279,7 +279,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
   }
   for (std::size_t c = 0; c < facts.size(); ++c) {
-    if (facts[c].volume >= rules.min_volume || (rules.join_pieces && target[c] == c)) continue;
+    if (facts[c].volume >= rules.min_volume || (rules.join_pieces && rules.merge_small && target[c] == c)) continue;
     const std::string what = "region of " + labels[c].name + " near " + to_text(facts[c].inside_point) +
                              " has a volume of " + to_text(facts[c].volume) + ", less than min_volume";
     warnings.push_back(target[c] == c ? what : what + ": it joins " + labels[target[c]].name);

@@ -128,7 +128,7 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   mesh.cell_arrays = std::move(arrays);
   mesh.unit = model.unit;
   require_valid(mesh, model, recorder.context().threads);
-  if (model.volume.volume > 0 && model.z_scale.factor() == 1)
+  if (model.volume.volume > 0)
     require_volume_filled(mesh, model.volume.volume, !model.rules.topography.empty() || !model.rules.floor.empty());
   recorder.context().note(LogLevel::info,
                           count_words(mesh.tetrahedra.size(), "tetrahedra exactly positive and conforming"));

@@ -67,26 +67,25 @@ class EdgeSplitter {
   }
 
  private:
-  bool is_asked(CellIndex c, VertexIndex a, VertexIndex b) const {
+  /// The surface's faces at an edge; any cell about it may be at hand.
+  EdgeFaces look_about(CellIndex c, VertexIndex a, VertexIndex b) {
+    const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells_, ring_);
+    return constrained_faces_of_ring(mesh_, cells_, ring_, closed);
+  }
+
+  bool is_asked(CellIndex c, VertexIndex a, VertexIndex b) {
     if (which_ == LongEdges::of_curves) return mesh_.curve_of(a, b) != no_index;
-    // Any cell about a surface edge may be at hand: look at the whole ring.
-    std::vector<CellIndex> cells;
-    std::vector<VertexIndex> ring;
-    const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells, ring);
-    return constrained_faces_of_ring(mesh_, cells, ring, closed).n > 0;
+    return look_about(c, a, b).n > 0;
   }
 
   /// Whether both faces at the edge are of a strip so thin that points between its borders help nothing: where its
   /// edges cannot be flipped, each half would make two more long ones.
-  bool is_within_hair(CellIndex c, VertexIndex a, VertexIndex b) const {
-    std::vector<CellIndex> cells;
-    std::vector<VertexIndex> ring;
-    const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells, ring);
-    const EdgeFaces faces = constrained_faces_of_ring(mesh_, cells, ring, closed);
+  bool is_within_hair(CellIndex c, VertexIndex a, VertexIndex b) {
+    const EdgeFaces faces = look_about(c, a, b);
     const Vec3 &p = mesh_.point(a), along = mesh_.point(b) - p;
     const double limit = refine_ratios.hair * tools_.size_of_edge(a, b) * length(along);
     return faces.n == 2 && std::all_of(faces.at.begin(), faces.at.end(), [&](std::size_t k) {
-             return length(cross(along, mesh_.point(ring[k]) - p)) <= limit;
+             return length(cross(along, mesh_.point(ring_[k]) - p)) <= limit;
            });
   }
 
@@ -112,6 +111,8 @@ class EdgeSplitter {
   LongEdges which_;
   bool may_flip_;  ///< where patches are planar: an edge of a strip that is flipped needs no half
   std::priority_queue<MeasuredEdge> queue_;
+  std::vector<CellIndex> cells_;  // about the edge that was looked at last
+  std::vector<VertexIndex> ring_;
 };
 
 /// Edges shorter than `ratio` of their size, the shortest first.

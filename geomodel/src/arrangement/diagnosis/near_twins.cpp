@@ -46,11 +46,10 @@ class Twins {
   bool is_beside(const Vec3& p, Index other) {
     std::optional<SurfaceDistance>& search = searches_[other];
     if (!search) search.emplace(surfaces_[other].points, surfaces_[other].triangles);
-    const double d = distance(search->closest(p), p);
+    const Vec3 way = search->closest(p) - p;
+    const double d = std::sqrt(dot(way, way));
     return d <= distance_ && d > rounding_share * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   }
-
-  static double distance(const Vec3& p, const Vec3& q) { return std::sqrt(dot(p - q, p - q)); }
 
   const std::vector<TriangulatedSurface>& surfaces_;
   double distance_;

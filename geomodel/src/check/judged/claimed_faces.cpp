@@ -4,9 +4,21 @@
 #include <algorithm>
 
 #include "check/exact/crossing.hpp"
+#include "check/exact/deviation.hpp"
 #include "check/judged/faults.hpp"
 
 namespace geomesh::geomodel::checking {
+
+bool is_near(const Body& body, const Vec3& p, double reach) {
+  bool found = false;
+  body.tree.query(inflated(box_of(p, p, p), reach), [&](Index row) {
+    const Triangle& t = body.surface->triangles[row];
+    const auto& points = body.surface->points;
+    const Vec3 way = nearest_on_triangle(p, {points[t[0]], points[t[1]], points[t[2]]}) - p;
+    found = found || dot(way, way) <= reach * reach;
+  });
+  return found;
+}
 
 BoxTree tree_over(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
   std::vector<Box3> boxes;

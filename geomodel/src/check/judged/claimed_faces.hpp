@@ -23,6 +23,8 @@ struct Body {
   const TriangulatedSurface* surface;
   BoxTree tree;
 };
+/// Whether a triangle of the body is no farther from p than that. O(log n) and the triangles whose boxes are.
+bool is_near(const Body& body, const Vec3& p, double reach);
 
 class ClaimedFaces {
  public:

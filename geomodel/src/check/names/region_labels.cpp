@@ -39,14 +39,7 @@ std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& pl
     if (body.surface->kind != SurfaceKind::body || !is_closed(*body.surface)) continue;
     bool decided = false;
     for (const Vec3& p : place.samples) {
-      bool near = false;
-      body.tree.query(inflated(box_of(p, p, p), reach_), [&](Index t) {
-        const Triangle& v = body.surface->triangles[t];
-        const auto& points = body.surface->points;
-        const Vec3 d = nearest_on_triangle(p, {points[v[0]], points[v[1]], points[v[2]]}) - p;
-        near = near || dot(d, d) <= reach_ * reach_;
-      });
-      if (near) continue;
+      if (is_near(body, p, reach_)) continue;
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, p, p, p);
       if (!winding) continue;
       if (*winding != 0) about.push_back(row);
