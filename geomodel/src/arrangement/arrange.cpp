@@ -8,6 +8,7 @@
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
+#include "arrangement/diagnosis/near_twins.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
@@ -37,6 +38,8 @@ double mending_distance(const Complex& complex, unsigned round) {
   return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
 
+/// Of `tolerance`: surfaces that follow each other as near are one surface given twice.
+constexpr double twin_share = 0.01;
 /// Surfaces that lie in each other are a few ulps apart.
 constexpr double joining_ulps = 32;
 
@@ -120,6 +123,17 @@ JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& opt
   const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
   if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
   return JoinRule(surfaces_that_meet(complex, contacts), first_fixed);
+}
+
+/// What was given twice is brought together wherever it is near, and told.
+void join_twins(JoinRule& rule, const std::vector<TriangulatedSurface>& surfaces, double nearest,
+                std::vector<std::string>& warnings) {
+  const auto words = [&](Index s) { return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name; };
+  const auto twins = near_twins(surfaces, nearest);
+  for (const auto& [a, b] : twins)
+    warnings.push_back(words(a) + " and " + words(b) + " follow each other nearer than " + short_words(nearest) +
+                       ": they are meshed as one where they do (honour: exact keeps them apart)");
+  rule.join_all_of(twins);
 }
 
 /// Facets that meet others.
@@ -238,9 +252,11 @@ class Arrangement {
     const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
     SnapOptions snapping{options_.tolerance, bounds_};
     if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
-    if (!joins_all || !options_.volume.empty())
-      snapping.rule = join_rule_ =
-          join_rule_of(surfaces_, options_, complex, find_contacts(complex, context_, result_.memory_bound));
+    if (!joins_all || !options_.volume.empty()) {
+      join_rule_ = join_rule_of(surfaces_, options_, complex, find_contacts(complex, context_, result_.memory_bound));
+      if (!joins_all) join_twins(join_rule_, surfaces_.given, twin_share * options_.tolerance, result_.warnings);
+      snapping.rule = join_rule_;
+    }
     std::vector<VertexIndex> now;
     take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now));
     for (auto& vertices : ingested_.vertex_of_point)

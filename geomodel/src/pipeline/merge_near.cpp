@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "arrangement/diagnosis/near_twins.hpp"
 #include "geomesh/geomodel/words.hpp"
 
 namespace geomesh::geomodel {
@@ -15,7 +14,6 @@ namespace {
 constexpr double most_of_tolerance = 0.5;  ///< what merging may use
 constexpr double next_distance = 0.5;      ///< of the distance before
 constexpr unsigned most_tries = 3;
-constexpr double twin_distance = 0.01;  ///< of the merging distance: as near, no size can mesh what is between
 
 /// Nothing where no arrangement comes of it, or something moved too far.
 std::optional<ArrangementResult> try_merging(const PreparedModel& model, const std::vector<Polyline>& wells,
@@ -53,36 +51,11 @@ void take_from_tolerance(RefinementSettings& refinement, double moved) {
   refinement.tolerance_share *= left;
 }
 
-/// Where two surfaces follow each other nearer than any size could mesh, all that is as near is brought together.
-std::optional<ArrangementResult> arrange_merging_twins(PreparedModel& model, const std::vector<Polyline>& wells,
-                                                       ArrangementOptions options, double distance,
-                                                       const RunContext& context) {
-  const auto twins = arrangement::near_twins(model.surfaces, distance);
-  if (!twins) return std::nullopt;
-  options.tolerance = distance;
-  options.merging = ArrangementOptions::MergingOf::everything;
-  auto found = try_merging(model, wells, options, context);
-  if (!found) return std::nullopt;
-  const auto words = [&](Index s) {
-    return std::string(to_string(model.surfaces[s].kind)) + " " + model.surfaces[s].name;
-  };
-  warn(model.warnings, context,
-       words(twins->first) + " and " + words(twins->second) + " follow each other nearer than " +
-           short_words(distance) + " " + model.unit +
-           ": they are meshed as one where they do (honour: exact keeps them apart)");
-  tell_merging(model, *found, distance, context);
-  take_from_tolerance(model.refinement, found->merging.displacement.largest);
-  return found;
-}
-
 }  // namespace
 
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context) {
   double distance = options.tolerance > 0 ? 0 : merging_distance(model.refinement);
-  if (distance > 0)
-    if (auto found = arrange_merging_twins(model, wells, options, twin_distance * distance, context))
-      return std::move(*found);
   for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
     options.tolerance = distance;
     options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;

@@ -90,7 +90,8 @@ struct ArrangementOptions {
   double tolerance = 0;
   /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces that
   /// meet somewhere are near to each other, with free borders that end near a side of the box. Surfaces that meet
-  /// nowhere then stay apart however near they are, and no surface loses detail of its own.
+  /// nowhere then stay apart, but for two that follow each other within a hundredth of it: these join wherever they are
+  /// near, with a warning. No surface loses detail of its own.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
   /// needed it ends with Error{cannot_mesh} and the place.

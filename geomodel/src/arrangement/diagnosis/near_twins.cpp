@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geomesh/core/surface_distance.hpp"
 
@@ -58,17 +59,18 @@ class Twins {
 
 }  // namespace
 
-std::optional<std::pair<Index, Index>> near_twins(const std::vector<TriangulatedSurface>& surfaces, double distance) {
+std::vector<std::pair<Index, Index>> near_twins(const std::vector<TriangulatedSurface>& surfaces, double distance) {
   std::vector<Box3> boxes;
   for (const TriangulatedSurface& s : surfaces) boxes.push_back(box_of(s));
   Twins twins(surfaces, distance);
+  std::vector<std::pair<Index, Index>> found;
   for (Index a = 0; a < surfaces.size(); ++a)
     for (Index b = a + 1; b < surfaces.size(); ++b) {
       if (surfaces[a].triangles.empty() || surfaces[b].triangles.empty() || !are_near(boxes[a], boxes[b], distance))
         continue;
-      if (twins.follows(a, b) || twins.follows(b, a)) return std::pair(a, b);
+      if (twins.follows(a, b) || twins.follows(b, a)) found.emplace_back(a, b);
     }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace geomesh::geomodel::arrangement

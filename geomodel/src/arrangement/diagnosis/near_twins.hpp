@@ -3,7 +3,6 @@
 /// Surfaces that were given twice, moved by next to nothing.
 #pragma once
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,10 +10,10 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The first two surfaces of which one follows the other: more than half of its vertices are within the distance of it,
+/// Pairs of surfaces of which one follows the other: more than half of its vertices are within the distance of it,
 /// and farther from it than rounding. No size can mesh what is between them. What coincides but for rounding is none of
 /// these: the arrangement joins it. Pairs are asked whose boxes are that near, at some hundred vertices each. O(n log
 /// n) by surface.
-std::optional<std::pair<Index, Index>> near_twins(const std::vector<TriangulatedSurface>& surfaces, double distance);
+std::vector<std::pair<Index, Index>> near_twins(const std::vector<TriangulatedSurface>& surfaces, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -116,10 +116,12 @@ bool JoinRule::allows(const Thing& a, const Thing& b) const {
   const auto is_fixed = [&](const std::vector<Index>& of) { return !of.empty() && of.back() >= first_fixed_; };
   if (is_fixed(x) || is_fixed(y)) return false;
   if (joins_all_) return true;
-  if (needs_border_ && !a.is_border && !b.is_border) return false;
-  return std::any_of(x.begin(), x.end(), [&](Index s) {
-    return std::any_of(y.begin(), y.end(), [&](Index t) { return meeting_.contains(surface_pair(s, t)); });
-  });
+  const auto any_of = [&](const std::set<SurfacePair>& pairs) {
+    return std::any_of(x.begin(), x.end(), [&](Index s) {
+      return std::any_of(y.begin(), y.end(), [&](Index t) { return pairs.contains(surface_pair(s, t)); });
+    });
+  };
+  return ((!needs_border_ || a.is_border || b.is_border) && any_of(meeting_)) || any_of(following_);
 }
 
 }  // namespace geomesh::geomodel::arrangement

@@ -50,6 +50,9 @@ class JoinRule {
     return rule;
   }
 
+  /// These join wherever they are near, whether they end there or not.
+  void join_all_of(std::span<const SurfacePair> pairs) { following_.insert(pairs.begin(), pairs.end()); }
+
   bool restricts() const { return restricts_; }
   /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
   /// a side of the box.
@@ -68,7 +71,7 @@ class JoinRule {
   static constexpr Set none = 0;
   Set number(std::vector<Index> surfaces);
 
-  std::set<SurfacePair> meeting_;
+  std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
   bool restricts_ = false, joins_all_ = false, needs_border_ = true;
   std::vector<std::vector<Index>> sets_{{}};
