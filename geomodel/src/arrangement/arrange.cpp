@@ -8,8 +8,9 @@
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
-#include "arrangement/diagnosis/near_twins.hpp"
+#include "arrangement/diagnosis/near_surfaces.hpp"
 #include "arrangement/model/memory_bound.hpp"
+#include "arrangement/pockets/close_pockets.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
@@ -52,6 +53,14 @@ void add(const Displacement& more, Displacement& total) {
     total.mean =
         (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
   total.points_moved += more.points_moved;
+}
+
+void close_thin_pockets(Complex& complex, double tolerance, const SurfaceList& surfaces,
+                        ArrangementResult::Merging& merging) {
+  const ClosedPockets closed = close_pockets(complex, tolerance, static_cast<Index>(surfaces.given.size()));
+  add(closed.moved, merging.displacement);
+  merging.pockets_closed += closed.n_pockets;
+  merging.facets_merged += closed.n_facets_removed;
 }
 
 void log_round(const RunContext& context, unsigned round, const Complex& complex, const Contacts& contacts) {
@@ -117,23 +126,37 @@ PolygonSoup soup_of(Complex&& complex) {
   return soup;
 }
 
-/// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
-JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& options, const Complex& complex,
-                      const Contacts& contacts) {
-  const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
-  if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
-  return JoinRule(surfaces_that_meet(complex, contacts), first_fixed);
-}
+/// What joins besides surfaces that meet where one of them ends.
+struct PairsToJoin {
+  std::set<SurfacePair> wherever_near;  ///< given twice
+  std::set<SurfacePair> where_they_end;
+  std::set<SurfacePair> before_crossing;  ///< wherever near too, but before curves run on them: faults with themselves
+};
 
-/// What was given twice is brought together wherever it is near, and told.
-void join_twins(JoinRule& rule, const std::vector<TriangulatedSurface>& surfaces, double nearest,
-                std::vector<std::string>& warnings) {
+/// What was given twice is told. Faults come in patches that share no points, or lie on each other along their seams.
+PairsToJoin pairs_to_join(const std::vector<TriangulatedSurface>& surfaces, double tolerance,
+                          std::vector<std::string>& warnings) {
+  const double nearest = twin_share * tolerance;
+  const NearSurfaces near = near_surfaces(surfaces, nearest, tolerance);
   const auto words = [&](Index s) { return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name; };
-  const auto twins = near_twins(surfaces, nearest);
-  for (const auto& [a, b] : twins)
+  for (const auto& [a, b] : near.twins)
     warnings.push_back(words(a) + " and " + words(b) + " follow each other nearer than " + short_words(nearest) +
                        ": they are meshed as one where they do (honour: exact keeps them apart)");
-  rule.join_all_of(twins);
+  PairsToJoin pairs{{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}, {}};
+  for (Index s = 0; s < surfaces.size(); ++s)
+    if (surfaces[s].kind == SurfaceKind::fault) pairs.before_crossing.insert({s, s});
+  return pairs;
+}
+
+/// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
+JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& options, const PairsToJoin& pairs,
+                      const Complex& complex, const Contacts& contacts) {
+  const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
+  if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
+  JoinRule rule(surfaces_that_meet(complex, contacts), first_fixed);
+  rule.join_all_of(pairs.wherever_near);
+  rule.join_ends_of(pairs.where_they_end);
+  return rule;
 }
 
 /// Facets that meet others.
@@ -145,6 +168,13 @@ std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& comp
   }
   for (const Overlap& o : contacts.overlaps) marks[o.a] = marks[o.b] = 1;
   return marks;
+}
+
+void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
+  const double least = 1024 * unit_in_the_last_place(complex);
+  if (tolerance < least)
+    throw Error(ErrorKind::usage,
+                "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
 }
 
 /// One arrangement: what is read in, and what its rounds have done so far.
@@ -178,7 +208,7 @@ class Arrangement {
   ArrangementResult run() {
     if (options_.tolerance > 0) apply_tolerance_to_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
-    if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, ingested_.complex, contacts);
+    if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, pairs_, ingested_.complex, contacts);
     result_.n_pairs = contacts.n_pairs;
     log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
@@ -205,6 +235,7 @@ class Arrangement {
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
+    if (options_.tolerance > 0) close_thin_pockets(complex, options_.tolerance, surfaces_, result_.merging);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);
@@ -245,17 +276,15 @@ class Arrangement {
 
   void apply_tolerance_to_input() {
     Complex& complex = ingested_.complex;
-    const double least = 1024 * unit_in_the_last_place(complex);
-    if (options_.tolerance < least)
-      throw Error(ErrorKind::usage,
-                  "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
+    refuse_tolerance_of_rounding(options_.tolerance, complex);
     const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
     SnapOptions snapping{options_.tolerance, bounds_};
     if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
     if (!joins_all || !options_.volume.empty()) {
-      join_rule_ = join_rule_of(surfaces_, options_, complex, find_contacts(complex, context_, result_.memory_bound));
-      if (!joins_all) join_twins(join_rule_, surfaces_.given, twin_share * options_.tolerance, result_.warnings);
-      snapping.rule = join_rule_;
+      const Contacts contacts = find_contacts(complex, context_, result_.memory_bound);
+      if (!joins_all) pairs_ = pairs_to_join(surfaces_.given, options_.tolerance, result_.warnings);
+      snapping.rule = join_rule_ = join_rule_of(surfaces_, options_, pairs_, complex, contacts);
+      snapping.rule.join_all_of(pairs_.before_crossing);
     }
     std::vector<VertexIndex> now;
     take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now));
@@ -293,6 +322,7 @@ class Arrangement {
   Ingested ingested_;
   std::optional<Box3> bounds_;  ///< of the box or the volume
   std::vector<VanishedFacet> vanished_;
+  PairsToJoin pairs_;
   JoinRule join_rule_;  ///< of `tolerance`
   Joining joining_;
 };

@@ -14,6 +14,8 @@ namespace {
 constexpr double most_of_tolerance = 0.5;  ///< what merging may use
 constexpr double next_distance = 0.5;      ///< of the distance before
 constexpr unsigned most_tries = 3;
+constexpr unsigned most_rounds =
+    4;  ///< of a try: what has no end then has none later, and each takes as long as the first
 
 /// Nothing where no arrangement comes of it, or something moved too far.
 std::optional<ArrangementResult> try_merging(const PreparedModel& model, const std::vector<Polyline>& wells,
@@ -37,10 +39,13 @@ void tell_merging(PreparedModel& model, ArrangementResult& found, double distanc
   const ArrangementResult::Merging& merging = found.merging;
   const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
   constexpr double by_rounding = 1e-6;  // of the distance: what touches already is counted too
-  if (n == 0 || merging.displacement.largest < by_rounding * distance) return;
+  if (n + merging.pockets_closed == 0 || merging.displacement.largest < by_rounding * distance) return;
+  const std::string pockets = merging.pockets_closed == 0
+                                  ? std::string()
+                                  : "; " + std::to_string(merging.pockets_closed) + " thinner pockets were closed";
   note(model.notes, context,
        "surfaces that meet were brought together at " + std::to_string(n) + " places where they were nearer than " +
-           short_words(distance) + " " + model.unit + " to each other; nothing moved by more than " +
+           short_words(distance) + " " + model.unit + " to each other" + pockets + "; nothing moved by more than " +
            short_words(merging.displacement.largest) + " " + model.unit);
 }
 
@@ -56,9 +61,11 @@ void take_from_tolerance(RefinementSettings& refinement, double moved) {
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context) {
   double distance = options.tolerance > 0 ? 0 : merging_distance(model.refinement);
+  const unsigned rounds = options.max_rounding_rounds;
   for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
     options.tolerance = distance;
     options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
+    options.max_rounding_rounds = std::min(rounds, most_rounds);
     auto found = try_merging(model, wells, options, context);
     if (!found) continue;
     tell_merging(model, *found, distance, context);
@@ -66,6 +73,7 @@ ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<P
     return std::move(*found);
   }
   if (options.merging == ArrangementOptions::MergingOf::surfaces_that_meet) options.tolerance = 0;
+  options.max_rounding_rounds = rounds;
   return arrange(model.surfaces, wells, model.points, options, context);
 }
 

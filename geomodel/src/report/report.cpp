@@ -107,6 +107,7 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
   merging["vertices_inserted"] = a.merging.vertices_inserted;
   merging["facets_merged"] = a.merging.facets_merged;
   merging["facets_collapsed"] = a.merging.facets_collapsed;
+  merging["pockets_closed"] = a.merging.pockets_closed;
   root["displacement"] = {{"rounding", displacement_json(a.rounding)},
                           {"merging", std::move(merging)},
                           {"clipping", clipping_json(a, names)}};

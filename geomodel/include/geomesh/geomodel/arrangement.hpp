@@ -88,10 +88,11 @@ struct ArrangementOptions {
   /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of
   /// crossings all the same. At least 1024 ulps of the largest coordinate where it is not 0.
   double tolerance = 0;
-  /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces that
-  /// meet somewhere are near to each other, with free borders that end near a side of the box. Surfaces that meet
-  /// nowhere then stay apart, but for two that follow each other within a hundredth of it: these join wherever they are
-  /// near, with a warning. No surface loses detail of its own.
+  /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces are
+  /// near to each other of which one ends there, with free borders that end near a side of the box. These are surfaces
+  /// that meet somewhere, or of which one ends beside the other along an edge. Two surfaces that follow each other
+  /// within a hundredth of it join wherever they are near, with a warning. So do parts of one fault. Other surfaces
+  /// lose no detail of their own. Both close pockets that are thinner than it.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
   /// needed it ends with Error{cannot_mesh} and the place.
@@ -112,6 +113,7 @@ struct ArrangementResult {
   struct Merging {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;
+    std::size_t pockets_closed = 0;  ///< closed spaces thinner than the tolerance, of which a wall went
   } merging;
   /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length
   /// left.

@@ -22,8 +22,8 @@ std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts
 /// Those, and pairs of surfaces that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
-/// Two things may join where one of them is a free border, and a surface of the one meets another surface of the other
-/// somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
+/// Two things may join where one of them is a free border, and a surface of the one meets another surface of the
+/// other somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
 /// triangles beside their curve are for remeshing to take out. Surfaces from the row `first_fixed` on stay what they
 /// are, and nothing joins them: sides of a model volume, which would leave their planes.
 class JoinRule {
@@ -51,7 +51,10 @@ class JoinRule {
   }
 
   /// These join wherever they are near, whether they end there or not.
-  void join_all_of(std::span<const SurfacePair> pairs) { following_.insert(pairs.begin(), pairs.end()); }
+  void join_all_of(const std::set<SurfacePair>& pairs) { following_.insert(pairs.begin(), pairs.end()); }
+
+  /// These join where one of them ends, though they meet nowhere.
+  void join_ends_of(const std::set<SurfacePair>& pairs) { meeting_.insert(pairs.begin(), pairs.end()); }
 
   bool restricts() const { return restricts_; }
   /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on

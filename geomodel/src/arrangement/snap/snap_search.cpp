@@ -80,14 +80,17 @@ class Search {
   Insertions run() {
     rule_.index_edges(complex_, [this](VertexIndex a, VertexIndex b) { return planes_of({a, b}) != 0; });
     std::vector<Box3> boxes;
-    for (const EdgeKey& e : edges_) boxes.push_back(wider(box_of({e.first, e.second}), distance_));
+    for (const EdgeKey& e : edges_) {
+      boxes.push_back(wider(box_of({e.first, e.second}), distance_));
+      things_.push_back(rule_.of_edge(e.first, e.second));
+    }
     const BoxTree tree(boxes);
     for (const VertexIndex v : vertices_) insert_in_edges(v, tree);
     const std::size_t n_before = vertices_.size();
     for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf)
       tree.pairs_of_leaf(leaf, [&](Index a, Index b) {
-        const EdgeKey &e = edges_[std::min(a, b)], &f = edges_[std::max(a, b)];
-        if (rule_.allows(thing(e), thing(f))) join_edges(e, f);
+        const auto [e, f] = std::minmax(a, b);
+        if (rule_.allows(things_[e], things_[f])) join_edges(e, f);
       });
     for (std::size_t k = n_before; k < vertices_.size(); ++k) insert_in_edges(vertices_[k], tree);
     insert_in_facets();
@@ -103,7 +106,6 @@ class Search {
     return box;
   }
   unsigned planes_of(const EdgeKey& e) const { return planes_.of(point(e.first)) & planes_.of(point(e.second)); }
-  JoinRule::Thing thing(const EdgeKey& e) const { return rule_.of_edge(e.first, e.second); }
   bool lies_on(VertexIndex v, unsigned planes) const { return (planes_.of(point(v)) & planes) == planes; }
 
   void insert(const EdgeKey& e, VertexIndex v) {
@@ -116,13 +118,14 @@ class Search {
     std::vector<Index> near;
     tree.boxes_meeting(place, [&](Index e) { near.push_back(e); });
     for (const Index e : near) {
-      if (!rule_.allows(rule_.of_vertex(v), thing(edges_[e]))) continue;
+      if (!rule_.allows(rule_.of_vertex(v), things_[e])) continue;
       const double t = on_edges_.parameter(edges_[e], point(v));
       if (t > 0 && t < 1 && length(point(v) - on_edges_.at(edges_[e], t)) < distance_) insert(edges_[e], v);
     }
   }
 
-  void join_edges(const EdgeKey& e, const EdgeKey& f) {
+  void join_edges(Index row_e, Index row_f) {
+    const EdgeKey &e = edges_[row_e], &f = edges_[row_f];
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
     const Vec3 u = point(e.second) - point(e.first), v = point(f.second) - point(f.first),
                w = point(e.first) - point(f.first);
@@ -137,7 +140,8 @@ class Search {
     if (on_e != no_vertex && on_f != no_vertex) return;
     if (on_e != no_vertex) return insert(f, on_e);
     if (on_f != no_vertex) return insert(e, on_f);
-    const VertexIndex x = vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f), rule_.united(thing(e), thing(f)));
+    const VertexIndex x =
+        vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f), rule_.united(things_[row_e], things_[row_f]));
     if (x == no_vertex) return;
     insert(e, x);
     insert(f, x);
@@ -204,6 +208,7 @@ class Search {
   BoxPlanes planes_;
   JoinRule& rule_;
   VerticesOnEdges on_edges_;
+  std::vector<JoinRule::Thing> things_;                      ///< of edges
   std::unordered_map<Vec3, VertexIndex, PointHash> placed_;  ///< the first n_placed_ points of the complex
   std::size_t n_placed_ = 0;
   Insertions result_;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Surfaces that were given twice, moved by next to nothing, and surfaces that stop just short of others.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Pairs of rows, the lesser first, ascending.
+struct NearSurfaces {
+  /// One follows the other: more than half of its vertices are within a distance of it, and farther from it than
+  /// rounding. No size can mesh what is between them. What coincides but for rounding is none of these.
+  std::vector<std::pair<Index, Index>> twins;
+  /// One ends beside the other: both ends of an edge with one triangle alone are within a distance of it.
+  std::vector<std::pair<Index, Index>> ending;
+};
+
+/// Pairs are asked whose boxes are that near: some hundred vertices each for twins, all borders for those that end.
+/// O(n log n) by surface.
+NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double twin_distance, double end_distance);
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The two walls of a closed space.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "arrangement/pockets/shells.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+double area_of(const Complex& complex, const std::vector<FacetSide>& sides);
+/// Ascending, each once.
+std::vector<Index> surfaces_of_facet(const Complex& complex, Index facet);
+
+/// Both ascending.
+struct PocketWalls {
+  std::vector<FacetSide> that_goes, that_stays;
+};
+
+/// Looks for a wall that can be taken out of a complex, which must not change meanwhile.
+class WallSearch {
+ public:
+  /// Surfaces from the row `first_side` on are sides of the volume.
+  WallSearch(const Complex& complex, const EdgeFacets& edges, Index first_side);
+
+  /// The part of one list of surfaces that takes most nearly half of the area of the shell, and the rest. Nothing where
+  /// no part takes about half, or where something else hangs on it. O(n log n) for n sides.
+  std::optional<PocketWalls> of(const std::vector<FacetSide>& shell) const;
+
+ private:
+  std::vector<std::vector<FacetSide>> parts_of(const std::vector<FacetSide>& shell) const;
+  bool can_go(const std::vector<FacetSide>& wall) const;
+  bool is_free_inside(VertexIndex a, VertexIndex b) const;
+
+  const Complex& complex_;
+  const EdgeFacets& edges_;
+  Index first_side_;
+  std::vector<std::uint8_t> is_held_;  // per point: a well or a point of its own is there
+  std::vector<Index> n_facets_at_;     // per point
+};
+
+}  // namespace geomesh::geomodel::arrangement
