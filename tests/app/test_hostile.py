@@ -292,6 +292,80 @@ class DamagedMeshes(ProgramTest):
             self.run_program("check", self.write("bad.inp", "\n".join(lines[:first] + [",".join(fields)] + lines[first + 1:])), status=BAD_INPUT)
 
 
+class DamagedFormats(ProgramTest):
+    """What other readers met: sizes that lie, lists that repeat themselves, data out of their order."""
+    timeout = 60
+
+    def kept(self, name):
+        with open(os.path.join(SOURCE, "tests", "corpus", "bytes", name)) as file:
+            return file.read()
+
+    def convert(self, name, text, status=0):
+        return self.run_program("convert", self.write(name, text), "-o", "back.msh", status=status)
+
+    def test_pieces_without_an_end(self):
+        """The search for names of pieces called itself at each letter, and overran its stack."""
+        head = '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>'
+        for piece in ("<Piece " + "a" * 3000000, '<Piece Source="' + "a" * 300000 + '"/>', "<Piece" * 500000, '<Piece Source="' * 200000):
+            self.write("m.pvtu", head + piece + "</PUnstructuredGrid></VTKFile>")
+            self.run_program("check", "m.pvtu", status=None)
+            self.assertIn(self.last_status, (USAGE, BAD_INPUT), piece[:20])
+
+    def piece(self, name, point, cell, array=""):
+        """A tetrahedron whose last point and whose cell have these global numbers."""
+        def values(kind, title, text, width=1):
+            return '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="ascii">%s</DataArray>' % (kind, title, width, text)
+        self.write(name, '<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="1">'
+                   "<PointData>" + values("Int64", "GlobalPointIds", "0 1 2 %d" % point) + "</PointData><CellData>"
+                   + values("Int64", "GlobalCellIds", str(cell)) + array + "</CellData><Points>"
+                   + values("Float64", "Points", "0 0 0 1 0 0 0 1 0 0 0 %d" % (1 if point == 3 else -1), 3) + "</Points><Cells>"
+                   + values("Int64", "connectivity", "0 1 2 3" if point == 3 else "0 2 1 3") + values("Int64", "offsets", "4")
+                   + values("UInt8", "types", "10") + "</Cells></Piece></UnstructuredGrid></VTKFile>")
+
+    def pieces(self, *names):
+        self.write("m.pvtu", '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>%s</PUnstructuredGrid></VTKFile>'
+                   % "".join('<Piece Source="%s"/>' % name for name in names))
+        return "m.pvtu"
+
+    def test_pieces_with_arrays_of_their_own(self):
+        """What one piece has and another lacks was written beyond its end."""
+        region = '<DataArray type="Int32" Name="region" format="ascii">1</DataArray>'
+        self.piece("b.vtu", 3, 0, region + region.replace("region", "heat"))
+        self.piece("a.vtu", 4, 1)
+        for names in (("a.vtu", "b.vtu"), ("b.vtu", "a.vtu")):
+            self.run_program("convert", self.pieces(*names), "-o", "back.msh")
+            self.check(self.path("back.msh"))
+        self.assertIn("twice", self.run_program("check", self.pieces("a.vtu", "a.vtu"), status=BAD_INPUT))
+
+    def test_global_numbers_ask_for_no_more_than_there_is(self):
+        for point, cell in ((4000000000, 0), (3, 4000000000), (3, -1), (3, 1)):
+            self.piece("a.vtu", point, cell)
+            self.assertIn("gaps", self.run_program("check", self.pieces("a.vtu"), status=BAD_INPUT))
+
+    def test_data_before_the_cells_they_are_of(self):
+        """Arrays shorter than the mesh were read beyond their end."""
+        whole = self.kept("mesh_two_tetrahedra.msh")
+        for kind in ("Node", "Element"):
+            data = '$%sData\n1\n"a"\n1\n0\n3\n0\n1\n0\n$End%sData\n' % (kind, kind)
+            self.convert("data.msh", whole.replace("$Nodes", data + "$Nodes", 1))
+            with open(self.path("back.msh")) as file:
+                self.assertIn("$%sData" % kind, file.read())
+
+    def test_names_beside_a_mesh_that_are_no_names(self):
+        for text in ('{"mesh": 5}', '{"mesh": "a.msh", "regions": 7}', '{"mesh": "a.msh", "regions": [{"name": "a", "groups": 3}]}', "[[[["):
+            self.write("a.msh.json", text)
+            self.convert("a.msh", self.kept("mesh_two_tetrahedra.msh"))
+
+    def test_sets_of_more_than_there_is(self):
+        """Lists of 9e15 elements, and sets that name themselves, each time doubled."""
+        whole = self.kept("mesh_two_tetrahedra.inp")
+        self.convert("far.inp", whole + "*ELSET, ELSET=far, GENERATE\n2, 9000000000000000\n")
+        with open(self.path("back.msh")) as file:
+            self.assertIn('"far"', file.read())
+        self.convert("own.inp", whole + "*ELSET, ELSET=own\n1\n" + "own\n" * 60)
+        self.convert("nodes.inp", whole + "*NSET, NSET=own\n1\n" + "own, own\n" * 60)
+
+
 class Signals(ProgramTest):
     timeout = 60
 

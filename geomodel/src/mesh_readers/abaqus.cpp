@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Abaqus / CalculiX .inp: nodes, C3D4 and C3D10, element sets, node sets, surfaces on element sides.
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -171,9 +172,13 @@ class AbaqusReader {
   void read_set(const std::vector<std::string_view>& fields) {
     const bool nodes = block_ == Block::node_set;
     if (generate_ && fields.size() >= 2) {
-      const std::size_t last = count(fields[1]), step = fields.size() > 2 ? count(fields[2]) : 1;
+      const std::size_t first = count(fields[0]), last = count(fields[1]),
+                        step = fields.size() > 2 ? count(fields[2]) : 1;
       if (step == 0) in_.refuse("the step of a GENERATE line is 0");
-      for (std::size_t i = count(fields[0]); i <= last; i += step) add_to_set(i, nodes);
+      // Elements that are not there are passed over, at once where there are far more of them than of others.
+      if (!nodes && first < last && (last - first) / step > 2 * row_of_element_.size())
+        return add_between(first, last, step);
+      for (std::size_t i = first; i <= last; i += step) add_to_set(i, nodes);
       return;
     }
     for (const std::string_view field : fields) {
@@ -182,8 +187,24 @@ class AbaqusReader {
       } else {
         const std::vector<std::size_t> rows = (nodes ? node_sets_ : element_sets_).give(field).rows;
         set_->rows.insert(set_->rows.end(), rows.begin(), rows.end());
+        drop_repeated(nodes ? mesh_.points.size() : mesh_.cells[3].size());
       }
     }
+  }
+  /// The elements that are there among first, first + step ... last.
+  void add_between(std::size_t first, std::size_t last, std::size_t step) {
+    std::vector<std::size_t> numbers;
+    for (const auto& [number, row] : row_of_element_)
+      if (number >= first && number <= last && (number - first) % step == 0) numbers.push_back(number);
+    std::sort(numbers.begin(), numbers.end());
+    for (const std::size_t number : numbers) add_to_set(number, false);
+  }
+  /// Sets that name each other, or themselves, hold no more than there is: else a short file would fill all memory.
+  void drop_repeated(std::size_t n_items) {
+    std::vector<std::size_t>& rows = set_->rows;
+    if (rows.size() <= n_items) return;
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   }
   void add_to_set(std::size_t number, bool nodes) {
     if (nodes) {

@@ -48,10 +48,10 @@ class ExodusReader {
     ex_init_params sizes{};
     require(ex_get_init_ext(id_, &sizes));
     if (sizes.num_dim != 3) refuse("it has " + std::to_string(sizes.num_dim) + " dimensions; 3 are read");
-    read_points(static_cast<std::size_t>(sizes.num_nodes));
-    read_blocks(static_cast<std::size_t>(sizes.num_elem_blk), static_cast<std::size_t>(sizes.num_elem));
-    read_sets(EX_SIDE_SET, static_cast<std::size_t>(sizes.num_side_sets));
-    read_sets(EX_NODE_SET, static_cast<std::size_t>(sizes.num_node_sets));
+    read_points(possible(sizes.num_nodes));
+    read_blocks(possible(sizes.num_elem_blk), possible(sizes.num_elem));
+    read_sets(EX_SIDE_SET, possible(sizes.num_side_sets));
+    read_sets(EX_NODE_SET, possible(sizes.num_node_sets));
     if (ex_inquire_int(id_, EX_INQ_TIME) > 0) {
       read_cell_arrays();
       read_point_arrays();
@@ -62,6 +62,12 @@ class ExodusReader {
  private:
   [[noreturn]] void refuse(const std::string& why) const {
     throw Error(ErrorKind::invalid_input, path_.string() + ": " + why);
+  }
+  /// Refuses more numbers than the file can hold, compressed as they may be (deflate: 1032 to 1).
+  std::size_t possible(std::int64_t n) const {
+    if (n < 0 || static_cast<std::uintmax_t>(n) / 1032 > std::filesystem::file_size(path_))
+      refuse("sizes in it are not those of what follows: it is damaged");
+    return static_cast<std::size_t>(n);
   }
   void require(int status) const {
     if (status < 0) refuse("the Exodus library cannot read it: it is damaged");
@@ -131,8 +137,7 @@ class ExodusReader {
       require(ex_get_block_param(id_, &block));
       std::string topology = block.topology;
       for (char& c : topology) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-      const auto entries = static_cast<std::size_t>(block.num_entry),
-                 width = static_cast<std::size_t>(block.num_nodes_per_entry);
+      const auto entries = possible(block.num_entry), width = static_cast<std::size_t>(block.num_nodes_per_entry);
       if (!topology.starts_with("TET") || (width != 4 && width != 10)) {
         mesh_.n_other_solids += entries;
         element += entries;
@@ -158,7 +163,7 @@ class ExodusReader {
     for (const int id : ids_of(kind, n)) {
       int n_entries = 0, n_factors = 0;
       require(ex_get_set_param(id_, kind, id, &n_entries, &n_factors));
-      std::vector<int> entries(static_cast<std::size_t>(n_entries)), sides(entries.size());
+      std::vector<int> entries(possible(n_entries)), sides(entries.size());
       if (n_entries > 0)
         require(ex_get_set(id_, kind, id, entries.data(), kind == EX_SIDE_SET ? sides.data() : nullptr));
       RawSet set{name_of(kind, id), id, kind == EX_SIDE_SET ? 2 : -1, {}};

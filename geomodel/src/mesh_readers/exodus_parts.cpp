@@ -24,10 +24,16 @@ std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole
   return static_cast<std::size_t>(number - 1);
 }
 
-std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers) {
+/// The largest of the numbers, which is their count where there are no gaps; never more than the parts hold.
+std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers,
+                          const std::filesystem::path& whole) {
   int largest = 0;
-  for (const ExodusPartMesh& part : parts)
+  std::size_t n = 0;
+  for (const ExodusPartMesh& part : parts) {
+    n += (part.*numbers).size();
     for (const int number : part.*numbers) largest = std::max(largest, number);
+  }
+  if (static_cast<std::size_t>(largest) > n) row_of(largest, n, whole);
   return static_cast<std::size_t>(largest);
 }
 
@@ -38,9 +44,9 @@ class PartsMerger {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     mesh_.format = "Exodus II in parts";
     mesh_.whole = whole;
-    mesh_.points.resize(count_numbers(parts_, &ExodusPartMesh::nodes));
+    mesh_.points.resize(count_numbers(parts_, &ExodusPartMesh::nodes, whole));
     has_point_.resize(mesh_.points.size(), false);
-    mesh_.cells[3].corners.resize(4 * count_numbers(parts_, &ExodusPartMesh::tetrahedra));
+    mesh_.cells[3].corners.resize(4 * count_numbers(parts_, &ExodusPartMesh::tetrahedra, whole));
     has_cell_.resize(mesh_.cells[3].size(), false);
     for (const ExodusPartMesh& part : parts_) {
       mesh_.second_order |= part.mesh.second_order;

@@ -9,7 +9,8 @@ namespace geomesh::geomodel {
 FileNames read_file_names(const std::filesystem::path& mesh_file) {
   std::ifstream in(mesh_file.string() + ".json");
   const nlohmann::json root = nlohmann::json::parse(in, nullptr, false);
-  if (root.is_discarded() || !root.is_object() || root.value("mesh", "") != mesh_file.filename().string()) return {};
+  if (root.is_discarded() || !root.is_object() || !root.contains("mesh")) return {};
+  if (root.at("mesh") != mesh_file.filename().string()) return {};
   FileNames names;
   const auto read = [&](const char* key, std::vector<FullName>& list) {
     if (!root.contains(key)) return;

@@ -65,6 +65,11 @@ std::optional<ElementType> element_type(int type) {
   }
 }
 
+/// Gmsh marks reversed elements and ghosts by a negative tag. The least number has no positive one and stays.
+std::int32_t without_sign(std::int32_t tag) {
+  return tag < 0 && tag != std::numeric_limits<std::int32_t>::min() ? -tag : tag;
+}
+
 class GmshReader {
  public:
   explicit GmshReader(const std::filesystem::path& path) : in_(path) {}
@@ -74,6 +79,10 @@ class GmshReader {
     mesh_.format = "Gmsh";
     read_sections();
     read_other_parts(file);
+    // Data may stand before the cells and nodes that they are of, or in one of several parts.
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (CellArray& array : mesh_.cell_arrays) array.values.resize(mesh_.cells[3].size(), none);
+    for (PointArray& array : mesh_.point_arrays) array.values.resize(mesh_.points.size(), none);
     for (auto& [key, set] : sets_)
       if (!set.rows.empty()) mesh_.sets.push_back(std::move(set));
     return std::move(mesh_);
@@ -260,7 +269,7 @@ class GmshReader {
       mesh_.second_order |= type == 11;
     }
     for (const std::int32_t id : groups)
-      if (id != 0) set_of(known->dimension, std::abs(id)).rows.push_back(cells.size() - 1);
+      if (id != 0) set_of(known->dimension, without_sign(id)).rows.push_back(cells.size() - 1);
   }
   void pass_over_elements(int type, std::size_t n) {
     const std::optional<ElementType> known = element_type(type);
@@ -287,7 +296,7 @@ class GmshReader {
         for (std::int32_t k = 0; k < n_tags; ++k) {
           const std::int32_t tag = integer();
           if (k == 0) first = tag;
-          if (k >= 3) n_parts_ = std::max(n_parts_, std::min(std::abs(tag), std::int32_t{most_parts}));
+          if (k >= 3) n_parts_ = std::max(n_parts_, std::min(without_sign(tag), std::int32_t{most_parts}));
         }
         add_element(number, type, {n_tags > 0 ? first : 0}, [&] { return static_cast<std::size_t>(integer()); });
       }

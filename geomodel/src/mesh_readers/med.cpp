@@ -90,6 +90,9 @@ class MedReader {
     const med_entity_type entity = type == MED_NONE ? MED_NODE : MED_CELL;
     const med_int n = MEDmeshnEntity(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type,
                                      type == MED_NONE ? MED_COORDINATE : MED_CONNECTIVITY, MED_NODAL, &changed, &moved);
+    // More numbers than the file can hold, compressed as they may be (deflate: 1032 to 1), are damage.
+    if (n > 0 && static_cast<std::uintmax_t>(n) / 1032 > std::filesystem::file_size(path_))
+      refuse("sizes in it are not those of what follows: it is damaged");
     return n < 0 ? 0 : static_cast<std::size_t>(n);
   }
   std::vector<med_int> families(med_entity_type entity, med_geometry_type type, std::size_t n) const {

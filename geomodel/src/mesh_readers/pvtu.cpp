@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <optional>
-#include <regex>
+#include <set>
+#include <string_view>
 
 #include "geomesh/core/error.hpp"
 #include "mesh_readers/mesh_files.hpp"
@@ -37,30 +37,65 @@ std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& path) 
   }
   if (text.find("<PUnstructuredGrid") == std::string::npos || text.find("</VTKFile>") == std::string::npos)
     refuse(path, "is no complete VTK XML file of type PUnstructuredGrid");
-  static const std::regex piece("<Piece[^>]*Source=\"([^\"]*)\"");
+  constexpr std::string_view element = "<Piece", source = "Source=\"";
   std::vector<std::filesystem::path> pieces;
-  for (std::sregex_iterator at(text.begin(), text.end(), piece), end; at != end; ++at)
-    pieces.push_back(path.parent_path() / unescaped((*at)[1].str()));
+  std::set<std::filesystem::path> known;
+  for (std::size_t at = text.find(element), end = 0; at != std::string::npos; at = text.find(element, end)) {
+    end = text.find('>', at);
+    if (end == std::string::npos) break;
+    const std::size_t name = std::string_view(text).substr(at, end - at).find(source);
+    if (name == std::string_view::npos) continue;
+    const std::size_t first = at + name + source.size(), last = text.find('"', first);
+    if (last == std::string::npos) break;
+    end = last;
+    pieces.push_back(path.parent_path() / unescaped(text.substr(first, last - first)));
+    if (!known.insert(pieces.back()).second)
+      refuse(path, "names its piece " + pieces.back().filename().string() + " twice");
+  }
   if (pieces.empty()) refuse(path, "names no pieces");
   return pieces;
 }
 
+struct Piece {
+  std::filesystem::path file;
+  MeshFile mesh;
+};
+
+/// True where the tetrahedron is a copy of another piece's.
+bool is_ghost(const MeshFile& piece, std::size_t t) {
+  const auto ghosts = piece.cell_values.find("vtkGhostType");
+  return ghosts != piece.cell_values.end() && ghosts->second[t] != 0;
+}
+
 class PieceMerger {
  public:
-  explicit PieceMerger(const std::filesystem::path& path) : path_(path) {}
+  /// Numbers count what the pieces hold, without gaps: none of them asks for more room than the files do.
+  PieceMerger(const std::filesystem::path& path, const std::vector<Piece>& pieces) : path_(path) {
+    std::size_t n_cells = 0;
+    for (const Piece& piece : pieces) {
+      most_points_ += piece.mesh.points.size();
+      for (std::size_t t = 0; t < piece.mesh.tetrahedra.size(); ++t) n_cells += !is_ghost(piece.mesh, t);
+    }
+    mesh_.cell.resize(n_cells, no_row);
+    mesh_.tetrahedra.resize(n_cells);
+    for (const Piece& piece : pieces) {
+      if (!piece.mesh.region.empty()) mesh_.region.resize(n_cells);
+      for (const auto& [name, values] : piece.mesh.cell_values)
+        if (name != "GlobalCellIds" && name != "vtkGhostType" && name != "partition")
+          mesh_.cell_values[name].resize(n_cells);
+    }
+  }
 
   void add(MeshFile piece, const std::filesystem::path& file) {
-    const std::size_t n = piece.tetrahedra.size();
-    const auto cells = piece.cell_values.find("GlobalCellIds"), ghosts = piece.cell_values.find("vtkGhostType");
+    const auto cells = piece.cell_values.find("GlobalCellIds");
     if (piece.global_points.size() != piece.points.size() || cells == piece.cell_values.end())
       refuse(path_,
              "its piece " + file.filename().string() +
                  " has no global numbers (point array GlobalPointIds, cell array GlobalCellIds), by which pieces "
                  "are put together");
-    for (std::size_t t = 0; t < n; ++t) {
-      if (ghosts != piece.cell_values.end() && ghosts->second[t] != 0) continue;
-      const std::size_t row = row_of(cells->second[t], file);
-      grow(row + 1, piece);
+    for (std::size_t t = 0; t < piece.tetrahedra.size(); ++t) {
+      if (is_ghost(piece, t)) continue;
+      const std::size_t row = row_of(cells->second[t], mesh_.cell.size(), file);
       if (mesh_.cell[row] != no_row) refuse(path_, "cell " + std::to_string(row) + " is owned by two pieces");
       mesh_.cell[row] = row;
       for (std::size_t i = 0; i < 4; ++i) mesh_.tetrahedra[row][i] = point_of(piece, piece.tetrahedra[t][i], file);
@@ -83,21 +118,14 @@ class PieceMerger {
  private:
   static constexpr std::size_t no_row = SIZE_MAX;
 
-  std::size_t row_of(double number, const std::filesystem::path& file) const {
-    if (!(number >= 0) || number >= static_cast<double>(no_vertex))
-      refuse(path_, "a global number in " + file.filename().string() + " is out of range");
+  std::size_t row_of(double number, std::size_t n, const std::filesystem::path& file) const {
+    if (!(number >= 0) || number >= static_cast<double>(n))
+      refuse(path_, "a global number in " + file.filename().string() +
+                        " is out of range: global numbers have gaps, or a piece is missing");
     return static_cast<std::size_t>(number);
   }
-  void grow(std::size_t n, const MeshFile& piece) {
-    if (n <= mesh_.cell.size()) return;
-    mesh_.cell.resize(n, no_row);
-    mesh_.tetrahedra.resize(n);
-    if (!piece.region.empty()) mesh_.region.resize(n);
-    for (const auto& [name, values] : piece.cell_values)
-      if (name != "GlobalCellIds" && name != "vtkGhostType" && name != "partition") mesh_.cell_values[name].resize(n);
-  }
   VertexIndex point_of(const MeshFile& piece, VertexIndex local, const std::filesystem::path& file) {
-    const std::size_t row = row_of(static_cast<double>(piece.global_points[local]), file);
+    const std::size_t row = row_of(static_cast<double>(piece.global_points[local]), most_points_, file);
     if (row >= is_known_.size()) {
       is_known_.resize(row + 1, false);
       mesh_.points.resize(row + 1);
@@ -129,6 +157,7 @@ class PieceMerger {
   }
 
   const std::filesystem::path& path_;
+  std::size_t most_points_ = 0;  // those of all pieces, shared ones counted often
   MeshFile mesh_;
   std::vector<bool> is_known_;  // by point
 };
@@ -136,8 +165,10 @@ class PieceMerger {
 }  // namespace
 
 MeshFile read_pvtu_mesh(const std::filesystem::path& path) {
-  PieceMerger merger(path);
-  for (const std::filesystem::path& file : pieces_of(path)) merger.add(read_vtk_mesh(file), file);
+  std::vector<Piece> pieces;
+  for (const std::filesystem::path& file : pieces_of(path)) pieces.push_back({file, read_vtk_mesh(file)});
+  PieceMerger merger(path, pieces);
+  for (Piece& piece : pieces) merger.add(std::move(piece.mesh), piece.file);
   return merger.merged();
 }
 

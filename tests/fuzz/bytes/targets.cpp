@@ -9,33 +9,43 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
+#include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"
 
 namespace fuzz_bytes {
 namespace {
 
-/// A file of this process alone, in memory where the system has such a folder; gone at the end.
-class ScratchFile {
+/// A folder of this process alone, in memory where the system has such a place; gone at the end.
+class ScratchFolder {
  public:
-  ScratchFile(const std::string& extension, const std::uint8_t* data, std::size_t size) {
+  ScratchFolder() {
     const std::filesystem::path memory = "/dev/shm";
-    const auto folder = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    path_ = folder / ("geomesh_fuzz_" + std::to_string(getpid()) + extension);
-    std::ofstream(path_, std::ios::binary)
-        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    const auto place = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+    path_ = place / ("geomesh_fuzz_" + std::to_string(getpid()));
+    std::filesystem::create_directories(path_);
   }
-  ~ScratchFile() {
+  ~ScratchFolder() {
     std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+    std::filesystem::remove_all(path_, ignored);
   }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  /// Returns the file.
+  std::filesystem::path write(const std::string& name, std::string_view bytes) const {
+    std::ofstream(path_ / name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return path_ / name;
+  }
 
  private:
   std::filesystem::path path_;
 };
+
+/// Beside it stands what the target `names` reads.
+constexpr std::string_view tetrahedron =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"top\"\n3 1 \"rock\"\n$EndPhysicalNames\n"
+    "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n2\n1 2 2 1 1 1 2 3\n2 4 2 1 1 1 2 3 4\n"
+    "$EndElements\n";
 
 void hand_over(std::string_view target, const std::filesystem::path& file) {
   using namespace geomesh::geomodel;
@@ -52,6 +62,8 @@ void hand_over(std::string_view target, const std::filesystem::path& file) {
     CheckRequest request;
     request.mesh = file;
     check_mesh(request);
+  } else if (target == "convert" || target == "names") {
+    read_model_mesh(file);
   } else {
     throw std::invalid_argument("no target is named " + std::string(target));
   }
@@ -64,14 +76,22 @@ const std::vector<Target>& targets() {
                                        {"surfaces",
                                         {".ts", ".pl", ".ml", ".off", ".obj", ".stl", ".ply", ".vtp", ".poly", ".smesh",
                                          ".dxf", ".asc", ".grd", ".xyz", ".csv"}},
-                                       {"meshes", {".vtu", ".vtk", ".msh", ".inp"}}};
+                                       {"meshes", {".vtu", ".vtk", ".msh", ".inp", ".mesh", ".pvtu"}},
+                                       {"convert", {".msh", ".inp", ".vtu", ".mesh", ".pvtu"}},
+                                       {"names", {".json"}}};
   return all;
 }
 
 Verdict run(std::string_view target, const std::string& extension, const std::uint8_t* data, std::size_t size) {
-  const ScratchFile file(extension, data, size);
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const ScratchFolder folder;
   try {
-    hand_over(target, file.path());
+    if (target == "names") {
+      folder.write("fuzzed.msh.json", bytes);
+      hand_over(target, folder.write("fuzzed.msh", tetrahedron));
+    } else {
+      hand_over(target, folder.write("fuzzed" + extension, bytes));
+    }
     return Verdict::taken;
   } catch (const geomesh::Error&) {
     return Verdict::refused;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What takes bytes from outside: the project file, the readers of surfaces, the judge's readers. Each target is given
-/// any bytes and must return, or refuse them with geomesh::Error; anything else is a finding.
+/// What takes bytes from outside: the project file, the readers of surfaces, the judge's readers, those of `convert`,
+/// and of the names beside a mesh. Each target is given any bytes and must return, or refuse them with geomesh::Error.
+/// Anything else is a finding.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ struct Target {
   std::vector<std::string> extensions;  ///< of files that it takes
 };
 
-/// project, surfaces, meshes.
+/// project, surfaces, meshes, convert, names.
 const std::vector<Target>& targets();
 
 /// Hands the bytes to the target as a file with that extension. Throws whatever is no geomesh::Error.
