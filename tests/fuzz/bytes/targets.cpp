@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "arrange_target.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/formats.hpp"
@@ -78,14 +79,19 @@ const std::vector<Target>& targets() {
                                          ".dxf", ".asc", ".grd", ".xyz", ".csv"}},
                                        {"meshes", {".vtu", ".vtk", ".msh", ".inp", ".mesh", ".pvtu"}},
                                        {"convert", {".msh", ".inp", ".vtu", ".mesh", ".pvtu"}},
-                                       {"names", {".json"}}};
+                                       {"names", {".json"}},
+                                       {"arrange", {".bin"}}};
   return all;
 }
 
 Verdict run(std::string_view target, const std::string& extension, const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const ScratchFolder folder;
   try {
+    if (target == "arrange") {
+      arrange_and_recover(data, size);
+      return Verdict::taken;
+    }
+    const ScratchFolder folder;
     if (target == "names") {
       folder.write("fuzzed.msh.json", bytes);
       hand_over(target, folder.write("fuzzed.msh", tetrahedron));

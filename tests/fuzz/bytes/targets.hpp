@@ -2,7 +2,7 @@
 /// @file
 /// What takes bytes from outside: the project file, the readers of surfaces, the judge's readers, those of `convert`,
 /// and of the names beside a mesh. Each target is given any bytes and must return, or refuse them with geomesh::Error.
-/// Anything else is a finding.
+/// Anything else is a finding. The last target, `arrange`, reads no format (arrange_target.hpp).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct Target {
   std::vector<std::string> extensions;  ///< of files that it takes
 };
 
-/// project, surfaces, meshes, convert, names.
+/// project, surfaces, meshes, convert, names, arrange.
 const std::vector<Target>& targets();
 
 /// Hands the bytes to the target as a file with that extension. Throws whatever is no geomesh::Error.
