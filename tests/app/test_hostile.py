@@ -356,6 +356,22 @@ class DamagedFormats(ProgramTest):
             self.write("a.msh.json", text)
             self.convert("a.msh", self.kept("mesh_two_tetrahedra.msh"))
 
+    def test_json_nested_a_million_deep(self):
+        """Values are copied and printed by functions that call themselves, which overran their stack."""
+        deep = b"[" * 1000000 + b"]" * 1000000
+        self.write("a.msh.json", b'{"mesh": "a.msh", "fields": ' + deep + b"}")
+        self.convert("a.msh", self.kept("mesh_two_tetrahedra.msh"))
+        with open(os.path.join(SOURCE, "tests", "corpus", "bytes", "surface_plane_a.omf"), "rb") as file:
+            whole = file.read()
+        self.run_program("info", self.write("whole.omf", whole))
+        self.run_program("info", self.write("deep.omf", whole.replace(b'"<f8"', deep)), status=None)
+        self.assertIn(self.last_status, (0, BAD_INPUT))
+        self.run_program("convert", "a.msh", "-o", "a.vtu")
+        for text in (b'{"regions": ' + deep + b"}", deep, b'{"regions": [{"name": 5, "volume_of_input": 1}]}'):
+            self.write("a.report.json", text)
+            self.run_program("check", "a.vtu", status=None)
+            self.assertIn(self.last_status, (0, BAD_INPUT))
+
     def test_sets_of_more_than_there_is(self):
         """Lists of 9e15 elements, and sets that name themselves, each time doubled."""
         whole = self.kept("mesh_two_tetrahedra.inp")

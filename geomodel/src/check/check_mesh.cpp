@@ -15,6 +15,7 @@
 #include "check/names/judge_names.hpp"
 #include "check/within/within_tolerance.hpp"
 #include "check/zones/judge_zones.hpp"
+#include "common/foreign_json.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "solver_verdict/judge_file.hpp"
@@ -35,7 +36,7 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   const std::filesystem::path file = beside(mesh, ".report.json");
   if (file.empty()) return std::nullopt;
   std::ifstream in(file);
-  auto report = nlohmann::json::parse(in, nullptr, false);
+  auto report = parse_foreign_json(in);
   if (report.is_discarded()) return std::nullopt;
   return report;
 }

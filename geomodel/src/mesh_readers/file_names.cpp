@@ -2,13 +2,14 @@
 #include "mesh_readers/file_names.hpp"
 
 #include <fstream>
-#include <nlohmann/json.hpp>
+
+#include "common/foreign_json.hpp"
 
 namespace geomesh::geomodel {
 
 FileNames read_file_names(const std::filesystem::path& mesh_file) {
   std::ifstream in(mesh_file.string() + ".json");
-  const nlohmann::json root = nlohmann::json::parse(in, nullptr, false);
+  const nlohmann::json root = parse_foreign_json(in);
   if (root.is_discarded() || !root.is_object() || !root.contains("mesh")) return {};
   if (root.at("mesh") != mesh_file.filename().string()) return {};
   FileNames names;

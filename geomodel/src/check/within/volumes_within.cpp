@@ -72,8 +72,9 @@ std::map<std::string, double> VolumesWithin::told_volumes(const nlohmann::json& 
   const auto regions = report.find("regions");
   if (regions == report.end() || !regions->is_array()) return told;
   for (const auto& r : *regions)
-    if (r.contains("volume_of_input") && r["volume_of_input"].is_number())
-      told[r.value("name", "")] = r["volume_of_input"].get<double>();
+    if (r.contains("volume_of_input") && r["volume_of_input"].is_number() && r.contains("name") &&
+        r["name"].is_string())
+      told[r["name"].get<std::string>()] = r["volume_of_input"].get<double>();
   return told;
 }
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "common/foreign_json.hpp"
 #include "readers/formats.hpp"
 #include "readers/omf/omf_grid.hpp"
 #include "readers/text/binary.hpp"
@@ -52,7 +52,7 @@ class OmfReader {
     if (json_begin < header_bytes || json_begin >= file_.size())
       file_.fail("the description (JSON) is said to begin at byte " + std::to_string(json_begin) + " of " +
                  std::to_string(file_.size()) + " (truncated)");
-    objects_ = Json::parse(file_.text().substr(static_cast<std::size_t>(json_begin)), nullptr, false);
+    objects_ = parse_foreign_json(file_.text().substr(static_cast<std::size_t>(json_begin)));
     if (!objects_.is_object()) file_.fail("its description is no valid JSON (truncated)");
     static constexpr char digits[] = "0123456789abcdef";
     for (std::size_t i = 0; i < 16; ++i) {
