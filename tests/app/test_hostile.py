@@ -356,6 +356,15 @@ class DamagedFormats(ProgramTest):
             self.write("a.msh.json", text)
             self.convert("a.msh", self.kept("mesh_two_tetrahedra.msh"))
 
+    def test_element_that_breaks_after_two_nodes(self):
+        """The first line was read beyond its end (found by scripts/fuzz convert)."""
+        places = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)]
+        text = "*NODE\n" + "".join("%d, %g, %g, %g\n" % (i + 1, *p) for i, p in enumerate(places)) + "*ELEMENT, TYPE=C3D10, ELSET=rock\n"
+        for cut in (1, 3, 6, 10):
+            numbers = [str(i) for i in (7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10)]
+            self.convert("broken.inp", text + ", ".join(numbers[:cut]) + ",\n" + ", ".join(numbers[cut:]) + "\n")
+            self.assertEqual(self.check(self.path("back.msh"))["regions"][0]["tetrahedra"], 1)
+
     def test_json_nested_a_million_deep(self):
         """Values are copied and printed by functions that call themselves, which overran their stack."""
         deep = b"[" * 1000000 + b"]" * 1000000

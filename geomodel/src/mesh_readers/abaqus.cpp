@@ -149,7 +149,7 @@ class AbaqusReader {
     mesh_.points.push_back({number(fields[1]), number(fields[2]), number(fields[3])});
   }
   void read_tetrahedron(std::vector<std::string_view> fields) {
-    std::vector<std::string> rest;  // an element of ten nodes may go on in the next line
+    std::vector<std::string> rest;  // an element of ten nodes may go on in the next line, wherever it breaks
     while (fields.size() + rest.size() < n_nodes_ + 1 && n_nodes_ == 10 && !in_.at_end()) {
       const std::string_view more = in_.line();
       for (const std::string_view field : fields_of(more)) rest.emplace_back(field);
@@ -157,15 +157,14 @@ class AbaqusReader {
     if (fields.size() + rest.size() != n_nodes_ + 1)
       in_.refuse("a " + std::string(n_nodes_ == 10 ? "C3D10" : "C3D4") + " element needs a number and " +
                  (n_nodes_ == 10 ? "ten" : "four") + " nodes");
+    const auto field = [&](std::size_t at) {
+      return at < fields.size() ? fields[at] : std::string_view(rest[at - fields.size()]);
+    };
     RawCells& cells = mesh_.cells[3];
-    for (std::size_t i = 0; i < 4; ++i) cells.corners.push_back(nodes_.row(count(fields[i + 1]), in_));
-    for (std::size_t i = 4; i < n_nodes_; ++i) {
-      const std::size_t at = i + 1;
-      const std::string_view field = at < fields.size() ? fields[at] : std::string_view(rest[at - fields.size()]);
-      mesh_.midpoints.push_back(nodes_.row(count(field), in_));
-    }
+    for (std::size_t i = 1; i <= n_nodes_; ++i)
+      (i <= 4 ? cells.corners : mesh_.midpoints).push_back(nodes_.row(count(field(i)), in_));
     if (set_) set_->rows.push_back(cells.size() - 1);
-    row_of_element_[count(fields[0])] = cells.size() - 1;
+    row_of_element_[count(field(0))] = cells.size() - 1;
     mesh_.numbers.push_back(n_elements_++);
   }
   /// Numbers of nodes or elements, or names of other sets.
