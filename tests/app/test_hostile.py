@@ -193,6 +193,11 @@ class Projects(ProgramTest):
         self.refused("&r\nbox: *r\nsurfaces: *r\n")
 
 
+    def test_documents_without_end(self):
+        """yaml-cpp finds empty documents for ever where a comma begins one (found by scripts/fuzz project)."""
+        self.refused(",a\n", "several YAML documents")
+        self.refused(PROJECT + "---\n" + PROJECT, "several YAML documents")
+
     def test_names_that_lead_out_of_the_output_folder(self):
         """A project's name is a file's name: no folder, no way up."""
         folders = (self.folder, os.path.dirname(self.folder), "/tmp")

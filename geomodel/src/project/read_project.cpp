@@ -62,15 +62,15 @@ class ProjectReader {
  private:
   std::optional<YamlValue> parse(const std::string& text) {
     try {
-      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-      if (documents.size() > 1) problems_.add({}, "the file holds several YAML documents (---); one was expected");
-      if (documents.empty() || documents.front().IsNull()) {
+      const auto [document, has_more] = read_yaml_documents(text);
+      if (has_more) problems_.add({}, "the file holds several YAML documents (---); one was expected");
+      if (document.IsNull()) {
         problems_.add({1, 1}, "the project is empty; surfaces or a box were expected");
         return std::nullopt;
       }
-      if (documents.front().IsScalar() && text.find(": ") == std::string::npos)
+      if (document.IsScalar() && text.find(": ") == std::string::npos)
         problems_.add({1, 1}, "keys and values were expected (KEY: VALUE); is there a blank after the colon?");
-      return YamlValue(problems_, documents.front(), "project", {1, 1});
+      return YamlValue(problems_, document, "project", {1, 1});
     } catch (const YAML::Exception& e) {
       problems_.add({e.mark.line + 1, e.mark.column + 1}, "not valid YAML: " + e.msg + yaml_advice(text, e.mark.line));
       return std::nullopt;

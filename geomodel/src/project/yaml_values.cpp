@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/yaml_values.hpp"
 
+#include <yaml-cpp/eventhandler.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <sstream>
 
 #include "project/read_rules.hpp"
 #include "readers/text/text.hpp"
@@ -68,6 +71,20 @@ bool is_utf8(std::string_view s) {
 }
 
 bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
+
+/// Passes over what a document holds.
+class NoEvents : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
 
 }  // namespace
 
@@ -220,6 +237,14 @@ std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& va
     entries.emplace_back(key, YamlValue(value.problems(), item.second, value.name() + "." + key, value.place()));
   }
   return entries;
+}
+
+YamlDocuments read_yaml_documents(const std::string& text) {
+  std::istringstream in(text);
+  YAML::Parser parser(in);
+  NoEvents none;
+  const bool has_more = parser.HandleNextDocument(none) && parser.HandleNextDocument(none);
+  return {YAML::Load(text), has_more};
 }
 
 }  // namespace geomesh::geomodel

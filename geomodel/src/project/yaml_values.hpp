@@ -75,4 +75,13 @@ class YamlMap {
 /// Entries of a map whose keys are the user's own names; `expected` is told where it is no map.
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
+struct YamlDocuments {
+  YAML::Node first;  ///< null where there is none
+  bool has_more = false;
+};
+
+/// Asks for two documents and no more: where a comma begins one, yaml-cpp (0.7) finds empty documents without end.
+/// Throws YAML::Exception.
+YamlDocuments read_yaml_documents(const std::string& text);
+
 }  // namespace geomesh::geomodel
