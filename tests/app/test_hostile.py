@@ -285,6 +285,23 @@ class DamagedMeshes(ProgramTest):
                          ("4 0 2 1 4", "-4 0 2 1 4")):
             self.assertIn(old, whole)
             self.assertIn("damaged", self.run_program("check", self.write("bad.vtk", whole.replace(old, new)), status=BAD_INPUT))
+        cells, types = whole[whole.index("CELLS"):whole.index("CELL_TYPES")], whole[whole.index("CELL_TYPES"):whole.index("CELL_DATA")]
+        for text in (whole.replace("CELLS 2 10\n4 0", "CELLSx 2 10\n40 0"), whole.replace(types, types + cells.replace("4 0", "40 0")),
+                     whole.replace(cells + types, "CELL_TYPES 1\n10\n" + cells), whole.replace("POINTS 5", "POINTS 6148914691236517206"),
+                     whole.replace("SCALARS", "FIELD f 1\na 4 4611686018427387904 double\n" + 200 * "1 " + "SCALARS")):
+            self.assertIn("damaged", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
+
+    def test_legacy_file_that_ends_early(self):
+        """What VTK's reader had not read stayed as memory was, and was judged."""
+        with open(os.path.join(SOURCE, "tests", "corpus", "bytes", "mesh_two_tetrahedra.vtk")) as file:
+            whole = file.read()
+        for text in (whole.replace("0 0 -1", "0 0 x"), whole.replace("1 1\n", "1 x\n"), whole.rstrip()[:-1]):
+            self.assertNotEqual(text, whole)
+            self.assertIn("VTK cannot read it: ", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
+        field = "FIELD FieldData 2\ncell_ids 1 2 int\n1 2\nMETADATA\nINFORMATION 0\n\ncells 1 2 string\na b\nc\n"
+        self.run_program("check", self.write("good.vtk", whole.replace("POINTS", field + "POINTS")))
+        for name in ("mesh_fields_42.vtk", "mesh_fields_binary_51.vtk"):
+            self.assertEqual(self.check(os.path.join(SOURCE, "tests", "corpus", "bytes", name))["volume"], 1 / 3)
 
     def test_element_that_names_no_node(self):
         self.run_program("mesh", "cube.off", "-o", "out.inp")

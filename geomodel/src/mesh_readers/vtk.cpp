@@ -25,6 +25,7 @@
 #include "geomesh/geomodel/surface.hpp"
 #include "mesh_readers/mesh_files.hpp"
 #include "mesh_readers/vtk_legacy_guard.hpp"
+#include "readers/vtk/vtk_parse.hpp"
 #include "readers/vtk/vtk_xml_guard.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -65,6 +66,8 @@ class QuietVtk {
   int before_;
 };
 
+constexpr const char* sizes_lie = "sizes in it are not those of what follows: it is damaged";
+
 /// A mesh holds points; a model may have no curve, and another tool's mesh no face.
 enum class May { not_be_empty, be_empty };
 
@@ -73,8 +76,7 @@ template <class Reader>
 void update(Reader& reader, const std::filesystem::path& path, May may = May::not_be_empty) {
   const QuietVtk quiet;
   reader.SetFileName(path.string().c_str());
-  if (!survives_sizes([&] { reader.Update(); }))
-    refuse(path, "sizes in it are not those of what follows: it is damaged");
+  if (!survives_sizes([&] { reader.Update(); })) refuse(path, sizes_lie);
   const bool failed = reader.GetErrorCode() != 0 || !reader.GetOutput();
   if (failed || (may == May::not_be_empty && reader.GetOutput()->GetNumberOfPoints() == 0))
     refuse(path, "VTK finds no points in it: it is empty, truncated or damaged");
@@ -106,6 +108,12 @@ std::vector<Vec3> points_of(vtkPointSet& data, bool& single_precision) {
 std::int32_t nearest_id(double value) {
   using Limits = std::numeric_limits<std::int32_t>;
   return value > Limits::min() && value <= Limits::max() ? static_cast<std::int32_t>(value) : Limits::min();
+}
+
+/// What is no whole number that a double can hold becomes -1, which no row is.
+std::int64_t nearest_number(double value) {
+  constexpr double most = 9007199254740992;
+  return value >= 0 && value < most ? static_cast<std::int64_t>(value) : -1;
 }
 
 /// "porosity (cells, double)".
@@ -337,7 +345,7 @@ MeshFile take_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
   if (vtkDataArray* kinds = grid.GetPointData()->GetArray("kind")) mesh.kind = integers_of(*kinds);
   if (vtkDataArray* ids = grid.GetPointData()->GetArray("GlobalPointIds"))
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-      mesh.global_points.push_back(static_cast<std::int64_t>(ids->GetComponent(i, 0)));
+      mesh.global_points.push_back(nearest_number(ids->GetComponent(i, 0)));
   if (vtkDataArray* before = grid.GetPointData()->GetArray("before_zones");
       before && before->GetNumberOfComponents() == 3)
     for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
@@ -364,7 +372,13 @@ MeshFile read_vtk_mesh(const std::filesystem::path& path) {
   const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (const std::string fault = fault_of_legacy_cells(content); !fault.empty()) refuse(path, fault);
   vtkNew<vtkUnstructuredGridReader> reader;
-  update(*reader, path);
+  const VtkMessages messages;  // it sets no error code, and leaves what it could not read as memory was
+  reader->SetFileName(path.string().c_str());
+  if (!survives_sizes([&] { reader->Update(); })) refuse(path, sizes_lie);
+  if (const std::string reason = messages.first_reason(); !reason.empty())
+    refuse(path, "VTK cannot read it: " + reason);
+  if (!reader->GetOutput() || reader->GetOutput()->GetNumberOfPoints() == 0)
+    refuse(path, "VTK finds no points in it: it is empty, truncated or damaged");
   return take_grid(*reader->GetOutput(), path);
 }
 

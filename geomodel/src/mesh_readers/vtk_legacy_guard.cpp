@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_readers/vtk_legacy_guard.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace geomesh::geomodel::checking {
 namespace {
+
+std::optional<std::int64_t> integer(std::string_view word) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
 
 /// The words of a file one after the other; VTK takes any of them as a keyword, in small letters or capitals.
 class Words {
@@ -20,19 +30,33 @@ class Words {
     while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
   }
-  std::optional<std::int64_t> number() {
-    const std::string_view word = next();
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.empty() || error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
+  std::optional<std::int64_t> number() { return integer(next()); }
+  std::string_view rest_of_line() {
+    const std::size_t begin = at_, end = std::min(text_.find('\n', at_), text_.size());
+    at_ = std::min(end + 1, text_.size());
+    const std::string_view line = text_.substr(begin, end - begin);
+    return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+  }
+  void pass_over(std::size_t n_bytes) { at_ = std::min(text_.size(), at_ + std::min(n_bytes, text_.size())); }
+  /// Each begins with its length in 1, 2, 4 or 8 bytes; the two highest bits tell which.
+  void pass_over_strings(std::size_t n) {
+    for (; n > 0 && at_ < text_.size(); --n) {
+      const auto head = static_cast<unsigned char>(text_[at_]);
+      std::size_t length = head & 63u;
+      for (std::size_t k = 1; k < std::size_t{8} >> (head >> 6u) && at_ + 1 < text_.size(); ++k)
+        length = length << 8 | static_cast<unsigned char>(text_[++at_]);
+      ++at_;
+      pass_over(length);
+    }
+  }
+  void pass_over_lines(std::size_t n) {
+    for (; n > 0 && at_ < text_.size(); --n) at_ = std::min(text_.find('\n', at_), text_.size() - 1) + 1;
   }
   /// What follows the end of this line.
   std::string_view behind_line() {
     const std::size_t end = text_.find('\n', at_);
     return end == std::string_view::npos ? std::string_view{} : text_.substr(end + 1);
   }
-  bool at_end() const { return at_ >= text_.size(); }
 
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
@@ -40,11 +64,11 @@ class Words {
   std::size_t at_ = 0;
 };
 
-bool is_word(std::string_view word, std::string_view wanted) {
-  if (word.size() != wanted.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i)
-    if (std::tolower(static_cast<unsigned char>(word[i])) != wanted[i]) return false;
-  return true;
+/// In small letters.
+std::string lower(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
 }
 
 /// The numbers of the block, which begins behind the line; nothing where there are fewer.
@@ -78,6 +102,115 @@ bool fills(const std::vector<std::int64_t>& block, std::int64_t n) {
   return at == block.size();
 }
 
+/// Types of numbers and their bytes.
+constexpr std::pair<std::string_view, std::size_t> widths[] = {
+    {"bit", 1},    {"char", 1},      {"unsigned_char", 1}, {"short", 2},        {"unsigned_short", 2},
+    {"int", 4},    {"float", 4},     {"unsigned_int", 4},  {"long", 8},         {"unsigned_long", 8},
+    {"double", 8}, {"vtkidtype", 4}, {"vtktypeint64", 8},  {"vtktypeuint64", 8}};
+
+std::optional<std::size_t> width_of(const std::string& type) {
+  for (const auto& [name, width] : widths)
+    if (type == name) return width;
+  return std::nullopt;
+}
+
+/// Counts stand before a type: `POINTS 5 double`, and `porosity 1 5 double` in a field. VTK takes their product without
+/// looking, and writes as many values as follow.
+std::string fault_of_counts(std::string_view content) {
+  const auto most = static_cast<std::int64_t>(8 * content.size());  // as many bits
+  const auto is_wrong = [&](std::int64_t a, std::int64_t b) { return a < 0 || b < 0 || (a > 0 && b > most / a); };
+  Words words(content);
+  std::string_view before, last;
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (const auto n = integer(last); n && width_of(lower(word))) {
+      const auto first = lower(before).starts_with("points") ? std::optional<std::int64_t>(3) : integer(before);
+      if (first && is_wrong(*first, *n)) return "says to hold more numbers than a file of its size can (damaged)";
+    }
+    before = last;
+    last = word;
+  }
+  return "";
+}
+
+/// The keywords of cells one after the other. VTK goes by the first letters of a word, and takes a block again where it
+/// comes again. It follows types whose count is not that of the cells.
+class CellBlocks {
+ public:
+  explicit CellBlocks(std::string_view content) : content_(content), words_(content) {}
+
+  std::string fault() {
+    for (std::string word = lower(words_.next()); !word.empty(); word = lower(words_.next())) {
+      if (word.starts_with("cell_data") || word.starts_with("point_data")) return "";  // what follows are attributes
+      if (word == "binary") binary_ = true;
+      const std::string fault = word.starts_with("field")   ? fault_of_field()
+                                : word.starts_with("cells") ? fault_of_cells()
+                                : word.starts_with("cell_") ? fault_of_types()
+                                                            : "";
+      if (!fault.empty()) return fault;
+    }
+    return "";
+  }
+
+ private:
+  /// Passes over arrays, whose names may be any words.
+  std::string fault_of_field() {
+    words_.next();
+    for (auto n = words_.number().value_or(0); n > 0; --n) {
+      std::string name = lower(words_.next());
+      for (; name == "metadata"; name = lower(words_.next())) {
+        words_.rest_of_line();
+        while (!words_.rest_of_line().empty()) {
+        }
+      }
+      if (name == "null_array") continue;
+      const auto width = words_.number(), length = words_.number();
+      const std::string type = lower(words_.next());
+      if (!width || !length || *width < 0 || *length < 0 ||
+          (*width > 0 &&
+           static_cast<std::uint64_t>(*length) > 8 * content_.size() / static_cast<std::uint64_t>(*width)))
+        return "has a field that does not fill its array (damaged)";
+      const auto n_values = static_cast<std::size_t>(*width * *length);
+      words_.rest_of_line();
+      if (type == "string") {
+        binary_ ? words_.pass_over_strings(n_values) : words_.pass_over_lines(n_values);
+      } else if (binary_) {
+        const auto known = width_of(type);
+        if (!known) return "has a field of a type that is not known";
+        words_.pass_over(type == "bit" ? (n_values + 7) / 8 : n_values * *known);
+      } else {
+        for (std::size_t i = 0; i < n_values; ++i) words_.next();
+      }
+    }
+    return "";
+  }
+  std::string fault_of_types() {
+    if (n_types_) return "has CELL_TYPES twice (damaged)";
+    n_types_ = words_.number();
+    if (!n_types_ || *n_types_ < 0 || static_cast<std::size_t>(*n_types_) > content_.size() || !counts_agree())
+      return "says another number of CELL_TYPES than of CELLS (damaged)";
+    return "";
+  }
+  std::string fault_of_cells() {
+    if (n_cells_) return "has CELLS twice (damaged)";
+    const auto n = words_.number(), size = words_.number();
+    const std::string fault = "has cells that do not fill their block of numbers (damaged)";
+    if (!n || !size || *n < 0 || *size < 0 || static_cast<std::size_t>(*size) > content_.size()) return fault;
+    Words behind(words_.behind_line());
+    const bool is_version_5 = lower(behind.next()) == "offsets";  // its arrays are judged when they are there
+    n_cells_ = is_version_5 ? std::max<std::int64_t>(*n - 1, 0) : *n;
+    const auto block =
+        is_version_5 ? std::nullopt : block_of(words_.behind_line(), static_cast<std::size_t>(*size), binary_);
+    if (!is_version_5 && (!block || !fills(*block, *n))) return fault;
+    return counts_agree() ? "" : "says another number of CELL_TYPES than of CELLS (damaged)";
+  }
+  bool counts_agree() const { return !n_types_ || !n_cells_ || *n_types_ == *n_cells_; }
+
+  std::string_view content_;
+  Words words_;
+  bool binary_ = false;
+  std::optional<std::int64_t> n_cells_, n_types_;
+};
+
 }  // namespace
 
 std::string fault_of_legacy_cells(std::string_view content) {
@@ -85,28 +218,8 @@ std::string fault_of_legacy_cells(std::string_view content) {
     const std::size_t end = content.find('\n');
     content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
   }
-  Words words(content);
-  bool binary = false;
-  std::optional<std::int64_t> n_cells;
-  while (!words.at_end()) {
-    const std::string_view word = words.next();
-    if (is_word(word, "binary")) binary = true;
-    if (is_word(word, "cell_types")) {
-      const auto n = words.number();
-      if (!n || (n_cells && *n != *n_cells)) return "says another number of CELL_TYPES than of CELLS (damaged)";
-      if (n_cells) return "";  // what follows are attributes
-    }
-    if (!is_word(word, "cells")) continue;
-    const auto n = words.number(), size = words.number();
-    const std::string fault = "has cells that do not fill their block of numbers (damaged)";
-    if (!n || !size || *n < 0 || *size < 0 || static_cast<std::size_t>(*size) > content.size()) return fault;
-    n_cells = n;
-    Words behind(words.behind_line());
-    if (is_word(behind.next(), "offsets")) return "";  // version 5: its arrays are judged when they are there
-    const auto block = block_of(words.behind_line(), static_cast<std::size_t>(*size), binary);
-    if (!block || !fills(*block, *n)) return fault;
-  }
-  return "";
+  const std::string fault = fault_of_counts(content);
+  return fault.empty() ? CellBlocks(content).fault() : fault;
 }
 
 }  // namespace geomesh::geomodel::checking

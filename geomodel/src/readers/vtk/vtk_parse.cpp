@@ -46,7 +46,9 @@ std::string VtkMessages::first_reason() const {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trim(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (line.empty() || line.starts_with("ERROR: In") || line.starts_with("Warning: In")) continue;
+    if (line.empty() || line.starts_with("ERROR: In") || line.starts_with("Warning: In") ||
+        line.starts_with("Generic Warning: In"))
+      continue;
     const std::size_t colon = line.find("): ");
     return std::string(colon == std::string_view::npos ? line : line.substr(colon + 3));
   }
