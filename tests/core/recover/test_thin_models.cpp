@@ -15,7 +15,12 @@ using namespace geomesh::test;
 
 namespace {
 
-constexpr double most_times = 10;     ///< the median of the kind
+constexpr double most_times = 10;  ///< the median of the kind
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool times_count = false;  ///< sanitizers slow exact arithmetic, which allocates, more than all else
+#else
+constexpr bool times_count = true;
+#endif
 constexpr double least_usual = 0.05;  ///< CPU seconds of the kind: some dozen facets take less, too little to compare
 
 /// Counts of what came of the models.
@@ -83,7 +88,7 @@ void check_kind(unsigned seed, ThinShape shape, const TetrahedralizeOptions& opt
     ++(run.ok() ? outcomes.n_meshed : outcomes.n_refused);
     const double ratio = least_seconds_of(plc, options, most_times * usual) / usual;
     outcomes.largest_ratio = std::max(outcomes.largest_ratio, ratio);
-    CHECK(ratio <= most_times);
+    if (times_count) CHECK(ratio <= most_times);
   }
 }
 
