@@ -288,6 +288,8 @@ class DamagedMeshes(ProgramTest):
         cells, types = whole[whole.index("CELLS"):whole.index("CELL_TYPES")], whole[whole.index("CELL_TYPES"):whole.index("CELL_DATA")]
         for text in (whole.replace("CELLS 2 10\n4 0", "CELLSx 2 10\n40 0"), whole.replace(types, types + cells.replace("4 0", "40 0")),
                      whole.replace(cells + types, "CELL_TYPES 1\n10\n" + cells), whole.replace("POINTS 5", "POINTS 6148914691236517206"),
+                     whole.replace("POINTS", "FIELD f 1\na 1 2 int\n1 x\nPOINTS"), whole.replace("POINTS", "FIELD f 1\na 1 2 what\n1 2\nPOINTS"),
+                     whole.replace("POINTS", "FIELD f\nPOINTS"), whole[:whole.index("POINTS")] + "FIELD f 1\na 1 1 short\n99999\n" + whole[whole.index("POINTS"):],
                      whole.replace("SCALARS", "FIELD f 1\na 4 4611686018427387904 double\n" + 200 * "1 " + "SCALARS")):
             self.assertIn("damaged", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
 
@@ -300,6 +302,8 @@ class DamagedMeshes(ProgramTest):
             self.assertIn("VTK cannot read it: ", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
         field = "FIELD FieldData 2\ncell_ids 1 2 int\n1 2\nMETADATA\nINFORMATION 0\n\ncells 1 2 string\na b\nc\n"
         self.run_program("check", self.write("good.vtk", whole.replace("POINTS", field + "POINTS")))
+        for text in (whole.replace("Version 3.0", "Version 5.1"), whole.replace("Version 3.0", "Version x"), whole[2:]):
+            self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT)
         for name in ("mesh_fields_42.vtk", "mesh_fields_binary_51.vtk"):
             self.assertEqual(self.check(os.path.join(SOURCE, "tests", "corpus", "bytes", name))["volume"], 1 / 3)
 

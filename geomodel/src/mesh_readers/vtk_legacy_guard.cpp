@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,7 +38,12 @@ class Words {
     const std::string_view line = text_.substr(begin, end - begin);
     return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
   }
-  void pass_over(std::size_t n_bytes) { at_ = std::min(text_.size(), at_ + std::min(n_bytes, text_.size())); }
+  /// False where there are fewer.
+  bool pass_over(std::size_t n_bytes) {
+    const bool are_there = n_bytes <= text_.size() - at_;
+    at_ = are_there ? at_ + n_bytes : text_.size();
+    return are_there;
+  }
   /// Each begins with its length in 1, 2, 4 or 8 bytes; the two highest bits tell which.
   void pass_over_strings(std::size_t n) {
     for (; n > 0 && at_ < text_.size(); --n) {
@@ -104,14 +110,37 @@ bool fills(const std::vector<std::int64_t>& block, std::int64_t n) {
 
 /// Types of numbers and their bytes.
 constexpr std::pair<std::string_view, std::size_t> widths[] = {
-    {"bit", 1},    {"char", 1},      {"unsigned_char", 1}, {"short", 2},        {"unsigned_short", 2},
-    {"int", 4},    {"float", 4},     {"unsigned_int", 4},  {"long", 8},         {"unsigned_long", 8},
-    {"double", 8}, {"vtkidtype", 4}, {"vtktypeint64", 8},  {"vtktypeuint64", 8}};
+    {"bit", 1},          {"char", 1},           {"signed_char", 1},   {"unsigned_char", 1},
+    {"short", 2},        {"unsigned_short", 2}, {"int", 4},           {"float", 4},
+    {"unsigned_int", 4}, {"long", 8},           {"unsigned_long", 8}, {"double", 8},
+    {"vtkidtype", 4},    {"vtktypeint64", 8},   {"vtktypeuint64", 8}};
 
 std::optional<std::size_t> width_of(const std::string& type) {
   for (const auto& [name, width] : widths)
-    if (type == name) return width;
+    if (type.starts_with(name)) return width;  // as VTK compares them
   return std::nullopt;
+}
+
+/// A number as a stream of C++ reads it: one beyond its type is none.
+bool is_number(std::string_view word, const std::string& type, std::size_t width) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const bool is_double = type.starts_with("double");
+  if (type.starts_with("float") || is_double) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc() && end == word.data() + word.size() && std::isfinite(value) &&
+           (is_double || std::abs(value) <= std::numeric_limits<float>::max());
+  }
+  if (type.starts_with("unsigned_long") || type.starts_with("vtktypeuint64")) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc() && end == word.data() + word.size();
+  }
+  const auto value = integer(word);
+  if (!value || type.starts_with("vtkidtype") || width == 8) return value.has_value();
+  const bool is_unsigned = type.starts_with("unsigned");
+  const std::int64_t beyond = std::int64_t{1} << (8 * width - (is_unsigned ? 0 : 1));
+  return *value >= (is_unsigned ? 0 : -beyond) && *value < beyond;
 }
 
 /// Counts stand before a type: `POINTS 5 double`, and `porosity 1 5 double` in a field. VTK takes their product without
@@ -136,16 +165,18 @@ std::string fault_of_counts(std::string_view content) {
 /// comes again. It follows types whose count is not that of the cells.
 class CellBlocks {
  public:
-  explicit CellBlocks(std::string_view content) : content_(content), words_(content) {}
+  /// `version`: the first number of the file's version; from 5 on, blocks of cells begin with OFFSETS.
+  CellBlocks(std::string_view content, std::int64_t version) : content_(content), words_(content), version_(version) {}
 
   std::string fault() {
     for (std::string word = lower(words_.next()); !word.empty(); word = lower(words_.next())) {
       if (word.starts_with("cell_data") || word.starts_with("point_data")) return "";  // what follows are attributes
       if (word == "binary") binary_ = true;
-      const std::string fault = word.starts_with("field")   ? fault_of_field()
-                                : word.starts_with("cells") ? fault_of_cells()
-                                : word.starts_with("cell_") ? fault_of_types()
-                                                            : "";
+      const std::string fault = word.starts_with("field")    ? fault_of_field()
+                                : word.starts_with("points") ? fault_of_points()
+                                : word.starts_with("cells")  ? fault_of_cells()
+                                : word.starts_with("cell_")  ? fault_of_types()
+                                                             : "";
       if (!fault.empty()) return fault;
     }
     return "";
@@ -153,9 +184,13 @@ class CellBlocks {
 
  private:
   /// Passes over arrays, whose names may be any words.
+  /// Where VTK cannot read one of them it follows a null pointer.
   std::string fault_of_field() {
+    const std::string fault = "has a field that does not fill its arrays (damaged)";
     words_.next();
-    for (auto n = words_.number().value_or(0); n > 0; --n) {
+    auto n = words_.number();
+    if (!n) return fault;
+    for (; *n > 0; --*n) {
       std::string name = lower(words_.next());
       for (; name == "metadata"; name = lower(words_.next())) {
         words_.rest_of_line();
@@ -165,22 +200,36 @@ class CellBlocks {
       if (name == "null_array") continue;
       const auto width = words_.number(), length = words_.number();
       const std::string type = lower(words_.next());
-      if (!width || !length || *width < 0 || *length < 0 ||
-          (*width > 0 &&
-           static_cast<std::uint64_t>(*length) > 8 * content_.size() / static_cast<std::uint64_t>(*width)))
-        return "has a field that does not fill its array (damaged)";
-      const auto n_values = static_cast<std::size_t>(*width * *length);
-      words_.rest_of_line();
-      if (type == "string") {
-        binary_ ? words_.pass_over_strings(n_values) : words_.pass_over_lines(n_values);
-      } else if (binary_) {
-        const auto known = width_of(type);
-        if (!known) return "has a field of a type that is not known";
-        words_.pass_over(type == "bit" ? (n_values + 7) / 8 : n_values * *known);
-      } else {
-        for (std::size_t i = 0; i < n_values; ++i) words_.next();
-      }
+      const auto most = static_cast<std::int64_t>(8 * content_.size());
+      if (!width || !length || *width < 0 || *length < 0 || (*width > 0 && *length > most / *width)) return fault;
+      if (!holds_array(type, static_cast<std::size_t>(*width * *length))) return fault;
     }
+    return "";
+  }
+  /// Passes over it.
+  bool holds_array(const std::string& type, std::size_t n) {
+    if (type.starts_with("string")) {
+      words_.rest_of_line();
+      binary_ ? words_.pass_over_strings(n) : words_.pass_over_lines(n);
+      return true;
+    }
+    const auto width = width_of(type);
+    if (!width) return false;
+    if (binary_) {
+      words_.rest_of_line();
+      return words_.pass_over(type.starts_with("bit") ? (n + 7) / 8 : n * *width);
+    }
+    for (; n > 0; --n)
+      if (!is_number(words_.next(), type, *width)) return false;
+    return true;
+  }
+  /// Bytes that might look like keywords are passed over; numbers in text cannot.
+  std::string fault_of_points() {
+    const auto n = words_.number();
+    const std::string type = lower(words_.next());
+    if (!n || *n < 0 || static_cast<std::size_t>(*n) > content_.size() ||
+        (binary_ && !holds_array(type, 3 * static_cast<std::size_t>(*n))))
+      return "has points that do not fill their block of numbers (damaged)";
     return "";
   }
   std::string fault_of_types() {
@@ -188,7 +237,16 @@ class CellBlocks {
     n_types_ = words_.number();
     if (!n_types_ || *n_types_ < 0 || static_cast<std::size_t>(*n_types_) > content_.size() || !counts_agree())
       return "says another number of CELL_TYPES than of CELLS (damaged)";
-    return "";
+    return binary_ && !holds_array("int", static_cast<std::size_t>(*n_types_)) ? "ends within its CELL_TYPES (damaged)"
+                                                                               : "";
+  }
+  /// In binary files of version 5: the offsets, then the rows of points.
+  bool holds_arrays_of_cells(std::size_t n_offsets, std::size_t n_rows) {
+    for (const std::size_t n : {n_offsets, n_rows}) {
+      words_.next();
+      if (!holds_array(lower(words_.next()), n)) return false;
+    }
+    return true;
   }
   std::string fault_of_cells() {
     if (n_cells_) return "has CELLS twice (damaged)";
@@ -197,16 +255,22 @@ class CellBlocks {
     if (!n || !size || *n < 0 || *size < 0 || static_cast<std::size_t>(*size) > content_.size()) return fault;
     Words behind(words_.behind_line());
     const bool is_version_5 = lower(behind.next()) == "offsets";  // its arrays are judged when they are there
+    if (is_version_5 != (version_ >= 5)) return "has cells as another version of the format has them (damaged)";
     n_cells_ = is_version_5 ? std::max<std::int64_t>(*n - 1, 0) : *n;
     const auto block =
         is_version_5 ? std::nullopt : block_of(words_.behind_line(), static_cast<std::size_t>(*size), binary_);
     if (!is_version_5 && (!block || !fills(*block, *n))) return fault;
+    if (binary_ && is_version_5 &&
+        !holds_arrays_of_cells(static_cast<std::size_t>(*n), static_cast<std::size_t>(*size)))
+      return fault;
+    if (binary_ && !is_version_5 && !holds_array("int", static_cast<std::size_t>(*size))) return fault;
     return counts_agree() ? "" : "says another number of CELL_TYPES than of CELLS (damaged)";
   }
   bool counts_agree() const { return !n_types_ || !n_cells_ || *n_types_ == *n_cells_; }
 
   std::string_view content_;
   Words words_;
+  std::int64_t version_;
   bool binary_ = false;
   std::optional<std::int64_t> n_cells_, n_types_;
 };
@@ -214,12 +278,18 @@ class CellBlocks {
 }  // namespace
 
 std::string fault_of_legacy_cells(std::string_view content) {
+  constexpr std::string_view head = "# vtk DataFile Version ";
+  if (!content.starts_with(head)) return "does not begin as a VTK file";
+  const std::string_view version =
+      content.substr(head.size(), std::min(content.find('\n'), content.size()) - head.size());
+  const auto first = integer(version.substr(0, version.find('.')));
+  if (!first || *first < 1) return "says no version of the format that is known";
   for (int line = 0; line < 2; ++line) {  // the version, and a title that may hold any word
     const std::size_t end = content.find('\n');
     content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
   }
   const std::string fault = fault_of_counts(content);
-  return fault.empty() ? CellBlocks(content).fault() : fault;
+  return fault.empty() ? CellBlocks(content, *first).fault() : fault;
 }
 
 }  // namespace geomesh::geomodel::checking
