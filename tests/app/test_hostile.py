@@ -266,6 +266,8 @@ class DamagedMeshes(ProgramTest):
         self.damage("out.vtu", lambda content: content.replace(b'NumberOfPoints="8"', b'NumberOfPoints="99999999999"', 1))
 
     def test_sizes_of_compressed_blocks_that_lie(self):
+        if "address" in os.environ.get("GEOMESH_SANITIZE", ""):
+            self.skipTest("skipped: AddressSanitizer ends the program where memory for a block is refused, which is what this test is about")
         def enlarge(content):
             at = content.index(b"_", content.index(b"<AppendedData")) + 1
             return content[:at] + b"\xff" * 7 + content[at + 7:]

@@ -14,6 +14,12 @@ namespace geomesh::test {
 
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double slowness = 10;  // of what sanitizers watch
+#else
+constexpr double slowness = 1;
+#endif
+
 /// Sets a cancel token after a time unless it is destroyed before.
 class Watchdog {
  public:
@@ -51,7 +57,7 @@ double thread_cpu_seconds() {
 CorpusRun run_and_judge(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options, double time_limit,
                         const RunContext& watch) {
   CorpusRun run;
-  const Watchdog watchdog(time_limit);
+  const Watchdog watchdog(slowness * time_limit);
   RunContext context;
   context.log = watch.log;
   context.stage = watch.stage;
