@@ -120,8 +120,10 @@ TEST_CASE("shells: one for each space of random boxes, one for all that is outsi
 
 TEST_CASE("tolerance: a wall that stops short of another that it never meets reaches it", "[arrangement]") {
   const auto wall = [](double from, double y) {
-    return triangles("wall", {{Vec3{from, y, 0}, Vec3{9, y, 0}, Vec3{9, y, 4}},
-                              {Vec3{from, y, 0}, Vec3{9, y, 4}, Vec3{from, y, 4}}});
+    TriangulatedSurface fault = triangles("wall", {{Vec3{from, y, 0}, Vec3{9, y, 0}, Vec3{9, y, 4}},
+                                                   {Vec3{from, y, 0}, Vec3{9, y, 4}, Vec3{from, y, 4}}});
+    fault.kind = SurfaceKind::fault;
+    return fault;
   };
   const auto across = triangles(
       "across", {{Vec3{0, 0, -1}, Vec3{0, 9, -1}, Vec3{0, 9, 5}}, {Vec3{0, 0, -1}, Vec3{0, 9, 5}, Vec3{0, 0, 5}}});

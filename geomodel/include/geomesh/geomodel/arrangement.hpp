@@ -90,9 +90,9 @@ struct ArrangementOptions {
   double tolerance = 0;
   /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces are
   /// near to each other of which one ends there, with free borders that end near a side of the box. These are surfaces
-  /// that meet somewhere, or of which one ends beside the other along an edge. Two surfaces that follow each other
-  /// within a hundredth of it join wherever they are near, with a warning. So do parts of one fault. Other surfaces
-  /// lose no detail of their own. Both close pockets that are thinner than it.
+  /// that meet somewhere, or of which one is a fault that ends beside the other along an edge. Two surfaces that follow
+  /// each other within a hundredth of it join wherever they are near, with a warning. So do parts of one fault. Other
+  /// surfaces lose no detail of their own. Both close pockets that are thinner than it.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
   /// needed it ends with Error{cannot_mesh} and the place.

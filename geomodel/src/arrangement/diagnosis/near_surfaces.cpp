@@ -62,6 +62,7 @@ class Nearness {
   }
 
   bool ends_beside(Index one, Index other, double distance) {
+    if (surfaces_[one].kind != SurfaceKind::fault) return false;
     std::optional<std::vector<Edge>>& borders = borders_[one];
     if (!borders) borders = borders_of(surfaces_[one]);
     const std::vector<Vec3>& points = surfaces_[one].points;

@@ -15,7 +15,8 @@ struct NearSurfaces {
   /// One follows the other: more than half of its vertices are within a distance of it, and farther from it than
   /// rounding. No size can mesh what is between them. What coincides but for rounding is none of these.
   std::vector<std::pair<Index, Index>> twins;
-  /// One ends beside the other: both ends of an edge with one triangle alone are within a distance of it.
+  /// One is a fault that ends beside the other: both ends of an edge with one triangle alone are within a distance of
+  /// it. Borders of horizons that lie over each other are none of these.
   std::vector<std::pair<Index, Index>> ending;
 };
 

@@ -58,6 +58,8 @@ WallSearch::WallSearch(const Complex& complex, const EdgeFacets& edges, Index fi
 }
 
 std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) const {
+  const auto is_of_volume = [&](FacetSide s) { return surfaces_of_facet(complex_, facet_of(s)).back() >= first_side_; };
+  if (std::any_of(shell.begin(), shell.end(), is_of_volume)) return std::nullopt;
   const double whole = area_of(complex_, shell);
   std::optional<PocketWalls> best;
   double best_part = 0;
@@ -89,13 +91,11 @@ std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<Facet
   return all;
 }
 
-/// It is no side of the volume, and the vertices inside it are its own.
+/// The vertices inside it are its own.
 bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
   std::map<VertexIndex, Index> n_at;
-  for (const FacetSide s : wall) {
-    if (surfaces_of_facet(complex_, facet_of(s)).back() >= first_side_) return false;
+  for (const FacetSide s : wall)
     for (const VertexIndex v : complex_.facets[facet_of(s)]) ++n_at[v];
-  }
   std::set<VertexIndex> on_rim;
   for (const auto& [edge, at] : facets_by_edge(complex_, wall))
     if (at.size() == 1) on_rim.insert({edge.first, edge.second});

@@ -26,7 +26,8 @@ class WallSearch {
   WallSearch(const Complex& complex, const EdgeFacets& edges, Index first_side);
 
   /// The part of one list of surfaces that takes most nearly half of the area of the shell, and the rest. Nothing where
-  /// no part takes about half, or where something else hangs on it. O(n log n) for n sides.
+  /// no part takes about half, where something else hangs on it, or where a side of the volume takes part. O(n log n)
+  /// for n sides.
   std::optional<PocketWalls> of(const std::vector<FacetSide>& shell) const;
 
  private:
