@@ -11,6 +11,7 @@
 #include "arrangement/diagnosis/near_surfaces.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
+#include "arrangement/snap/join_patches.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
@@ -130,10 +131,9 @@ PolygonSoup soup_of(Complex&& complex) {
 struct PairsToJoin {
   std::set<SurfacePair> wherever_near;  ///< given twice
   std::set<SurfacePair> where_they_end;
-  std::set<SurfacePair> before_crossing;  ///< wherever near too, but before curves run on them: faults with themselves
 };
 
-/// What was given twice is told. Faults come in patches that share no points, or lie on each other along their seams.
+/// What was given twice is told.
 PairsToJoin pairs_to_join(const std::vector<TriangulatedSurface>& surfaces, double tolerance,
                           std::vector<std::string>& warnings) {
   const double nearest = twin_share * tolerance;
@@ -142,10 +142,24 @@ PairsToJoin pairs_to_join(const std::vector<TriangulatedSurface>& surfaces, doub
   for (const auto& [a, b] : near.twins)
     warnings.push_back(words(a) + " and " + words(b) + " follow each other nearer than " + short_words(nearest) +
                        ": they are meshed as one where they do (honour: exact keeps them apart)");
-  PairsToJoin pairs{{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}, {}};
-  for (Index s = 0; s < surfaces.size(); ++s)
-    if (surfaces[s].kind == SurfaceKind::fault) pairs.before_crossing.insert({s, s});
-  return pairs;
+  return {{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}};
+}
+
+std::vector<std::uint8_t> all_facets(const Complex& complex) {
+  return std::vector<std::uint8_t>(complex.facets.size(), 1);
+}
+
+Box3 bounds_of(const std::vector<TriangulatedSurface>& surfaces) {
+  Box3 bounds;
+  for (const TriangulatedSurface& s : surfaces)
+    for (const Vec3& p : s.points) bounds.add(p);
+  return bounds;
+}
+
+std::vector<std::uint8_t> are_faults(const std::vector<TriangulatedSurface>& surfaces) {
+  std::vector<std::uint8_t> are;
+  for (const TriangulatedSurface& s : surfaces) are.push_back(s.kind == SurfaceKind::fault);
+  return are;
 }
 
 /// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
@@ -193,9 +207,7 @@ class Arrangement {
       bounds_ = options.box;
     } else if (!options.volume.empty()) {
       result_.box_sides = options.volume;
-      bounds_.emplace();
-      for (const TriangulatedSurface& side : options.volume)
-        for (const Vec3& p : side.points) bounds_->add(p);
+      bounds_ = bounds_of(options.volume);
     }
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
     joining_ = {joining_ulps * unit_in_the_last_place(ingested_.complex), bounds_, surfaces.size(), !options.box};
@@ -278,24 +290,28 @@ class Arrangement {
     Complex& complex = ingested_.complex;
     refuse_tolerance_of_rounding(options_.tolerance, complex);
     const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
+    std::vector<VertexIndex> now;
+    if (!joins_all) take(join_patches(complex, are_faults(surfaces_.given), options_.tolerance, bounds_, now), now);
     SnapOptions snapping{options_.tolerance, bounds_};
     if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
     if (!joins_all || !options_.volume.empty()) {
       const Contacts contacts = find_contacts(complex, context_, result_.memory_bound);
       if (!joins_all) pairs_ = pairs_to_join(surfaces_.given, options_.tolerance, result_.warnings);
       snapping.rule = join_rule_ = join_rule_of(surfaces_, options_, pairs_, complex, contacts);
-      snapping.rule.join_all_of(pairs_.before_crossing);
     }
-    std::vector<VertexIndex> now;
-    take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now));
+    take(snap_near(complex, all_facets(complex), snapping, &now), now);
+  }
+
+  /// `now`: by vertex the one that stands for it.
+  void take(const SnapOutcome& outcome, const std::vector<VertexIndex>& now) {
+    take(outcome);
     for (auto& vertices : ingested_.vertex_of_point)
       for (VertexIndex& v : vertices) v = now[v];
   }
 
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
-      take(snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1),
-                     {options_.tolerance, bounds_, MoveToBox::none, join_rule_}));
+      take(snap_near(complex, all_facets(complex), {options_.tolerance, bounds_, MoveToBox::none, join_rule_}));
   }
 
   void take(const SnapOutcome& outcome) {

@@ -9,6 +9,7 @@
 
 #include "check/exact/deviation.hpp"
 #include "check/exact/vertical_line.hpp"
+#include "check/within/input_border.hpp"
 #include "check_fixture.hpp"
 #include "geomesh/geomodel/check.hpp"
 
@@ -311,4 +312,22 @@ TEST_CASE("verticals find the triangles that they pass, and those that they pass
   CHECK(heights(20, -0.25) == Found{{0, 12}});
   CHECK(heights(20, -0.75).empty());
   CHECK(heights(100.25, 50) == Found{{1, 20}});
+}
+
+TEST_CASE("check within a tolerance: a patch that ends beside another one of its surface", "[check][within]") {
+  // A wide patch in the plane x = 0, and a narrow one whose border is `gap` from the middle of the wide one.
+  const double gap = GENERATE(0.0, 0.03, 0.3);
+  geomesh::geomodel::TriangulatedSurface fault;
+  fault.points = {{0, -2, 0}, {0, 2, 0}, {0, 2, 1}, {0, -2, 1}, {gap, 0, 0.2}, {gap, 0, 0.8}, {1, 0, 0.5}};
+  fault.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+  geomesh::geomodel::checking::Allowed allowed;
+  allowed.surfaces = within;
+  const geomesh::geomodel::checking::InputBorder border(fault, allowed);
+  REQUIRE(border.edges().size() == 7);
+  for (geomesh::Index e = 0; e < border.edges().size(); ++e) {
+    const auto& [a, b, same] = border.edges()[e];
+    const bool is_at_gap = a.x == gap && b.x == gap && std::abs(a.y) < 1;
+    CHECK(border.faces_other_piece(e, 0.5 * (a + b)) == (is_at_gap && gap < within));
+    CHECK_FALSE(border.faces_border(e, 0.5 * (a + b)));
+  }
 }

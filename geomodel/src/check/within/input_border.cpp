@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -23,11 +24,43 @@ std::vector<Triangle> welded(const TriangulatedSurface& surface) {
   return triangles;
 }
 
+namespace {
+
+std::vector<Corners> corners_of(const TriangulatedSurface& surface, const std::vector<Triangle>& triangles) {
+  std::vector<Corners> corners;
+  for (const Triangle& t : triangles)
+    corners.push_back({surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+  return corners;
+}
+
+/// By vertex: the least vertex that triangles lead to from it.
+std::vector<VertexIndex> pieces_of(const std::vector<Triangle>& triangles, std::size_t n_points) {
+  std::vector<VertexIndex> root(n_points);
+  std::iota(root.begin(), root.end(), VertexIndex{0});
+  const auto find = [&](VertexIndex v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 1; i < 3; ++i) {
+      const auto [least, other] = std::minmax({find(t[0]), find(t[i])});
+      root[other] = least;
+    }
+  for (VertexIndex v = 0; v < n_points; ++v) root[v] = find(v);
+  return root;
+}
+
+}  // namespace
+
 InputBorder::InputBorder(const TriangulatedSurface& surface, const Allowed& allowed)
-    : set_(std::vector<Corners>{}), length_(allowed.both()) {
+    : set_(std::vector<Corners>{}), triangles_(std::vector<Corners>{}), length_(allowed.both()) {
   std::map<std::array<VertexIndex, 2>, std::size_t> count;
-  for (const Triangle& t : welded(surface))
+  const std::vector<Triangle> triangles = welded(surface);
+  for (const Triangle& t : triangles)
     for (std::size_t i = 0; i < 3; ++i) ++count[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+  const std::vector<VertexIndex> pieces = pieces_of(triangles, surface.points.size());
+  for (const Triangle& t : triangles) piece_of_triangle_.push_back(pieces[t[0]]);
+  triangles_ = TriangleSet(corners_of(surface, triangles));
   const TriangleSet all(triangles_of(surface));
   for (const auto& [e, n] : count) {
     if (n != 1) continue;
@@ -35,6 +68,7 @@ InputBorder::InputBorder(const TriangulatedSurface& surface, const Allowed& allo
     for (const VertexIndex v : e) at_[v].push_back(static_cast<Index>(edges_.size()));
     edges_.push_back({a, b, b});
     ends_.push_back(e);
+    piece_of_edge_.push_back(pieces[e[0]]);
     cracks_.push_back(all.near(0.5 * (a + b), allowed.rounding).size() > 1);
   }
   set_ = TriangleSet(edges_);
@@ -65,6 +99,12 @@ bool InputBorder::faces_border(Index row, const Vec3& p) const {
   }
   return std::any_of(near.begin(), near.end(),
                      [&](const TriangleSet::Near& n) { return !reached.contains(n.triangle); });
+}
+
+bool InputBorder::faces_other_piece(Index row, const Vec3& p) const {
+  const std::vector<TriangleSet::Near> near = triangles_.near(p, length_);
+  return std::any_of(near.begin(), near.end(),
+                     [&](const TriangleSet::Near& n) { return piece_of_triangle_[n.triangle] != piece_of_edge_[row]; });
 }
 
 }  // namespace geomesh::geomodel::checking

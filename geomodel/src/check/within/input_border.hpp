@@ -27,6 +27,9 @@ class InputBorder {
   /// Whether the place p of the edge has another part of the border within what surfaces may be off: one that is not
   /// reached along the border by twice that length. O(log n + edges within that length).
   bool faces_border(Index row, const Vec3& p) const;
+  /// Whether the place p of the edge has another piece of the surface within what surfaces may be off. Pieces share no
+  /// points. Patches of one fault are joined so. O(log n + triangles within that length).
+  bool faces_other_piece(Index row, const Vec3& p) const;
 
  private:
   std::vector<Corners> edges_;
@@ -34,6 +37,9 @@ class InputBorder {
   std::vector<bool> cracks_;
   std::map<VertexIndex, std::vector<Index>> at_;  ///< edges at each end
   TriangleSet set_;                               ///< of edges_
+  TriangleSet triangles_;                         ///< welded
+  std::vector<VertexIndex> piece_of_triangle_;    ///< a vertex that stands for it
+  std::vector<VertexIndex> piece_of_edge_;
   double length_ = 0;
 };
 

@@ -109,6 +109,7 @@ class TopologyJudge {
   std::vector<Corners> free_edges(Index row, bool but_excused) const;
   bool is_excused(const Edge& e, Index row) const;
   bool is_cracked(Index row) const;
+  bool may_be_joined(Index row, Index edge, const Vec3& p) const;
   Corners as_corners(const Edge& e) const {
     const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
     return {a, b, b};
@@ -179,13 +180,20 @@ void TopologyJudge::check_presence(CheckResult& result) {
   missing.report(result, "surfaces that lie in the box have no face in the mesh: " + names);
 }
 
+/// Whether the place p of the input's border may have been joined to another part of the border, or to another patch of
+/// the fault.
+bool TopologyJudge::may_be_joined(Index row, Index edge, const Vec3& p) const {
+  const bool is_fault = claim_.surfaces[row].kind == SurfaceKind::fault;
+  return borders_[row].faces_border(edge, p) || (is_fault && borders_[row].faces_other_piece(edge, p));
+}
+
 /// Whether parts of its border may have been joined to each other.
 bool TopologyJudge::is_cracked(Index row) const {
   const InputBorder& border = borders_[row];
   for (Index e = 0; e < border.edges().size(); ++e) {
     const Corners& edge = border.edges()[e];
     if (border.is_crack(e) || std::any_of(between.begin(), between.end(), [&](double t) {
-          return border.faces_border(e, edge[0] + t * (edge[1] - edge[0]));
+          return may_be_joined(row, e, edge[0] + t * (edge[1] - edge[0]));
         }))
       return true;
   }
@@ -252,7 +260,7 @@ void TopologyJudge::check_borders(CheckResult& result) {
         const Corners& e = border.edges()[i];
         const Vec3 p = e[0] + t * (e[1] - e[0]);
         if (border.is_crack(i) || may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
-            border.faces_border(i, p) || claimed_.is_removed(row, p, {}))
+            may_be_joined(row, i, p) || claimed_.is_removed(row, p, {}))
           continue;
         off.add(row, p);
         break;

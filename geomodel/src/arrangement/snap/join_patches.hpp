@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Patches of one fault, brought together before anything is intersected.
+#pragma once
+
+#include <vector>
+
+#include "arrangement/snap/snap.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// A patch is what hangs together across edges. Patches of one surface that are nearer to each other than the distance
+/// are brought together, wherever that is: faults come in patches that share no points, or lie on each other along
+/// their seams. A patch is not joined with itself, so that triangles smaller than the distance do not fold. `may_join`:
+/// by surface. `vertex_now` as for snap_near(). O(n log n).
+SnapOutcome join_patches(Complex& complex, const std::vector<std::uint8_t>& may_join, double distance,
+                         const std::optional<Box3>& box, std::vector<VertexIndex>& vertex_now);
+
+}  // namespace geomesh::geomodel::arrangement
