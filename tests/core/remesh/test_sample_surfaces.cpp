@@ -16,6 +16,8 @@ namespace {
 
 constexpr double asked = 0.11;
 
+using remesh::Slivers;
+
 SizeField constant_size() {
   SizeField::Limits limits;
   limits.global = asked;
@@ -37,8 +39,9 @@ double volume_of(const ConstrainedTetrahedralization& mesh, Index component) {
 
 TEST_CASE("Edges and facets are sampled at the asked distance, facets in their planes", "[refine]") {
   const Model model = two_boxes(1);
+  auto merged = remesh::merge_pieces(model.plc, {});
   const remesh::SampledComplex sampled =
-      remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), model.mesh, constant_size(), {});
+      remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {});
   const PiecewiseLinearComplex& plc = sampled.plc;
   REQUIRE(plc.n_facets() == model.plc.n_facets());
   std::map<Index, std::vector<VertexIndex>> inside;
@@ -69,9 +72,9 @@ TEST_CASE("Edges and facets are sampled at the asked distance, facets in their p
 
 TEST_CASE("The mesh of the sampled model has the components of the first", "[refine]") {
   const Model model = two_boxes(1);
-  const auto fresh = remesh::mesh_sampled(
-      remesh::merge_pieces(model.plc, {}), model.mesh,
-      remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), model.mesh, constant_size(), {}), {});
+  auto merged = remesh::merge_pieces(model.plc, {});
+  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {});
+  const auto fresh = remesh::mesh_sampled(merged, model.mesh, std::move(sampled), {});
   REQUIRE(fresh);
   REQUIRE(fresh->n_components == model.mesh.n_components);
   for (Index c = 0; c < fresh->n_components; ++c)
@@ -100,10 +103,49 @@ TEST_CASE("The mesh of the sampled model has the components of the first", "[ref
     if (f.tetrahedron_below != no_index) f.tetrahedron_below = row[f.tetrahedron_below];
     if (f.tetrahedron_above != no_index) f.tetrahedron_above = row[f.tetrahedron_above];
   }
-  const auto half =
-      remesh::mesh_sampled(remesh::merge_pieces(model.plc, {}), one,
-                           remesh::sample_surfaces(remesh::merge_pieces(model.plc, {}), one, constant_size(), {}), {});
+  sampled = remesh::sample_surfaces(merged, one, constant_size(), Slivers::stay, {});
+  const auto half = remesh::mesh_sampled(merged, one, std::move(sampled), {});
   REQUIRE(half);
   CHECK(half->n_components == 1);
   CHECK(volume_of(*half, 0) == Approx(volume_of(model.mesh, 0)).epsilon(1e-12));
+}
+
+TEST_CASE("A sliver as wide as rounding is sampled without edges that cross", "[refine]") {
+  // A turned box. The diagonal of its top has a point on it but for rounding, and a sliver stands between.
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  PiecewiseLinearComplex plc;
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+      plc.points.push_back({1000 + c * x - s * y + 0.1 * z, 2000 + s * x + c * y - 0.3 * z, 500 + z});
+  for (const Triangle& t : {Triangle{0, 2, 1},
+                            {0, 3, 2},
+                            {0, 1, 5},
+                            {0, 5, 4},
+                            {1, 2, 6},
+                            {1, 6, 5},
+                            {2, 3, 7},
+                            {2, 7, 6},
+                            {3, 0, 4},
+                            {3, 4, 7},
+                            {4, 6, 7}})
+    plc.add_triangle(t);
+  const Vec3 a = plc.points[4], d = plc.points[6] - a;
+  const auto flat = [](const Vec3& p) { return Vec2{p.x, p.y}; };
+  double t = 0.3;  // of the diagonal: the first place that rounding puts on the side of vertex 5
+  while (orient2d(flat(a), flat(plc.points[6]), flat(a + t * d)) != Sign::negative) t += 0.01;
+  plc.points.push_back(a + t * d);
+  for (const Triangle& triangle : {Triangle{4, 5, 8}, {8, 5, 6}, {4, 8, 6}}) plc.add_triangle(triangle);
+  const auto mesh = tetrahedralize(plc, {}, {});
+  const Slivers slivers = GENERATE(Slivers::stay, Slivers::may_go);
+  auto merged = remesh::merge_pieces(plc, {});
+  remesh::SampledComplex sampled = remesh::sample_surfaces(merged, mesh, constant_size(), slivers, {});
+  const auto has_diagonal = [&](Index f) {
+    const auto loop = sampled.plc.outer_loop(f);
+    return std::ranges::count(loop, 4u) + std::ranges::count(loop, 6u) == 2;
+  };
+  CHECK(has_diagonal(static_cast<Index>(plc.n_facets() - 1)) == (slivers == Slivers::stay));
+  CHECK(sampled.plc.points.size() > plc.points.size() + 100);
+  const auto fresh = remesh::mesh_sampled(merged, mesh, std::move(sampled), {});
+  REQUIRE(fresh);
+  CHECK(volume_of(*fresh, 0) == Approx(volume_of(mesh, 0)));
 }

@@ -52,10 +52,11 @@ double least_share_of_points(const RefineOptions& o) { return o.honour == Honour
 
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
 /// one by one would start from the slivers between them. False where that cannot be; the mesh is then as it was.
-bool add_surface_points(const PiecewiseLinearComplex& plc, const MergedFacets& merged, const RefineOptions& options,
+bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged, const RefineOptions& options,
                         ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {
   const SizeField none({}, {});
-  SampledComplex sampled = sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none, context);
+  SampledComplex sampled = sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none,
+                                           options.honour == Honour::exact ? Slivers::stay : Slivers::may_go, context);
   const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
   const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
   const bool is_merged = merged.plc.n_facets() < plc.n_facets();
@@ -150,7 +151,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
                         const RefineOptions& options, const RunContext& context) {
   Attempt attempt;
   RefineResult& result = attempt.result;
-  const MergedFacets merged = merge_pieces(plc, options.facet_parent);
+  MergedFacets merged = merge_pieces(plc, options.facet_parent);
   result.kept_patch = patches_of_facets(plc, options, merged);
   DomainMesh mesh = import_domain(plc, input, options, result.kept_patch);
   const LocalTolerance tolerance = allowed_tolerance(plc, mesh, options);

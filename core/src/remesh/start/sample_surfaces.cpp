@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "common/geometry.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
+#include "plc/facet_triangulation.hpp"
+#include "remesh/start/flip_slivers.hpp"
 #include "remesh/start/mesh_anew.hpp"
 #include "remesh/start/planar_sampler.hpp"
 
@@ -45,8 +48,10 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
 
 class SurfaceSampler {
  public:
-  SurfaceSampler(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size)
-      : plc_(merged.plc), size_(size), beside_(merged.plc.n_facets(), {no_index, no_index}) {
+  /// Edges of `whole` are not cut.
+  SurfaceSampler(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
+                 const std::set<Edge>& whole)
+      : plc_(merged.plc), size_(size), whole_(whole), beside_(merged.plc.n_facets(), {no_index, no_index}) {
     for (const auto& f : mesh.faces) {
       std::array<Index, 2>& beside = beside_[merged.row_of_facet[f.facet]];
       if (f.tetrahedron_below != no_index) beside[0] = mesh.component[f.tetrahedron_below];
@@ -113,6 +118,7 @@ class SurfaceSampler {
 
   /// Equal shares of the integral of 1 / size along the edge.
   void cut(const Edge& edge, EdgeParts& parts) {
+    if (whole_.contains(edge)) return;
     constexpr double surely_one = 1.2;  // by the sizes at the ends; half a share more would make two
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
@@ -217,6 +223,7 @@ class SurfaceSampler {
 
   const PiecewiseLinearComplex& plc_;
   const SizeField& size_;
+  const std::set<Edge>& whole_;
   std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
@@ -224,6 +231,37 @@ class SurfaceSampler {
   std::vector<double> vertex_size_;  // negative: not asked for yet
   SampledComplex out_;
 };
+
+/// As wide as rounding may be: points on their edges, rounded to doubles, can make edges cross.
+std::vector<Index> thin_facets(const PiecewiseLinearComplex& plc) {
+  constexpr double least_width = 1e-6;  // of the longest edge
+  std::vector<Index> thin;
+  for (Index f = 0; f < plc.n_facets(); ++f) {
+    const auto loop = plc.outer_loop(f);
+    double longest = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      longest = std::max(longest, squared_distance(plc.points[loop[i]], plc.points[loop[(i + 1) % loop.size()]]));
+    if (length(loop_normal(plc.points, loop)) < least_width * longest) thin.push_back(f);
+  }
+  return thin;
+}
+
+/// Edges of the facet with points on them cross, or run through each other's points.
+bool is_spoilt(const PiecewiseLinearComplex& plc, Index f) {
+  FacetPolygon polygon;
+  for (Index l = plc.facet_loops[f]; l < plc.facet_loops[f + 1]; ++l)
+    polygon.loops.emplace_back(plc.loop(l).begin(), plc.loop(l).end());
+  if (polygon.loops.size() == 1 && polygon.loops[0].size() == 3) return false;
+  FacetFault fault;
+  return !triangulate_facet(plc.points, polygon, fault);
+}
+
+void add_edges_of(const PiecewiseLinearComplex& plc, Index f, std::set<Edge>& edges) {
+  for (Index l = plc.facet_loops[f]; l < plc.facet_loops[f + 1]; ++l) {
+    const auto loop = plc.loop(l);
+    for (std::size_t i = 0; i < loop.size(); ++i) edges.insert(sorted(Edge{loop[i], loop[(i + 1) % loop.size()]}));
+  }
+}
 
 /// Rows as they were for points, facets and segments.
 ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const MergedFacets& merged,
@@ -247,9 +285,22 @@ ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, co
 
 }  // namespace
 
-SampledComplex sample_surfaces(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh,
-                               const SizeField& size, const RunContext& context) {
-  return SurfaceSampler(merged, mesh, size).run(context);
+SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
+                               Slivers slivers, const RunContext& context) {
+  std::set<Edge> whole;
+  std::set<Index> flipped;  // once is enough: a second flip might undo the first
+  for (;;) {
+    SampledComplex sampled = SurfaceSampler(merged, mesh, size, whole).run(context);
+    std::vector<Index> to_flip, to_keep;
+    for (const Index f : thin_facets(merged.plc))
+      if (is_spoilt(sampled.plc, f))
+        (slivers == Slivers::may_go && flipped.insert(f).second ? to_flip : to_keep).push_back(f);
+    const std::size_t n_tried = to_flip.size(), n_whole = whole.size();
+    if (n_tried > 0) to_flip = flip_slivers(merged.plc, to_flip);
+    for (const std::vector<Index>* stay : {&to_flip, &to_keep})
+      for (const Index f : *stay) add_edges_of(merged.plc, f, whole);
+    if (to_flip.size() == n_tried && whole.size() == n_whole) return sampled;
+  }
 }
 
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,

@@ -4,6 +4,7 @@
 /// they are.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "geomesh/core/plc.hpp"
@@ -20,13 +21,17 @@ struct SampledComplex {
   std::vector<Index> segment;  ///< per row of plc.segments the row that it is a piece of
 };
 
+/// Triangles of which rounding would make edges cross, once there are points on them: they lose their longest edge to a
+/// flip, or stay.
+enum class Slivers : std::uint8_t { may_go, stay };
+
 /// Edges of facets and segments are cut into pieces of about the asked length, equal in units of it. In each facet
 /// points follow from the border inwards at the asked distance from each other. Each has at least 0.75 of it from all
 /// others there: the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
-/// before facets were merged, and tells which components a facet has beside it. Deterministic. Near-linear in the
-/// points where sizes vary slowly.
-SampledComplex sample_surfaces(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh,
-                               const SizeField& size, const RunContext& context);
+/// before facets were merged, and tells which components a facet has beside it. Edges of slivers that stay are not cut;
+/// those that go are flipped in `merged`. Deterministic. Near-linear in the points where sizes vary slowly.
+SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
+                               Slivers slivers, const RunContext& context);
 
 /// The mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and components as
 /// `mesh` has them, facets by the first of those that were merged, nothing of a component that it lacks. Nothing where
