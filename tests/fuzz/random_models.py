@@ -28,9 +28,10 @@ class Field:
 class RandomModel:
     """`surfaces`: (name, kind, points, triangles, extra keys of the entry); `wells`: (name, points); `text` of the project."""
 
-    def __init__(self, seed, as_default=False):
-        """as_default: with the same model, `mesh: {size: L}` and nothing else."""
-        self.as_default = as_default
+    def __init__(self, seed, as_default=False, light=False):
+        """as_default: with the same model, `mesh: {size: L}` and nothing else. light: fewer triangles and larger sizes, so that many run."""
+        self.as_default, self.most_cells = as_default, 5 if light else 12
+        self.sizes = (0.35, 0.9) if light else (0.15, 0.6)  # of the least side of the box
         self.chance = chance = random.Random(seed)
         self.rounded = chance.random() < 0.2
         self.origin = chance.choice([(0.0, 0.0, 0.0), (-500.0, 300.0, -2500.0), (432000.0, 6512000.0, -4000.0), (7.1e6, 1.2e7, 0.0)])
@@ -103,7 +104,7 @@ class RandomModel:
 
     def add_horizon(self, name, z):
         chance = self.chance
-        n_u, n_v = chance.randint(2, 12), chance.randint(2, 12)
+        n_u, n_v = chance.randint(2, self.most_cells), chance.randint(2, self.most_cells)
         extra = ""
         if chance.random() < 0.1:
             extra = ", base: %s" % chance.choice(["erode", "onlap"])
@@ -224,7 +225,7 @@ class RandomModel:
 
     def mesh_text(self):
         chance = self.chance
-        size = float("%.3g" % (min(self.size) * chance.uniform(0.15, 0.6)))
+        size = float("%.3g" % (min(self.size) * chance.uniform(*self.sizes)))
         if self.as_default:
             return "{size: %r}" % size
         draw = chance.random()

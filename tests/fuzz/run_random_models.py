@@ -4,6 +4,7 @@
 
     tests/fuzz/run_random_models.py --count 1000 --seed 1 --folder build/random     all that fails stays in the folder
     tests/fuzz/run_random_models.py --count 1000 --as-default                       with `mesh: {size: L}`, what most projects ask for
+    tests/fuzz/run_random_models.py --count 10000 --light           with fewer triangles and larger sizes: a second each
     tests/fuzz/run_random_models.py --seed 4711 --count 1 --folder here --keep      one of them
 
 Outcomes: `passes`, `refused` (status 3 or 4 with a message), `wrong` (the check finds faults), `bug` (status 1, a signal, or a refusal
@@ -30,8 +31,8 @@ def run(program, arguments, limit):
     return done.returncode, done.stdout
 
 
-def outcome_of(seed, folder, program, limit, as_default=False):
-    project = RandomModel(seed, as_default).write(folder)
+def outcome_of(seed, folder, program, limit, as_default=False, light=False):
+    project = RandomModel(seed, as_default, light).write(folder)
     status, printed = run(program, [project, "--quiet", "--threads", "1"], limit)
     if status in (-24, -9):  # SIGXCPU, or the harder bound behind it
         return "slow", "meshing took more than %d s" % limit
@@ -58,11 +59,12 @@ def main():
     options.add_argument("--limit", type=int, default=120, help="CPU seconds of one run")
     options.add_argument("--keep", action="store_true", help="keep models that pass, too")
     options.add_argument("--as-default", action="store_true", help="with `mesh: {size: L}` in place of the modes")
+    options.add_argument("--light", action="store_true", help="with fewer triangles and larger sizes: many more in the same time")
     options = options.parse_args()
     counts = {}
     for seed in range(options.seed, options.seed + options.count):
         folder = os.path.join(options.folder, str(seed))
-        outcome, why = outcome_of(seed, folder, options.program, options.limit, options.as_default)
+        outcome, why = outcome_of(seed, folder, options.program, options.limit, options.as_default, options.light)
         counts[outcome] = counts.get(outcome, 0) + 1
         if outcome != "passes":
             print("%d %s: %s" % (seed, outcome, why.replace("\n", " ")), flush=True)
