@@ -10,6 +10,7 @@
 #include <set>
 
 #include "common/geometry.hpp"
+#include "plc/facet_triangulation.hpp"
 
 namespace geomesh::remesh {
 
@@ -205,7 +206,13 @@ class Outlines {
     for (const Edge& e : outline.segments) open.erase(e[0]), open.erase(e[1]);
     for (const VertexIndex v : open)
       if (is_used_elsewhere(v, group)) outline.points.push_back(v);
-    return outline;
+    return is_facet(outline) ? std::optional(std::move(outline)) : std::nullopt;
+  }
+
+  /// Rounding may put a vertex inside on the border, as where a piece was a sliver.
+  bool is_facet(const Outline& outline) const {
+    FacetFault fault;
+    return triangulate_facet(plc_.points, {outline.loops, outline.segments, outline.points}, fault).has_value();
   }
 
   static bool trace(const std::map<VertexIndex, VertexIndex>& next, std::vector<Loop>& loops) {

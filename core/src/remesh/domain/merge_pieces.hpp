@@ -17,9 +17,9 @@ struct MergedFacets {
 
 /// Merges triangles of equal parent (`parent` per facet, no_index: none; empty: nothing is merged) that join across
 /// edges where nothing else is, and lie in one plane within two ulps of the largest coordinate. What joins is merged
-/// where its border passes no point twice. Sides within a merged facet at which others end are kept as its inner
-/// segments, and vertices that others use as its inner points; vertices that nothing else uses are in no facet any
-/// more. O(n log n).
+/// where its border passes no point twice and can be triangulated with what is inside. Sides within a merged facet at
+/// which others end are kept as its inner segments, and vertices that others use as its inner points; vertices that
+/// nothing else uses are in no facet any more. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
 /// The complex but for its facets and what is inside them.

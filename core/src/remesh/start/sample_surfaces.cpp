@@ -232,26 +232,40 @@ class SurfaceSampler {
   SampledComplex out_;
 };
 
-/// As wide as rounding may be: points on their edges, rounded to doubles, can make edges cross.
-std::vector<Index> thin_facets(const PiecewiseLinearComplex& plc) {
+/// Inner segments, by facet.
+std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& plc) {
+  std::vector<std::vector<Edge>> segments(plc.n_facets());
+  for (const auto& s : plc.facet_segments) segments[s.facet].push_back({s.a, s.b});
+  return segments;
+}
+
+/// As wide as rounding may be.
+bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
   constexpr double least_width = 1e-6;  // of the longest edge
-  std::vector<Index> thin;
-  for (Index f = 0; f < plc.n_facets(); ++f) {
-    const auto loop = plc.outer_loop(f);
-    double longest = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      longest = std::max(longest, squared_distance(plc.points[loop[i]], plc.points[loop[(i + 1) % loop.size()]]));
-    if (length(loop_normal(plc.points, loop)) < least_width * longest) thin.push_back(f);
-  }
-  return thin;
+  const auto loop = plc.outer_loop(f);
+  double longest = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    longest = std::max(longest, squared_distance(plc.points[loop[i]], plc.points[loop[(i + 1) % loop.size()]]));
+  return length(loop_normal(plc.points, loop)) < least_width * longest;
+}
+
+/// Facets of which edges may cross once they have points, rounded to doubles: thin ones, and those that are more than a
+/// triangle.
+std::vector<Index> delicate_facets(const PiecewiseLinearComplex& plc) {
+  const std::vector<std::vector<Edge>> segments = segments_by_facet(plc);
+  std::vector<Index> delicate;
+  for (Index f = 0; f < plc.n_facets(); ++f)
+    if (plc.n_loops(f) > 1 || plc.outer_loop(f).size() > 3 || !segments[f].empty() || is_thin(plc, f))
+      delicate.push_back(f);
+  return delicate;
 }
 
 /// Edges of the facet with points on them cross, or run through each other's points.
-bool is_spoilt(const PiecewiseLinearComplex& plc, Index f) {
-  FacetPolygon polygon;
+bool is_spoilt(const PiecewiseLinearComplex& plc, Index f, const std::vector<Edge>& segments) {
+  FacetPolygon polygon{{}, segments, {}};
   for (Index l = plc.facet_loops[f]; l < plc.facet_loops[f + 1]; ++l)
     polygon.loops.emplace_back(plc.loop(l).begin(), plc.loop(l).end());
-  if (polygon.loops.size() == 1 && polygon.loops[0].size() == 3) return false;
+  if (polygon.loops.size() == 1 && polygon.loops[0].size() == 3 && segments.empty()) return false;
   FacetFault fault;
   return !triangulate_facet(plc.points, polygon, fault);
 }
@@ -261,6 +275,8 @@ void add_edges_of(const PiecewiseLinearComplex& plc, Index f, std::set<Edge>& ed
     const auto loop = plc.loop(l);
     for (std::size_t i = 0; i < loop.size(); ++i) edges.insert(sorted(Edge{loop[i], loop[(i + 1) % loop.size()]}));
   }
+  for (const auto& s : plc.facet_segments)
+    if (s.facet == f) edges.insert(sorted(Edge{s.a, s.b}));
 }
 
 /// Rows as they were for points, facets and segments.
@@ -291,9 +307,10 @@ SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedra
   std::set<Index> flipped;  // once is enough: a second flip might undo the first
   for (;;) {
     SampledComplex sampled = SurfaceSampler(merged, mesh, size, whole).run(context);
+    const std::vector<std::vector<Edge>> segments = segments_by_facet(sampled.plc);
     std::vector<Index> to_flip, to_keep;
-    for (const Index f : thin_facets(merged.plc))
-      if (is_spoilt(sampled.plc, f))
+    for (const Index f : delicate_facets(merged.plc))
+      if (is_spoilt(sampled.plc, f, segments[f]))
         (slivers == Slivers::may_go && flipped.insert(f).second ? to_flip : to_keep).push_back(f);
     const std::size_t n_tried = to_flip.size(), n_whole = whole.size();
     if (n_tried > 0) to_flip = flip_slivers(merged.plc, to_flip);
