@@ -63,6 +63,17 @@ class RandomModels(ProgramTest):
         """Halves of the edges across such a strip made a million cells for a model of 624 triangles (200092)."""
         self.assertEqual(outcome_of(200092, self.path("strips"), PROGRAM, 60), ("passes", ""))
 
+    def test_slivers_as_thin_as_rounding_do_not_multiply(self):
+        """Facets some units in the last place wide kept surfaces from being sampled. What points on their sides left was too flat:
+        96,244 elements of 537,065, where 336,736 were asked for (200157), and 36,897 of 133,124 (700032)."""
+        for seed in (200157, 700032):
+            with self.subTest(seed=seed):
+                folder = self.path("slivers%d" % seed)
+                self.assertEqual(outcome_of(seed, folder, PROGRAM, 120), ("passes", ""))
+                report = self.report(os.path.join(folder, "out", "model.report.json"))
+                self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+                self.assertLess(report["solver"]["fail_implicit"], 0.005 * report["tetrahedra"])
+
     def test_surfaces_that_were_given_twice_are_meshed_as_one_by_default(self):
         """Faults 0.3 to 2 mm apart asked for edges of a metre, or took minutes (500020, 500026, 500035)."""
         for seed in (500020, 500035):

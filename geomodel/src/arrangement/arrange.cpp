@@ -11,6 +11,7 @@
 #include "arrangement/diagnosis/near_surfaces.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
+#include "arrangement/snap/flatten_slivers.hpp"
 #include "arrangement/snap/join_patches.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
@@ -191,6 +192,8 @@ void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
                 "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
 }
 
+constexpr unsigned most_snaps = 6;  // in one round
+
 /// One arrangement: what is read in, and what its rounds have done so far.
 class Arrangement {
  public:
@@ -247,6 +250,7 @@ class Arrangement {
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
+    take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_.tolerance, surfaces_, result_.merging);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
@@ -254,8 +258,6 @@ class Arrangement {
   }
 
  private:
-  static constexpr unsigned most_snaps = 6;  ///< in one round
-
   Complex first_round(const Contacts& contacts) {
     Arranged arranged = arrange_round(ingested_.complex, contacts, context_, result_.memory_bound);
     std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Facets as thin as rounding, taken out of what is arranged.
+#pragma once
+
+#include "arrangement/snap/join_surfaces.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Rounding leaves facets that are some units in the last place wide, as where three surfaces nearly meet in a point.
+/// No points fit between their sides, so that meshes get flat cells there. What is within the distance about them is
+/// brought together: corners become one, or come to lie on the edge beside them. Where that makes facets meet anew, all
+/// stay. Precondition: nothing meets. Cost: that of snap_near, and of the contacts of what changed.
+SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
+                            std::size_t memory_bound);
+
+}  // namespace geomesh::geomodel::arrangement
