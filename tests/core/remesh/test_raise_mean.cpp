@@ -2,6 +2,7 @@
 // The pass that raises the mean shape: the first one looks at all vertices, later ones where it is worth it.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "quality/measure/shape.hpp"
 #include "refine_bench.hpp"
@@ -51,4 +52,27 @@ TEST_CASE("The first pass that raises the mean moves vertices that no flip has t
   CHECK(n_moved(before) < n_first);
   CHECK(mean_worth(bench.mesh) >= first);
   CHECK(bench.mesh.validate() == "");
+}
+
+TEST_CASE("Flips that raise the mean are the same wherever the model lies", "[improve]") {
+  Model model = ball_in_box(4);
+  disturb_inside(model, 5);
+  for (Vec3& p : model.mesh.points)  // steps that are exact far from the origin, too
+    for (std::size_t i = 0; i < 3; ++i) p[i] = std::ldexp(std::round(std::ldexp(p[i], 20)), -20);
+  std::vector<RefineStatistics> done;
+  for (const double shift : {0.0, 64.0, -1024.0}) {
+    Model moved = model;
+    for (auto* points : {&moved.mesh.points, &moved.plc.points})
+      for (Vec3& p : *points) p = p + Vec3{shift, 2 * shift, -shift};
+    Bench bench(std::move(moved));
+    RaisedBefore unused;
+    raise_mean(bench.tools, 0, 0, {}, unused);
+    done.push_back(bench.statistics);
+  }
+  REQUIRE(done[0].face_removals > 3);
+  REQUIRE(done[0].edge_removals > 10);
+  for (const RefineStatistics& other : done) {
+    CHECK(other.face_removals == done[0].face_removals);
+    CHECK(other.edge_removals == done[0].edge_removals);
+  }
 }
