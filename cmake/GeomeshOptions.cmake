@@ -25,6 +25,20 @@ if(GEOMESH_SANITIZE)
   add_link_options(-fsanitize=${GEOMESH_SANITIZE})
 endif()
 
+# Python itself is no program of a sanitizer: its library is to be loaded first, with the one whose exceptions it watches. Empty where
+# nothing is to be loaded.
+function(geomesh_libraries_before_python result)
+  set(files "")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND GEOMESH_SANITIZE MATCHES "(address|thread)")
+    string(REGEX REPLACE ".*(a|t)(ddress|hread).*" "\\1san" sanitizer "${GEOMESH_SANITIZE}")
+    foreach(library ${sanitizer} stdc++)
+      execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=lib${library}.so OUTPUT_VARIABLE file OUTPUT_STRIP_TRAILING_WHITESPACE)
+      string(APPEND files "${file} ")
+    endforeach()
+  endif()
+  set(${result} "${files}" PARENT_SCOPE)
+endfunction()
+
 # Exact arithmetic needs IEEE doubles as written: no contraction into fused multiply-adds, no fast-math.
 function(geomesh_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_20)

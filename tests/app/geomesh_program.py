@@ -16,6 +16,7 @@ PROGRAM = os.environ.get("GEOMESH_PROGRAM") or os.path.join(SOURCE, "build", "re
 WORK = os.environ.get("GEOMESH_WORK_DIR") or os.path.join(SOURCE, "build", "release", "test_app")
 SHARED_DATA = os.environ.get("GEOMESH_SHARED_DATA") or os.path.join(SOURCE, "..", "shared", "data")
 NIGHTLY = os.environ.get("GEOMESH_NIGHTLY", "0") == "1"
+SLOWNESS = 10 if os.environ.get("GEOMESH_SANITIZE") else 1  # of programs that sanitizers watch: limits against hangs are so much longer
 
 DONE, BUG, USAGE, BAD_INPUT, CANNOT_MESH, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
@@ -27,6 +28,7 @@ class ProgramTest(unittest.TestCase):
     bare = True  # projects that say nothing of their mesh are written with `refine: none`: most tests judge kept surfaces
 
     def setUp(self):
+        self.timeout *= SLOWNESS
         self.folder = os.path.join(WORK, self.id().replace("__main__.", ""))
         shutil.rmtree(self.folder, ignore_errors=True)
         os.makedirs(self.folder)

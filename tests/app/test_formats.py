@@ -10,7 +10,7 @@ import sys
 from collections import Counter
 
 import format_readers as readers
-from geomesh_program import PROGRAM, SOURCE, ProgramTest, main
+from geomesh_program import PROGRAM, SLOWNESS, SOURCE, ProgramTest, main
 from vtk_files import VtkFile
 
 
@@ -39,7 +39,7 @@ class FormatTest(ProgramTest):
         project = os.path.join(folder, "project.yaml")
         with open(project, "w") as file:
             file.write(text)
-        done = subprocess.run([PROGRAM, project, "-o", folder], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+        done = subprocess.run([PROGRAM, project, "-o", folder], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300 * SLOWNESS)
         assert done.returncode == 0, done.stdout
         FormatTest.stem = os.path.join(folder, "faulted_layers")
         with open(FormatTest.stem + ".report.json") as file:

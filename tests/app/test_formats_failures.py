@@ -8,7 +8,7 @@ import signal
 import subprocess
 import unittest
 
-from geomesh_program import PROGRAM, USAGE, main
+from geomesh_program import PROGRAM, SLOWNESS, USAGE, main
 from test_formats import FormatTest
 
 EXTENSIONS = {"vtu": ".vtu", "msh": ".msh", "msh-binary": ".msh", "msh22": ".msh", "msh22-binary": ".msh", "inp": ".inp", "exodus": ".e", "med": ".med",
@@ -42,7 +42,7 @@ class Failures(FormatTest):
     def convert_badly(self, name, folder, preexec, cwd=None):
         out = os.path.join(folder, "m" + EXTENSIONS[name])
         done = subprocess.run([PROGRAM, "convert", self.mesh_for(name), "-o", out, "--format", name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              timeout=100, preexec_fn=preexec, restore_signals=False, cwd=cwd)
+                              timeout=100 * SLOWNESS, preexec_fn=preexec, restore_signals=False, cwd=cwd)
         return done
 
     def files_in(self, folder):
@@ -111,7 +111,7 @@ class Failures(FormatTest):
                 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
                 resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
             done = subprocess.run([PROGRAM, "convert", self.stem + ".vtu", "-o", os.path.join(folder, "m" + ending), "--format", name, "--partitions", "3"],
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=100, preexec_fn=fill, restore_signals=False)
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=100 * SLOWNESS, preexec_fn=fill, restore_signals=False)
             if "without METIS" in done.stdout:
                 self.skipTest("skipped: built without METIS")
             self.assertEqual(done.returncode, USAGE, done.stdout)

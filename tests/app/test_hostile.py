@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Input, names, folders and signals that a program meets outside the laboratory: a message and the right exit status, no crash, no
 hang, nothing half written."""
+import json
 import os
 import random
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import time
+import zlib
 
 from geomesh_program import BAD_INPUT, CANNOT_MESH, PROGRAM, SOURCE, USAGE, ProgramTest, box_surface, level, main
 
@@ -417,6 +420,57 @@ class DamagedFormats(ProgramTest):
             self.assertIn('"far"', file.read())
         self.convert("own.inp", whole + "*ELSET, ELSET=own\n1\n" + "own\n" * 60)
         self.convert("nodes.inp", whole + "*NSET, NSET=own\n1\n" + "own, own\n" * 60)
+
+    def test_coordinates_that_are_no_numbers(self):
+        """`convert` wrote them on. It names the point now; `check` counts them as it did."""
+        for name, old, news in (("mesh_two_tetrahedra.inp", "4, 0, 0, 1", ("4, 0, 0, nan", "4, 0, -inf, 1", "4, 1e300, 0, 1")),
+                                ("mesh_two_tetrahedra.msh", "4 0 0 1", ("4 0 0 nan", "4 inf 0 1")), ("mesh_tetrahedron.mesh", "\n0 0 1", ("\n0 0 nan", "\n0 1e-300 1"))):
+            whole = self.kept(name)
+            self.assertIn(old, whole)
+            for new in news:
+                bad = "bad" + os.path.splitext(name)[1]
+                self.write(bad, whole.replace(old, new, 1))
+                printed = self.run_program("convert", bad, "-o", "back.msh", status=BAD_INPUT)
+                self.assertIn("exact arithmetic" if "e" in new else "finite", printed)
+                self.assertIn(bad + ": point 3 of tetrahedron 0", printed)
+                self.assertFalse(os.path.exists(self.path("back.msh")))
+                if "e" not in new:
+                    self.assertIn("not_finite", [fault["id"] for fault in self.check(self.path(bad), status=BAD_INPUT)["faults"]])
+        middle = "*NODE\n" + "".join("%d, %s, 0, 0\n" % (i, "nan" if i == 10 else i) for i in range(1, 11)) + "*ELEMENT, TYPE=C3D10\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10\n"
+        self.assertIn("point 9 of tetrahedron 0", self.convert("middle.inp", middle, status=BAD_INPUT))
+
+    def test_sets_that_are_named_without_measure(self):
+        """A short file that names long sets many times asked for all memory."""
+        n, times = 2000, 8000
+        whole = self.kept("mesh_two_tetrahedra.inp")
+        many = whole + "".join("%d, 1, 2, 3, 4\n" % (i + 3) for i in range(n))
+        for lines in ("rock, S1\n" * times, "".join("*SURFACE, NAME=s%d\nrock, S2\n" % i for i in range(times))):
+            self.assertIn("ten for each byte", self.convert("sides.inp", many + "*SURFACE, NAME=s\n" + lines, status=BAD_INPUT))
+        for lines in ("*ELSET, ELSET=%d\nrock\n", "*NSET, NSET=%d\nall" + ", all" * 400 + "\n", "*NSET, NSET=%d, GENERATE\n" + "1, 5\n" * 400):
+            self.convert("sets.inp", many + "".join(lines % i for i in range(20)))
+        self.assertIn("ten for each byte", self.convert("sets.inp", many + "".join("*ELSET, ELSET=a%d\nrock\n" % i for i in range(times)), status=BAD_INPUT))
+        whole = self.kept("mesh_tetrahedron_41.msh")
+        groups, last = " ".join(map(str, range(2, times + 2))), "3 1 4 1\n2 1 2 3 4\n"
+        for old in ("1 0 0 0 1 1 1 1 1 1 2", "2 2 1 2\n", last):
+            self.assertIn(old, whole)
+        whole = whole.replace("1 0 0 0 1 1 1 1 1 1 2", "1 0 0 0 1 1 1 %d %s 1 2" % (times, groups)).replace("2 2 1 2\n", "2 %d 1 %d\n" % (n + 1, n + 1))
+        whole = whole.replace(last, "3 1 4 %d\n" % n + "".join("%d 1 2 3 4\n" % (i + 2) for i in range(n)))
+        self.assertIn("ten for each byte", self.convert("groups.msh", whole, status=BAD_INPUT))
+        self.write("sets.inp.json", json.dumps({"mesh": "sets.inp", "regions": [{"name": "r%d" % i, "id": i, "groups": ["rock"]} for i in range(times)]}))
+        self.assertIn("too many times", self.convert("sets.inp", many, status=BAD_INPUT))
+
+    def test_arrays_that_are_named_without_measure(self):
+        """One array of 8 MB in 8 kB, as the vertices of one surface after another."""
+        array = zlib.compress(bytes(8000000))
+        own = "01020304-0506-0708-090a-0b0c0d0e0f10"
+        for times, status in ((3, BAD_INPUT), (40, BAD_INPUT)):
+            objects = {own: {"__class__": "Project", "elements": ["e"] * times, "origin": [0, 0, 0], "units": "m"},
+                       "e": {"__class__": "PointSetElement", "name": "points", "geometry": "g"}, "g": {"__class__": "PointSetGeometry", "vertices": "v"},
+                       "v": {"__class__": "Vector3Array", "array": {"start": 60, "length": len(array), "dtype": "<f8"}}}
+            head = b"\x84\x83\x82\x81" + b"OMF-v0.9.0".ljust(32, b"\0") + bytes(range(1, 17)) + struct.pack("<Q", 60 + len(array))
+            self.write("points.omf", head + array + json.dumps(objects).encode())
+            printed = self.run_program("info", "points.omf", status=None)
+            self.assertEqual("a hundred times the file's size" in printed, times == 40, printed)
 
 
 class Signals(ProgramTest):

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from geomesh_program import BAD_INPUT, INTERRUPTED, PROGRAM, USAGE, ProgramTest, box_surface, main, triangles_ts
+from geomesh_program import BAD_INPUT, INTERRUPTED, PROGRAM, SLOWNESS, USAGE, ProgramTest, box_surface, main, triangles_ts
 
 
 class Runs(ProgramTest):
@@ -104,7 +104,7 @@ class Runs(ProgramTest):
             time.sleep(delay)
             run.send_signal(number)
             run.stderr.read()
-            run.wait(timeout=60)
+            run.wait(timeout=60 * SLOWNESS)
             run.stderr.close()
             left = os.listdir(folder) if os.path.exists(folder) else []
             if run.returncode == 0:

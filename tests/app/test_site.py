@@ -17,9 +17,11 @@ PACKAGE = os.path.join(os.path.dirname(os.path.dirname(PROGRAM)), "python", "geo
 @unittest.skipUnless(os.path.exists(PACKAGE), "skipped: built without the Python package")
 class Site(ProgramTest):
     def build(self, *options):
+        environment = {**os.environ, "GEOMESH_BUILD": os.path.dirname(os.path.dirname(PROGRAM))}
+        if environment.get("GEOMESH_BEFORE_PYTHON"):  # the package was built with a sanitizer, Python was not
+            environment.update(LD_PRELOAD=environment["GEOMESH_BEFORE_PYTHON"], ASAN_OPTIONS="detect_leaks=0")
         done = subprocess.run([os.path.join(SOURCE, "scripts", "site"), "-o", self.path("site"), *options], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, timeout=self.timeout,
-                              env={**os.environ, "GEOMESH_BUILD": os.path.dirname(os.path.dirname(PROGRAM))})
+                              stderr=subprocess.STDOUT, text=True, timeout=self.timeout, env=environment)
         self.assertEqual(done.returncode, 0, done.stdout)
 
     def text_of(self, page):

@@ -37,7 +37,7 @@ constexpr std::size_t corners_of_side[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, 
 
 class AbaqusReader {
  public:
-  explicit AbaqusReader(const std::filesystem::path& path) : in_(path) {}
+  explicit AbaqusReader(const std::filesystem::path& path) : in_(path), budget_(in_.size()) {}
 
   RawMesh read() {
     mesh_.format = "Abaqus";
@@ -185,6 +185,7 @@ class AbaqusReader {
         add_to_set(count(field), nodes);
       } else {
         const std::vector<std::size_t> rows = (nodes ? node_sets_ : element_sets_).give(field).rows;
+        take(rows.size());
         set_->rows.insert(set_->rows.end(), rows.begin(), rows.end());
         drop_repeated(nodes ? mesh_.points.size() : mesh_.cells[3].size());
       }
@@ -205,7 +206,11 @@ class AbaqusReader {
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   }
+  void take(std::size_t n) {
+    if (!budget_.take(n)) in_.refuse(SetBudget::message);
+  }
   void add_to_set(std::size_t number, bool nodes) {
+    take(1);
     if (nodes) {
       set_->rows.push_back(nodes_.row(number, in_));
     } else if (const auto row = row_of_element_.find(number); row != row_of_element_.end()) {
@@ -224,6 +229,7 @@ class AbaqusReader {
     }
   }
   void add_side(std::size_t tetrahedron, int side) {
+    take(1);
     RawCells& faces = mesh_.cells[2];
     for (const std::size_t i : corners_of_side[side - 1])
       faces.corners.push_back(mesh_.cells[3].corners[4 * tetrahedron + i]);
@@ -231,6 +237,7 @@ class AbaqusReader {
   }
 
   FileCursor in_;
+  SetBudget budget_;
   RawMesh mesh_;
   NodeRows nodes_;
   NamedSets element_sets_{3, {}, {}}, surfaces_{2, {}, {}}, node_sets_{-1, {}, {}};

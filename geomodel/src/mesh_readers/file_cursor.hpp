@@ -26,6 +26,7 @@ class FileCursor {
   }
 
   bool at_end() const { return at_ >= text_.size(); }
+  std::size_t size() const { return text_.size(); }
   /// The rest of this line, without its end; moves to the next.
   std::string_view line() {
     if (at_end()) refuse("ends too early");

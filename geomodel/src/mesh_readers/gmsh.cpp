@@ -72,7 +72,7 @@ std::int32_t without_sign(std::int32_t tag) {
 
 class GmshReader {
  public:
-  explicit GmshReader(const std::filesystem::path& path) : in_(path) {}
+  explicit GmshReader(const std::filesystem::path& path) : in_(path), budget_(in_.size()) {}
 
   RawMesh read() {
     const std::filesystem::path file = in_.path();
@@ -128,6 +128,7 @@ class GmshReader {
     for (std::int32_t k = 1; k <= n_parts_; ++k) {
       if (k == std::stoi(match[2].str())) continue;
       in_ = FileCursor(stem.string() + "_" + std::to_string(k) + ".msh");
+      budget_.grow(in_.size());
       read_sections();
     }
   }
@@ -268,6 +269,7 @@ class GmshReader {
       row_of_element_.emplace(tag, cells.size() - 1);
       mesh_.second_order |= type == 11;
     }
+    if (!budget_.take(groups.size())) in_.refuse(SetBudget::message);
     for (const std::int32_t id : groups)
       if (id != 0) set_of(known->dimension, without_sign(id)).rows.push_back(cells.size() - 1);
   }
@@ -356,6 +358,7 @@ class GmshReader {
   static constexpr int most_parts = 100000;
 
   FileCursor in_;
+  SetBudget budget_;
   RawMesh mesh_;
   std::int32_t n_parts_ = 1;
   bool is_later_part_ = false;

@@ -31,6 +31,7 @@ class MedReader {
     med_bool is_hdf = MED_FALSE, is_med = MED_FALSE;
     if (MEDfileCompatibility(path.c_str(), &is_hdf, &is_med) < 0 || !is_hdf || !is_med)
       refuse("it is no MED file of a version that is read here");
+    budget_.grow(static_cast<std::size_t>(std::filesystem::file_size(path)));
     id_ = MEDfileOpen(path.c_str(), MED_ACC_RDONLY);
     if (id_ < 0) refuse("libmedc cannot open it: it is damaged");
   }
@@ -104,6 +105,7 @@ class MedReader {
   void add_to_groups(med_int family, int dimension, std::size_t row) {
     const auto groups = groups_of_.find(family);
     if (groups == groups_of_.end()) return;
+    if (!budget_.take(groups->second.size())) refuse(SetBudget::message);
     for (const std::string& name : groups->second) {
       RawSet& set = sets_[{dimension, name}];
       set.name = name;
@@ -148,6 +150,7 @@ class MedReader {
 
   std::filesystem::path path_;
   med_idt id_ = -1;
+  SetBudget budget_{0};
   std::string name_;
   RawMesh mesh_;
   std::map<med_int, std::vector<std::string>> groups_of_;

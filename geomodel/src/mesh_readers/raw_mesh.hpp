@@ -30,6 +30,28 @@ struct RawSet {
   std::vector<std::size_t> rows;
 };
 
+/// How many cells and nodes the sets of a mesh file may name together. A list can be named in a few bytes, and a set of
+/// all elements as often as the file has lines: without a bound a short file fills all memory.
+class SetBudget {
+ public:
+  static constexpr std::size_t always = 10'000'000, a_byte = 10;
+  static constexpr const char* message =
+      "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
+
+  explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
+  /// Of one more file.
+  void grow(std::size_t bytes) { left_ += a_byte * bytes; }
+  /// False where `n` more are too many.
+  [[nodiscard]] bool take(std::size_t n) {
+    if (n > left_) return false;
+    left_ -= n;
+    return true;
+  }
+
+ private:
+  std::size_t left_;
+};
+
 struct RawMesh {
   std::string format, name;
   std::vector<Vec3> points;

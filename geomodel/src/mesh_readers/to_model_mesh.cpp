@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include "geomesh/core/error.hpp"
@@ -41,6 +42,38 @@ std::string without_side(const std::string& name) {
   return name;
 }
 
+bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+std::string place(const Vec3& p) {
+  std::ostringstream text;
+  text.precision(17);
+  text << '(' << p.x << ", " << p.y << ", " << p.z << ')';
+  return text.str();
+}
+
+/// Throws Error{invalid_input} with the point and a cell that has it: a coordinate, or one of the origin, is no finite
+/// number, or is beyond the range of the exact arithmetic. Points that no tetrahedron has are not looked at.
+void require_finite(const RawMesh& mesh, const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& what, const Vec3& p) {
+    throw Error(ErrorKind::invalid_input,
+                file.string() + ": " + what + " at " + place(p) + ": " +
+                    (is_finite(p) ? "a coordinate is too large or too small for exact arithmetic (2^-148 to 2^148)"
+                                  : "a coordinate is no finite number"));
+  };
+  if (!is_finite(mesh.origin)) refuse("its origin", mesh.origin);
+  const auto look = [&](const std::vector<VertexIndex>& points, std::size_t n_a_cell) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& p = mesh.points[points[i]];
+      if (exponents_are_safe({&p, 1})) continue;
+      refuse("point " + std::to_string(points[i]) + " of tetrahedron " + std::to_string(i / n_a_cell) +
+                 " (both counted from 0)",
+             p);
+    }
+  };
+  look(mesh.cells[3].corners, 4);
+  look(mesh.midpoints, 6);
+}
+
 class ModelMeshBuilder {
  public:
   ModelMeshBuilder(RawMesh raw, const std::filesystem::path& file)
@@ -50,6 +83,7 @@ class ModelMeshBuilder {
                        " of its solids are no tetrahedra (hexahedra, prisms ...); split them "
                        "first");
     if (raw_.cells[3].size() == 0) refuse(file, "it holds no tetrahedra");
+    require_finite(raw_, file);
     mesh_.name = raw_.name.empty() ? (raw_.whole.empty() ? file : raw_.whole).stem().string() : raw_.name;
     mesh_.origin = names_.origin.value_or(raw_.origin);
     if (!names_.unit.empty()) mesh_.unit = names_.unit;
@@ -191,10 +225,14 @@ class ModelMeshBuilder {
       return list[entry->second];
     };
     std::set<std::string> known;
+    std::size_t n_rows = 0;
+    for (const RawSet& set : raw_.sets) n_rows += set.rows.size();
+    SetBudget budget(n_rows);  // each set may have many names, and a name many sets
     for (const FullName& full : full_names) {
       for (const RawSet& set : raw_.sets) {
         if (set.dimension != dimension || std::find(full.sets.begin(), full.sets.end(), set.name) == full.sets.end())
           continue;
+        if (!budget.take(set.rows.size())) refuse(file_, "names beside it: its sets are named too many times");
         Wanted& item = give(full.name, full.kind);
         item.rows.insert(item.rows.end(), set.rows.begin(), set.rows.end());
         known.insert(set.name);

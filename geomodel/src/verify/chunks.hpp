@@ -3,11 +3,12 @@
 /// Rows in chunks of fixed length, for loops on several threads whose results are joined in the order of rows.
 #pragma once
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
+
+#include "common/parallel.hpp"
 
 namespace geomesh::geomodel {
 
@@ -22,7 +23,7 @@ void in_arena(unsigned threads, const Work& work) {
 /// Calls task(k) for k in [0, n). Tasks may not touch each other's data.
 template <class Task>
 void for_each_task(std::size_t n, unsigned threads, const Task& task) {
-  in_arena(threads, [&] { tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) { task(k); }); });
+  in_arena(threads, [&] { parallel_for(n, [&](std::size_t k) { task(k); }); });
 }
 
 /// The rows [0, n) in chunks that do not depend on the threads.

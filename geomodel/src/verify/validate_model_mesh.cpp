@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The invariants of a named mesh, declared in geomesh/geomodel/build_model.hpp.
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "geomesh/geomodel/build_model.hpp"
@@ -62,7 +62,7 @@ void check_points(const ModelMesh& m, unsigned threads, std::vector<std::string>
   std::vector<VertexIndex> sorted(m.points.size());
   std::iota(sorted.begin(), sorted.end(), VertexIndex{0});
   const auto less = [&](VertexIndex a, VertexIndex b) { return compare_lexicographic(m.points[a], m.points[b]) < 0; };
-  in_arena(threads, [&] { tbb::parallel_sort(sorted.begin(), sorted.end(), less); });
+  in_arena(threads, [&] { parallel_sort(sorted.begin(), sorted.end(), less); });
   for (std::size_t k = 1; k < sorted.size(); ++k)
     if (m.points[sorted[k]] == m.points[sorted[k - 1]]) equal.add(std::max(sorted[k], sorted[k - 1]));
   for (const FaultList& list : {unused, not_finite, equal, order}) list.flush(faults);

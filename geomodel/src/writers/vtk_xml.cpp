@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/vtk_xml.hpp"
 
-#include <tbb/parallel_for.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <fstream>
 #include <map>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "writers/text_buffer.hpp"
@@ -82,8 +82,7 @@ CompressedArray compress_array(const VtkArray& array, Packing packing) {
   const std::size_t bytes = size_of(array), n_blocks = (bytes + block_bytes - 1) / block_bytes;
   CompressedArray result;
   result.blocks.resize(n_blocks);
-  tbb::parallel_for(std::size_t{0}, n_blocks,
-                    [&](std::size_t b) { result.blocks[b] = compressed(block_of(array, b), packing); });
+  parallel_for(n_blocks, [&](std::size_t b) { result.blocks[b] = compressed(block_of(array, b), packing); });
   result.header = {n_blocks, block_bytes, bytes % block_bytes};
   for (const Bytes& block : result.blocks) result.header.push_back(block.size());
   return result;

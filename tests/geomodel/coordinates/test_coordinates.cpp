@@ -67,6 +67,16 @@ TEST_CASE("systems are known by the names that people write", "[coordinates]") {
   CHECK(parse_crs("epsg:3031").kind == Kind::polar);
   CHECK(parse_crs("epsg:31467").kind == Kind::other);
   CHECK(complaint_about_crs("epsg:31467").empty());
+  for (const auto& [text, zone] :
+       {std::pair("epsg:32601", 1), {"epsg:32660", 60}, {"epsg:32701", 1}, {"epsg:32760", 60}}) {
+    INFO(text);
+    CHECK(parse_crs(text).kind == Kind::utm);
+    CHECK(parse_crs(text).zone == zone);
+  }
+  for (const char* text : {"epsg:32600", "epsg:32700"}) {  // grids of all zones: there is no zone 0
+    INFO(text);
+    CHECK((!complaint_about_crs(text).empty() || parse_crs(text).kind != Kind::utm));
+  }
   for (const char* text : {"utm 61N", "utm 32", "utm 32S5", "mars", "epsg:", "epsg:x"}) {
     INFO(text);
     CHECK_FALSE(complaint_about_crs(text).empty());

@@ -256,6 +256,26 @@ TEST_CASE("each mistake has its own words", "[project]") {
   }
 }
 
+TEST_CASE("YAML that cannot be read comes with what most often stands behind it, near that line alone", "[project]") {
+  const auto contains = [](const std::string& text, const char* words) {
+    return text.find(words) != std::string::npos;
+  };
+  const char *const tab = "there is a tab near it", *const colon = "is there a blank after the colon?",
+                    *const columns = "keys of one entry begin in the same column";
+  for (const char* text : {"name: a\nsurfaces:\n\t- x\n", "name: a\n\tb: 1\nsurfaces: []\n"}) {
+    CAPTURE(text);
+    CHECK(contains(complaint(text), tab));
+  }
+  CHECK(contains(complaint("name: a\nsurfaces:\n  - {name:a, [}\n"), colon));
+  CHECK(contains(complaint("name: a\nsurfaces:\n  - {kind:[1, 2}\n"), colon));
+  for (const char* text : {"name: a\nsurfaces: []\n  box: 1\n", "box: {min: [0, 0, 0]\n"}) {
+    CAPTURE(text, complaint(text));
+    CHECK(contains(complaint(text), columns));
+  }
+  // What stands two lines before has no part in it.
+  CHECK(contains(complaint("#\ta tab\n#x:y\nname: a\nsurfaces: []\n  box: 1\n"), columns));
+}
+
 TEST_CASE("names are UTF-8: the first and last letters of each length are taken, other bytes are refused",
           "[project]") {
   const ProjectFolder f;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact check of a polygon soup. Shares no code with the arrangement: its own search tree, its own case analysis;
 // only the core's predicates are the same.
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <optional>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
 
@@ -251,7 +251,7 @@ class Validator {
     for (const Triangle& t : soup_.facets) boxes.push_back(box_of({t[0], t[1], t[2]}));
     const MedianTree tree(boxes);
     std::vector<std::vector<SoupFault>> found((boxes.size() + chunk - 1) / chunk);
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
+    parallel_for(found.size(), [&](std::size_t c) {
       for (Index f = static_cast<Index>(c * chunk); f < std::min((c + 1) * chunk, boxes.size()); ++f)
         tree.query(boxes[f], [&](Index g) {
           if (g > f && found[c].size() < limit_) test_facets(f, g, found[c]);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrangement/model/arranged.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "arrangement/model/memory_bound.hpp"
+#include "common/parallel.hpp"
 #include "common/union_find.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
@@ -31,7 +29,7 @@ class Identification {
   void run(std::vector<Index> candidates) {
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    tbb::parallel_sort(candidates.begin(), candidates.end(), [this](Index a, Index b) {
+    parallel_sort(candidates.begin(), candidates.end(), [this](Index a, Index b) {
       const int order = compare_lexicographic(vertices_.rounded(a), vertices_.rounded(b));
       return order != 0 ? order < 0 : a < b;
     });
@@ -73,12 +71,12 @@ class Places {
       note_corners(o.a);
       note_corners(o.b);
     }
-    tbb::parallel_sort(symbols_.begin(), symbols_.end());
+    parallel_sort(symbols_.begin(), symbols_.end());
     symbols_.erase(std::unique(symbols_.begin(), symbols_.end()), symbols_.end());
     std::vector<ExactPoint> made(symbols_.size());
     std::vector<Vec3> rounded(symbols_.size());
     const ExactFrame& frame = vertices_.frame();
-    tbb::parallel_for(std::size_t{0}, symbols_.size(), [&](std::size_t k) {
+    parallel_for(symbols_.size(), [&](std::size_t k) {
       made[k] = construct(complex_, frame, symbols_[k]);
       rounded[k] = frame.to_nearest(made[k]);
     });
@@ -104,7 +102,7 @@ class Places {
   /// As in Arranged.
   std::vector<std::array<Index, 2>> contact_ends() const {
     std::vector<std::array<Index, 2>> out(contacts_.facets.size());
-    tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t k) { out[k] = resolve(contacts_.facets[k]); });
+    parallel_for(out.size(), [&](std::size_t k) { out[k] = resolve(contacts_.facets[k]); });
     return out;
   }
 
@@ -150,7 +148,7 @@ class Clusters {
       members_.emplace_back(clusters.find(o.a), o.a);
       members_.emplace_back(clusters.find(o.b), o.b);
     }
-    tbb::parallel_sort(members_.begin(), members_.end());
+    parallel_sort(members_.begin(), members_.end());
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
     for (std::size_t k = 0; k < members_.size(); ++k)
       if (k == 0 || members_[k].first != members_[k - 1].first) begin_.push_back(k);
@@ -228,7 +226,7 @@ class Round {
  private:
   void triangulate(const Clusters& clusters) {
     pieces_.resize(clusters.size());
-    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+    parallel_for(pieces_.size(), [&](std::size_t k) {
       if (context_.cancel && context_.cancel->load(std::memory_order_relaxed)) return;
       pieces_[k] = triangulate_cluster(complex_, result_.vertices, clusters.input(k, contacts_, result_.contact_ends));
       memory_.take(pieces_[k].facets.size(), MemoryUse::per_facet,

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs of facets that may meet, declared in arrangement/model/contacts.hpp.
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +9,7 @@
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/search/bvh.hpp"
 #include "arrangement/search/charts.hpp"
+#include "common/parallel.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -29,7 +28,7 @@ Box3 box_of_segment(const Complex& complex, Index segment) {
 
 std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& facets) {
   std::vector<Box3> boxes(facets.size());
-  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) { boxes[i] = box_of(complex, facets[i]); });
+  parallel_for(facets.size(), [&](std::size_t i) { boxes[i] = box_of(complex, facets[i]); });
   return boxes;
 }
 
@@ -51,7 +50,7 @@ void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limi
   std::vector<Contacts> found(n_chunks);
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> n_chunks_done{0};
-  tbb::parallel_for(std::size_t{0}, n_chunks, [&, &context = context, &memory = memory](std::size_t c) {
+  parallel_for(n_chunks, [&, &context = context, &memory = memory](std::size_t c) {
     if (context.cancel && context.cancel->load(std::memory_order_relaxed)) return;
     const std::size_t done = n_chunks_done.fetch_add(1, std::memory_order_relaxed);
     if (std::this_thread::get_id() == caller) context.report(done * chunk, n);
@@ -73,7 +72,7 @@ std::vector<Index> facets_to_test(const Complex& complex) {
   if (dirty.size() == complex.facets.size()) return dirty;
   const BoxTree tree(boxes_of(complex, dirty));
   std::vector<std::uint8_t> near(complex.facets.size(), 0);
-  tbb::parallel_for(std::size_t{0}, complex.facets.size(), [&](std::size_t f) {
+  parallel_for(complex.facets.size(), [&](std::size_t f) {
     near[f] = complex.dirty_facet[f];
     if (!near[f]) tree.boxes_meeting(box_of(complex, static_cast<Index>(f)), [&](Index) { near[f] = 1; });
   });
@@ -127,7 +126,7 @@ void find_well_contacts(const Limits& limits, Contacts& all) {
 
 template <typename T>
 void sort_unique(std::vector<T>& items) {
-  tbb::parallel_sort(items.begin(), items.end());
+  parallel_sort(items.begin(), items.end());
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 

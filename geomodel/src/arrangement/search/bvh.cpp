@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrangement/search/bvh.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <limits>
+
+#include "common/parallel.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -50,7 +49,7 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups) 
   for (std::size_t i = 0; i < 3; ++i) extent = std::max(extent, all.max[i] - all.min[i]);
   const double scale = extent > 0 ? 0.5 * 0x1FFFFF / extent : 0;
   std::vector<KeyedBox> keyed(boxes.size());
-  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+  parallel_for(boxes.size(), [&](std::size_t i) {
     std::uint64_t key = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double middle = (boxes[i].min[k] - origin_[k]) + (boxes[i].max[k] - origin_[k]);
@@ -58,7 +57,7 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups) 
     }
     keyed[i] = {key, groups.empty() ? no_index : groups[i], static_cast<Index>(i)};
   });
-  tbb::parallel_sort(keyed.begin(), keyed.end());
+  parallel_sort(keyed.begin(), keyed.end());
 
   n_leaves_ = (boxes.size() + leaf_size - 1) / leaf_size;
   while (n_slots_ < n_leaves_) n_slots_ *= 2;
@@ -67,7 +66,7 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups) 
   constexpr float inf = std::numeric_limits<float>::infinity();
   const FloatBox empty{{inf, inf, inf}, {-inf, -inf, -inf}};
   nodes_.assign(2 * n_slots_, empty);
-  tbb::parallel_for(std::size_t{0}, n_leaves_, [&](std::size_t leaf) {
+  parallel_for(n_leaves_, [&](std::size_t leaf) {
     FloatBox node = empty;
     for (std::size_t i = leaf * leaf_size; i < std::min((leaf + 1) * leaf_size, boxes.size()); ++i) {
       order_[i] = keyed[i].box;

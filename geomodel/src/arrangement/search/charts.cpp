@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrangement/search/charts.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "arrangement/model/separation.hpp"
+#include "common/parallel.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -36,7 +35,7 @@ Neighbours find_neighbours(const Complex& complex) {
       sides[begin[std::min(a, b) + 1]++] = {std::max(a, b), 4 * f + k};
     }
   Neighbours neighbours(n, {no_index, no_index, no_index});
-  tbb::parallel_for(std::size_t{0}, complex.points.size(), [&](std::size_t v) {
+  parallel_for(complex.points.size(), [&](std::size_t v) {
     const std::span<Side> at(sides.data() + begin[v], sides.data() + begin[v + 1]);
     std::sort(at.begin(), at.end(),
               [](const Side& a, const Side& b) { return a.other != b.other ? a.other < b.other : a.side < b.side; });
@@ -178,7 +177,7 @@ std::vector<Index> find_charts(const Complex& complex) {
   const Neighbours neighbours = find_neighbours(complex);
   const std::vector<Index> runs = surface_runs(complex);
   std::vector<Index> chart_of(complex.facets.size(), no_index), n_charts(runs.size() - 1, 0);
-  tbb::parallel_for(std::size_t{0}, n_charts.size(), [&](std::size_t r) {
+  parallel_for(n_charts.size(), [&](std::size_t r) {
     n_charts[r] = ChartFinder(complex, neighbours, runs[r], runs[r + 1], chart_of).run();
   });
   Index first = 0;

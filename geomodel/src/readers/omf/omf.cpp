@@ -18,12 +18,14 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr std::size_t header_bytes = 60;
-constexpr std::size_t most_flat_nodes = 100'000'000;  // nothing in the file stands for a flat grid's nodes
+constexpr std::size_t most_flat_nodes = 100'000'000;  // of all flat grids: nothing in the file stands for them
+/// Bytes of all arrays, inflated: so many, and so many for each byte of the file. One array can be named many times.
+constexpr std::size_t bytes_always = 100'000'000, bytes_a_byte = 100;
 constexpr std::string_view magic("\x84\x83\x82\x81", 4);
 
 class OmfReader {
  public:
-  explicit OmfReader(const InputFile& file) : file_(file) {}
+  explicit OmfReader(const InputFile& file) : file_(file), bytes_left_(bytes_always + bytes_a_byte * file.size()) {}
 
   FileContents read() {
     read_header();
@@ -95,7 +97,7 @@ class OmfReader {
   }
 
   /// The bytes of an array, inflated as far as they go: a lying length meets the end of the compressed data.
-  std::string inflate(const Json& owner, const std::string& what) const {
+  std::string inflate(const Json& owner, const std::string& what) {
     const auto array = owner.find("array");
     if (array == owner.end() || !array->is_object() || !array->contains("start") || !array->contains("length") ||
         !(*array)["start"].is_number_integer() || !(*array)["length"].is_number_integer())
@@ -117,20 +119,26 @@ class OmfReader {
       stream.avail_out = static_cast<uInt>(block.size());
       status = ::inflate(&stream, Z_NO_FLUSH);
       bytes.append(block.data(), block.size() - stream.avail_out);
+      if (bytes.size() > bytes_left_) break;
     }
     inflateEnd(&stream);
+    if (bytes.size() > bytes_left_)
+      file_.fail(what +
+                 ": with it, the arrays that are named hold more than 100 MB and a hundred times the file's size, more "
+                 "than can be right");
+    bytes_left_ -= bytes.size();
     if (status != Z_STREAM_END) file_.fail(what + " cannot be decompressed (truncated or damaged)");
     return bytes;
   }
 
-  std::string numbers(const Json& owner, const std::string& what, const char* type) const {
+  std::string numbers(const Json& owner, const std::string& what, const char* type) {
     std::string bytes = inflate(owner, what);
     const Json& array = owner["array"];
     if (array.value("dtype", Json(type)) != type)
       file_.fail(what + " holds numbers of type " + array["dtype"].dump() + "; " + type + " was expected");
     return bytes;
   }
-  std::vector<double> doubles(const Json& owner, const std::string& what) const {
+  std::vector<double> doubles(const Json& owner, const std::string& what) {
     const std::string bytes = numbers(owner, what, "<f8");
     std::vector<double> values(bytes.size() / 8);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -140,7 +148,7 @@ class OmfReader {
     }
     return values;
   }
-  std::vector<VertexIndex> rows(const Json& owner, const std::string& what, std::size_t n_points) const {
+  std::vector<VertexIndex> rows(const Json& owner, const std::string& what, std::size_t n_points) {
     const std::string bytes = numbers(owner, what, "<i8");
     std::vector<VertexIndex> values(bytes.size() / 8);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -153,7 +161,7 @@ class OmfReader {
     return values;
   }
 
-  std::vector<Vec3> vertices(const Json& geometry, const std::string& what) const {
+  std::vector<Vec3> vertices(const Json& geometry, const std::string& what) {
     const std::vector<double> values = doubles(member(geometry, "vertices", what), what + ".vertices");
     const Vec3 origin = project_origin_ + vector_of(geometry, "origin");
     std::vector<Vec3> points;
@@ -199,7 +207,7 @@ class OmfReader {
   }
 
   /// Widths of cells stand in the geometry itself, or in an array that it names.
-  std::vector<double> widths(const Json& geometry, const char* key, const std::string& name) const {
+  std::vector<double> widths(const Json& geometry, const char* key, const std::string& name) {
     const std::string what = name + "." + key;
     const auto it = geometry.find(key);
     if (it == geometry.end()) file_.fail(what + " is not there");
@@ -222,9 +230,11 @@ class OmfReader {
       if (grid.offsets.size() / grid.n_columns() != grid.n_rows() || grid.offsets.size() % grid.n_columns() != 0)
         file_.fail(name + ".offset_w holds " + std::to_string(grid.offsets.size()) + " numbers; a grid of " +
                    std::to_string(grid.n_columns()) + " by " + std::to_string(grid.n_rows()) + " nodes has one each");
-    } else if (grid.n_columns() > most_flat_nodes / grid.n_rows()) {
+    } else if (grid.n_columns() > flat_nodes_left_ / grid.n_rows()) {
       file_.fail(name + " is a flat grid of " + std::to_string(grid.n_columns()) + " by " +
                  std::to_string(grid.n_rows()) + " nodes, more than can be right");
+    } else {
+      flat_nodes_left_ -= grid.n_columns() * grid.n_rows();
     }
     const auto lattice = nodes_of(grid);
     if (!lattice) {
@@ -254,6 +264,7 @@ class OmfReader {
   }
 
   const InputFile& file_;
+  std::size_t bytes_left_, flat_nodes_left_ = most_flat_nodes;
   Json objects_;
   std::string project_id_;
   Vec3 project_origin_;
