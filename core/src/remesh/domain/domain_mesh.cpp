@@ -2,7 +2,6 @@
 #include "remesh/domain/domain_mesh.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <string>
 
 #include "geomesh/core/validate.hpp"
@@ -37,31 +36,33 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, dou
     attributes_.component.push_back(component);
     attributes_.tags.emplace_back();
     attributes_.shape.push_back(0);
-  } else {
-    attributes_.component[c] = component;
-    attributes_.tags[c] = {};
   }
-  for (VertexIndex v : vertices) {
-    note_vertex(v);
-    cell_of_[v] = c;
-  }
-  if (shape > 0)
-    set_shape(c, shape);
-  else
-    refresh_shape(c);
+  set_cell(c, {vertices, component, {}, shape}, clock_);
   return c;
 }
 
-void DomainMesh::refresh_shape(CellIndex c) { set_shape(c, DomainMesh::shape(mesh_.vertices(c))); }
+/// What a cell in a slot that is taken has, but for its neighbours.
+void DomainMesh::set_cell(CellIndex c, const NewCell& cell, std::uint64_t time) {
+  attributes_.component[c] = cell.component;
+  attributes_.tags[c] = cell.tags;
+  for (VertexIndex v : cell.vertices) {
+    note_vertex(v);
+    cell_of_[v] = c;
+  }
+  set_shape(c, cell.shape > 0 ? cell.shape : shape(cell.vertices), time);
+}
 
-void DomainMesh::set_shape(CellIndex c, double shape) {
+void DomainMesh::refresh_shape(CellIndex c) { set_shape(c, shape(mesh_.vertices(c))); }
+
+void DomainMesh::set_shape(CellIndex c, double shape) { set_shape(c, shape, clock_); }
+
+void DomainMesh::set_shape(CellIndex c, double shape, std::uint64_t time) {
   if (journal_.is_open) {
     note_cell(c);
     for (const VertexIndex v : mesh_.vertices(c)) note_vertex(v);
   }
   attributes_.shape[c] = shape;
-  // Blocks that are smoothed at once may share vertices that do not move.
-  for (const VertexIndex v : mesh_.vertices(c)) std::atomic_ref(changed_[v]).store(clock_, std::memory_order_relaxed);
+  for (const VertexIndex v : mesh_.vertices(c)) changed_[v] = time;
 }
 
 void DomainMesh::link_cells() {

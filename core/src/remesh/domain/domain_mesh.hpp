@@ -20,6 +20,7 @@
 #include "mesh/editable_mesh.hpp"
 #include "quality/measure/cell_quality.hpp"
 #include "remesh/domain/live_cells.hpp"
+#include "remesh/domain/mesh_blocks.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
 #include "remesh/domain/star_links.hpp"
@@ -136,12 +137,23 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
   /// log k). Throws InternalError where the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
+  /// The same for cells of a block, beside others that change theirs. The caller has asked whether it may.
+  void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
+               BlockEdit& block);
   /// The same for cells of one component, none of whose faces inside is constrained, and the star of `apex`: a cell for
   /// each face of their border, in this order, with the `shapes`, of which there may be more. O(k).
   void replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
                        std::span<const double> shapes, std::vector<CellIndex>& created);
   /// The vertex must be in no live cell.
   void remove_vertex(VertexIndex v);
+
+  /// @name Blocks (mesh_blocks.hpp)
+  /// @{
+  /// A clock and free slots for a block: to be called for all before any is worked on.
+  void open_block(BlockEdit& block, std::size_t n_slots);
+  /// To be called for all once they have been worked on.
+  void close_block(BlockEdit& block);
+  /// @}
 
   /// @name Components on their own
   /// What changes inside of components alone can so be done in all of them at once.
@@ -259,6 +271,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
       journal_.cells.push_back(
           {c, mesh_.cells()[c], attributes_.component[c], attributes_.tags[c], attributes_.shape[c]});
   }
+  void set_cell(CellIndex c, const NewCell& cell, std::uint64_t time);
+  void set_shape(CellIndex c, double shape, std::uint64_t time);
   void note_curve(VertexIndex a, VertexIndex b) {
     if (journal_.is_open) journal_.curves.push_back({a, b, curves_.find({a, b})});
   }

@@ -9,10 +9,14 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// Room for what blocks are given (mesh_blocks.hpp), so that no array doubles for it.
+std::size_t with_spare_slots(std::size_t n) { return n + n / 32; }
+
 template <class Value>
 void permute(std::vector<Value>& values, const std::vector<CellIndex>& old_index) {
-  std::vector<Value> sorted(old_index.size());
-  for (std::size_t c = 0; c < old_index.size(); ++c) sorted[c] = values[old_index[c]];
+  std::vector<Value> sorted;
+  sorted.reserve(with_spare_slots(old_index.size()));
+  for (const CellIndex c : old_index) sorted.push_back(values[c]);
   values = std::move(sorted);
 }
 
@@ -40,6 +44,7 @@ void DomainMesh::sort_cells() {
   std::vector<CellIndex> new_index(mesh_.n_slots(), no_cell);
   for (CellIndex c = 0; c < old_index.size(); ++c) new_index[old_index[c]] = c;
   TetMesh sorted;
+  sorted.reserve(with_spare_slots(old_index.size()));
   sorted.grow_to(old_index.size());
   for (CellIndex c = 0; c < old_index.size(); ++c) {
     TetMesh::Cell cell = mesh_.cells()[old_index[c]];

@@ -30,7 +30,9 @@ struct Toolbox {
   bool bad_cells_may_spread = false;
   bool borders_stay = false;  ///< whether curves and faces of no facet get no points
   bool points_in_thin_gaps =
-      false;  ///< whether improvement may put points there, where they mostly make more flat elements
+      false;                   ///< whether improvement may put points there, where they mostly make more flat elements
+  BlockEdit* block = nullptr;  ///< the block that operations keep to, where they are done beside others
+  MeshBlocks::Rules block_rules;
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}
@@ -47,6 +49,21 @@ struct Toolbox {
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
   }
+  /// Exchanges the cells for work.added, which makes work.created. False where the block does not allow it.
+  bool exchange(std::span<const CellIndex> removed) {
+    if (!block) {
+      mesh.replace(removed, work.added, work.created);
+      return true;
+    }
+    if (!block->may_exchange(mesh, removed, work.added.size())) return false;
+    mesh.replace(removed, work.added, work.created, *block);
+    return true;
+  }
+  /// DomainMesh::tick, of the block where there is one.
+  std::uint64_t tick() { return block ? block->clock++ : mesh.tick(); }
+  /// Whether all of the cells are of the block, where there is one. (Others may be changed meanwhile: do not look at
+  /// their neighbours.)
+  bool may_touch(std::span<const CellIndex> cells) { return !block || block->owns(mesh, cells); }
   /// Whether a star of p in the cavity would have more bad cells than go, and may not.
   bool spoils(const StarCavity& cavity, const Vec3& p) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);
