@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/validate.hpp"
 
 namespace geomesh::remesh {
@@ -197,9 +198,22 @@ std::string describe(const char* what, CellIndex c) { return std::string(what) +
 
 }  // namespace
 
-std::string DomainMesh::validate() const {
-  for (const auto& faults : {validate_topology(mesh_, 1, Outside::open), validate_geometry(mesh_, points_, 1)})
-    if (!faults.empty()) return describe(faults[0].what.c_str(), faults[0].cell);
+std::string DomainMesh::validate(unsigned threads) const {
+  std::array<std::string, 2> found;
+  for_each_task(found.size(), thread_count(threads), [&](std::size_t k) {
+    const auto faults = k == 0 ? validate_topology(mesh_, 1, Outside::open) : validate_geometry(mesh_, points_, 1);
+    if (!faults.empty())
+      found.at(k) = describe(faults[0].what.c_str(), faults[0].cell);
+    else if (k == 0)
+      found[0] = validate_domain();
+  });
+  for (const std::string& fault : found)
+    if (!fault.empty()) return fault;
+  return {};
+}
+
+/// What holds beside valid topology and geometry.
+std::string DomainMesh::validate_domain() const {
   std::vector<std::array<VertexIndex, 2>> edges;
   for (const CellIndex c : live_cells()) {
     const Tetrahedron& t = mesh_.vertices(c);

@@ -162,12 +162,12 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<MeshPart> take_apart();
   /// Takes the parts in again, in their order: their cells, and the vertices that they did not begin with. Faces to
   /// other components must be as they were. O(n), and n log n in such faces.
-  void put_together(std::vector<MeshPart> parts);
+  void put_together(std::vector<MeshPart> parts, unsigned threads = 1);
   /// @}
 
   /// Renumbers the cells along a curve that fills space, so that near ones are near in memory. No slot is free after
   /// it. O(n log n).
-  void sort_cells();
+  void sort_cells(unsigned threads = 1);
   /// Vertices in the order of the first cell that has them: near ones one after the other where cells are sorted.
   std::vector<VertexIndex> vertices_by_cells() const;
 
@@ -252,16 +252,18 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   void reserve(std::size_t n_vertices, std::size_t n_cells);
 
   /// Checks the invariants; the first violation is described in the string returned, empty where all hold. O(n log n).
-  std::string validate() const;
+  std::string validate(unsigned threads = 1) const;
 
  private:
   void fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                  std::vector<VertexIndex>& row, MeshPart& part) const;
   using OpenFace = std::pair<FaceKey, FaceRef>;
-  void copy_cell(const DomainMesh& from, CellIndex c, const std::vector<VertexIndex>& row,
-                 const std::vector<CellIndex>& row_of_cell, std::vector<OpenFace>& open);
+  struct CellCopies;
+  void copy_cell(const CellCopies& from, CellIndex c, std::vector<OpenFace>& open);
+  void append(MeshPart part, unsigned threads, std::vector<OpenFace>& open);
   /// Those that are the same face with each other.
   void link_faces(std::vector<OpenFace> faces);
+  std::string validate_domain() const;
   void note_vertex(VertexIndex v) {
     if (journal_.is_open && journal_.is_new_vertex(v))
       journal_.vertices.push_back({v, points_[v], kinds_[v], supports_[v], cell_of_[v], changed_[v]});
