@@ -13,9 +13,9 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned most_halvings = 6;
-/// Where a range of vertices is cut, as a share of it, by division. Cuts of the second are not near those of the first,
+/// Where a range of vertices is cut, as a share of it, by division. Cuts of the others are not near those of the first,
 /// which are at halves, quarters, eighths.
-constexpr std::array<double, 2> cuts{0.5, 0.36};
+constexpr std::array<double, MeshBlocks::n_divisions> cuts{0.5, 0.36, 0.64};
 
 std::size_t widest_axis(const DomainMesh& mesh, std::span<const VertexIndex> vertices) {
   Box3 box;

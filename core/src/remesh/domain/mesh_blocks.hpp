@@ -44,15 +44,16 @@ inline constexpr bool checks_by_default = false;
 class MeshBlocks {
  public:
   using Block = std::uint16_t;
+  static constexpr unsigned n_divisions = 3;
 
   /// How a mesh is parted.
   struct Rules {
-    std::size_t vertices_a_block = 4096;  ///< at least, but for blocks of the second division. 64 blocks at most
+    std::size_t vertices_a_block = 4096;  ///< on average, or more. 64 blocks at most
     bool is_checked = checks_by_default;  ///< each face that is written is claimed by its block
   };
 
-  /// Halves the mesh's vertices by the widest coordinate, again and again. The second division (1) has its borders
-  /// elsewhere than the first (0). O(n log n / threads).
+  /// Halves the mesh's vertices by the widest coordinate, again and again; not in the middle for divisions above 0, so
+  /// that each has its borders elsewhere. O(n log n / threads).
   MeshBlocks(const DomainMesh& mesh, unsigned division, const Rules& rules, unsigned threads);
 
   std::size_t size() const { return n_blocks_; }

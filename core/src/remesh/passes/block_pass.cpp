@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "common/parallel.hpp"
@@ -11,6 +12,7 @@ namespace geomesh::remesh {
 
 namespace {
 
+constexpr std::size_t fewest_a_block = 4;          ///< below this share of a block's vertices one thread is as fast
 constexpr std::size_t visits_between_looks = 256;  ///< at the cancel token
 /// Slots for cells that operations make before others have freed some: so many, and one for so many visits.
 constexpr std::size_t least_slots = 32, visits_a_slot = 8;
@@ -32,7 +34,7 @@ const MeshBlocks& BlockPass::division(unsigned k) {
 
 void BlockPass::run(std::vector<VertexIndex> vertices, Changes changes, const Visit& visit) {
   for (unsigned k = 0; k < divisions_.size(); ++k) {
-    if (vertices.size() < tools_.block_rules.vertices_a_block || division(k).size() == 1) break;
+    if (vertices.size() * fewest_a_block < tools_.block_rules.vertices_a_block || division(k).size() == 1) break;
     vertices = run_in(division(k), vertices, changes, visit);
   }
   counts_.by_one_thread += vertices.size();
@@ -76,6 +78,14 @@ std::vector<VertexIndex> BlockPass::run_in(const MeshBlocks& blocks, const std::
   for (const VertexIndex v : vertices)
     if (!inner[v] || is_left[v]) left.push_back(v);
   return left;
+}
+
+void BlockPass::note_counts(std::string_view name) const {
+  const std::size_t all = counts_.in_blocks - counts_.put_off + counts_.by_one_thread;
+  context_.note(LogLevel::debug, std::string(name) + ": " + std::to_string(all) + " vertices visited, " +
+                                     std::to_string(counts_.put_off) + " of them again, " +
+                                     std::to_string(counts_.by_one_thread) + " by one thread, " +
+                                     std::to_string(counts_.critical) + " in the largest blocks");
 }
 
 void BlockPass::visit_block(BlockEdit& block, const std::vector<VertexIndex>& vertices,

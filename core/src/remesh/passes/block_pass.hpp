@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "geomesh/core/run_context.hpp"
@@ -16,8 +17,8 @@
 namespace geomesh::remesh {
 
 /// Visits vertices: those inside of blocks, on all cores. Then those that were between, or were put off, inside of
-/// blocks that have other borders, and what is left by one thread. Blocks depend on the mesh alone, and so does what
-/// comes of the visits. Vertices may neither be made nor removed from the first visit to the last.
+/// blocks that have other borders, twice, and what is left by one thread. Blocks depend on the mesh alone, and so does
+/// what comes of the visits. Vertices may neither be made nor removed from the first visit to the last.
 class BlockPass {
  public:
   enum class Changes : bool {
@@ -41,6 +42,8 @@ class BlockPass {
     std::size_t critical = 0;       ///< visits of the largest block of each division
   };
   const Counts& counts() const { return counts_; }
+  /// Notes them (debug), as of a pass with this name.
+  void note_counts(std::string_view name) const;
 
  private:
   const MeshBlocks& division(unsigned k);
@@ -52,7 +55,7 @@ class BlockPass {
 
   Toolbox& tools_;
   const RunContext& context_;
-  std::array<std::optional<MeshBlocks>, 2> divisions_;
+  std::array<std::optional<MeshBlocks>, MeshBlocks::n_divisions> divisions_;
   tbb::enumerable_thread_specific<Workspace> scratch_;
   Counts counts_;
 };

@@ -37,6 +37,7 @@ class MeanRaiser {
     before_.gains =
         smooth_all(tools_, rule, blocks, [&](VertexIndex v) { return is_left_[v] && mesh_.changed_at(v) <= start; });
     before_.end = mesh_.tick();
+    blocks.note_counts("the mean raised by blocks");
   }
 
  private:

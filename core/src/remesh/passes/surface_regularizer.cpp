@@ -45,6 +45,8 @@ class SurfaceRegularizer {
     return tools_.statistics.smoothing_moves - n;
   }
 
+  void note_counts() const { blocks_.note_counts("surfaces made regular by blocks"); }
+
  private:
   /// An edge from a vertex to a greater one, and the apexes of its faces.
   struct SurfaceEdge {
@@ -118,6 +120,7 @@ void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunC
     const std::size_t n_flips = regularizer.flip_all();
     if (n_flips + regularizer.move_all() == 0) break;
   }
+  regularizer.note_counts();
 }
 
 }  // namespace geomesh::remesh
