@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "quality/causes.hpp"
 
@@ -25,18 +26,29 @@ double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh,
 }
 
 /// No edge that is longer is short: no size above this is asked anywhere.
-EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share) {
+EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share, unsigned threads) {
+  constexpr std::size_t chunk = 16384;
+  struct Use {
+    std::array<VertexIndex, 2> ends;
+    Index cell;
+  };
   const double longest = share * std::min(size.limits().global, size.limits().max_size);
-  EdgeCells edges;
-  for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
-    const Tetrahedron& t = mesh.tetrahedra[c];
-    for (const auto& e : edge_vertices) {
-      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
-      const double l = distance(mesh.points[a], mesh.points[b]);
-      if (l < longest && l < share * size.at(0.5 * (mesh.points[a] + mesh.points[b]), mesh.component[c]))
-        edges[{a, b}].push_back(c);
+  std::vector<std::vector<Use>> found((mesh.tetrahedra.size() + chunk - 1) / chunk);
+  const bool asks_caller = size.limits().background != nullptr;  // who is asked on one thread alone
+  for_each_task(found.size(), asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
+    for (std::size_t c = k * chunk; c < std::min(mesh.tetrahedra.size(), (k + 1) * chunk); ++c) {
+      const Tetrahedron& t = mesh.tetrahedra[c];
+      for (const auto& e : edge_vertices) {
+        const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+        const double l = distance(mesh.points[a], mesh.points[b]);
+        if (l < longest && l < share * size.at(0.5 * (mesh.points[a] + mesh.points[b]), mesh.component[c]))
+          found[k].push_back({{a, b}, static_cast<Index>(c)});
+      }
     }
-  }
+  });
+  EdgeCells edges;
+  for (const std::vector<Use>& of_chunk : found)
+    for (const Use& use : of_chunk) edges[use.ends].push_back(use.cell);
   return edges;
 }
 
@@ -64,7 +76,7 @@ void excuse_near_forced(std::vector<ShortEdge>& edges, const SizeField& size) {
 ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options, double share, std::size_t max_worst) {
   ShortEdges found;
-  const EdgeCells edges = candidates(mesh, *options.size, share);
+  const EdgeCells edges = candidates(mesh, *options.size, share, options.threads);
   if (edges.empty()) return found;
   const InputCreases creases = find_creases(plc, options);
   CauseFinder causes(mesh, options, creases);
