@@ -24,19 +24,30 @@ double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh,
   return least;
 }
 
-/// No edge that is longer is short: no size above this is asked anywhere.
+/// No edge that is longer is short: no size above this is asked anywhere. Where sizes jump from one component to the
+/// next, an edge may be short for some of its cells alone: all of them are listed.
 EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share) {
   const double longest = share * std::min(size.limits().global, size.limits().max_size);
   EdgeCells edges;
-  for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
-    const Tetrahedron& t = mesh.tetrahedra[c];
-    for (const auto& e : edge_vertices) {
-      const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
-      const double l = distance(mesh.points[a], mesh.points[b]);
-      if (l < longest && l < share * size.at(0.5 * (mesh.points[a] + mesh.points[b]), mesh.component[c]))
-        edges[{a, b}].push_back(c);
+  const auto for_each_short = [&](const auto& visit) {
+    for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
+      const Tetrahedron& t = mesh.tetrahedra[c];
+      for (const auto& e : edge_vertices) {
+        const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+        const double l = distance(mesh.points[a], mesh.points[b]);
+        if (l < longest) visit(std::array{a, b}, l, c);
+      }
     }
-  }
+  };
+  for_each_short([&](const std::array<VertexIndex, 2>& ends, double l, Index c) {
+    if (l < share * size.at(0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]), mesh.component[c]))
+      edges[ends].push_back(c);
+  });
+  if (size.limits().component_size.empty() && !size.limits().background) return edges;
+  for (auto& [ends, cells] : edges) cells.clear();
+  for_each_short([&](const std::array<VertexIndex, 2>& ends, double, Index c) {
+    if (const auto edge = edges.find(ends); edge != edges.end()) edge->second.push_back(c);
+  });
   return edges;
 }
 
