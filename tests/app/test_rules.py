@@ -295,6 +295,14 @@ rules: {min_thickness: 0.5, thin_layers: %s}
         self.assert_volumes(volumes, {"young": 600 - middle, "middle": middle, "old": 400})
         self.told(report, "notes", "unit middle collapsed", "laid onto b", "moved by at most 0.25")
 
+    def test_horizons_that_overhang_are_not_collapsed(self):
+        """What stands twice over a place cannot be laid onto another: the layer stays as it is, and that is told."""
+        self.surface("a", [(-1, 4.2), (6, 4.2), (5, 5), (11, 5)])
+        self.surface("b", [(-1, 4), (11, 4)])
+        report, volumes = self.mesh(self.TEXT % "collapse")
+        self.told(report, "warnings", "min_thickness not applied to horizons a to b", "a overhangs in the map")
+        self.assertGreater(volumes["middle"], 10 * 0.2 * 5)
+
     def test_collapse_takes_crossings_by_noise_along(self):
         """Horizons that should coincide and cross by a few centimetres leave no pockets."""
         self.surface("a", [(-1, 5), (2, 4.98), (4, 5.03), (6, 4.97), (11, 5.01)])

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every operation over every kind of edge, face, cell and vertex of small models, the validator after each that did
 // something.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "geomesh/core/quality.hpp"
@@ -26,6 +27,23 @@ TEST_CASE("The imported mesh is valid and comes back as it was", "[improve]") {
     CHECK(back.component == model.mesh.component);
     CHECK(back.faces.size() == model.mesh.faces.size());
     CHECK(back.edges.size() == model.mesh.edges.size());
+  }
+}
+
+TEST_CASE("Points that are to stay are corners, others of a smooth surface are not", "[improve]") {
+  const Model model = ball_in_box(4);
+  RefineOptions options = Bench::make_options(0.05);
+  const DomainMesh free = import_domain(model.plc, model.mesh, options);
+  std::vector<VertexIndex> chosen;
+  for (VertexIndex v = 0; v < model.mesh.points.size() && chosen.size() < 3; ++v)
+    if (free.kind(v) == VertexKind::surface && model.mesh.input_vertex[v] != no_vertex) chosen.push_back(v);
+  REQUIRE(chosen.size() == 3);
+  options.fixed_points = std::vector<VertexIndex>{};
+  for (const VertexIndex v : chosen) options.fixed_points->push_back(model.mesh.input_vertex[v]);
+  const DomainMesh held = import_domain(model.plc, model.mesh, options);
+  for (VertexIndex v = 0; v < model.mesh.points.size(); ++v) {
+    const bool is_chosen = std::find(chosen.begin(), chosen.end(), v) != chosen.end();
+    CHECK(held.kind(v) == (is_chosen ? VertexKind::corner : free.kind(v)));
   }
 }
 

@@ -147,6 +147,33 @@ TEST_CASE("An edge is short by the size that is asked, and nothing forces those 
   CHECK(short_edges_of(plain_box(as_it_is), 0.3).n == 0);
 }
 
+TEST_CASE("Where sizes jump, an edge is held against the least of those that its cells are asked for", "[quality]") {
+  const Model model = two_boxes(4);  // edges of a quarter, and their diagonals
+  for (const double fine : {0.3, 2.0}) {
+    SizeField::Limits limits;
+    limits.component_size = {2, fine};
+    const SizeField field({}, limits);
+    QualityOptions judging;
+    judging.size = &field;
+    judging.facet_patch = model.plc.facet_provenance;
+    const ShortEdges edges = find_short_edges(model.plc, model.mesh, judging, 1.0 / 3, 10000);
+    std::size_t n_of_coarse = 0, n_of_both = 0;
+    for (const ShortEdge& e : edges.worst) {
+      bool coarse = false, other = false;
+      for (Index c = 0; c < model.mesh.tetrahedra.size(); ++c) {
+        const Tetrahedron& t = model.mesh.tetrahedra[c];
+        if (std::find(t.begin(), t.end(), e.a) == t.end() || std::find(t.begin(), t.end(), e.b) == t.end()) continue;
+        (model.mesh.component[c] == 0 ? coarse : other) = true;
+      }
+      n_of_coarse += coarse && !other;
+      n_of_both += coarse && other;
+      CHECK(e.size == 2);
+    }
+    CHECK(n_of_coarse > 50);
+    CHECK((n_of_both > 0) == (fine == 2));
+  }
+}
+
 TEST_CASE("Sizes grow from edges that a layer forces: edges that follow them are forced too", "[quality]") {
   const Model model = box_with_layer(0.02);
   const ShortEdges slow = short_edges_of(model, 2, 0.3), steep = short_edges_of(model, 2, 10);

@@ -53,6 +53,17 @@ TEST_CASE("a node without a value is a hole, whose cells keep one triangle each"
   CHECK(info.n_holes == 1);
 }
 
+TEST_CASE("the spacing of grids is told, whichever way their nodes run", "[readers][grids]") {
+  for (const char* name : {"along_u.omf", "along_v.omf"}) {
+    const FileContents contents = read_text(name, plane_file(name));
+    REQUIRE(contents.grids.size() == 1);
+    CHECK(contents.grids[0].origin.x == Approx(Plane::x0).epsilon(1e-15));
+    CHECK(contents.grids[0].origin.y == Approx(Plane::y0).epsilon(1e-15));
+    CHECK(contents.grids[0].spacing.x == 50);
+    CHECK(contents.grids[0].spacing.y == 80);
+  }
+}
+
 TEST_CASE("nulls of each grid format are holes", "[readers][grids]") {
   const auto n_points = [](const std::string& name, const std::string& bytes) {
     return read_text(name, bytes).surfaces.at(0).points.size();
