@@ -74,6 +74,10 @@ class RandomModels(ProgramTest):
                 self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
                 self.assertLess(report["solver"]["fail_implicit"], 0.005 * report["tetrahedra"])
 
+    def test_closed_pockets_leave_no_fins(self):
+        """A fault given twice crosses horizons. Strips of these, between both, were part of the fault once the pockets on both sides were closed."""
+        self.assertEqual(outcome_of(810044, self.path("fins"), PROGRAM, 60, light=True), ("passes", ""))
+
     def test_surfaces_that_were_given_twice_are_meshed_as_one_by_default(self):
         """Faults 0.3 to 2 mm apart asked for edges of a metre, or took minutes (500020, 500026, 500035)."""
         for seed in (500020, 500035):
