@@ -250,7 +250,7 @@ class Arrangement {
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
-    take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
+    if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_.tolerance, surfaces_, result_.merging);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
