@@ -80,6 +80,11 @@ enum class CollapseRule {
 /// their topology (Dey et al. 1999: link conditions) and stay within the tolerance. Each new cell is positive.
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
 
+/// Moves u away from its neighbour v, within its patch or along its curve, until they are `length` apart. The worst
+/// shape about u does not fall below the lesser of what it was and `floor`. No other edge at u becomes short, and
+/// surfaces stay within the tolerance. Each cell stays positive. Kept surfaces stay as they are.
+bool try_stretch(Toolbox& tools, VertexIndex u, VertexIndex v, double length, double floor);
+
 /// Centre of the sphere through the corners, and its radius. Far away where they are nearly coplanar.
 struct Sphere {
   Vec3 centre;

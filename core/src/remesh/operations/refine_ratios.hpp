@@ -17,6 +17,7 @@ struct RefineRatios {
   /// The same on surfaces: a third is promised, and what is beside an edge takes its share.
   double thin_out_surface_edge = 0.4;
   double promised_edge = 0.34;       ///< length below which an edge is one too many, with a margin over the third told
+  double stretched_edge = 0.355;     ///< length to which an edge is stretched that cannot go
   double spacing = 0.68;             ///< distance of a new point to all others: half of it again is left to improvement
   double surface_spacing_off = 0.3;  ///< of the spacing, 0..1: asked of a surface point from vertices off the surface
   double large_cell = 0.75;          ///< circumradius from which a cell gets a point; 0.61 for the regular one

@@ -182,8 +182,13 @@ std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunCo
 
 std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, const RunContext& context) {
   const auto edges = short_edges(tools, which, refine_ratios.promised_edge);
-  return collapse_edges(tools, edges, context,
-                        [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
+  const std::size_t n = collapse_edges(
+      tools, edges, context, [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
+  return n + collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
+           const double length = refine_ratios.stretched_edge * tools.size_of_edge(u, v);
+           return squared_distance(tools.mesh.point(u), tools.mesh.point(v)) < length * length &&
+                  stretch_mending(tools, u, v, length, rule);
+         });
 }
 
 }  // namespace geomesh::remesh

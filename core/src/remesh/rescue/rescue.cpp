@@ -233,6 +233,22 @@ std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& jud
   return bad;
 }
 
+/// What is done at u is kept where what is about it can be mended.
+template <class Change>
+bool change_mending(Toolbox& tools, VertexIndex u, const RescueRule& rule, const Change& change) {
+  RescuedPlace place(tools, tools.mesh.incident_cell(u), rule, NewPoints::no);
+  place.set_scope(MendScope::own);
+  Trial trial(tools);
+  if (!change()) return false;
+  tools.bad_cells_may_spread = false;
+  place.mend_all();
+  const Tally was = place.before(), is = place.after();
+  const bool is_no_worse = is.n_bad <= was.n_bad && is.deficit <= was.deficit;
+  if (!is_no_worse || is.worst < std::min(was.worst, rule.bad_shape)) return false;
+  trial.keep();
+  return true;
+}
+
 }  // namespace
 
 bool rescue_cell(Toolbox& tools, CellIndex c, const RescueRule& rule) {
@@ -273,17 +289,12 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
 }
 
 bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const RescueRule& rule) {
-  RescuedPlace place(tools, tools.mesh.incident_cell(u), rule, NewPoints::no);
-  place.set_scope(MendScope::own);
-  Trial trial(tools);
-  if (!try_collapse(tools, u, v, CollapseRule::coarsen, opening_shape)) return false;
-  tools.bad_cells_may_spread = false;
-  place.mend_all();
-  const Tally was = place.before(), is = place.after();
-  const bool is_no_worse = is.n_bad <= was.n_bad && is.deficit <= was.deficit;
-  if (!is_no_worse || is.worst < std::min(was.worst, rule.bad_shape)) return false;
-  trial.keep();
-  return true;
+  const auto collapse = [&] { return try_collapse(tools, u, v, CollapseRule::coarsen, opening_shape); };
+  return change_mending(tools, u, rule, collapse);
+}
+
+bool stretch_mending(Toolbox& tools, VertexIndex u, VertexIndex v, double length, const RescueRule& rule) {
+  return change_mending(tools, u, rule, [&] { return try_stretch(tools, u, v, length, opening_shape); });
 }
 
 bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search) {

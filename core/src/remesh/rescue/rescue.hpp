@@ -42,6 +42,9 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
 /// is no worse.
 bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const RescueRule& rule);
 
+/// The same for a move of u away from v, until they are so far apart. What is mended then may bring them nearer again.
+bool stretch_mending(Toolbox& tools, VertexIndex u, VertexIndex v, double length, const RescueRule& rule);
+
 /// What searches share, one after the other.
 struct RescueSearch {
   Random choose;
