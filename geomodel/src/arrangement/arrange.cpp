@@ -8,7 +8,6 @@
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
-#include "arrangement/diagnosis/distance_from_given.hpp"
 #include "arrangement/diagnosis/near_surfaces.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
@@ -17,7 +16,6 @@
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
-#include "arrangement/snap/steepen_crossings.hpp"
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/words.hpp"
 
@@ -65,14 +63,6 @@ void close_thin_pockets(Complex& complex, double tolerance, const SurfaceList& s
   add(closed.moved, merging.displacement);
   merging.pockets_closed += closed.n_pockets;
   merging.facets_merged += closed.n_facets_removed;
-}
-
-/// Where crossings were steepened: steps move different places, so that their sum is far more than what moved.
-void measure_moves(const Complex& complex, const SurfaceList& surfaces, Displacement& moved) {
-  const std::optional<Displacement> measured = distance_from_given(complex, surfaces.given);
-  if (!measured || measured->largest >= moved.largest) return;
-  moved.largest = measured->largest;
-  moved.where = measured->where;
 }
 
 void log_round(const RunContext& context, unsigned round, const Complex& complex, const Contacts& contacts) {
@@ -262,7 +252,6 @@ class Arrangement {
     }
     if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_.tolerance, surfaces_, result_.merging);
-    if (steepened_.points_moved > 0) measure_moves(complex, surfaces_, result_.merging.displacement);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);
@@ -311,10 +300,8 @@ class Arrangement {
       const Contacts contacts = find_contacts(complex, context_, result_.memory_bound);
       if (!joins_all) pairs_ = pairs_to_join(surfaces_.given, options_.tolerance, result_.warnings);
       snapping.rule = join_rule_ = join_rule_of(surfaces_, options_, pairs_, complex, contacts);
-      if (!joins_all) steepened_ = steepen_crossings(complex, contacts, options_.steepening, joining_);
     }
     take(snap_near(complex, all_facets(complex), snapping, &now), now);
-    add(steepened_, result_.merging.displacement);
   }
 
   /// `now`: by vertex the one that stands for it.
@@ -356,7 +343,6 @@ class Arrangement {
   PairsToJoin pairs_;
   JoinRule join_rule_;  ///< of `tolerance`
   Joining joining_;
-  Displacement steepened_;
 };
 
 }  // namespace

@@ -12,8 +12,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double most_of_tolerance = 0.5;  ///< what merging may use
-constexpr double steepening_height = 2;    ///< over the distance: two fifths of the tolerance
-constexpr double steepening_edge = 200;    ///< the same: the size
 constexpr double next_distance = 0.5;      ///< of the distance before
 constexpr unsigned most_tries = 3;
 constexpr unsigned most_rounds =
@@ -67,7 +65,6 @@ ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<P
   for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
     options.tolerance = distance;
     options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
-    options.steepening = {steepening_height * distance, steepening_edge * distance};
     options.max_rounding_rounds = std::min(rounds, most_rounds);
     auto found = try_merging(model, wells, options, context);
     if (!found) continue;

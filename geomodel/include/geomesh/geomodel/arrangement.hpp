@@ -94,11 +94,6 @@ struct ArrangementOptions {
   /// each other within a hundredth of it join wherever they are near, with a warning. So do parts of one fault. Other
   /// surfaces lose no detail of their own. Both close pockets that are thinner than it.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
-  /// Surfaces that cross at less than 2 degrees are moved off each other beside their curve, by the height at most, so
-  /// that they cross at that angle. Facets there get edges no longer than that. 0: none. With surfaces_that_meet alone.
-  struct Steepening {
-    double height = 0, edge = 0;
-  } steepening{};
   /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
   /// needed it ends with Error{cannot_mesh} and the place.
   std::size_t max_memory = 0;
