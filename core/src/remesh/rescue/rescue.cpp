@@ -243,10 +243,10 @@ bool change_mending(Toolbox& tools, VertexIndex u, const RescueRule& rule, const
   tools.bad_cells_may_spread = false;
   place.mend_all();
   const Tally was = place.before(), is = place.after();
-  const bool is_no_worse = is.n_bad <= was.n_bad && is.deficit <= was.deficit;
-  if (!is_no_worse || is.worst < std::min(was.worst, rule.bad_shape)) return false;
-  trial.keep();
-  return true;
+  const bool is_kept =
+      is.n_bad <= was.n_bad && is.deficit <= was.deficit && is.worst >= std::min(was.worst, rule.bad_shape);
+  if (is_kept) trial.keep();
+  return is_kept;
 }
 
 }  // namespace
