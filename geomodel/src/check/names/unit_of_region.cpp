@@ -14,6 +14,9 @@ namespace {
 
 /// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
 constexpr double close_share = 0.45;
+/// Cosine of the angle between a face and the triangle that it stands for, below which it shows neither side: where a
+/// horizon ends on a fault within the tolerance, faces of the fault bear it, too.
+constexpr double least_cosine = 0.1;
 
 double area_of(const std::map<Index, double>& areas, Index h) {
   const auto at = areas.find(h);
@@ -58,7 +61,7 @@ void UnitJudge::add_faces(double reach) {
         best = std::abs(cosine);
         agreement = cosine * horizons_[h].upper_side[near.triangle];
       }
-      if (best < 0 || agreement == 0) continue;  // off its surface: a fault of its own
+      if (best < least_cosine) continue;  // off its surface is a fault of its own
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
       if (lower == upper) {
