@@ -174,6 +174,10 @@ output: {directory: out, formats: [vtu]}
         """A face of 3 m2 on a fault, which bears a horizon that ends there, named a region of 4 km3 for the judge (820328)."""
         self.assertEqual(outcome_of(820328, self.path("sides"), PROGRAM, 60, light=True), ("passes", ""))
 
+    def test_lines_of_the_map_an_ulp_apart_are_halved_one_at_a_time(self):
+        """Their middles rounded to one place, and both were opened there: a crash (824102)."""
+        self.assertEqual(outcome_of(824102, self.path("middles"), PROGRAM, 60, light=True), ("passes", ""))
+
     def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
         self.assertEqual(outcome_of(821026, self.path("overlap"), PROGRAM, 60, light=True), ("passes", ""))
 
