@@ -6,6 +6,7 @@
 import os
 import shutil
 import sys
+import unittest
 
 from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
 
@@ -177,6 +178,15 @@ output: {directory: out, formats: [vtu]}
     def test_lines_of_the_map_an_ulp_apart_are_halved_one_at_a_time(self):
         """Their middles rounded to one place, and both were opened there: a crash (824102)."""
         self.assertEqual(outcome_of(824102, self.path("middles"), PROGRAM, 60, light=True), ("passes", ""))
+
+    @unittest.skipUnless(NIGHTLY, "takes a minute")
+    def test_more_elements_than_were_estimated_are_told(self):
+        """Where the same points cannot be meshed anew, refinement makes 2.6 times as many (825080)."""
+        folder = self.path("growth")
+        self.assertEqual(outcome_of(825080, folder, PROGRAM, 600, light=True), ("passes", ""))
+        report = self.report(os.path.join(folder, "out", "model.report.json"))
+        self.assertGreater(report["tetrahedra"], 2 * report["refinement"]["estimated_tetrahedra"])
+        self.assertTrue(any("were estimated; improvement takes as much longer" in w for w in report["warnings"]), report["warnings"])
 
     def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
         self.assertEqual(outcome_of(821026, self.path("overlap"), PROGRAM, 60, light=True), ("passes", ""))

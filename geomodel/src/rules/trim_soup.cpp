@@ -12,7 +12,7 @@
 #include "rules/part_blocks.hpp"
 #include "rules/planar/height_vote.hpp"
 #include "rules/planar/pieces.hpp"
-#include "rules/reach.hpp"
+#include "rules/planar/reach.hpp"
 
 namespace geomesh::geomodel {
 

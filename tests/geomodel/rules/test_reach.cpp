@@ -2,7 +2,7 @@
 // How far triangles reach from edges.
 #include <catch2/catch.hpp>
 
-#include "rules/reach.hpp"
+#include "rules/planar/reach.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// A piece may go on beyond the end of the horizon that cuts it, across a fault say, and meet it again from its other
-/// side. Edges where they meet tell little of such a piece; the area above and below tells its side.
+/// A piece may go on beyond the end of the horizon that cuts it, and meet it again from its other side. Edges where
+/// they meet tell little of such a piece; the area above and below tells its side.
 class HeightVote {
  public:
   /// What is left of surface y.

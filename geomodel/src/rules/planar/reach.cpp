@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/reach.hpp"
+#include "rules/planar/reach.hpp"
 
 #include <algorithm>
 #include <limits>
