@@ -6,6 +6,7 @@
 import os
 import shutil
 import sys
+import unittest
 
 from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main, triangles_ts
 
@@ -143,6 +144,58 @@ output: {directory: out, formats: [vtu]}
             unit = {u: sum(v for name, v in volumes.items() if name.split("__")[0] == u) for u in ("u1", "u2", "u3")}
             self.assertAlmostEqual(unit["u2"], 2 * 100 * 100 * 30, delta=1)
             self.assertAlmostEqual(unit["u3"], 100 * 100 * 30 + 100 * 100 * 65, delta=1)
+
+    def test_a_horizon_that_meets_another_beyond_its_end_is_judged_by_its_area(self):
+        """Found by seed 823132: half of a horizon went. It ran through the gap between two blocks of the older one, and met the far one from below."""
+        strips = [(x, y, z) for x, z in ((-10, 90), (95.5, 90), (104.5, 10), (210, 60)) for y in (-10, 110)]
+        self.write("h1.ts", triangles_ts("h1", strips, [t for k in (0, 2, 4) for t in ((k, k + 2, k + 3), (k, k + 3, k + 1))]))
+        blocks = [(x, y, z) for x, z in ((-10, 60), (95, 60), (105, 30), (210, 30)) for y in (-10, 110)]
+        self.write("h2.ts", triangles_ts("h2", blocks, [(0, 2, 3), (0, 3, 1), (4, 6, 7), (4, 7, 5)]))
+        leaning = [(95 + (60 - z) / 3, y, z) for y, z in ((-10, -10), (110, -10), (110, 160), (-10, 160))]
+        self.write("f.ts", triangles_ts("f", leaning, [(0, 1, 2), (0, 2, 3)]))
+        for rule in ("clip_younger", "error"):
+            project = self.write("project.yaml", """name: m
+box: {min: [0, 0, 0], max: [200, 100, 150]}
+surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
+column: [u1, h1, u2, h2, u3]
+rules: {stack: keep, on_crossing: %s}
+mesh: {mode: constrained, refine: none}
+output: {directory: out, formats: [vtu]}
+""" % rule)
+            self.run_program(project)
+            self.check(self.path("out", "m.vtu"), "--project", project)
+            between = [r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"] if r["name"].split("__")[0] == "u2"]
+            self.assertGreater(max(between), 80 * 100 * 30)
+        self.assertEqual(outcome_of(823132, self.path("beyond"), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_a_piece_that_reaches_further_than_trim_overshoot_in_its_middle_stays(self):
+        for seed in (820320, 825174):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("reach%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_faces_at_right_angles_to_their_horizon_tell_no_side_of_it(self):
+        """A face of 3 m2 on a fault, which bears a horizon that ends there, named a region of 4 km3 for the judge (820328)."""
+        self.assertEqual(outcome_of(820328, self.path("sides"), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_lines_of_the_map_an_ulp_apart_are_halved_one_at_a_time(self):
+        """Their middles rounded to one place, and both were opened there: a crash (824102)."""
+        self.assertEqual(outcome_of(824102, self.path("middles"), PROGRAM, 60, light=True), ("passes", ""))
+
+    @unittest.skipUnless(NIGHTLY, "takes a minute")
+    def test_more_elements_than_were_estimated_are_told(self):
+        """Where the same points cannot be meshed anew, refinement makes 2.6 times as many (825080)."""
+        folder = self.path("growth")
+        self.assertEqual(outcome_of(825080, folder, PROGRAM, 600, light=True), ("passes", ""))
+        report = self.report(os.path.join(folder, "out", "model.report.json"))
+        self.assertGreater(report["tetrahedra"], 2 * report["refinement"]["estimated_tetrahedra"])
+        self.assertTrue(any("were estimated; improvement takes as much longer" in w for w in report["warnings"]), report["warnings"])
+
+    def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
+        self.assertEqual(outcome_of(821026, self.path("overlap"), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_a_point_beside_a_facet_that_was_added_on_it_is_told_as_inside(self):
+        """Two faults 0.5 mm apart in conforming mode (821076)."""
+        self.assertEqual(outcome_of(821076, self.path("beside"), PROGRAM, 60, light=True), ("passes", ""))
 
     def test_a_refusal_names_surfaces_and_the_way_out(self):
         """Slits that are too thin in either way; that points may be added on surfaces is said where they may not."""

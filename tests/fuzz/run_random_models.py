@@ -6,11 +6,14 @@
     tests/fuzz/run_random_models.py --count 1000 --as-default                       with `mesh: {size: L}`, what most projects ask for
     tests/fuzz/run_random_models.py --count 10000 --light           with fewer triangles and larger sizes: a second each
     tests/fuzz/run_random_models.py --seed 4711 --count 1 --folder here --keep      one of them
+    tests/fuzz/run_random_models.py --count 10000 --light --jobs 4  four at a time, each on one thread
 
 Outcomes: `passes`, `refused` (status 3 or 4 with a message), `wrong` (the check finds faults), `bug` (status 1, a signal, or a refusal
 without a message), `slow` (beyond --limit seconds of CPU). The exit status is 1 where anything is wrong, a bug or slow.
+What is not in order is told at once, in the order of the seeds; every hundred models a line tells the counts so far and the CPU time.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import resource
@@ -24,11 +27,15 @@ from random_models import RandomModel  # noqa: E402
 
 
 def run(program, arguments, limit):
-    """Exit status (negative: a signal) and what was printed."""
-    def bounds():
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5))
-    done = subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", preexec_fn=bounds)
-    return done.returncode, done.stdout
+    """Exit status (negative: a signal) and what was printed. A run that waits for what never comes uses no CPU: ten times the limit ends it."""
+    with subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace") as process:
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (limit, limit + 5))
+        try:
+            printed = process.communicate(timeout=10 * limit)[0]
+        except subprocess.TimeoutExpired:
+            process.kill()
+            return 1, "no end after %d s: %s" % (10 * limit, process.communicate()[0])
+    return process.returncode, printed
 
 
 def outcome_of(seed, folder, program, limit, as_default=False, light=False):
@@ -50,6 +57,23 @@ def outcome_of(seed, folder, program, limit, as_default=False, light=False):
     return "bug", "check, status %d: %s" % (status, printed[-300:])
 
 
+def in_order(pool, work, items, ahead):
+    """Each item with its result, in the items' order, no more than `ahead` of them begun beyond the one given."""
+    waiting = []
+    for item in items:
+        waiting.append((item, pool.submit(work, item)))
+        if len(waiting) >= ahead:
+            item, result = waiting.pop(0)
+            yield item, result.result()
+    for item, result in waiting:
+        yield item, result.result()
+
+
+def tally(first, last, counts):
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return "seeds %d to %d: %s; %.0f s of CPU" % (first, last, ", ".join("%d %s" % (n, outcome) for outcome, n in sorted(counts.items())), used.ru_utime + used.ru_stime)
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     options.add_argument("--count", type=int, default=100)
@@ -60,17 +84,23 @@ def main():
     options.add_argument("--keep", action="store_true", help="keep models that pass, too")
     options.add_argument("--as-default", action="store_true", help="with `mesh: {size: L}` in place of the modes")
     options.add_argument("--light", action="store_true", help="with fewer triangles and larger sizes: many more in the same time")
+    options.add_argument("--jobs", type=int, default=1, help="models at a time")
     options = options.parse_args()
     counts = {}
-    for seed in range(options.seed, options.seed + options.count):
-        folder = os.path.join(options.folder, str(seed))
-        outcome, why = outcome_of(seed, folder, options.program, options.limit, options.as_default, options.light)
-        counts[outcome] = counts.get(outcome, 0) + 1
-        if outcome != "passes":
-            print("%d %s: %s" % (seed, outcome, why.replace("\n", " ")), flush=True)
-        if outcome in ("passes", "refused") and not options.keep:
-            shutil.rmtree(folder)
-    print(", ".join("%d %s" % (n, outcome) for outcome, n in sorted(counts.items())))
+    last = options.seed + options.count - 1
+
+    def one(seed):
+        return outcome_of(seed, os.path.join(options.folder, str(seed)), options.program, options.limit, options.as_default, options.light)
+
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for seed, (outcome, why) in in_order(pool, one, range(options.seed, last + 1), 2 * options.jobs):
+            counts[outcome] = counts.get(outcome, 0) + 1
+            if outcome != "passes":
+                print("%d %s: %s" % (seed, outcome, why.replace("\n", " ")), flush=True)
+            if outcome in ("passes", "refused") and not options.keep:
+                shutil.rmtree(os.path.join(options.folder, str(seed)))
+            if seed == last or (seed + 1 - options.seed) % 100 == 0:
+                print(tally(options.seed, seed, counts), flush=True)
     return 1 if any(outcome not in ("passes", "refused") for outcome in counts) else 0
 
 

@@ -104,6 +104,7 @@ class Arrays {
     add_cells();
     add_faces();
     add_edges();
+    tell_points_off_constraints();
   }
 
  private:
@@ -162,6 +163,15 @@ class Arrays {
         if (point_[s.a] != no_vertex && point_[s.b] != no_vertex && is_kept_edge(i))
           out_.edges.push_back({point_[s.a], point_[s.b], row});
       }
+  }
+  /// Faces that follow each other as near as rounding may leave a point that was added on one of them beside it.
+  void tell_points_off_constraints() {
+    std::vector<bool> is_on(out_.points.size(), false);
+    for (const auto& face : out_.faces)
+      for (const VertexIndex v : face.vertices) is_on[v] = true;
+    for (const auto& edge : out_.edges) is_on[edge.a] = is_on[edge.b] = true;
+    for (VertexIndex v = 0; v < is_on.size(); ++v)
+      if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
   /// Some cell about the edge is kept; both ends may be though none is.
   bool is_kept_edge(Index subsegment) const {

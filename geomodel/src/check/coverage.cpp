@@ -5,6 +5,7 @@
 // that must be inside a body that cuts: there the faces' open edges must run along that body (or the box or the
 // triangle's sides). Points of the triangle that no face covers must lie in the body, decided exactly.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include "check/claim/taken_by_rules.hpp"
 #include "check/exact/crossing.hpp"
+#include "check/exact/deviation.hpp"
 #include "check/exact/plane_triangle.hpp"
 #include "check/judged/claimed_faces.hpp"
 #include "check/judged/faults.hpp"
@@ -19,6 +21,19 @@
 
 namespace geomesh::geomodel::checking {
 namespace {
+
+std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Ends of the edges that one triangle has alone.
+std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface) {
+  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
+  std::vector<std::array<Vec3, 2>> borders;
+  for (const auto& [e, n] : uses)
+    if (n == 1) borders.push_back({surface.points[e.first], surface.points[e.second]});
+  return borders;
+}
 
 class CoverageJudge : public ClaimedFaces {
  public:
@@ -29,6 +44,7 @@ class CoverageJudge : public ClaimedFaces {
         rules_(claim, 2 * tolerance),
         tree_(tree_over(mesh.file.points, candidates_)) {
     if (faces_) collect_clip_edges();
+    for (const TriangulatedSurface& s : claim.surfaces) borders_.push_back(border_edges(s));
   }
 
   void check_sources(CheckResult& result);
@@ -38,7 +54,8 @@ class CoverageJudge : public ClaimedFaces {
  private:
   void collect_clip_edges();
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
-  bool open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const;
+  bool runs_along_border(Index surface, const Vec3& a, const Vec3& b) const;
+  bool open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces) const;
   /// A triangle of the input: row of its surface, its own row there.
   struct Source {
     Index surface, triangle;
@@ -51,11 +68,10 @@ class CoverageJudge : public ClaimedFaces {
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
+  std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< of each surface of the input
   std::vector<std::pair<VertexIndex, VertexIndex>>
       clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
 };
-
-std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
 void CoverageJudge::collect_clip_edges() {
   std::set<std::int32_t> clipping;
@@ -149,7 +165,18 @@ std::vector<Index> CoverageJudge::faces_on(const PlaneTriangle& triangle, Index 
   return found;
 }
 
-bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, const std::vector<Index>& pieces) const {
+/// Whether both ends are at one edge that a triangle of the input has alone: there the surface ends by itself. Where
+/// its parts overlap by rounding, a neighbour's border lies in the triangle.
+bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& b) const {
+  return std::ranges::any_of(borders_[surface], [&](const std::array<Vec3, 2>& border) {
+    const Corners line{border[0], border[1], border[1]};
+    const Vec3 da = nearest_on_triangle(a, line) - a, db = nearest_on_triangle(b, line) - b;
+    return std::max(dot(da, da), dot(db, db)) <= tolerance_ * tolerance_;
+  });
+}
+
+bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
+                                               const std::vector<Index>& pieces) const {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (const Index f : pieces) {
     const Triangle& t = candidates_[f];
@@ -157,8 +184,10 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, co
     for (int i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
   }
   for (const auto& [e, n] : uses) {
-    if (n != 1 || triangle.are_beyond_a_side(mesh_.point(e.first), mesh_.point(e.second), tolerance_)) continue;
-    if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e)) return false;
+    const Vec3 &a = mesh_.point(e.first), &b = mesh_.point(e.second);
+    if (n != 1 || triangle.are_beyond_a_side(a, b, tolerance_)) continue;
+    if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e) && !runs_along_border(surface, a, b))
+      return false;
   }
   return true;
 }
@@ -195,7 +224,7 @@ bool CoverageJudge::may_be_removed(const PlaneTriangle& triangle, Source source,
     return uncovered_is_removed(triangle, source, pieces, place);
   const bool is_cut = is_cut_kind(source.surface);
   if (bodies_.empty() || !(is_cut || claim_.surfaces[source.surface].kind == SurfaceKind::body)) return false;
-  if (is_cut && faces_ && !open_edges_run_along_clips(triangle, pieces)) return false;
+  if (is_cut && faces_ && !open_edges_run_along_clips(triangle, source.surface, pieces)) return false;
   return uncovered_is_removed(triangle, source, pieces, place);
 }
 

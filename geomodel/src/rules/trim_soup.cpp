@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/part_blocks.hpp"
+#include "rules/planar/height_vote.hpp"
 #include "rules/planar/pieces.hpp"
+#include "rules/planar/reach.hpp"
 
 namespace geomesh::geomodel {
 
@@ -53,8 +56,12 @@ struct Trimming {
     std::vector<Piece> gone;
     const bool are_horizons = surfaces[x].kind == SurfaceKind::horizon && surfaces[y].kind == SurfaceKind::horizon;
     const BeyondEnd beyond = are_horizons ? BeyondEnd::has_none : BeyondEnd::has_a_side;
-    for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond))
-      if (side_of(working, piece, y, sides) == side) gone.push_back(std::move(piece));
+    std::optional<HeightVote> heights;
+    if (are_horizons) heights.emplace(working, y);
+    for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond)) {
+      const int by_height = heights ? heights->side_of(piece) : 0;
+      if ((by_height != 0 ? by_height : side_of(working, piece, y, sides)) == side) gone.push_back(std::move(piece));
+    }
     for (const Piece& piece : gone) {
       if (largest == no_index || working.area(piece.largest) > working.area(largest)) largest = piece.largest;
       area += remove(piece, x);
@@ -132,11 +139,14 @@ void refuse_crossing(Trimming& work, Index younger, Index older) {
   double area = 0;
   Vec3 place;
   const UpwardSides& sides = work.sides_of(older);
-  for (const Piece& piece : pieces_of(work.working, younger, {older}, &sides, BeyondEnd::has_none))
-    if (piece.contact > 0 && piece.below > piece.above) {
+  const HeightVote heights(work.working, older);
+  for (const Piece& piece : pieces_of(work.working, younger, {older}, &sides, BeyondEnd::has_none)) {
+    const int by_height = heights.side_of(piece);
+    if (piece.contact > 0 && (by_height < 0 || (by_height == 0 && piece.below > piece.above))) {
       area += piece.area;
       place = work.working.centre(piece.largest);
     }
+  }
   if (area > 0)
     throw Error(ErrorKind::invalid_input,
                 "horizon " + work.surfaces[younger].name + " runs below the older horizon " +
@@ -167,28 +177,14 @@ void order_horizons(Trimming& work) {
   }
 }
 
-using Contacts = std::vector<std::pair<VertexIndex, VertexIndex>>;
+using Contacts = std::vector<EdgeEnds>;
 
-/// The furthest that a piece reaches from the edges where it meets other surfaces than box sides.
-double reach(const PolygonSoup& soup, const Piece& piece, const Contacts& contacts) {
-  const auto distance = [&](const Vec3& p) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [i, j] : contacts) {
-      const Vec3 &a = soup.points[i], d = soup.points[j] - a;
-      const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-      nearest = std::min(nearest, norm(p - (a + t * d)));
-    }
-    return nearest;
-  };
-  double furthest = 0;
-  for (const Index f : piece.facets) {
+/// Whether a piece reaches further than `limit` from the edges where it meets other surfaces than box sides.
+bool piece_reaches_beyond(const PolygonSoup& soup, const Piece& piece, const Contacts& contacts, double limit) {
+  return std::ranges::any_of(piece.facets, [&](Index f) {
     const Triangle& t = soup.facets[f];
-    const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
-    // A strip between two surfaces has all its corners on them: its middle tells how wide it is.
-    for (const Vec3& p : {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (1.0 / 3) * (a + b + c)})
-      furthest = std::max(furthest, distance(p));
-  }
-  return furthest;
+    return reaches_beyond({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}, contacts, limit);
+  });
 }
 
 /// Edges where a piece of surface s meets other surfaces than box sides.
@@ -203,7 +199,8 @@ Contacts contacts_of(const Trimming& work, const Piece& piece, Index s) {
                                      return o.surface != s && work.surfaces[o.surface].kind != SurfaceKind::box;
                                    });
     }
-    if (mine && other) contacts.emplace_back(edge[0].a, edge[0].b);
+    const auto& points = work.working.soup.points;
+    if (mine && other) contacts.push_back({points[edge[0].a], points[edge[0].b]});
   });
   return contacts;
 }
@@ -223,7 +220,8 @@ void trim_overshoots(Trimming& work) {
     Vec3 place;
     for (const Piece& piece : pieces) {
       if (piece.free_border == 0 || piece.contact == 0 || piece.area == largest) continue;
-      if (reach(work.working.soup, piece, contacts_of(work, piece, s)) > work.rules.trim_overshoot) continue;
+      if (piece_reaches_beyond(work.working.soup, piece, contacts_of(work, piece, s), work.rules.trim_overshoot))
+        continue;
       place = work.working.centre(piece.largest);
       area += work.remove(piece, s);
       ++n;

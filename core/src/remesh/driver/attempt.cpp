@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One run of refinement with surfaces held within the tolerance, declared in remesh/driver/hold_surfaces.hpp.
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -145,6 +146,20 @@ void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const Constrained
   result.mesh = export_domain(tools.mesh, input);
 }
 
+/// Of the estimate: what is beyond makes the rest of the run as much longer, and is told before it begins.
+constexpr double far_more = 2, worth_telling = 50000;  // elements
+
+void tell_growth(const DomainMesh& mesh, const RunContext& context, RefineResult& result) {
+  const double estimate = result.statistics.estimated_elements, now = static_cast<double>(mesh.n_cells());
+  if (!(estimate > 0) || now < worth_telling || now < far_more * estimate) return;
+  char text[140];
+  std::snprintf(text, sizeof text,
+                "refinement made %.0f elements, where %.0f were estimated; improvement takes as much longer", now,
+                estimate);
+  result.warnings.emplace_back(text);
+  context.note(LogLevel::warning, text);
+}
+
 }  // namespace
 
 Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
@@ -171,6 +186,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   if (options.refine && guard.exact() && sizes_surfaces(options) && !(options.sparse_growth > 0))
     refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();
+  if (options.refine && !(options.sparse_growth > 0)) tell_growth(mesh, hold.run == 0 ? context : RunContext{}, result);
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
   if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_before = worst_shape(mesh);

@@ -14,6 +14,11 @@ namespace {
 
 /// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
 constexpr double close_share = 0.45;
+/// Less than this share of the area that a horizon shows to a region from both sides bounds no unit.
+constexpr double least_share = 1e-6;
+/// Cosine of the angle between a face and the triangle that it stands for, below which it shows neither side: where a
+/// horizon ends on a fault within the tolerance, faces of the fault bear it, too.
+constexpr double least_cosine = 0.1;
 
 double area_of(const std::map<Index, double>& areas, Index h) {
   const auto at = areas.find(h);
@@ -58,7 +63,7 @@ void UnitJudge::add_faces(double reach) {
         best = std::abs(cosine);
         agreement = cosine * horizons_[h].upper_side[near.triangle];
       }
-      if (best < 0 || agreement == 0) continue;  // off its surface: a fault of its own
+      if (best < least_cosine) continue;  // off its surface is a fault of its own
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
       if (lower == upper) {
@@ -81,7 +86,7 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
   bool has_over = false, has_under = false;
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
-    if (below == 0 && above == 0) continue;
+    if (std::max(below, above) <= least_share * area_of(contacts.both, h)) continue;
     verdict.close = verdict.close || std::min(below, above) > close_share * (below + above);
     if (below >= above) {
       first = std::max(first, h + 1);

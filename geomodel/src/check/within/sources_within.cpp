@@ -2,6 +2,7 @@
 // Input triangles that faces name, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "check/judged/faults.hpp"
@@ -10,24 +11,41 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Places on a triangle at thirds and quarters of its sides, its corners among them.
-std::vector<Vec3> lattice_on(const Corners& t) {
-  constexpr int n = 6;
-  std::vector<Vec3> places;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j)
-      places.push_back(t[0] + (double(i) / n) * (t[1] - t[0]) + (double(j) / n) * (t[2] - t[0]));
-  return places;
+double distance(const Vec3& p, const Vec3& q) { return std::sqrt(dot(q - p, q - p)); }
+
+/// Between the segments a b and c d.
+double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Corners first{a, b, b}, second{c, d, d};  // without area: the nearest place of the segment
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : {a, b}) least = std::min(least, distance(p, nearest_on_triangle(p, second)));
+  for (const Vec3& p : {c, d}) least = std::min(least, distance(p, nearest_on_triangle(p, first)));
+  const Vec3 u = b - a, v = d - c, w = a - c;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), whole = uu * vv - uv * uv;
+  if (!(whole > 0)) return least;
+  const double s = (uv * dot(v, w) - vv * dot(u, w)) / whole, t = (uu * dot(v, w) - uv * dot(u, w)) / whole;
+  return s > 0 && s < 1 && t > 0 && t < 1 ? std::min(least, distance(a + s * u, c + t * v)) : least;
 }
 
-/// The least distance from places on either triangle to the other one.
+/// From the segment a b to the triangle, where it passes the triangle's plane.
+double distance_at_plane(const Vec3& a, const Vec3& b, const Corners& t) {
+  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+  const double from = dot(a - t[0], normal), to = dot(b - t[0], normal);
+  if (!(from * to < 0)) return std::numeric_limits<double>::infinity();
+  const Vec3 p = a + (from / (from - to)) * (b - a);
+  return distance(p, nearest_on_triangle(p, t));
+}
+
+/// The distance of two triangles: it is at a corner, between two sides, or where a side passes the other triangle.
 double gap_between(const Corners& a, const Corners& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
-    for (const Vec3& p : lattice_on(*from)) {
-      const Vec3 d = nearest_on_triangle(p, *to) - p;
-      least = std::min(least, std::sqrt(dot(d, d)));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &p = (*from)[i], &q = (*from)[(i + 1) % 3];
+      least = std::min({least, distance(p, nearest_on_triangle(p, *to)), distance_at_plane(p, q, *to)});
     }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      least = std::min(least, distance_of_segments(a[i], a[(i + 1) % 3], b[k], b[(k + 1) % 3]));
   return least;
 }
 
@@ -36,6 +54,7 @@ double gap_between(const Corners& a, const Corners& b) {
 void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
   FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
   const FacesFile& faces = *claimed.faces();
+  double farthest = 0;
   for (Index f = 0; f < claimed.candidates().size(); ++f) {
     const Index row = claimed.surface_of(faces.surface[f]);
     if (row == no_index) continue;
@@ -47,11 +66,16 @@ void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, C
       continue;
     }
     const Triangle& t = surface.triangles[source];
-    if (gap_between(face, {surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]}) > 2 * allowed.both())
-      off.add(f, face[0]);
+    const double gap = gap_between(face, {surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+    farthest = std::max(farthest, gap);
+    if (gap > 2 * allowed.both()) off.add(f, face[0]);
   }
   no_source.report(result, "faces name a source_triangle that their surface does not have");
-  off.report(result, "faces lie nowhere near the input triangle that they name");
+  char text[140];
+  std::snprintf(text, sizeof text,
+                "faces lie nowhere near the input triangle that they name (%.3g off, where %.3g may be)", farthest,
+                2 * allowed.both());
+  off.report(result, text);
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -2,6 +2,7 @@
 #include "stack/map/growing_triangulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -163,7 +164,7 @@ void GrowingTriangulation::add(const Vec2& p, Index at, double shortest, Change&
     }
   if (worst != no_index) return halve(worst, worst_side, change);
   if (is_crowded(p, 0.25 * shortest, change)) return;
-  fill(p, change);
+  fill(p, {}, change);
 }
 
 bool GrowingTriangulation::is_crowded(const Vec2& p, double distance, const Change& change) const {
@@ -212,10 +213,10 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
       if (is_piece || (in.neighbours[i] != no_index && is_in(in.neighbours[i]) && !in.lined[i])) continue;
       if (orient2d(points_[p], points_[q], m) != Sign::positive) return;  // too narrow for doubles: left as it is
     }
-  fill(m, change);
+  fill(m, std::array{va, vb}, change);
 }
 
-void GrowingTriangulation::fill(const Vec2& p, Change& change) {
+void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halved, Change& change) {
   struct Side {
     VertexIndex a, b;
     Index beyond, zone;
@@ -223,19 +224,14 @@ void GrowingTriangulation::fill(const Vec2& p, Change& change) {
   };
   const auto v = static_cast<VertexIndex>(points_.size());
   std::vector<Side> sides;
-  std::vector<VertexIndex> halved;  // ends of a line's piece that p lies on
   for (const Index c : change.emptied)
     for (std::size_t i = 0; i < 3; ++i) {
       const Cell& cell = cells_[c];
       const VertexIndex a = cell.vertices[(i + 1) % 3], b = cell.vertices[(i + 2) % 3];
       const Index beyond = cell.neighbours[i];
       const bool inner = beyond != no_index && is_in(beyond);
-      const Vec2 middle{0.5 * (points_[a].x + points_[b].x), 0.5 * (points_[a].y + points_[b].y)};
-      if (cell.lined[i] && middle == p) {
-        halved = {a, b};
-        continue;
-      }
-      if (!inner) sides.push_back({a, b, beyond, cell.zone, cell.lined[i]});
+      const bool is_halved = std::ranges::count(halved, a) + std::ranges::count(halved, b) == 2;
+      if (!is_halved && !inner) sides.push_back({a, b, beyond, cell.zone, cell.lined[i]});
     }
   points_.push_back(p);
   change.vertex = v;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rules/planar/planar_lines.hpp"
@@ -53,7 +54,8 @@ class GrowingTriangulation {
   void grow_cavity(const Vec2& p, Index at, Change& change);
   void halve(Index cell, std::size_t side, Change& change);
   bool is_crowded(const Vec2& p, double distance, const Change& change) const;
-  void fill(const Vec2& p, Change& change);
+  /// `halved`: the ends of the line's piece of which p is the middle, or nothing.
+  void fill(const Vec2& p, std::span<const VertexIndex> halved, Change& change);
   bool is_in(Index cell) const { return epoch_of_[cell] == epoch_; }
 
   std::vector<Vec2> points_;
