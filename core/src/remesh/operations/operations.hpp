@@ -30,12 +30,16 @@ struct Toolbox {
   bool bad_cells_may_spread = false;
   bool borders_stay = false;  ///< whether curves and faces of no facet get no points
   bool points_in_thin_gaps =
-      false;  ///< whether improvement may put points there, where they mostly make more flat elements
+      false;                   ///< whether improvement may put points there, where they mostly make more flat elements
+  BlockEdit* block = nullptr;  ///< the block that operations keep to, where they are done beside others
+  MeshBlocks::Rules block_rules;
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}
   /// Asked size at a vertex: at its place, of the component of a cell there. Cached; forgotten by forget_size.
   double size_at(VertexIndex v);
+  /// Asks for those of all vertices that are not known, on all cores: size_at is then const in all but name.
+  void know_sizes(unsigned threads);
   /// Where it has been asked for already, at its place.
   void set_size(VertexIndex v, double size);
   void forget_size(VertexIndex v) {
@@ -47,6 +51,21 @@ struct Toolbox {
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
   }
+  /// Exchanges the cells for work.added, which makes work.created. False where the block does not allow it.
+  bool exchange(std::span<const CellIndex> removed) {
+    if (!block) {
+      mesh.replace(removed, work.added, work.created);
+      return true;
+    }
+    if (!block->may_exchange(mesh, removed, work.added.size())) return false;
+    mesh.replace(removed, work.added, work.created, *block);
+    return true;
+  }
+  /// DomainMesh::tick, of the block where there is one.
+  std::uint64_t tick() { return block ? block->clock++ : mesh.tick(); }
+  /// Whether all of the cells are of the block, where there is one. (Others may be changed meanwhile: do not look at
+  /// their neighbours.)
+  bool may_touch(std::span<const CellIndex> cells) { return !block || block->owns(mesh, cells); }
   /// Whether a star of p in the cavity would have more bad cells than go, and may not.
   bool spoils(const StarCavity& cavity, const Vec3& p) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);
@@ -86,10 +105,22 @@ struct Sphere {
   double radius;
 };
 
+/// The centre of a cell's circumsphere from its first vertex, whose distance is the radius: to seven digits of that.
+class CentreOffset {
+ public:
+  CentreOffset() = default;
+  explicit CentreOffset(const Vec3& d)
+      : x_(static_cast<float>(d.x)), y_(static_cast<float>(d.y)), z_(static_cast<float>(d.z)) {}
+  Vec3 vector() const { return {x_, y_, z_}; }
+
+ private:
+  float x_, y_, z_;
+};
+
 struct InsertionRule {
-  double spacing = 0;                            ///< no vertex of the cavity nearer than this
-  double min_shape = 0;                          ///< the worst new shape must be above this
-  const std::vector<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
+  double spacing = 0;                                  ///< no vertex of the cavity nearer than this
+  double min_shape = 0;                                ///< the worst new shape must be above this
+  const std::vector<CentreOffset>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
 };
 
 /// The cell that p is in, by a walk from `start`; nothing where a constrained face is in the way, or the walk does not

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "common/sort_unique.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/operations/surface_repair.hpp"
@@ -23,8 +24,8 @@ class InsideRefiner {
   InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
 
   std::size_t run(const RunContext& context) {
-    mesh_.sort_cells();
-    std::vector<CellIndex> large = measure_all();
+    mesh_.sort_cells(context.threads);
+    std::vector<CellIndex> large = measure_all(context.threads);
     std::size_t total = 0;
     bool is_flipped = false;
     while (!large.empty()) {
@@ -33,7 +34,7 @@ class InsideRefiner {
       if (!is_flipped && n_front * refine_ratios.slow_front < large.size() && is_many(large.size())) {
         is_flipped = true;
         flip_towards_delaunay(tools_, context);
-        large = measure_all();
+        large = measure_all(context.threads);
         continue;
       }
       if (n_front * refine_ratios.idle_front > large.size()) continue;
@@ -58,25 +59,31 @@ class InsideRefiner {
   }
 
   /// Returns the large cells.
-  std::vector<CellIndex> measure_all() {
+  std::vector<CellIndex> measure_all(unsigned threads) {
+    tools_.know_sizes(threads);
+    make_room();
+    for_each_index(mesh_.n_slots(), thread_count(threads), [&](std::size_t c) {
+      if (mesh_.is_live(static_cast<CellIndex>(c))) measure(static_cast<CellIndex>(c));
+    });
     std::vector<CellIndex> large;
-    for (const CellIndex c : mesh_.live_cells()) {
-      measure(c);
+    for (const CellIndex c : mesh_.live_cells())
       if (is_large(c)) large.push_back(c);
-    }
     refused_ = {};
     return large;
   }
 
-  /// To be called for each cell that is made.
-  void measure(CellIndex c) {
-    if (c >= spheres_.size()) {
-      spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
-      large_.resize(spheres_.size(), false);
-    }
-    spheres_[c] = circumsphere(mesh_, c);
-    large_[c] = !(spheres_[c].radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
+  void make_room() {
+    if (mesh_.n_slots() <= spheres_.size()) return;
+    spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
+    large_.resize(spheres_.size(), 0);
   }
+  /// To be called for each cell that is made, once there is room for all.
+  void measure(CellIndex c) {
+    const Sphere sphere = circumsphere(mesh_, c);
+    spheres_[c] = CentreOffset(sphere.centre - mesh_.point(mesh_.vertices(c)[0]));
+    large_[c] = !(sphere.radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
+  }
+  Vec3 centre(CellIndex c) const { return mesh_.point(mesh_.vertices(c)[0]) + spheres_[c].vector(); }
   bool is_large(CellIndex c) const { return large_[c]; }
 
   /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception. By
@@ -112,6 +119,7 @@ class InsideRefiner {
         continue;
       }
       ++n;
+      make_room();
       for (const CellIndex made : tools_.work.created) measure(made);
       if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
       next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
@@ -176,11 +184,11 @@ class InsideRefiner {
   }
 
   std::optional<VertexIndex> insert_on_front(CellIndex c) {
-    const Vec3 centre = spheres_[c].centre;
+    const Vec3 centre_of_c = centre(c);
     for (unsigned i = 0; i < 4; ++i) {
       const bool constrained = mesh_.tag(c, i).constrained();
       if (!constrained && is_large(mesh_.cells().neighbor_cell(c, i))) continue;
-      if (const auto p = ideal_apex(c, i, centre))
+      if (const auto p = ideal_apex(c, i, centre_of_c))
         if (const auto v = insert(*p, c)) return v;
     }
     return std::nullopt;
@@ -217,9 +225,9 @@ class InsideRefiner {
   /// distance.
   std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return std::nullopt;
-    const Sphere s = spheres_[c];
-    if (!(s.radius < 1e300)) return std::nullopt;
-    if (const auto v = insert(s.centre, c)) return v;
+    const Vec3 place = centre(c);
+    if (!(length(place) < 1e300)) return std::nullopt;
+    if (const auto v = insert(place, c)) return v;
     return insert(mesh_.middle(mesh_.vertices(c)), c);
   }
 
@@ -228,8 +236,8 @@ class InsideRefiner {
   std::size_t max_cells_;
   const double steepest_ = tools_.size.steepest();
   std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
-  std::vector<Sphere> spheres_;           // by cell
-  std::vector<bool> large_;               // by cell: its circumradius over the asked size is
+  std::vector<CentreOffset> spheres_;     // by cell
+  std::vector<std::uint8_t> large_;       // by cell: whether its circumradius over the asked size is
   std::array<std::vector<unsigned>, 3> refused_;
 };
 
