@@ -81,10 +81,8 @@ class InsideInsertion {
   std::vector<StarFace>& border() { return work_.star; }
 
   bool in_circumsphere(CellIndex c) const {
-    const Vec3& first = mesh_.point(mesh_.vertices(c)[0]);
-    const Vec3 d = p_ - first,
-               offset = rule_.spheres ? (*rule_.spheres)[c].vector() : circumsphere(mesh_, c).centre - first;
-    return dot(d, d - 2 * offset) < 0;
+    const Sphere s = rule_.spheres ? (*rule_.spheres)[c] : circumsphere(mesh_, c);
+    return squared_distance(s.centre, p_) < s.radius * s.radius;
   }
   template <class Vertices>
   bool keeps_spacing(const Vertices& vertices) const {

@@ -105,22 +105,10 @@ struct Sphere {
   double radius;
 };
 
-/// The centre of a cell's circumsphere from its first vertex, whose distance is the radius: to seven digits of that.
-class CentreOffset {
- public:
-  CentreOffset() = default;
-  explicit CentreOffset(const Vec3& d)
-      : x_(static_cast<float>(d.x)), y_(static_cast<float>(d.y)), z_(static_cast<float>(d.z)) {}
-  Vec3 vector() const { return {x_, y_, z_}; }
-
- private:
-  float x_, y_, z_;
-};
-
 struct InsertionRule {
-  double spacing = 0;                                  ///< no vertex of the cavity nearer than this
-  double min_shape = 0;                                ///< the worst new shape must be above this
-  const std::vector<CentreOffset>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
+  double spacing = 0;                            ///< no vertex of the cavity nearer than this
+  double min_shape = 0;                          ///< the worst new shape must be above this
+  const std::vector<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
 };
 
 /// The cell that p is in, by a walk from `start`; nothing where a constrained face is in the way, or the walk does not

@@ -32,10 +32,11 @@ const MeshBlocks& BlockPass::division(unsigned k) {
   return *blocks;
 }
 
-void BlockPass::run(std::vector<VertexIndex> vertices, Changes changes, const Visit& visit) {
-  for (unsigned k = 0; k < divisions_.size(); ++k) {
+void BlockPass::run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit) {
+  for (unsigned k = 0; k < divisions_.size() && vertices.size() >= least; ++k) {
     if (vertices.size() * fewest_a_block < tools_.block_rules.vertices_a_block || division(k).size() == 1) break;
-    vertices = run_in(division(k), vertices, changes, visit);
+    vertices = run_in(division(k), vertices, visit);
+    least = 0;
   }
   counts_.by_one_thread += vertices.size();
   for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -45,7 +46,7 @@ void BlockPass::run(std::vector<VertexIndex> vertices, Changes changes, const Vi
 }
 
 std::vector<VertexIndex> BlockPass::run_in(const MeshBlocks& blocks, const std::vector<VertexIndex>& vertices,
-                                           Changes changes, const Visit& visit) {
+                                           const Visit& visit) {
   const unsigned threads = thread_count(context_.threads);
   const std::vector<std::uint8_t> inner = blocks.find_inner(tools_.mesh, threads);
   std::vector<std::vector<VertexIndex>> of_block(blocks.size()), stopped(blocks.size());
@@ -56,7 +57,7 @@ std::vector<VertexIndex> BlockPass::run_in(const MeshBlocks& blocks, const std::
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     edits[b].blocks = &blocks;
     edits[b].block = static_cast<MeshBlocks::Block>(b);
-    tools_.mesh.open_block(edits[b], changes == Changes::cells ? least_slots + of_block[b].size() / visits_a_slot : 0);
+    tools_.mesh.open_block(edits[b], least_slots + of_block[b].size() / visits_a_slot);
   }
   std::optional<FaceClaims> claims;
   if (tools_.block_rules.is_checked) claims.emplace(tools_.mesh.n_slots());

@@ -21,18 +21,14 @@ namespace geomesh::remesh {
 /// what comes of the visits. Vertices may neither be made nor removed from the first visit to the last.
 class BlockPass {
  public:
-  enum class Changes : bool {
-    places,  ///< of the vertex that is visited, and shapes of the cells about it
-    cells,   ///< by Toolbox::exchange
-  };
   /// With a block's own tools: mesh, guard, sizes, rules, statistics, scratch, but no sizes or facets kept by vertex.
   using Visit = std::function<void(VertexIndex, Toolbox&)>;
 
   /// Both must outlive this. Exceptions of visits end the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
-  /// In the order given within a block.
-  void run(std::vector<VertexIndex> vertices, Changes changes, const Visit& visit);
+  /// In the order given within a block. Fewer than `least` are visited by one thread, in the order given.
+  void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 
   /// How the visits of all runs were shared out.
   struct Counts {
@@ -48,7 +44,7 @@ class BlockPass {
  private:
   const MeshBlocks& division(unsigned k);
   /// Returns those that are left, in their order.
-  std::vector<VertexIndex> run_in(const MeshBlocks& blocks, const std::vector<VertexIndex>& vertices, Changes changes,
+  std::vector<VertexIndex> run_in(const MeshBlocks& blocks, const std::vector<VertexIndex>& vertices,
                                   const Visit& visit);
   void visit_block(BlockEdit& block, const std::vector<VertexIndex>& vertices, std::vector<VertexIndex>& stopped,
                    RefineStatistics& statistics, const Visit& visit);

@@ -8,14 +8,17 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/improve.hpp"
-#include "remesh/passes/block_pass.hpp"
 #include "remesh/rescue/bad_cells.hpp"
 
 namespace geomesh::remesh {
 
-/// Smooths all vertices that may move, block by block. Returns by vertex by how much its move raised the sum of worths
-/// (0: it stayed, or that is not the goal). `leaves(v)` tells which are left as they are. O(n log n).
-std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, BlockPass& blocks,
+/// Smooths all vertices that may move, on as many threads as given (0: all cores): block by block, then what lies
+/// between blocks. The blocks do not depend on the threads, and so neither does the result. Ends early where
+/// `out_of_time` says so, which is asked now and then, by one thread at a time. Returns by vertex by how much its move
+/// raised the sum of worths (0: it stayed, or that is not the goal). `leaves(v)` tells which are left as they are. O(n
+/// log n).
+std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads,
+                               const std::function<bool()>& out_of_time,
                                const std::function<bool(VertexIndex)>& leaves = {});
 
 /// What a pass that raises the mean leaves to the next: where it is worth looking again.

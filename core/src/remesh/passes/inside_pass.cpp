@@ -79,11 +79,9 @@ class InsideRefiner {
   }
   /// To be called for each cell that is made, once there is room for all.
   void measure(CellIndex c) {
-    const Sphere sphere = circumsphere(mesh_, c);
-    spheres_[c] = CentreOffset(sphere.centre - mesh_.point(mesh_.vertices(c)[0]));
-    large_[c] = !(sphere.radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
+    spheres_[c] = circumsphere(mesh_, c);
+    large_[c] = !(spheres_[c].radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
   }
-  Vec3 centre(CellIndex c) const { return mesh_.point(mesh_.vertices(c)[0]) + spheres_[c].vector(); }
   bool is_large(CellIndex c) const { return large_[c]; }
 
   /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception. By
@@ -184,11 +182,11 @@ class InsideRefiner {
   }
 
   std::optional<VertexIndex> insert_on_front(CellIndex c) {
-    const Vec3 centre_of_c = centre(c);
+    const Vec3 centre = spheres_[c].centre;
     for (unsigned i = 0; i < 4; ++i) {
       const bool constrained = mesh_.tag(c, i).constrained();
       if (!constrained && is_large(mesh_.cells().neighbor_cell(c, i))) continue;
-      if (const auto p = ideal_apex(c, i, centre_of_c))
+      if (const auto p = ideal_apex(c, i, centre))
         if (const auto v = insert(*p, c)) return v;
     }
     return std::nullopt;
@@ -225,9 +223,9 @@ class InsideRefiner {
   /// distance.
   std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return std::nullopt;
-    const Vec3 place = centre(c);
-    if (!(length(place) < 1e300)) return std::nullopt;
-    if (const auto v = insert(place, c)) return v;
+    const Sphere s = spheres_[c];
+    if (!(s.radius < 1e300)) return std::nullopt;
+    if (const auto v = insert(s.centre, c)) return v;
     return insert(mesh_.middle(mesh_.vertices(c)), c);
   }
 
@@ -236,7 +234,7 @@ class InsideRefiner {
   std::size_t max_cells_;
   const double steepest_ = tools_.size.steepest();
   std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
-  std::vector<CentreOffset> spheres_;     // by cell
+  std::vector<Sphere> spheres_;           // by cell
   std::vector<std::uint8_t> large_;       // by cell: whether its circumradius over the asked size is
   std::array<std::vector<unsigned>, 3> refused_;
 };

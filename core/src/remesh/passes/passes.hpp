@@ -38,13 +38,18 @@ enum class LongEdges : bool { of_curves, of_surfaces };
 /// the other passes that add points do.
 std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_cells, const RunContext& context);
 
+/// Visits vertices parted in space, by lists of those that may move at once on as many threads, then those between. No
+/// vertex of a list shares a cell with one of another. The lists depend on the mesh alone. O(n log n).
+void for_each_block(const DomainMesh& mesh, std::vector<VertexIndex> movable, unsigned threads,
+                    const std::function<void(const std::vector<VertexIndex>&, Workspace&)>& visit);
+
 /// What was in vain on surfaces, by vertex: the mesh's time of the last that was.
 struct InVainOnSurfaces {
   std::vector<std::uint64_t> flips, moves;
 };
 /// Faces of good shape within patches, cells allowing: rounds of surface flips towards Delaunay and of moves to the
 /// centroid of the faces. What was in vain is tried again only where something about it has changed, also from one
-/// call to the next. On all cores, block by block (block_pass.hpp). O(vertices of the mesh), and the
+/// call to the next. On all cores, with the same result whatever their number. O(vertices of the mesh), and the
 /// stars of those on surfaces that have changed.
 void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context);
 

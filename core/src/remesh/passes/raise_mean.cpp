@@ -27,17 +27,21 @@ class MeanRaiser {
     BlockPass blocks(tools_, context);
     std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
     std::erase_if(vertices, [&](VertexIndex v) { return is_left_[v]; });
-    blocks.run(std::move(vertices), BlockPass::Changes::cells,
+    blocks.run(std::move(vertices), tools_.block_rules.least_inside,
                [&](VertexIndex v, Toolbox& tools) { flip_about(v, tools); });
+    blocks.note_counts("flips for the mean by blocks");
     SmoothRule rule;
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
     rule.least_gain = least_gain_;
-    before_.gains =
-        smooth_all(tools_, rule, blocks, [&](VertexIndex v) { return is_left_[v] && mesh_.changed_at(v) <= start; });
+    const auto go_on = [&] {
+      context.check_cancelled();
+      return false;
+    };
+    before_.gains = smooth_all(tools_, rule, context.threads, go_on,
+                               [&](VertexIndex v) { return is_left_[v] && mesh_.changed_at(v) <= start; });
     before_.end = mesh_.tick();
-    blocks.note_counts("the mean raised by blocks");
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Faces of good shape within patches, declared in remesh/passes/passes.hpp.
 #include <algorithm>
+#include <atomic>
 
 #include "remesh/operations/improve.hpp"
 #include "remesh/operations/refine_ratios.hpp"
@@ -22,30 +23,33 @@ class SurfaceRegularizer {
   std::size_t flip_all() {
     const std::size_t before = tools_.statistics.edge_removals;
     std::vector<VertexIndex> asked;
-    for (const VertexIndex v : mesh_.vertices_by_cells())
-      if (mesh_.kind(v) <= VertexKind::surface && in_vain_.flips[v] < mesh_.changed_at(v)) asked.push_back(v);
-    blocks_.run(std::move(asked), BlockPass::Changes::cells,
-                [&](VertexIndex v, Toolbox& tools) { flip_about(v, tools); });
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
+      if (mesh_.kind(v) <= VertexKind::surface) asked.push_back(v);
+    blocks_.run(std::move(asked), tools_.block_rules.least_on_surfaces, [&](VertexIndex v, Toolbox& tools) {
+      if (in_vain_.flips[v] < mesh_.changed_at(v)) flip_about(v, tools);
+    });
     return tools_.statistics.edge_removals - before;
   }
 
+  void note_counts() const { blocks_.note_counts("flips on surfaces by blocks"); }
+
   /// A vertex that stays is not tried again before something about it changes after this call.
-  std::size_t move_all() {
-    const std::size_t n = tools_.statistics.smoothing_moves;
+  std::size_t move_all(unsigned threads) {
     std::vector<VertexIndex> asked;
-    for (const VertexIndex v : mesh_.vertices_by_cells())
+    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
       if (mesh_.kind(v) == VertexKind::surface && in_vain_.moves[v] < mesh_.changed_at(v)) asked.push_back(v);
     const std::uint64_t before = mesh_.tick();
-    blocks_.run(std::move(asked), BlockPass::Changes::places, [&](VertexIndex v, Toolbox& tools) {
-      if (smooth_on_surface(tools_, v, refine_ratios.regular_floor, tools.work))
-        ++tools.statistics.smoothing_moves;
-      else
-        in_vain_.moves[v] = before;
+    std::atomic<std::size_t> n = 0;
+    for_each_block(mesh_, std::move(asked), threads, [&](const std::vector<VertexIndex>& vertices, Workspace& work) {
+      for (const VertexIndex v : vertices)
+        if (smooth_on_surface(tools_, v, refine_ratios.regular_floor, work))
+          ++n;
+        else
+          in_vain_.moves[v] = before;
     });
-    return tools_.statistics.smoothing_moves - n;
+    tools_.statistics.smoothing_moves += n;
+    return n;
   }
-
-  void note_counts() const { blocks_.note_counts("surfaces made regular by blocks"); }
 
  private:
   /// An edge from a vertex to a greater one, and the apexes of its faces.
@@ -118,7 +122,7 @@ void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunC
     context.check_cancelled();
     context.report(tools.mesh.n_cells(), 0);
     const std::size_t n_flips = regularizer.flip_all();
-    if (n_flips + regularizer.move_all() == 0) break;
+    if (n_flips + regularizer.move_all(context.threads) == 0) break;
   }
   regularizer.note_counts();
 }
