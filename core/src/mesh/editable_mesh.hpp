@@ -99,7 +99,7 @@ class EditableMesh {
 
 template <class Attributes>
 void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const {
-  marks.begin(mesh_.n_slots());
+  marks.begin();
   out.assign(1, cell_of_[v]);
   marks.mark(cell_of_[v]);
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -107,7 +107,9 @@ void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vecto
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef n = cell.neighbors[i];
       if (cell.vertices[i] == v || (!Attributes::is_closed && !n.valid())) continue;
-      if (marks.mark_first(n.cell())) out.push_back(n.cell());
+      if (!marks.mark_first(n.cell())) continue;
+      __builtin_prefetch(mesh_.cells() + n.cell());
+      out.push_back(n.cell());
     }
   }
 }

@@ -10,7 +10,8 @@ using namespace refine_models;
 
 namespace {
 
-constexpr MeshBlocks::Rules small_blocks{.vertices_a_block = 30, .least_inside = 0, .least_on_surfaces = 0, .is_checked = true};
+constexpr MeshBlocks::Rules small_blocks{
+    .vertices_a_block = 30, .least_inside = 0, .least_on_surfaces = 0, .is_checked = true};
 
 RunContext on_threads(unsigned n) {
   RunContext context;

@@ -37,7 +37,11 @@ struct Toolbox {
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}
   /// Asked size at a vertex: at its place, of the component of a cell there. Cached; forgotten by forget_size.
-  double size_at(VertexIndex v);
+  double size_at(VertexIndex v) {
+    if (v >= vertex_size.size() || vertex_size[v] < 0) [[unlikely]]
+      ask_size(v);
+    return vertex_size[v];
+  }
   /// Asks for those of all vertices that are not known, on all cores: size_at is then const in all but name.
   void know_sizes(unsigned threads);
   /// Where it has been asked for already, at its place.
@@ -79,7 +83,14 @@ struct Toolbox {
     return curve != no_index || (!cavity.spokes.empty() && mesh.patch_of_facet(cavity.spokes[0].facet) == hull_patch);
   }
   /// Mean of the sizes at its vertices.
-  double size_of_cell(CellIndex c);
+  double size_of_cell(CellIndex c) {
+    double sum = 0;
+    for (const VertexIndex v : mesh.vertices(c)) sum += size_at(v);
+    return sum / 4;
+  }
+
+ private:
+  void ask_size(VertexIndex v);
 };
 
 /// Splits the edge (a, b) of cell c at its midpoint, or at `place` (of its curve or patch) where given. The new vertex
@@ -119,6 +130,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 /// constrained Delaunay cavity (Bowyer 1981, Watson 1981; the cavity stops at constrained faces and is shrunk until p
 /// sees all of its border).
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
+/// The same where the cell is known that has p (locate).
+std::optional<VertexIndex> insert_in_cell(Toolbox& tools, const Vec3& p, CellIndex home, const InsertionRule& rule);
 
 /// Inserts p, brought to the patch of the face `start`. One cavity is on the surface (faces of the patch whose
 /// circumcircle has p), one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of

@@ -15,11 +15,7 @@ Vec3 Toolbox::normal_at(VertexIndex v) {
   return guard.normal_of(nearest.facet);
 }
 
-double Toolbox::size_at(VertexIndex v) {
-  if (v >= vertex_size.size() || vertex_size[v] < 0)
-    set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v))));
-  return vertex_size[v];
-}
+void Toolbox::ask_size(VertexIndex v) { set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)))); }
 
 void Toolbox::know_sizes(unsigned threads) {
   const bool asks_caller = size.limits().background != nullptr;  // who is asked on one thread alone
@@ -34,12 +30,6 @@ void Toolbox::know_sizes(unsigned threads) {
 void Toolbox::set_size(VertexIndex v, double h) {
   if (v >= vertex_size.size()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 4 + 1, -1);
   vertex_size[v] = h;
-}
-
-double Toolbox::size_of_cell(CellIndex c) {
-  double sum = 0;
-  for (const VertexIndex v : mesh.vertices(c)) sum += size_at(v);
-  return sum / 4;
 }
 
 SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {

@@ -176,7 +176,7 @@ class InsideRefiner {
     if (!home || surely_crowds(p, *home)) return std::nullopt;
     const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
     if (h >= crowded) return std::nullopt;
-    const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, &spheres_});
+    const auto v = insert_in_cell(tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, &spheres_});
     if (v) tools_.set_size(*v, h);
     return v;
   }

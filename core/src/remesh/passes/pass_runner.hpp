@@ -40,8 +40,8 @@ struct Pass {
   bool applies = true;
 };
 
-/// Runs passes of one schedule, one after the other. Each round is noted (debug) with its CPU seconds and, in builds with
-/// GEOMESH_EXPENSIVE_CHECKS, followed by the validator of the mesh.
+/// Runs passes of one schedule, one after the other. Each round is noted (debug) with its CPU seconds and, in builds
+/// with GEOMESH_EXPENSIVE_CHECKS, followed by the validator of the mesh.
 class PassRunner {
  public:
   /// No round begins once `out_of_time` says so.
@@ -58,8 +58,7 @@ class PassRunner {
       GEOMESH_EXPENSIVE_CHECK(mesh_.validate().empty());
       const std::string which = pass.most_rounds > 1 ? ", round " + std::to_string(k + 1) : "";
       context_.note(LogLevel::debug,
-                    std::string(pass.name) + which + ": " + std::to_string(mesh_.n_cells()) + " cells, " +
-                        seconds);
+                    std::string(pass.name) + which + ": " + std::to_string(mesh_.n_cells()) + " cells, " + seconds);
       if (next == Next::done) return;
     }
   }
