@@ -1,37 +1,84 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Marks on cells, or vertices, that cost nothing to clear.
+/// Marks on a few cells, or vertices, of many, that cost nothing to clear.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace geomesh {
 
-/// What is marked has the number of the present epoch. One a thread.
+/// A hash table that stays in the nearest cache, since few are marked at a time: a star, a cavity. An array by cell
+/// would be read all over memory. An entry counts in the epoch that it was made in. One a thread.
+///
+/// All calls take constant time, but for the growth of the table: it has at least twice as many places as entries.
 class EpochMarks {
  public:
-  /// Takes all marks off; indices below n may be marked.
-  void begin(std::size_t n) {
-    if (stamp_.size() < n) stamp_.resize(n + n / 4, 0);
-    if (++epoch_ != 0) return;
-    std::fill(stamp_.begin(), stamp_.end(), 0);
+  /// Takes all marks off.
+  void begin() {
+    n_ = 0;
+    if (++epoch_ < epochs) return;
+    table_.assign(table_.size(), {});
     epoch_ = 1;
   }
-  bool marked(std::uint32_t i) const { return i < stamp_.size() && stamp_[i] == epoch_; }
-  void mark(std::uint32_t i) { stamp_[i] = epoch_; }
-  void unmark(std::uint32_t i) { stamp_[i] = 0; }
+  bool marked(std::uint32_t i) const {
+    const Entry& e = table_[place_of(i)];
+    return is_of_epoch(e) && is_on(e);
+  }
+  void mark(std::uint32_t i) { set(i, true); }
+  void unmark(std::uint32_t i) { set(i, false); }
   /// Whether it was not marked.
   bool mark_first(std::uint32_t i) {
-    if (marked(i)) return false;
-    mark(i);
+    Entry& e = table_[place_of(i)];
+    if (!is_of_epoch(e)) {
+      add(e, i, true);
+      return true;
+    }
+    if (is_on(e)) return false;
+    e.stamp |= 1u;
     return true;
   }
 
  private:
-  std::vector<std::uint32_t> stamp_;
-  std::uint32_t epoch_ = 0;
+  struct Entry {
+    std::uint32_t index = 0, stamp = 0;  ///< twice the epoch, and 1 where marked
+  };
+  static constexpr std::uint32_t epochs = std::uint32_t{1} << 31;
+  static constexpr unsigned first_bits = 9;
+
+  bool is_of_epoch(const Entry& e) const { return e.stamp >> 1 == epoch_; }
+  static bool is_on(const Entry& e) { return (e.stamp & 1u) != 0; }
+
+  /// Of its entry, or of the free one where it would be.
+  std::size_t place_of(std::uint32_t i) const {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = (i * 0x9E3779B1u) >> (32 - bits_);
+    while (is_of_epoch(table_[at]) && table_[at].index != i) at = (at + 1) & mask;
+    return at;
+  }
+  void set(std::uint32_t i, bool on) {
+    Entry& e = table_[place_of(i)];
+    if (is_of_epoch(e))
+      e.stamp = epoch_ << 1 | static_cast<std::uint32_t>(on);
+    else if (on)
+      add(e, i, on);
+  }
+  void add(Entry& e, std::uint32_t i, bool on) {
+    e = {i, epoch_ << 1 | static_cast<std::uint32_t>(on)};
+    if (2 * ++n_ > table_.size()) grow();
+  }
+  void grow() {
+    const std::vector<Entry> old(std::move(table_));
+    ++bits_;
+    table_.assign(std::size_t{1} << bits_, {});
+    for (const Entry& e : old)
+      if (is_of_epoch(e)) table_[place_of(e.index)] = e;
+  }
+
+  unsigned bits_ = first_bits;
+  std::vector<Entry> table_ = std::vector<Entry>(std::size_t{1} << first_bits);
+  std::uint32_t epoch_ = 1;
+  std::size_t n_ = 0;
 };
 
 }  // namespace geomesh

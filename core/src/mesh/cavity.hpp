@@ -23,7 +23,7 @@ class Cavity {
   Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
       : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
     cells_.assign(bases.begin(), bases.end());
-    marks_.begin(mesh.n_slots());
+    marks_.begin();
     for (const CellIndex c : bases) marks_.mark(c);
   }
 
@@ -41,16 +41,28 @@ class Cavity {
   }
 
   /// Takes in each cell that takes(cell) holds for and that is reached through faces that may_cross(face) holds for,
-  /// both sides of which have cells. Ends where there are `most` cells, and a few more.
-  template <class MayCross, class Takes>
-  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes) {
+  /// both sides of which have cells. Ends where there are `most` cells, and a few more. will_ask(cell) is called a
+  /// little before: what takes() reads can be fetched from memory meanwhile.
+  template <class MayCross, class Takes, class WillAsk>
+  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes, const WillAsk& will_ask) {
+    const auto announce = [&](CellIndex c) {
+      for (const FaceRef n : mesh_.cells()[c].neighbors)
+        if (n.valid()) will_ask(n.cell());
+    };
+    for (const CellIndex c : bases_) announce(c);
     for (std::size_t k = 0; k < cells_.size() && cells_.size() < most; ++k)
       for (unsigned i = 0; i < 4; ++i) {
         const FaceRef f(cells_[k], i);
         if (!may_cross(f)) continue;
         const CellIndex n = mesh_.mirror(f).cell();
-        if (!has(n) && takes(n)) add(n);
+        if (has(n) || !takes(n)) continue;
+        add(n);
+        announce(n);
       }
+  }
+  template <class MayCross, class Takes>
+  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes) {
+    grow(most, may_cross, takes, [](CellIndex) {});
   }
 
   /// Gives up cells with a face at the border that sees(face) does not hold for. Then go those whose faces are at the

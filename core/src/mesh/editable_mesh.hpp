@@ -77,7 +77,16 @@ class EditableMesh {
   /// before one is freed. Throws InternalError where the two regions have not the same border. O(cells).
   template <class Make, class NoteNeighbor, class NoteRemoval>
   void exchange(std::span<const CellIndex> removed, std::size_t n_added, const Make& make,
-                const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal);
+                const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal) {
+    exchange_by(pairing_, removed, n_added, make, note_neighbor, [&](CellIndex c) {
+      note_removal(c);
+      mesh_.free_cell(c);
+    });
+  }
+  /// The same with a table and slots of the caller's, who frees cells too: for changes that are made side by side.
+  template <class Make, class NoteNeighbor, class Free>
+  void exchange_by(FacePairing<FaceMark>& pairing, std::span<const CellIndex> removed, std::size_t n_added,
+                   const Make& make, const NoteNeighbor& note_neighbor, const Free& free);
 
   TetMesh mesh_;
   std::vector<Vec3> points_;
@@ -90,7 +99,7 @@ class EditableMesh {
 
 template <class Attributes>
 void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const {
-  marks.begin(mesh_.n_slots());
+  marks.begin();
   out.assign(1, cell_of_[v]);
   marks.mark(cell_of_[v]);
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -98,7 +107,9 @@ void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vecto
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef n = cell.neighbors[i];
       if (cell.vertices[i] == v || (!Attributes::is_closed && !n.valid())) continue;
-      if (marks.mark_first(n.cell())) out.push_back(n.cell());
+      if (!marks.mark_first(n.cell())) continue;
+      __builtin_prefetch(mesh_.cells() + n.cell());
+      out.push_back(n.cell());
     }
   }
 }
@@ -128,35 +139,35 @@ typename EditableMesh<Attributes>::Walk EditableMesh<Attributes>::walk(const Vec
 }
 
 template <class Attributes>
-template <class Make, class NoteNeighbor, class NoteRemoval>
-void EditableMesh<Attributes>::exchange(std::span<const CellIndex> removed, std::size_t n_added, const Make& make,
-                                        const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal) {
+template <class Make, class NoteNeighbor, class Free>
+void EditableMesh<Attributes>::exchange_by(FacePairing<FaceMark>& pairing, std::span<const CellIndex> removed,
+                                           std::size_t n_added, const Make& make, const NoteNeighbor& note_neighbor,
+                                           const Free& free) {
   for (const CellIndex c : removed) mesh_.flags(c) |= region_flag;
-  pairing_.begin(4 * (removed.size() + n_added));
+  pairing.begin(4 * (removed.size() + n_added));
   for (const CellIndex c : removed)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = mesh_.neighbor(c, i);
       if (outer.valid() && mesh_.flags(outer.cell()) & region_flag) {
         if constexpr (Attributes::keeps_inner_marks)
           if (const FaceMark mark = attributes_.mark(mesh_, FaceRef(c, i)); mark != FaceMark{})
-            pairing_.await_inner(face_key(mesh_.vertices(c), i), mark);
+            pairing.await_inner(face_key(mesh_.vertices(c), i), mark);
         continue;
       }
       if (outer.valid()) note_neighbor(outer.cell());
-      pairing_.await_outer(face_key(mesh_.vertices(c), i), outer, attributes_.mark(mesh_, FaceRef(c, i)));
+      pairing.await_outer(face_key(mesh_.vertices(c), i), outer, attributes_.mark(mesh_, FaceRef(c, i)));
     }
-  for (const CellIndex c : removed) note_removal(c);
   for (const CellIndex c : removed) {
     mesh_.flags(c) = 0;
-    mesh_.free_cell(c);
+    free(c);
   }
   for (std::size_t k = 0; k < n_added; ++k) {
     const CellIndex c = make(k);
     for (unsigned i = 0; i < 4; ++i)
-      if (const auto* other = pairing_.meet(face_key(mesh_.vertices(c), i), FaceRef(c, i)))
+      if (const auto* other = pairing.meet(face_key(mesh_.vertices(c), i), FaceRef(c, i)))
         attributes_.join(mesh_, FaceRef(c, i), *other);
   }
-  GEOMESH_CHECK(pairing_.n_outer_waiting() == 0 && (!Attributes::is_closed || pairing_.n_added_waiting() == 0));
+  GEOMESH_CHECK(pairing.n_outer_waiting() == 0 && (!Attributes::is_closed || pairing.n_added_waiting() == 0));
 }
 
 }  // namespace geomesh

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "search/closest_point.hpp"
 
@@ -23,26 +24,42 @@ class CrossingSearch {
  public:
   explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
 
-  /// All crossings of the first edge that has some, or of all edges. By edge, then facet.
-  std::vector<PlcCrossing> run(bool all) {
-    collect();
-    sort_edges();
-    const search::ClosestPointTrees tree = tree_of_triangles();
+  /// Those of the first edge that has some.
+  std::vector<PlcCrossing> first() {
+    const search::ClosestPointTrees tree = prepare();
     std::vector<PlcCrossing> crossings;
-    for (const Item& e : edges_) {
-      const auto first = static_cast<std::ptrdiff_t>(crossings.size());
-      tree.for_each_in(e.box, 0, [&](const auto& found) {
-        const Item& t = triangles_[found.id];
-        if (overlap(e.box, t.box) && meet(e, t)) crossings.push_back({e.a, e.b, e.facet, t.facet});
-      });
-      std::sort(crossings.begin() + first, crossings.end(),
-                [](const PlcCrossing& x, const PlcCrossing& y) { return x.facet < y.facet; });
-      if (!all && !crossings.empty()) break;
-    }
+    for (std::size_t k = 0; k < edges_.size() && crossings.empty(); ++k) append_of(edges_[k], tree, crossings);
+    return crossings;
+  }
+  /// By edge, then facet.
+  std::vector<PlcCrossing> all(unsigned threads) {
+    constexpr std::size_t chunk = 2048;
+    const search::ClosestPointTrees tree = prepare();
+    std::vector<std::vector<PlcCrossing>> found((edges_.size() + chunk - 1) / chunk);
+    for_each_task(found.size(), threads, [&](std::size_t k) {
+      for (std::size_t i = k * chunk; i < std::min(edges_.size(), (k + 1) * chunk); ++i)
+        append_of(edges_[i], tree, found[k]);
+    });
+    std::vector<PlcCrossing> crossings;
+    for (const auto& of_chunk : found) crossings.insert(crossings.end(), of_chunk.begin(), of_chunk.end());
     return crossings;
   }
 
  private:
+  search::ClosestPointTrees prepare() {
+    collect();
+    sort_edges();
+    return tree_of_triangles();
+  }
+  void append_of(const Item& e, const search::ClosestPointTrees& tree, std::vector<PlcCrossing>& crossings) const {
+    const auto first = static_cast<std::ptrdiff_t>(crossings.size());
+    tree.for_each_in(e.box, 0, [&](const auto& found) {
+      const Item& t = triangles_[found.id];
+      if (overlap(e.box, t.box) && meet(e, t)) crossings.push_back({e.a, e.b, e.facet, t.facet});
+    });
+    std::sort(crossings.begin() + first, crossings.end(),
+              [](const PlcCrossing& x, const PlcCrossing& y) { return x.facet < y.facet; });
+  }
   const Vec3& point(VertexIndex v) const { return plc_.points[v]; }
 
   Item make(VertexIndex a, VertexIndex b, VertexIndex c, Index facet) const {
@@ -138,10 +155,12 @@ class CrossingSearch {
 }  // namespace
 
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc) {
-  const std::vector<PlcCrossing> found = CrossingSearch(plc).run(false);
+  const std::vector<PlcCrossing> found = CrossingSearch(plc).first();
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc) { return CrossingSearch(plc).run(true); }
+std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads) {
+  return CrossingSearch(plc).all(threads);
+}
 
 }  // namespace geomesh

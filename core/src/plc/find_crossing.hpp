@@ -22,7 +22,7 @@ struct PlcCrossing {
 /// within). O(n log n) plus pairs whose boxes overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
 /// All of them, in that order.
-std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc);
+std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads = 1);
 
 /// The same, searched for when first asked for, and once.
 class CrossingsOf {

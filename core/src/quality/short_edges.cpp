@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "quality/causes.hpp"
 
@@ -26,28 +27,37 @@ double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh,
 
 /// No edge that is longer is short: no size above this is asked anywhere. Where sizes jump from one component to the
 /// next, an edge may be short for some of its cells alone: all of them are listed.
-EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share) {
+EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share, unsigned threads) {
+  constexpr std::size_t chunk = 16384;
+  using Ends = std::array<VertexIndex, 2>;
   const double longest = share * std::min(size.limits().global, size.limits().max_size);
-  EdgeCells edges;
-  const auto for_each_short = [&](const auto& visit) {
-    for (Index c = 0; c < mesh.tetrahedra.size(); ++c) {
+  const auto for_each_edge = [&](std::size_t k, const auto& visit) {
+    for (std::size_t c = k * chunk; c < std::min(mesh.tetrahedra.size(), (k + 1) * chunk); ++c) {
       const Tetrahedron& t = mesh.tetrahedra[c];
       for (const auto& e : edge_vertices) {
         const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
         const double l = distance(mesh.points[a], mesh.points[b]);
-        if (l < longest) visit(std::array{a, b}, l, c);
+        if (l < longest) visit(Ends{a, b}, l, static_cast<Index>(c));
       }
     }
   };
-  for_each_short([&](const std::array<VertexIndex, 2>& ends, double l, Index c) {
-    if (l < share * size.at(0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]), mesh.component[c]))
-      edges[ends].push_back(c);
+  std::vector<std::vector<std::pair<Ends, Index>>> found((mesh.tetrahedra.size() + chunk - 1) / chunk);
+  const bool asks_caller = size.limits().background != nullptr;  // who is asked on one thread alone
+  for_each_task(found.size(), asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
+    for_each_edge(k, [&](const Ends& ends, double l, Index c) {
+      if (l < share * size.at(0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]), mesh.component[c]))
+        found[k].emplace_back(ends, c);
+    });
   });
-  if (size.limits().component_size.empty() && !size.limits().background) return edges;
+  EdgeCells edges;
+  for (const auto& of_chunk : found)
+    for (const auto& [ends, cell] : of_chunk) edges[ends].push_back(cell);
+  if (edges.empty() || (size.limits().component_size.empty() && !asks_caller)) return edges;
   for (auto& [ends, cells] : edges) cells.clear();
-  for_each_short([&](const std::array<VertexIndex, 2>& ends, double, Index c) {
-    if (const auto edge = edges.find(ends); edge != edges.end()) edge->second.push_back(c);
-  });
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for_each_edge(k, [&](const Ends& ends, double, Index c) {
+      if (const auto edge = edges.find(ends); edge != edges.end()) edge->second.push_back(c);
+    });
   return edges;
 }
 
@@ -75,7 +85,7 @@ void excuse_near_forced(std::vector<ShortEdge>& edges, const SizeField& size) {
 ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options, double share, std::size_t max_worst) {
   ShortEdges found;
-  const EdgeCells edges = candidates(mesh, *options.size, share);
+  const EdgeCells edges = candidates(mesh, *options.size, share, options.threads);
   if (edges.empty()) return found;
   const InputCreases creases = find_creases(plc, options);
   CauseFinder causes(mesh, options, creases);

@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::size_t uses_a_block = 100000;
+constexpr std::size_t uses_a_block = 30000;
 
 FaceUse make_use(Triangle t, Index row, bool is_listed) {
   bool even = true;
@@ -35,6 +35,24 @@ void for_each_use(const ModelMesh& mesh, std::size_t begin, std::size_t end, con
     const Tetrahedron& v = mesh.tetrahedra[row];
     for (const auto& f : face_vertices) visit(make_use({v[f[0]], v[f[1]], v[f[2]]}, static_cast<Index>(row), false));
   }
+}
+
+/// By least vertex (a counting sort), then each vertex's own, which are a few dozen.
+void sort_block(std::span<FaceUse> uses) {
+  if (uses.empty()) return;
+  const auto by_vertex = [](const FaceUse& p, const FaceUse& q) { return p.least_vertex() < q.least_vertex(); };
+  const auto [least, greatest] = std::minmax_element(uses.begin(), uses.end(), by_vertex);
+  const VertexIndex first = least->least_vertex();
+  std::vector<std::uint32_t> end(greatest->least_vertex() - first + std::size_t{2},
+                                 0);  // of the uses before a vertex's
+  for (const FaceUse& use : uses) ++end[use.least_vertex() - first + 1];
+  for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+  std::vector<FaceUse> sorted(uses.size());
+  for (const FaceUse& use : uses) sorted[end[use.least_vertex() - first]++] = use;
+  std::uint32_t begin = 0;
+  for (std::size_t v = 0; v + 1 < end.size(); begin = end[v++])
+    std::sort(sorted.begin() + begin, sorted.begin() + end[v]);
+  std::copy(sorted.begin(), sorted.end(), uses.begin());
 }
 
 }  // namespace
@@ -63,10 +81,8 @@ FaceUses::FaceUses(const ModelMesh& mesh, unsigned threads) {
   chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
     for_each_use(mesh, begin, end, [&](const FaceUse& use) { uses_[place[k][block_of(use)]++] = use; });
   });
-  for_each_task(n_blocks, threads, [&](std::size_t b) {
-    std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(begin_[b]),
-              uses_.begin() + static_cast<std::ptrdiff_t>(begin_[b + 1]));
-  });
+  for_each_task(n_blocks, threads,
+                [&](std::size_t b) { sort_block(std::span(uses_).subspan(begin_[b], begin_[b + 1] - begin_[b])); });
 }
 
 }  // namespace geomesh::geomodel

@@ -42,8 +42,8 @@ class FaceUse {
 /// All faces of a mesh, parted into blocks by their least vertex. Within a block the uses ascend, so that uses of one
 /// triangle stand side by side, tetrahedra first. The blocks depend on the mesh alone.
 ///
-/// Precondition: all vertex indices are in range, and counts below FaceUse::limit. O(n) and n log n within blocks of
-/// about 100,000 uses; 16 bytes a use.
+/// Precondition: all vertex indices are in range, and counts below FaceUse::limit. O(n), and k log k for the k
+/// uses of each least vertex; 16 bytes a use.
 class FaceUses {
  public:
   FaceUses(const ModelMesh& mesh, unsigned threads);

@@ -2,9 +2,9 @@
 #include "remesh/domain/domain_mesh.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <string>
 
+#include "common/parallel.hpp"
 #include "geomesh/core/validate.hpp"
 
 namespace geomesh::remesh {
@@ -37,31 +37,33 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, dou
     attributes_.component.push_back(component);
     attributes_.tags.emplace_back();
     attributes_.shape.push_back(0);
-  } else {
-    attributes_.component[c] = component;
-    attributes_.tags[c] = {};
   }
-  for (VertexIndex v : vertices) {
-    note_vertex(v);
-    cell_of_[v] = c;
-  }
-  if (shape > 0)
-    set_shape(c, shape);
-  else
-    refresh_shape(c);
+  set_cell(c, {vertices, component, {}, shape}, clock_);
   return c;
 }
 
-void DomainMesh::refresh_shape(CellIndex c) { set_shape(c, DomainMesh::shape(mesh_.vertices(c))); }
+/// What a cell in a slot that is taken has, but for its neighbours.
+void DomainMesh::set_cell(CellIndex c, const NewCell& cell, std::uint64_t time) {
+  attributes_.component[c] = cell.component;
+  attributes_.tags[c] = cell.tags;
+  for (VertexIndex v : cell.vertices) {
+    note_vertex(v);
+    cell_of_[v] = c;
+  }
+  set_shape(c, cell.shape > 0 ? cell.shape : shape(cell.vertices), time);
+}
 
-void DomainMesh::set_shape(CellIndex c, double shape) {
+void DomainMesh::refresh_shape(CellIndex c) { set_shape(c, shape(mesh_.vertices(c))); }
+
+void DomainMesh::set_shape(CellIndex c, double shape) { set_shape(c, shape, clock_); }
+
+void DomainMesh::set_shape(CellIndex c, double shape, std::uint64_t time) {
   if (journal_.is_open) {
     note_cell(c);
     for (const VertexIndex v : mesh_.vertices(c)) note_vertex(v);
   }
   attributes_.shape[c] = shape;
-  // Blocks that are smoothed at once may share vertices that do not move.
-  for (const VertexIndex v : mesh_.vertices(c)) std::atomic_ref(changed_[v]).store(clock_, std::memory_order_relaxed);
+  for (const VertexIndex v : mesh_.vertices(c)) changed_[v] = time;
 }
 
 void DomainMesh::link_cells() {
@@ -196,9 +198,22 @@ std::string describe(const char* what, CellIndex c) { return std::string(what) +
 
 }  // namespace
 
-std::string DomainMesh::validate() const {
-  for (const auto& faults : {validate_topology(mesh_, 1, Outside::open), validate_geometry(mesh_, points_, 1)})
-    if (!faults.empty()) return describe(faults[0].what.c_str(), faults[0].cell);
+std::string DomainMesh::validate(unsigned threads) const {
+  std::array<std::string, 2> found;
+  for_each_task(found.size(), thread_count(threads), [&](std::size_t k) {
+    const auto faults = k == 0 ? validate_topology(mesh_, 1, Outside::open) : validate_geometry(mesh_, points_, 1);
+    if (!faults.empty())
+      found.at(k) = describe(faults[0].what.c_str(), faults[0].cell);
+    else if (k == 0)
+      found[0] = validate_domain();
+  });
+  for (const std::string& fault : found)
+    if (!fault.empty()) return fault;
+  return {};
+}
+
+/// What holds beside valid topology and geometry.
+std::string DomainMesh::validate_domain() const {
   std::vector<std::array<VertexIndex, 2>> edges;
   for (const CellIndex c : live_cells()) {
     const Tetrahedron& t = mesh_.vertices(c);

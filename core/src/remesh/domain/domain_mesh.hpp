@@ -20,6 +20,7 @@
 #include "mesh/editable_mesh.hpp"
 #include "quality/measure/cell_quality.hpp"
 #include "remesh/domain/live_cells.hpp"
+#include "remesh/domain/mesh_blocks.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
 #include "remesh/domain/star_links.hpp"
@@ -136,12 +137,23 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
   /// log k). Throws InternalError where the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
+  /// The same for cells of a block, beside others that change theirs. The caller has asked whether it may.
+  void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
+               BlockEdit& block);
   /// The same for cells of one component, none of whose faces inside is constrained, and the star of `apex`: a cell for
   /// each face of their border, in this order, with the `shapes`, of which there may be more. O(k).
   void replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
                        std::span<const double> shapes, std::vector<CellIndex>& created);
   /// The vertex must be in no live cell.
   void remove_vertex(VertexIndex v);
+
+  /// @name Blocks (mesh_blocks.hpp)
+  /// @{
+  /// A clock and free slots for a block: to be called for all before any is worked on.
+  void open_block(BlockEdit& block, std::size_t n_slots);
+  /// To be called for all once they have been worked on.
+  void close_block(BlockEdit& block);
+  /// @}
 
   /// @name Components on their own
   /// What changes inside of components alone can so be done in all of them at once.
@@ -150,12 +162,12 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<MeshPart> take_apart();
   /// Takes the parts in again, in their order: their cells, and the vertices that they did not begin with. Faces to
   /// other components must be as they were. O(n), and n log n in such faces.
-  void put_together(std::vector<MeshPart> parts);
+  void put_together(std::vector<MeshPart> parts, unsigned threads = 1);
   /// @}
 
   /// Renumbers the cells along a curve that fills space, so that near ones are near in memory. No slot is free after
   /// it. O(n log n).
-  void sort_cells();
+  void sort_cells(unsigned threads = 1);
   /// Vertices in the order of the first cell that has them: near ones one after the other where cells are sorted.
   std::vector<VertexIndex> vertices_by_cells() const;
 
@@ -240,16 +252,18 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   void reserve(std::size_t n_vertices, std::size_t n_cells);
 
   /// Checks the invariants; the first violation is described in the string returned, empty where all hold. O(n log n).
-  std::string validate() const;
+  std::string validate(unsigned threads = 1) const;
 
  private:
   void fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                  std::vector<VertexIndex>& row, MeshPart& part) const;
   using OpenFace = std::pair<FaceKey, FaceRef>;
-  void copy_cell(const DomainMesh& from, CellIndex c, const std::vector<VertexIndex>& row,
-                 const std::vector<CellIndex>& row_of_cell, std::vector<OpenFace>& open);
+  struct CellCopies;
+  void copy_cell(const CellCopies& from, CellIndex c, std::vector<OpenFace>& open);
+  void append(MeshPart part, unsigned threads, std::vector<OpenFace>& open);
   /// Those that are the same face with each other.
   void link_faces(std::vector<OpenFace> faces);
+  std::string validate_domain() const;
   void note_vertex(VertexIndex v) {
     if (journal_.is_open && journal_.is_new_vertex(v))
       journal_.vertices.push_back({v, points_[v], kinds_[v], supports_[v], cell_of_[v], changed_[v]});
@@ -259,6 +273,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
       journal_.cells.push_back(
           {c, mesh_.cells()[c], attributes_.component[c], attributes_.tags[c], attributes_.shape[c]});
   }
+  void set_cell(CellIndex c, const NewCell& cell, std::uint64_t time);
+  void set_shape(CellIndex c, double shape, std::uint64_t time);
   void note_curve(VertexIndex a, VertexIndex b) {
     if (journal_.is_open) journal_.curves.push_back({a, b, curves_.find({a, b})});
   }

@@ -2,6 +2,7 @@
 // Orders of a DomainMesh's cells and vertices in which what is near in space is near in memory.
 #include <algorithm>
 
+#include "common/parallel.hpp"
 #include "mesh/spatial_order.hpp"
 #include "remesh/domain/domain_mesh.hpp"
 
@@ -9,49 +10,59 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// Room for what blocks are given (mesh_blocks.hpp), so that no array doubles for it.
+std::size_t with_spare_slots(std::size_t n) { return n + n / 32; }
+
 template <class Value>
-void permute(std::vector<Value>& values, const std::vector<CellIndex>& old_index) {
-  std::vector<Value> sorted(old_index.size());
-  for (std::size_t c = 0; c < old_index.size(); ++c) sorted[c] = values[old_index[c]];
+void permute(std::vector<Value>& values, const std::vector<CellIndex>& old_index, unsigned threads) {
+  std::vector<Value> sorted;
+  sorted.reserve(with_spare_slots(old_index.size()));
+  sorted.resize(old_index.size());
+  for_each_index(old_index.size(), threads, [&](std::size_t c) { sorted[c] = values[old_index[c]]; });
   values = std::move(sorted);
 }
 
 /// Live cells by the least place of their vertices in `order`: a counting sort.
-std::vector<CellIndex> cells_along(const TetMesh& mesh, const std::vector<VertexIndex>& order) {
-  std::vector<Index> place(order.size());
+std::vector<CellIndex> cells_along(const TetMesh& mesh, const std::vector<VertexIndex>& order, unsigned threads) {
+  std::vector<Index> place(order.size()), place_of(mesh.n_slots());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<Index>(k);
-  const auto place_of = [&](CellIndex c) {
-    const Tetrahedron& t = mesh.vertices(c);
-    return std::min({place[t[0]], place[t[1]], place[t[2]], place[t[3]]});
-  };
+  for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
+    const Tetrahedron& t = mesh.vertices(static_cast<CellIndex>(c));
+    place_of[c] = mesh.is_live(static_cast<CellIndex>(c))
+                      ? std::min({place[t[0]], place[t[1]], place[t[2]], place[t[3]]})
+                      : no_index;
+  });
   std::vector<CellIndex> next(order.size() + 1, 0), sorted(mesh.n_live());
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    if (mesh.is_live(c)) ++next[place_of(c) + 1];
+  for (const Index p : place_of)
+    if (p != no_index) ++next[p + std::size_t{1}];
   for (std::size_t k = 0; k < order.size(); ++k) next[k + 1] += next[k];
   for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    if (mesh.is_live(c)) sorted[next[place_of(c)]++] = c;
+    if (place_of[c] != no_index) sorted[next[place_of[c]]++] = c;
   return sorted;
 }
 
 }  // namespace
 
-void DomainMesh::sort_cells() {
-  const std::vector<CellIndex> old_index = cells_along(mesh_, hilbert_order(points_));
+void DomainMesh::sort_cells(unsigned asked_threads) {
+  const unsigned threads = thread_count(asked_threads);
+  const std::vector<CellIndex> old_index = cells_along(mesh_, hilbert_order(points_), threads);
   std::vector<CellIndex> new_index(mesh_.n_slots(), no_cell);
-  for (CellIndex c = 0; c < old_index.size(); ++c) new_index[old_index[c]] = c;
+  for_each_index(old_index.size(), threads,
+                 [&](std::size_t c) { new_index[old_index[c]] = static_cast<CellIndex>(c); });
   TetMesh sorted;
+  sorted.reserve(with_spare_slots(old_index.size()));
   sorted.grow_to(old_index.size());
-  for (CellIndex c = 0; c < old_index.size(); ++c) {
+  for_each_index(old_index.size(), threads, [&](std::size_t c) {
     TetMesh::Cell cell = mesh_.cells()[old_index[c]];
     for (FaceRef& n : cell.neighbors)
       if (n.valid()) n = FaceRef(new_index[n.cell()], n.face());
     sorted.cells()[c] = cell;
-    sorted.flags(c) = mesh_.flags(old_index[c]);
-  }
+    sorted.cell_flags()[c] = mesh_.flags(old_index[c]);
+  });
   mesh_ = std::move(sorted);
-  permute(attributes_.component, old_index);
-  permute(attributes_.tags, old_index);
-  permute(attributes_.shape, old_index);
+  permute(attributes_.component, old_index, threads);
+  permute(attributes_.tags, old_index, threads);
+  permute(attributes_.shape, old_index, threads);
   for (CellIndex& c : cell_of_)
     if (c != no_cell) c = new_index[c];
 }

@@ -3,9 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/parallel.hpp"
 #include "remesh/domain/domain_mesh.hpp"
 
 namespace geomesh::remesh {
+
+/// Where cells are copied from, and the rows of its vertices and cells here.
+struct DomainMesh::CellCopies {
+  const DomainMesh& from;
+  const std::vector<VertexIndex>& row;
+  const std::vector<CellIndex>& row_of_cell;
+};
 
 std::vector<MeshPart> DomainMesh::take_apart() {
   GEOMESH_CHECK(!journal_.is_open);
@@ -42,7 +50,9 @@ void DomainMesh::fill_part(const std::vector<CellIndex>& cells, const std::vecto
         row[v] = mesh.add_vertex(points_[v], kinds_[v], supports_[v]);
         part.vertices.push_back(v);
       }
-    mesh.copy_cell(*this, c, row, row_of_cell, open);
+    const CellIndex own = mesh.add_cell({row[t[0]], row[t[1]], row[t[2]], row[t[3]]}, component(c), shape_of(c));
+    GEOMESH_CHECK(own == row_of_cell[c]);
+    mesh.copy_cell({*this, row, row_of_cell}, c, open);
     for (const auto& e : edge_vertices)
       if (const Index curve = curve_of(t[e[0]], t[e[1]]); curve != no_index)
         mesh.curves_.insert({row[t[e[0]]], row[t[e[1]]]}, curve);
@@ -50,37 +60,62 @@ void DomainMesh::fill_part(const std::vector<CellIndex>& cells, const std::vecto
   for (const VertexIndex v : part.vertices) row[v] = no_vertex;
 }
 
-void DomainMesh::put_together(std::vector<MeshPart> parts) {
+void DomainMesh::put_together(std::vector<MeshPart> parts, unsigned threads) {
   std::size_t n = 0;
   for (const MeshPart& part : parts) n += part.mesh.n_cells();
   reserve(0, n);
   std::vector<OpenFace> open;
-  for (MeshPart& given : parts) {
-    const MeshPart part = std::exchange(given, {});
-    const DomainMesh& mesh = part.mesh;
-    std::vector<VertexIndex> row = part.vertices;
-    for (auto v = static_cast<VertexIndex>(row.size()); v < mesh.n_vertices(); ++v)
-      row.push_back(add_vertex(mesh.point(v), mesh.kind(v), mesh.support(v)));
-    std::vector<CellIndex> row_of_cell(mesh.n_slots(), no_cell);
-    CellIndex next = n_slots();
-    for (const CellIndex c : mesh.live_cells()) row_of_cell[c] = next++;
-    for (const CellIndex c : mesh.live_cells()) copy_cell(mesh, c, row, row_of_cell, open);
-  }
+  for (MeshPart& part : parts) append(std::exchange(part, {}), thread_count(threads), open);
   link_faces(std::move(open));
 }
 
-/// Links with cells of its component, whose rows are known; `open` gets the other faces.
-void DomainMesh::copy_cell(const DomainMesh& from, CellIndex c, const std::vector<VertexIndex>& row,
-                           const std::vector<CellIndex>& row_of_cell, std::vector<OpenFace>& open) {
-  Tetrahedron t = from.vertices(c);
-  for (VertexIndex& v : t) v = row[v];
-  const CellIndex own = add_cell(t, from.component(c), from.shape_of(c));
+/// `open` gets the faces that are to be linked with other parts.
+void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenFace>& open) {
+  constexpr std::size_t chunk = 16384;
+  const DomainMesh& mesh = part.mesh;
+  std::vector<VertexIndex> row = part.vertices;
+  for (auto v = static_cast<VertexIndex>(row.size()); v < mesh.n_vertices(); ++v)
+    row.push_back(add_vertex(mesh.point(v), mesh.kind(v), mesh.support(v)));
+  std::vector<CellIndex> row_of_cell(mesh.n_slots(), no_cell);
+  CellIndex end = n_slots();
+  for (const CellIndex c : mesh.live_cells()) row_of_cell[c] = end++;
+  mesh_.grow_to(end);
+  attributes_.component.resize(end);
+  attributes_.tags.resize(end);
+  attributes_.shape.resize(end);
+  std::vector<std::vector<OpenFace>> found((mesh.n_slots() + chunk - 1) / chunk);
+  for_each_task(found.size(), threads, [&](std::size_t k) {
+    for (std::size_t c = k * chunk; c < std::min<std::size_t>(mesh.n_slots(), (k + 1) * chunk); ++c)
+      if (row_of_cell[c] != no_cell) copy_cell({mesh, row, row_of_cell}, static_cast<CellIndex>(c), found[k]);
+  });
+  for (const auto& of_chunk : found) open.insert(open.end(), of_chunk.begin(), of_chunk.end());
+  for (VertexIndex v = 0; v < row.size(); ++v) {
+    if (mesh.cell_of(v) == no_cell) continue;
+    cell_of_[row[v]] = row_of_cell[mesh.cell_of(v)];
+    changed_[row[v]] = clock_;
+  }
+}
+
+/// Into its own slot. Links with cells of its component, whose rows are known; `open` gets the other faces.
+void DomainMesh::copy_cell(const CellCopies& copies, CellIndex c, std::vector<OpenFace>& open) {
+  const DomainMesh& from = copies.from;
+  const CellIndex own = copies.row_of_cell[c];
+  TetMesh::Cell cell = from.mesh_.cells()[c];
+  for (VertexIndex& v : cell.vertices) v = copies.row[v];
+  attributes_.component[own] = from.attributes_.component[c];
   attributes_.tags[own] = from.attributes_.tags[c];
-  for (unsigned i = 0; i < 4; ++i)
-    if (const FaceRef n = from.mesh_.neighbor(c, i); n.valid() && from.component(n.cell()) == from.component(c))
-      mesh_.cells()[own].neighbors[i] = FaceRef(row_of_cell[n.cell()], n.face());
-    else
-      open.push_back({face_key(t, i), FaceRef(own, i)});
+  attributes_.shape[own] = from.attributes_.shape[c];
+  for (unsigned i = 0; i < 4; ++i) {
+    FaceRef& n = cell.neighbors[i];
+    if (n.valid() && from.component(n.cell()) == from.component(c)) {
+      n = FaceRef(copies.row_of_cell[n.cell()], n.face());
+    } else {
+      n = {};
+      open.push_back({face_key(cell.vertices, i), FaceRef(own, i)});
+    }
+  }
+  mesh_.cells()[own] = cell;
+  mesh_.flags(own) = 0;
 }
 
 }  // namespace geomesh::remesh

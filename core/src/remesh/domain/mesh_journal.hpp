@@ -58,8 +58,8 @@ struct MeshJournal {
     is_open = true;
     n_vertices = vertices_before, n_slots = slots_now_ = slots_before, clock = clock_before;
     vertices.clear(), cells.clear(), curves.clear(), slots.clear();
-    vertex_marks_.begin(n_vertices);
-    cell_marks_.begin(n_slots);
+    vertex_marks_.begin();
+    cell_marks_.begin();
   }
   /// Whether it was there at the start and is not saved yet; it counts as saved from now on.
   bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }

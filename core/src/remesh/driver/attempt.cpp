@@ -133,15 +133,15 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
   attempt.result.statistics.deviation_result_to_input = found.result_to_input;
   attempt.result.statistics.deviation_input_to_result = found.input_to_result;
   attempt.breaches = std::move(found.breaches);
-  if (!tools.guard.exact()) attempt.crossings = crossings_outside(tools.mesh);
+  if (!tools.guard.exact()) attempt.crossings = crossings_outside(tools.mesh, context.threads);
 }
 
 void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
-            RefineResult& result) {
+            unsigned threads, RefineResult& result) {
   result.statistics.worst_shape_after = worst_shape(tools.mesh);
-  result.statistics.edges_within_size = share_of_edges_within_size(tools);
+  result.statistics.edges_within_size = share_of_edges_within_size(tools, threads);
   renew_facets(tools.mesh, tools.guard, plc);
-  const std::string fault = tools.mesh.validate();
+  const std::string fault = tools.mesh.validate(threads);
   if (!fault.empty()) throw InternalError("refinement: " + fault);
   result.mesh = export_domain(tools.mesh, input);
 }
@@ -186,12 +186,16 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   if (options.refine && guard.exact() && sizes_surfaces(options) && !(options.sparse_growth > 0))
     refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();
+<<<<<<< HEAD
   if (options.refine && !(options.sparse_growth > 0)) tell_growth(mesh, hold.run == 0 ? context : RunContext{}, result);
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
+=======
+  if (!guard.exact()) attempt.crossings = crossings_outside(mesh, context.threads);
+>>>>>>> perf
   if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_before = worst_shape(mesh);
   improve_holding(tools, options, context, free_cell_judge(plc, input, options, result), attempt);
-  if (attempt.holds()) finish(tools, plc, input, result);
+  if (attempt.holds()) finish(tools, plc, input, context.threads, result);
   return attempt;
 }
 

@@ -34,6 +34,7 @@ class EdgeRemoval {
     if (mesh_.curve_of(a_, b_) != no_index) return false;
     auto& cells = tools_.work.cells;
     closed_ = turn_about_edge(mesh_.cells(), c, a_, b_, cells, tools_.work.ring);
+    if (!tools_.may_touch(cells)) return false;
     if (cells.size() == 1) return shell_off(cells[0]);
     if (cells.size() > max_ring) return false;
     for (const CellIndex k : cells) before_ = std::min(before_, mesh_.shape_of(k));
@@ -46,7 +47,7 @@ class EdgeRemoval {
     const bool is_positive = std::all_of(tools_.work.added.begin(), tools_.work.added.end(),
                                          [&](const NewCell& n) { return mesh_.is_positive(n.vertices); });
     if (!is_positive || (!for_surface_ && !tools_.bad_cells_may_spread && adds_bad_cells())) return false;
-    mesh_.replace(cells, tools_.work.added, tools_.work.created);
+    if (!tools_.exchange(cells)) return false;
     ++tools_.statistics.edge_removals;
     return true;
   }
@@ -136,7 +137,7 @@ class EdgeRemoval {
       cells.push_back(beyond.cell());
       tools_.work.added.push_back(same);
     }
-    mesh_.replace(cells, tools_.work.added, tools_.work.created);
+    if (!tools_.exchange(cells)) return false;
     ++tools_.statistics.edge_removals;
     return true;
   }

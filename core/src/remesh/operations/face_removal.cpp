@@ -31,7 +31,7 @@ class FaceRemoval {
     added.clear();
     for (unsigned k = 0; k < 3; ++k)
       added.push_back({{face_[k], face_[(k + 1) % 3], bottom_, top_}, mesh_.component(removed_[0]), {}});
-    mesh_.replace(removed_, added, tools_.work.created);
+    if (!tools_.exchange(removed_)) return false;
     ++tools_.statistics.face_removals;
     return true;
   }

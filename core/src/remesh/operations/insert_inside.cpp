@@ -48,7 +48,12 @@ class InsideInsertion {
     const std::array bases{home};
     Cavity cavity(mesh_.cells(), work_.marks, work_.cells, bases);
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
-    cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); });
+    const auto fetch = [&](CellIndex c) {
+      __builtin_prefetch(mesh_.cells().cells() + c);
+      if (rule_.spheres) __builtin_prefetch(rule_.spheres->data() + c);
+    };
+    cavity.grow(
+        most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); }, fetch);
     collect_border(cavity);
     if (!std::all_of(border().begin(), border().end(), [&](const StarFace& f) { return mesh_.sees(p_, f.vertices); })) {
       if (!cavity.shrink(
@@ -114,9 +119,12 @@ class InsideInsertion {
 
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule) {
   const std::optional<CellIndex> home = locate(tools.mesh, p, start);
-  if (!home) return std::nullopt;
+  return home ? insert_in_cell(tools, p, *home, rule) : std::nullopt;
+}
+
+std::optional<VertexIndex> insert_in_cell(Toolbox& tools, const Vec3& p, CellIndex home, const InsertionRule& rule) {
   InsideInsertion insertion(tools, p, rule);
-  if (!insertion.find_cavity(*home) || !insertion.has_shapes()) return std::nullopt;
+  if (!insertion.find_cavity(home) || !insertion.has_shapes()) return std::nullopt;
   ++tools.statistics.points_inside;
   return insertion.fill();
 }

@@ -30,12 +30,20 @@ struct Toolbox {
   bool bad_cells_may_spread = false;
   bool borders_stay = false;  ///< whether curves and faces of no facet get no points
   bool points_in_thin_gaps =
-      false;  ///< whether improvement may put points there, where they mostly make more flat elements
+      false;                   ///< whether improvement may put points there, where they mostly make more flat elements
+  BlockEdit* block = nullptr;  ///< the block that operations keep to, where they are done beside others
+  MeshBlocks::Rules block_rules;
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}
   /// Asked size at a vertex: at its place, of the component of a cell there. Cached; forgotten by forget_size.
-  double size_at(VertexIndex v);
+  double size_at(VertexIndex v) {
+    if (v >= vertex_size.size() || vertex_size[v] < 0) [[unlikely]]
+      ask_size(v);
+    return vertex_size[v];
+  }
+  /// Asks for those of all vertices that are not known, on all cores: size_at is then const in all but name.
+  void know_sizes(unsigned threads);
   /// Where it has been asked for already, at its place.
   void set_size(VertexIndex v, double size);
   void forget_size(VertexIndex v) {
@@ -47,6 +55,21 @@ struct Toolbox {
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
   }
+  /// Exchanges the cells for work.added, which makes work.created. False where the block does not allow it.
+  bool exchange(std::span<const CellIndex> removed) {
+    if (!block) {
+      mesh.replace(removed, work.added, work.created);
+      return true;
+    }
+    if (!block->may_exchange(mesh, removed, work.added.size())) return false;
+    mesh.replace(removed, work.added, work.created, *block);
+    return true;
+  }
+  /// DomainMesh::tick, of the block where there is one.
+  std::uint64_t tick() { return block ? block->clock++ : mesh.tick(); }
+  /// Whether all of the cells are of the block, where there is one. (Others may be changed meanwhile: do not look at
+  /// their neighbours.)
+  bool may_touch(std::span<const CellIndex> cells) { return !block || block->owns(mesh, cells); }
   /// Whether a star of p in the cavity would have more bad cells than go, and may not.
   bool spoils(const StarCavity& cavity, const Vec3& p) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);
@@ -60,7 +83,14 @@ struct Toolbox {
     return curve != no_index || (!cavity.spokes.empty() && mesh.patch_of_facet(cavity.spokes[0].facet) == hull_patch);
   }
   /// Mean of the sizes at its vertices.
-  double size_of_cell(CellIndex c);
+  double size_of_cell(CellIndex c) {
+    double sum = 0;
+    for (const VertexIndex v : mesh.vertices(c)) sum += size_at(v);
+    return sum / 4;
+  }
+
+ private:
+  void ask_size(VertexIndex v);
 };
 
 /// Splits the edge (a, b) of cell c at its midpoint, or at `place` (of its curve or patch) where given. The new vertex
@@ -105,6 +135,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 /// constrained Delaunay cavity (Bowyer 1981, Watson 1981; the cavity stops at constrained faces and is shrunk until p
 /// sees all of its border).
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
+/// The same where the cell is known that has p (locate).
+std::optional<VertexIndex> insert_in_cell(Toolbox& tools, const Vec3& p, CellIndex home, const InsertionRule& rule);
 
 /// Inserts p, brought to the patch of the face `start`. One cavity is on the surface (faces of the patch whose
 /// circumcircle has p), one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Halving of an edge, declared in remesh/operations/operations.hpp.
+#include "common/parallel.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -14,21 +15,21 @@ Vec3 Toolbox::normal_at(VertexIndex v) {
   return guard.normal_of(nearest.facet);
 }
 
-double Toolbox::size_at(VertexIndex v) {
-  if (v >= vertex_size.size() || vertex_size[v] < 0)
-    set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v))));
-  return vertex_size[v];
+void Toolbox::ask_size(VertexIndex v) { set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)))); }
+
+void Toolbox::know_sizes(unsigned threads) {
+  const bool asks_caller = size.limits().background != nullptr;  // who is asked on one thread alone
+  if (vertex_size.size() < mesh.n_vertices()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 16 + 1, -1);
+  for_each_index(mesh.n_vertices(), asks_caller ? 1 : thread_count(threads), [&](std::size_t i) {
+    const auto v = static_cast<VertexIndex>(i);
+    if (vertex_size[v] < 0 && mesh.kind(v) != VertexKind::dead)
+      vertex_size[v] = size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)));
+  });
 }
 
 void Toolbox::set_size(VertexIndex v, double h) {
   if (v >= vertex_size.size()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 4 + 1, -1);
   vertex_size[v] = h;
-}
-
-double Toolbox::size_of_cell(CellIndex c) {
-  double sum = 0;
-  for (const VertexIndex v : mesh.vertices(c)) sum += size_at(v);
-  return sum / 4;
 }
 
 SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {

@@ -102,7 +102,7 @@ class ComponentRefiner {
       parts.push_back(std::move(work.part));
     }
     auto v = static_cast<VertexIndex>(tools_.mesh.n_vertices());
-    tools_.mesh.put_together(std::move(parts));
+    tools_.mesh.put_together(std::move(parts), context_.threads);
     for (const double size : sizes) tools_.set_size(v++, size);
     check_limit(tools_.mesh.n_cells());
     return sizes.size();

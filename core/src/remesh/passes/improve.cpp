@@ -206,7 +206,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   };
   const PassRunner passes(mesh, context, out_of_time);
 
-  mesh.sort_cells();
+  mesh.sort_cells(context.threads);
   passes.run({.name = "the mean raised",
               .round = [&](unsigned) { return raise(schedule.smoothing_steps / 2); },
               .most_rounds = schedule.mean_rounds});

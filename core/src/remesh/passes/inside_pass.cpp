@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "common/sort_unique.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/operations/surface_repair.hpp"
@@ -23,8 +24,8 @@ class InsideRefiner {
   InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
 
   std::size_t run(const RunContext& context) {
-    mesh_.sort_cells();
-    std::vector<CellIndex> large = measure_all();
+    mesh_.sort_cells(context.threads);
+    std::vector<CellIndex> large = measure_all(context.threads);
     std::size_t total = 0;
     bool is_flipped = false;
     while (!large.empty()) {
@@ -33,7 +34,7 @@ class InsideRefiner {
       if (!is_flipped && n_front * refine_ratios.slow_front < large.size() && is_many(large.size())) {
         is_flipped = true;
         flip_towards_delaunay(tools_, context);
-        large = measure_all();
+        large = measure_all(context.threads);
         continue;
       }
       if (n_front * refine_ratios.idle_front > large.size()) continue;
@@ -58,22 +59,26 @@ class InsideRefiner {
   }
 
   /// Returns the large cells.
-  std::vector<CellIndex> measure_all() {
+  std::vector<CellIndex> measure_all(unsigned threads) {
+    tools_.know_sizes(threads);
+    make_room();
+    for_each_index(mesh_.n_slots(), thread_count(threads), [&](std::size_t c) {
+      if (mesh_.is_live(static_cast<CellIndex>(c))) measure(static_cast<CellIndex>(c));
+    });
     std::vector<CellIndex> large;
-    for (const CellIndex c : mesh_.live_cells()) {
-      measure(c);
+    for (const CellIndex c : mesh_.live_cells())
       if (is_large(c)) large.push_back(c);
-    }
     refused_ = {};
     return large;
   }
 
-  /// To be called for each cell that is made.
+  void make_room() {
+    if (mesh_.n_slots() <= spheres_.size()) return;
+    spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
+    large_.resize(spheres_.size(), 0);
+  }
+  /// To be called for each cell that is made, once there is room for all.
   void measure(CellIndex c) {
-    if (c >= spheres_.size()) {
-      spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
-      large_.resize(spheres_.size(), false);
-    }
     spheres_[c] = circumsphere(mesh_, c);
     large_[c] = !(spheres_[c].radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
   }
@@ -112,6 +117,7 @@ class InsideRefiner {
         continue;
       }
       ++n;
+      make_room();
       for (const CellIndex made : tools_.work.created) measure(made);
       if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
       next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
@@ -170,7 +176,7 @@ class InsideRefiner {
     if (!home || surely_crowds(p, *home)) return std::nullopt;
     const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
     if (h >= crowded) return std::nullopt;
-    const auto v = insert_inside(tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, &spheres_});
+    const auto v = insert_in_cell(tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, &spheres_});
     if (v) tools_.set_size(*v, h);
     return v;
   }
@@ -229,7 +235,7 @@ class InsideRefiner {
   const double steepest_ = tools_.size.steepest();
   std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
   std::vector<Sphere> spheres_;           // by cell
-  std::vector<bool> large_;               // by cell: its circumradius over the asked size is
+  std::vector<std::uint8_t> large_;       // by cell: whether its circumradius over the asked size is
   std::array<std::vector<unsigned>, 3> refused_;
 };
 

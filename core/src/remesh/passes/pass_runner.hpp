@@ -3,6 +3,8 @@
 /// Named passes over the whole mesh: what the schedules of refinement and improvement are lists of.
 #pragma once
 
+#include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -11,6 +13,22 @@
 #include "remesh/domain/domain_mesh.hpp"
 
 namespace geomesh::remesh {
+
+/// CPU seconds of all threads, and of this one: where they are the same, the others had nothing to do.
+struct CpuSeconds {
+  double all, own;
+  static CpuSeconds now() {
+    timespec own{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &own);
+    return {static_cast<double>(std::clock()) / CLOCKS_PER_SEC,
+            static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec)};
+  }
+  std::string since(const CpuSeconds& start) const {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.2f CPU s, %.2f on the first thread", all - start.all, own - start.own);
+    return text;
+  }
+};
 
 /// What comes after a round of a pass.
 enum class Next : bool { again, done };
@@ -22,8 +40,8 @@ struct Pass {
   bool applies = true;
 };
 
-/// Runs passes of one schedule, one after the other. Each round is noted (debug) and, in builds with
-/// GEOMESH_EXPENSIVE_CHECKS, followed by the validator of the mesh.
+/// Runs passes of one schedule, one after the other. Each round is noted (debug) with its CPU seconds and, in builds
+/// with GEOMESH_EXPENSIVE_CHECKS, followed by the validator of the mesh.
 class PassRunner {
  public:
   /// No round begins once `out_of_time` says so.
@@ -34,11 +52,13 @@ class PassRunner {
   void run(const Pass& pass) const {
     for (unsigned k = 0; pass.applies && k < pass.most_rounds && !out_of_time_(); ++k) {
       if (pass.most_rounds > 1) context_.report(k, pass.most_rounds);
+      const CpuSeconds start = CpuSeconds::now();
       const Next next = pass.round(k);
+      const std::string seconds = CpuSeconds::now().since(start);
       GEOMESH_EXPENSIVE_CHECK(mesh_.validate().empty());
       const std::string which = pass.most_rounds > 1 ? ", round " + std::to_string(k + 1) : "";
       context_.note(LogLevel::debug,
-                    std::string(pass.name) + which + ": " + std::to_string(mesh_.n_cells()) + " cells");
+                    std::string(pass.name) + which + ": " + std::to_string(mesh_.n_cells()) + " cells, " + seconds);
       if (next == Next::done) return;
     }
   }

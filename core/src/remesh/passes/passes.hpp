@@ -49,7 +49,7 @@ struct InVainOnSurfaces {
 };
 /// Faces of good shape within patches, cells allowing: rounds of surface flips towards Delaunay and of moves to the
 /// centroid of the faces. What was in vain is tried again only where something about it has changed, also from one
-/// call to the next. Moves on all cores, with the same result whatever their number. O(vertices of the mesh), and the
+/// call to the next. On all cores, with the same result whatever their number. O(vertices of the mesh), and the
 /// stars of those on surfaces that have changed.
 void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context);
 

@@ -4,6 +4,7 @@
 
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
+#include "remesh/passes/block_pass.hpp"
 #include "remesh/passes/improve_passes.hpp"
 
 namespace geomesh::remesh {
@@ -23,11 +24,12 @@ class MeanRaiser {
 
   void run(unsigned smoothing_steps, const RunContext& context) {
     const std::uint64_t start = mesh_.tick();
-    const std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-      if (k % 256 == 0) context.check_cancelled();
-      if (!is_left_[vertices[k]]) flip_about(vertices[k]);
-    }
+    BlockPass blocks(tools_, context);
+    std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
+    std::erase_if(vertices, [&](VertexIndex v) { return is_left_[v]; });
+    blocks.run(std::move(vertices), tools_.block_rules.least_inside,
+               [&](VertexIndex v, Toolbox& tools) { flip_about(v, tools); });
+    blocks.note_counts("flips for the mean by blocks");
     SmoothRule rule;
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
@@ -76,28 +78,30 @@ class MeanRaiser {
   }
 
   /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
-  void flip_about(VertexIndex v) {
-    mesh_.star(v, tools_.work.marks, star_);
-    collect_edges(v);
-    for (const auto& [w, c] : edges_)
-      if (has_edge(c, v, w)) remove_edge_for_mean(tools_, c, v, w, goal_);
-    for (const CellIndex c : star_)
+  void flip_about(VertexIndex v, Toolbox& tools) {
+    auto& [star, edges] = lists_.local();
+    mesh_.star(v, tools.work.marks, star);
+    collect_edges(v, star, edges);
+    for (const auto& [w, c] : edges)
+      if (has_edge(c, v, w)) remove_edge_for_mean(tools, c, v, w, goal_);
+    for (const CellIndex c : star)
       if (mesh_.is_live(c) && mesh_.cells().has_vertex(c, v))
-        remove_face_for_mean(tools_, c, mesh_.cells().index_of(c, v), goal_);
+        remove_face_for_mean(tools, c, mesh_.cells().index_of(c, v), goal_);
   }
 
   /// From v to greater vertices, each with the first of its cells, in ascending order.
-  void collect_edges(VertexIndex v) {
-    edges_.clear();
-    for (const CellIndex c : star_)
+  void collect_edges(VertexIndex v, const std::vector<CellIndex>& star,
+                     std::vector<std::pair<VertexIndex, CellIndex>>& edges) {
+    edges.clear();
+    for (const CellIndex c : star)
       for (const VertexIndex w : mesh_.vertices(c)) {
         if (w <= v) continue;
         const bool known = last_seen_[w].from == v;
-        if (!known) last_seen_[w] = {v, static_cast<std::uint32_t>(edges_.size())}, edges_.push_back({w, c});
-        CellIndex& first = edges_[last_seen_[w].at].second;
+        if (!known) last_seen_[w] = {v, static_cast<std::uint32_t>(edges.size())}, edges.push_back({w, c});
+        CellIndex& first = edges[last_seen_[w].at].second;
         first = std::min(first, c);
       }
-    std::sort(edges_.begin(), edges_.end());
+    std::sort(edges.begin(), edges.end());
   }
 
   Toolbox& tools_;
@@ -106,13 +110,16 @@ class MeanRaiser {
   double least_gain_;
   RaisedBefore& before_;
   std::vector<bool> is_left_;
-  std::vector<CellIndex> star_;
-  std::vector<std::pair<VertexIndex, CellIndex>> edges_;
+  struct Lists {
+    std::vector<CellIndex> star;
+    std::vector<std::pair<VertexIndex, CellIndex>> edges;
+  };
+  tbb::enumerable_thread_specific<Lists> lists_;
   struct Seen {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());  // by vertex
+  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());  // by vertex; each is of one block
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "remesh/operations/improve.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/passes/passes.hpp"
@@ -115,20 +116,28 @@ class EdgeSplitter {
   std::vector<VertexIndex> ring_;
 };
 
-/// Edges shorter than `ratio` of their size, the shortest first.
-std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio) {
-  DomainMesh& mesh = tools.mesh;
-  std::vector<MeasuredEdge> edges;
-  for (const CellIndex c : mesh.live_cells()) {
-    const Tetrahedron& t = mesh.vertices(c);
-    for (const auto& e : edge_vertices) {
-      const auto [a, b] = sorted(std::array{t[e[0]], t[e[1]]});
-      const bool is_inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
-      if (is_inside != (which == ShortEdges::inside)) continue;
-      const double size = tools.size_of_edge(a, b), squared = squared_distance(mesh.point(a), mesh.point(b));
-      if (squared < ratio * ratio * size * size) edges.push_back({std::sqrt(squared) / size, a, b});
+/// Edges shorter than `ratio` of their size, the shortest first. On all cores.
+std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio, const RunContext& context) {
+  constexpr std::size_t chunk = 16384;
+  const DomainMesh& mesh = tools.mesh;
+  tools.know_sizes(context.threads);
+  std::vector<std::vector<MeasuredEdge>> found((mesh.n_slots() + chunk - 1) / chunk);
+  for_each_task(found.size(), thread_count(context.threads), [&](std::size_t k) {
+    const auto end = static_cast<CellIndex>(std::min<std::size_t>(mesh.n_slots(), (k + 1) * chunk));
+    for (auto c = static_cast<CellIndex>(k * chunk); c < end; ++c) {
+      if (!mesh.is_live(c)) continue;
+      const Tetrahedron& t = mesh.vertices(c);
+      for (const auto& e : edge_vertices) {
+        const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
+        const bool is_inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
+        if (is_inside != (which == ShortEdges::inside)) continue;
+        const double size = tools.size_of_edge(a, b), squared = squared_distance(mesh.point(a), mesh.point(b));
+        if (squared < ratio * ratio * size * size) found[k].push_back({std::sqrt(squared) / size, a, b});
+      }
     }
-  }
+  });
+  std::vector<MeasuredEdge> edges;
+  for (const auto& of_chunk : found) edges.insert(edges.end(), of_chunk.begin(), of_chunk.end());
   const auto key = [](const MeasuredEdge& e) { return std::tuple(e.ratio, e.a, e.b); };
   std::sort(edges.begin(), edges.end(), [&](const MeasuredEdge& x, const MeasuredEdge& y) { return key(x) < key(y); });
   edges.erase(std::unique(edges.begin(), edges.end(),
@@ -166,7 +175,7 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
 }
 
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context) {
-  const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge);
+  const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge, context);
   return collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
     return try_collapse(tools, u, v, CollapseRule::coarsen, refine_ratios.collapse_floor);
   });
@@ -175,13 +184,13 @@ std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunCont
 std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context) {
   const bool is_inside = which == ShortEdges::inside;
   const double ratio = is_inside ? refine_ratios.thin_out_edge : refine_ratios.thin_out_surface_edge;
-  return collapse_edges(tools, short_edges(tools, which, ratio), context, [&](VertexIndex u, VertexIndex v) {
+  return collapse_edges(tools, short_edges(tools, which, ratio, context), context, [&](VertexIndex u, VertexIndex v) {
     return try_collapse(tools, u, v, CollapseRule::thin_out, floor);
   });
 }
 
 std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, const RunContext& context) {
-  const auto edges = short_edges(tools, which, refine_ratios.promised_edge);
+  const auto edges = short_edges(tools, which, refine_ratios.promised_edge, context);
   const std::size_t n = collapse_edges(
       tools, edges, context, [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
   return n + collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {

@@ -5,6 +5,7 @@
 
 #include "remesh/operations/improve.hpp"
 #include "remesh/operations/refine_ratios.hpp"
+#include "remesh/passes/block_pass.hpp"
 #include "remesh/passes/passes.hpp"
 
 namespace geomesh::remesh {
@@ -13,17 +14,24 @@ namespace {
 
 class SurfaceRegularizer {
  public:
-  SurfaceRegularizer(Toolbox& tools, InVainOnSurfaces& in_vain) : tools_(tools), mesh_(tools.mesh), in_vain_(in_vain) {
+  SurfaceRegularizer(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context)
+      : tools_(tools), mesh_(tools.mesh), in_vain_(in_vain), blocks_(tools, context) {
     in_vain_.flips.resize(mesh_.n_vertices(), 0);
     in_vain_.moves.resize(mesh_.n_vertices(), 0);
   }
 
   std::size_t flip_all() {
-    std::size_t n = 0;
+    const std::size_t before = tools_.statistics.edge_removals;
+    std::vector<VertexIndex> asked;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
-      if (mesh_.kind(v) <= VertexKind::surface && in_vain_.flips[v] < mesh_.changed_at(v)) n += flip_about(v);
-    return n;
+      if (mesh_.kind(v) <= VertexKind::surface) asked.push_back(v);
+    blocks_.run(std::move(asked), tools_.block_rules.least_on_surfaces, [&](VertexIndex v, Toolbox& tools) {
+      if (in_vain_.flips[v] < mesh_.changed_at(v)) flip_about(v, tools);
+    });
+    return tools_.statistics.edge_removals - before;
   }
+
+  void note_counts() const { blocks_.note_counts("flips on surfaces by blocks"); }
 
   /// A vertex that stays is not tried again before something about it changes after this call.
   std::size_t move_all(unsigned threads) {
@@ -53,37 +61,37 @@ class SurfaceRegularizer {
   };
 
   /// Edges to greater vertices, so that each is looked at once.
-  std::size_t flip_about(VertexIndex v) {
-    mesh_.star(v, tools_.work.marks, star_);
-    collect_edges(v);
-    std::size_t n = 0;
-    for (const SurfaceEdge& e : edges_) {
+  void flip_about(VertexIndex v, Toolbox& tools) {
+    auto& [star, edges] = lists_.local();
+    mesh_.star(v, tools.work.marks, star);
+    collect_edges(v, star, edges);
+    const std::size_t before = tools.statistics.edge_removals;
+    for (const SurfaceEdge& e : edges) {
       const TetMesh& cells = mesh_.cells();
       if (!is_asked(v, e) || !mesh_.is_live(e.cell) || !cells.has_vertex(e.cell, v) || !cells.has_vertex(e.cell, e.to))
         continue;
-      n += flip_surface_edge(tools_, e.cell, v, e.to, refine_ratios.regular_floor);
+      flip_surface_edge(tools, e.cell, v, e.to, refine_ratios.regular_floor);
     }
-    if (n == 0) in_vain_.flips[v] = mesh_.tick();
-    return n;
+    if (tools.statistics.edge_removals == before) in_vain_.flips[v] = tools.tick();
   }
 
-  void collect_edges(VertexIndex v) {
-    edges_.clear();
-    for (const CellIndex c : star_)
+  void collect_edges(VertexIndex v, const std::vector<CellIndex>& star, std::vector<SurfaceEdge>& edges) const {
+    edges.clear();
+    for (const CellIndex c : star)
       for (unsigned i = 0; i < 4; ++i) {
         if (!mesh_.is_surface(FaceRef(c, i)) || mesh_.vertices(c)[i] == v) continue;
         const Triangle f = mesh_.face(c, i);
         const unsigned k = f[0] == v ? 0 : f[1] == v ? 1 : 2;
         const VertexIndex x = f[(k + 1) % 3], y = f[(k + 2) % 3];
-        if (x > v) add_edge(x, y, c);
-        if (y > v) add_edge(y, x, c);
+        if (x > v) add_edge(edges, x, y, c);
+        if (y > v) add_edge(edges, y, x, c);
       }
   }
 
-  void add_edge(VertexIndex to, VertexIndex apex, CellIndex cell) {
-    const auto known = std::find_if(edges_.begin(), edges_.end(), [to](const SurfaceEdge& e) { return e.to == to; });
-    if (known == edges_.end()) {
-      edges_.push_back({to, cell, apex, no_vertex, 1});
+  static void add_edge(std::vector<SurfaceEdge>& edges, VertexIndex to, VertexIndex apex, CellIndex cell) {
+    const auto known = std::find_if(edges.begin(), edges.end(), [to](const SurfaceEdge& e) { return e.to == to; });
+    if (known == edges.end()) {
+      edges.push_back({to, cell, apex, no_vertex, 1});
     } else {
       known->other_apex = apex;
       ++known->n_faces;
@@ -98,20 +106,25 @@ class SurfaceRegularizer {
   Toolbox& tools_;
   DomainMesh& mesh_;
   InVainOnSurfaces& in_vain_;
-  std::vector<CellIndex> star_;
-  std::vector<SurfaceEdge> edges_;
+  struct Lists {
+    std::vector<CellIndex> star;
+    std::vector<SurfaceEdge> edges;
+  };
+  tbb::enumerable_thread_specific<Lists> lists_;
+  BlockPass blocks_;
 };
 
 }  // namespace
 
 void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context) {
-  SurfaceRegularizer regularizer(tools, in_vain);
+  SurfaceRegularizer regularizer(tools, in_vain, context);
   for (unsigned round = 0; round < refine_ratios.regular_rounds; ++round) {
     context.check_cancelled();
     context.report(tools.mesh.n_cells(), 0);
     const std::size_t n_flips = regularizer.flip_all();
     if (n_flips + regularizer.move_all(context.threads) == 0) break;
   }
+  regularizer.note_counts();
 }
 
 }  // namespace geomesh::remesh

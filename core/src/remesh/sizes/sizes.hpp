@@ -38,7 +38,7 @@ void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh
                        const RunContext& context, RefineResult& result);
 
 /// Share of the edges that are between half and twice as long as asked.
-double share_of_edges_within_size(Toolbox& tools);
+double share_of_edges_within_size(Toolbox& tools, unsigned threads = 1);
 
 /// How many elements the sizes come to: integrals over volume and faces of the inverse of what an element of the asked
 /// size takes of them. Where surfaces keep their place, the cells that the mesh has before are counted too. Measured

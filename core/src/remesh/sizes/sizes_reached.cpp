@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How many edges have the asked size, declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
+#include <atomic>
 #include <span>
 
+#include "common/parallel.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/sizes/sizes.hpp"
 
@@ -21,30 +23,39 @@ void for_each_cell_edge(const DomainMesh& mesh, const Visit& visit) {
 }
 
 /// Calls visit(a, b) for each edge once, a < b: a counting sort by a, then short sorts.
-template <class Visit>
-void for_each_edge(const DomainMesh& mesh, const Visit& visit) {
-  std::vector<std::size_t> first(mesh.n_vertices() + 1, 0);
-  for_each_cell_edge(mesh, [&](VertexIndex a, VertexIndex) { ++first[a + 1]; });
-  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) first[v + 1] += first[v];
-  std::vector<VertexIndex> upper(first.back());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for_each_cell_edge(mesh, [&](VertexIndex a, VertexIndex b) { upper[next[a]++] = b; });
-  for (VertexIndex a = 0; a < mesh.n_vertices(); ++a) {
-    const std::span<VertexIndex> ends = std::span(upper).subspan(first[a], first[a + 1] - first[a]);
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 0; k < ends.size(); ++k)
-      if (k == 0 || ends[k] != ends[k - 1]) visit(a, ends[k]);
+/// By edge's lower vertex: the upper ones, once for each cell that has the edge.
+struct EdgeEnds {
+  explicit EdgeEnds(const DomainMesh& mesh) : first(mesh.n_vertices() + 1, 0) {
+    for_each_cell_edge(mesh, [&](VertexIndex a, VertexIndex) { ++first[a + 1]; });
+    for (std::size_t v = 0; v < mesh.n_vertices(); ++v) first[v + 1] += first[v];
+    upper.resize(first.back());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for_each_cell_edge(mesh, [&](VertexIndex a, VertexIndex b) { upper[next[a]++] = b; });
   }
-}
+  std::vector<std::size_t> first;
+  std::vector<VertexIndex> upper;
+};
 
 }  // namespace
 
-double share_of_edges_within_size(Toolbox& tools) {
-  std::size_t n = 0, within = 0;
-  for_each_edge(tools.mesh, [&](VertexIndex a, VertexIndex b) {
-    const double ratio = distance(tools.mesh.point(a), tools.mesh.point(b)) / tools.size_of_edge(a, b);
-    ++n;
-    within += ratio >= 0.5 && ratio <= 2;
+double share_of_edges_within_size(Toolbox& tools, unsigned threads) {
+  const DomainMesh& mesh = tools.mesh;
+  tools.know_sizes(threads);
+  EdgeEnds edges(mesh);
+  std::atomic<std::size_t> n = 0, within = 0;
+  for_each_index(mesh.n_vertices(), thread_count(threads), [&](std::size_t v) {
+    const auto a = static_cast<VertexIndex>(v);
+    const std::span<VertexIndex> ends =
+        std::span(edges.upper).subspan(edges.first[v], edges.first[v + 1] - edges.first[v]);
+    std::sort(ends.begin(), ends.end());
+    const auto last = std::unique(ends.begin(), ends.end());
+    std::size_t n_within = 0;
+    for (auto b = ends.begin(); b != last; ++b) {
+      const double ratio = distance(mesh.point(a), mesh.point(*b)) / tools.size_of_edge(a, *b);
+      n_within += ratio >= 0.5 && ratio <= 2;
+    }
+    n += static_cast<std::size_t>(last - ends.begin());
+    within += n_within;
   });
   return n == 0 ? 1 : static_cast<double>(within) / static_cast<double>(n);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "plc/facet_triangulation.hpp"
 #include "remesh/start/flip_slivers.hpp"
@@ -74,10 +75,7 @@ class SurfaceSampler {
       });
     out.facet_points = plc_.facet_points;
     index_inner_parts();
-    for (Index f = 0; f < plc_.n_facets(); ++f) {
-      if (f % 64 == 0) context.check_cancelled();
-      sample_facet(f);
-    }
+    sample_facets(context);
     return std::move(out_);
   }
 
@@ -161,18 +159,53 @@ class SurfaceSampler {
     for (const auto& p : plc_.facet_points) inner_points_[p.facet].push_back(p.v);
   }
 
-  void sample_facet(Index f) {
+  /// What a facet becomes: its loops with the points on its edges, and places inside.
+  struct FacetSample {
     std::vector<std::vector<VertexIndex>> loops;
+    std::vector<Vec3> inside;
+  };
+
+  /// Facets are sampled side by side: edges have their points, and sizes at these are known.
+  void sample_facets(const RunContext& context) {
+    constexpr std::size_t batch = 4096, chunk = 64;
+    const unsigned threads = size_.limits().background ? 1 : thread_count(context.threads);  // who asks the caller
+    if (size_.limits().component_size.empty()) {
+      vertex_size_.resize(out_.plc.points.size(), -1);
+      for_each_index(vertex_size_.size(), threads,
+                     [&](std::size_t v) { size_at_vertex(static_cast<VertexIndex>(v), {}); });
+    }
+    std::vector<FacetSample> samples;
+    for (std::size_t first = 0; first < plc_.n_facets(); first += batch) {
+      context.check_cancelled();
+      samples.assign(std::min(batch, plc_.n_facets() - first), {});
+      for_each_task((samples.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
+        for (std::size_t i = k * chunk; i < std::min(samples.size(), (k + 1) * chunk); ++i)
+          samples[i] = sample_facet(static_cast<Index>(first + i));
+      });
+      for (std::size_t i = 0; i < samples.size(); ++i) append(static_cast<Index>(first + i), samples[i]);
+    }
+  }
+
+  void append(Index f, const FacetSample& sample) {
+    out_.plc.add_polygon(sample.loops, plc_.facet_provenance[f]);
+    for (const Vec3& p : sample.inside) {
+      out_.plc.facet_points.push_back({f, static_cast<VertexIndex>(out_.plc.points.size())});
+      out_.plc.points.push_back(p);
+    }
+  }
+
+  FacetSample sample_facet(Index f) {
+    FacetSample sample;
+    std::vector<std::vector<VertexIndex>>& loops = sample.loops;
     for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
       const auto loop = plc_.loop(l);
       std::vector<VertexIndex>& fine = loops.emplace_back();
       for (std::size_t i = 0; i < loop.size(); ++i)
         for_each_piece(loop[i], loop[(i + 1) % loop.size()], [&](VertexIndex a, VertexIndex) { fine.push_back(a); });
     }
-    out_.plc.add_polygon(loops, plc_.facet_provenance[f]);
-    if (is_full(f, loops)) return;
+    if (is_full(f, loops)) return sample;
     const auto frame = frame_of(plc_, plc_.outer_loop(f));
-    if (!frame) return;
+    if (!frame) return sample;
     const std::array<Index, 1> facet{f};
     const auto place = [&](VertexIndex v) {
       return PlanarSampler::Place{frame->flat(out_.plc.points[v]), size_at_vertex(v, facet)};
@@ -189,10 +222,8 @@ class SurfaceSampler {
     });
     for (const auto& [a, b] : inner_segments_[f]) sampler.block(place(a), place(b));
     for (const VertexIndex v : inner_points_[f]) sampler.block(place(v));
-    for (const Vec2& p : sampler.run()) {
-      out_.plc.facet_points.push_back({f, static_cast<VertexIndex>(out_.plc.points.size())});
-      out_.plc.points.push_back(frame->lifted(p));
-    }
+    for (const Vec2& p : sampler.run()) sample.inside.push_back(frame->lifted(p));
+    return sample;
   }
 
   /// A triangle that got no points on its sides and of which no place is far enough from its corners: the farthest is

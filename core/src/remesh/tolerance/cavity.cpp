@@ -83,7 +83,7 @@ void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex
 void gather_cells(const DomainMesh& mesh, EpochMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity) {
   cavity.clear();
   cavity.cells.assign(cells.begin(), cells.end());
-  marks.begin(mesh.n_slots());
+  marks.begin();
   for (const CellIndex c : cells) marks.mark(c);
   for (const CellIndex c : cells)
     for (unsigned i = 0; i < 4; ++i) {

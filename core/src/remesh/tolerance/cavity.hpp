@@ -92,7 +92,7 @@ bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<
 template <class Border>
 bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<const CellIndex> cells,
                          const Border& border, std::span<const FaceRef> opened = {}) {
-  work.vertex_marks.begin(mesh.n_vertices());
+  work.vertex_marks.begin();
   for (const auto& f : border)
     for (const VertexIndex v : f.vertices) work.vertex_marks.mark(v);
   const auto is_on_border = [&](VertexIndex a, VertexIndex b) {

@@ -186,14 +186,14 @@ Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, co
   return found;
 }
 
-std::vector<TightZone> crossings_outside(const DomainMesh& mesh) {
+std::vector<TightZone> crossings_outside(const DomainMesh& mesh, unsigned threads) {
   PiecewiseLinearComplex outside;
   for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) outside.points.push_back(mesh.point(v));
   for (const CellIndex c : mesh.live_cells())
     for (unsigned i = 0; i < 4; ++i)
       if (!mesh.has_neighbor(c, i)) outside.add_triangle(mesh.face(c, i));
   std::vector<TightZone> zones;
-  for (const PlcCrossing& crossing : find_crossings(outside)) {
+  for (const PlcCrossing& crossing : find_crossings(outside, thread_count(threads))) {
     Box3 box;
     box.add(mesh.point(crossing.a));
     box.add(mesh.point(crossing.b));

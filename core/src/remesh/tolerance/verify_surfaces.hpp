@@ -70,6 +70,6 @@ struct TightZone {
 /// Where faces on the outside of the model meet others beyond shared vertices and edges: nothing is meshed there, so no
 /// cell tells when surfaces that are nearer to each other than the tolerance come to cross. Where this is empty the
 /// mesh fills space once. Exact. Boxes are those of the edges and faces that meet, their tolerance 0. O(n log n).
-std::vector<TightZone> crossings_outside(const DomainMesh& mesh);
+std::vector<TightZone> crossings_outside(const DomainMesh& mesh, unsigned threads = 1);
 
 }  // namespace geomesh::remesh

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Blocks of a mesh that threads change side by side, in place, with the same result whatever the number of threads.
+///
+/// Each vertex is of one block, by its place alone. A cell is of a block where all four vertices are; the others are
+/// frozen while blocks are worked on. What reaches a frozen cell is put off until blocks have other borders (as
+/// cavities in Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion tetrahedra").
+///
+/// Invariants while blocks are worked on:
+///   1. an operation exchanges cells of its own block alone, for cells of the same vertices: these are of it again;
+///   2. a vertex is moved, or removed, by its block alone, and only where all cells about it are of the block;
+///   3. no frozen cell changes, but for the neighbour entries and tags of faces whose three vertices are of one block:
+///      beyond these are cells of that block, and the block alone writes them;
+///   4. no array of the mesh changes its length: each block has a stock of free slots, and makes no vertices;
+///   5. each block has a clock of its own, which goes on from the mesh's. The times of a vertex are those of its block.
+/// So a walk about a vertex or an edge of a block reads nothing that another block writes: each face that it crosses
+/// has a vertex of the block, and so has no three of another. What reads a cell beyond the face opposite to its vertex
+/// asks first whose it is.
+///
+/// Operations that reach a frozen cell, or find no free slot, are put off: noted in BlockEdit::was_stopped, done later
+/// by other blocks or by one thread.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mesh/face_pairing.hpp"
+#include "remesh/domain/mesh_elements.hpp"
+
+namespace geomesh::remesh {
+
+class DomainMesh;
+
+#ifdef GEOMESH_EXPENSIVE_CHECKS
+inline constexpr bool checks_by_default = true;
+#else
+inline constexpr bool checks_by_default = false;
+#endif
+
+/// Which block each vertex is of.
+class MeshBlocks {
+ public:
+  using Block = std::uint16_t;
+  static constexpr unsigned n_divisions = 3;
+
+  /// How a mesh is parted.
+  struct Rules {
+    std::size_t vertices_a_block = 4096;  ///< on average, or more. 64 blocks at most
+    /// Sweeps over fewer vertices are done by one thread, in one order: in small meshes blocks gain little.
+    std::size_t least_inside = 50'000, least_on_surfaces = 16'000;
+    bool is_checked = checks_by_default;  ///< each face that is written is claimed by its block
+  };
+
+  /// Halves the mesh's vertices by the widest coordinate, again and again; not in the middle for divisions above 0, so
+  /// that each has its borders elsewhere. O(n log n / threads).
+  MeshBlocks(const DomainMesh& mesh, unsigned division, const Rules& rules, unsigned threads);
+
+  std::size_t size() const { return n_blocks_; }
+  Block block_of(VertexIndex v) const { return block_[v]; }
+  /// Whether the cell with these vertices is of the block.
+  bool has(Block block, const Tetrahedron& t) const {
+    return block_[t[0]] == block && block_[t[1]] == block && block_[t[2]] == block && block_[t[3]] == block;
+  }
+  /// By vertex whether all cells about it are of its block. O(cells / threads).
+  std::vector<std::uint8_t> find_inner(const DomainMesh& mesh, unsigned threads) const;
+
+ private:
+  std::vector<Block> block_;  // by vertex
+  std::size_t n_blocks_ = 1;
+};
+
+/// Who has written which face of which cell: a check of invariants 1 and 3.
+class FaceClaims {
+ public:
+  explicit FaceClaims(std::size_t n_slots) : owner_(std::make_unique<std::atomic<std::uint16_t>[]>(4 * n_slots)) {}
+  /// Throws InternalError where another block has written it.
+  void claim(FaceRef f, MeshBlocks::Block block);
+
+ private:
+  std::unique_ptr<std::atomic<std::uint16_t>[]> owner_;  // one more than the block; 0: nobody
+};
+
+/// What one block changes the mesh with.
+struct BlockEdit {
+  const MeshBlocks* blocks = nullptr;
+  MeshBlocks::Block block = 0;
+  std::vector<CellIndex> free;  ///< slots
+  std::uint64_t clock = 0;
+  bool was_stopped = false;  ///< something was not done because of cells of others, or for want of slots
+  FaceClaims* claims = nullptr;
+  FacePairing<FaceTag> pairing;
+
+  /// Whether so many cells may be made in place of these; notes it where not.
+  bool may_exchange(const DomainMesh& mesh, std::span<const CellIndex> removed, std::size_t n_added);
+  /// Whether the block has the cells; notes it where not.
+  bool owns(const DomainMesh& mesh, std::span<const CellIndex> cells);
+};
+
+}  // namespace geomesh::remesh
