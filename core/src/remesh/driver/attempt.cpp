@@ -186,12 +186,8 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   if (options.refine && guard.exact() && sizes_surfaces(options) && !(options.sparse_growth > 0))
     refine_from_anew(tools, plc, options, result.kept_patch, input, context);
   refining.reset();
-<<<<<<< HEAD
   if (options.refine && !(options.sparse_growth > 0)) tell_growth(mesh, hold.run == 0 ? context : RunContext{}, result);
-  if (!guard.exact()) attempt.crossings = crossings_outside(mesh);
-=======
   if (!guard.exact()) attempt.crossings = crossings_outside(mesh, context.threads);
->>>>>>> perf
   if (!attempt.holds()) return attempt;
   result.statistics.worst_shape_before = worst_shape(mesh);
   improve_holding(tools, options, context, free_cell_judge(plc, input, options, result), attempt);
