@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "refine_bench.hpp"
+#include "remesh/passes/block_pass.hpp"
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/passes.hpp"
 
