@@ -89,11 +89,8 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
       if (row_of_cell[c] != no_cell) copy_cell({mesh, row, row_of_cell}, static_cast<CellIndex>(c), found[k]);
   });
   for (const auto& of_chunk : found) open.insert(open.end(), of_chunk.begin(), of_chunk.end());
-  for (VertexIndex v = 0; v < row.size(); ++v) {
-    if (mesh.cell_of(v) == no_cell) continue;
-    cell_of_[row[v]] = row_of_cell[mesh.cell_of(v)];
-    changed_[row[v]] = clock_;
-  }
+  for (const CellIndex c : mesh.live_cells())
+    for (const VertexIndex v : mesh.vertices(c)) cell_of_[row[v]] = row_of_cell[c], changed_[row[v]] = clock_;
 }
 
 /// Into its own slot. Links with cells of its component, whose rows are known; `open` gets the other faces.

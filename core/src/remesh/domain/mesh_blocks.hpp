@@ -50,7 +50,7 @@ class MeshBlocks {
   struct Rules {
     std::size_t vertices_a_block = 4096;  ///< on average, or more. 64 blocks at most
     /// Sweeps over fewer vertices are done by one thread, in one order: in small meshes blocks gain little.
-    std::size_t least_inside = 50'000, least_on_surfaces = 16'000;
+    std::size_t least_inside = 50'000, least_on_surfaces = 60'000;
     bool is_checked = checks_by_default;  ///< each face that is written is claimed by its block
   };
 
