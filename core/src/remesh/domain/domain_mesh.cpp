@@ -2,6 +2,7 @@
 #include "remesh/domain/domain_mesh.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
 #include "common/parallel.hpp"
@@ -63,7 +64,8 @@ void DomainMesh::set_shape(CellIndex c, double shape, std::uint64_t time) {
     for (const VertexIndex v : mesh_.vertices(c)) note_vertex(v);
   }
   attributes_.shape[c] = shape;
-  for (const VertexIndex v : mesh_.vertices(c)) changed_[v] = time;
+  // Lists of vertices that are smoothed at once may share vertices that do not move.
+  for (const VertexIndex v : mesh_.vertices(c)) std::atomic_ref(changed_[v]).store(time, std::memory_order_relaxed);
 }
 
 void DomainMesh::link_cells() {
