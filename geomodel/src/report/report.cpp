@@ -128,6 +128,7 @@ json stack_json(const SettledStack& stack) {
                         {"triangles", h.n_triangles},
                         {"area", h.area},
                         {"area_merged", h.area_merged},
+                        {"area_above_topography", h.area_above_topography},
                         {"area_moved", h.area_moved},
                         {"mean_move", h.mean_move},
                         {"largest_move", h.largest_move},

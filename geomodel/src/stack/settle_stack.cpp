@@ -7,6 +7,7 @@
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
 #include "stack/map/map_frame.hpp"
+#include "stack/map/shallow_crossings.hpp"
 #include "stack/settled_report.hpp"
 #include "stack/sheets/centred_sheets.hpp"
 #include "stack/sheets/closing_rows.hpp"
@@ -52,7 +53,7 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Borders of the horizons without throw that reach into the bounds.
+/// Borders of the horizons without throw that reach into the bounds; those along a side of the bounds do not.
 void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
   for (const BlockData& horizon : horizons) {
@@ -60,8 +61,8 @@ void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
     const TriangulatedSurface& s = horizon.single;
     for (const BorderEdge& e : border_edges(s)) {
       const Vec2 a{s.points[e.a].x, s.points[e.a].y}, b{s.points[e.b].x, s.points[e.b].y};
-      const bool beside = std::max(a.x, b.x) < near.min.x || std::min(a.x, b.x) > near.max.x ||
-                          std::max(a.y, b.y) < near.min.y || std::min(a.y, b.y) > near.max.y;
+      const bool beside = std::max(a.x, b.x) <= near.min.x || std::min(a.x, b.x) >= near.max.x ||
+                          std::max(a.y, b.y) <= near.min.y || std::min(a.y, b.y) >= near.max.y;
       if (!beside) layout.lines.push_back({a, b});
     }
   }
@@ -156,11 +157,13 @@ class Group {
         find_thin_areas(samples, layout_.bounds, stack_.keepers, {size, thickness, shift});
     const bool is_thin = std::any_of(areas.begin(), areas.end(), [](const ThinArea& a) { return a.any(); });
     const bool is_wanted = (is_thin && rules_.min_thickness > 0) || crosses_by_mistake(samples);
-    if (!is_wanted && !has_many_triangles(horizons_, layout_.bounds, size)) return false;
+    if (!is_wanted && !has_many_triangles(horizons_, layout_.bounds, size) &&
+        !cross_at_small_angle(samples, layout_.bounds, size))
+      return false;
     MapSheets sheets = draw_sheets(samples, areas, options);
     std::vector<SidedHorizon> sided(horizons_.size());
     if (has_throw()) sided = make_both_sides(sheets, {data_, faults_, strips_, frame_, *rules_.box, options});
-    told_ = describe_settled(sheets, {samples, areas, layout_.bounds, options, strips_});
+    told_ = describe_settled(sheets, {samples, areas, layout_.bounds, options, strips_, has_topography()});
     told_.min_thickness = thickness;
     ask_for_sizes(sheets, thickness);
     replace_horizons(sheets, samples, std::move(sided));
@@ -233,6 +236,10 @@ class Group {
       told_.units[k].top = told_.horizons[k].name;
       told_.units[k].base = told_.horizons[k + 1].name;
     }
+  }
+
+  bool has_topography() const {
+    return !rules_.topography.empty() && built_.surfaces[stack_.rows.front()].name == rules_.topography;
   }
 
   bool has_throw() const {

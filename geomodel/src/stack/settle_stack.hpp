@@ -13,8 +13,8 @@ namespace geomesh::geomodel {
 ///
 /// Nothing is done, and false given, where rules.stack says so or has no tolerance or no size. The same holds where a
 /// horizon has several heights somewhere or is given block by block (a note tells), and where nothing asks for it:
-/// horizons in the wrong order without a rule; units thinner than a least thickness that was given; more than four
-/// times the triangles that the size asks for.
+/// horizons in the wrong order without a rule, or that cross at less than 2 degrees; units thinner than a least
+/// thickness that was given; more than four times the triangles that the size asks for.
 bool settle_stack(BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

@@ -50,7 +50,7 @@ void sum_triangles(const MapSheets& sheets, SettledStack& stack) {
 /// Moves of the input's points. Each stands for an equal share of the horizon's area.
 void measure_moves(const MapSheets& sheets, const SettledFrom& from, const SheetLocator& locator, SettledStack& stack) {
   const MapSamples& samples = from.samples;
-  std::vector<std::size_t> n(sheets.n_horizons, 0), n_moved(sheets.n_horizons, 0);
+  std::vector<std::size_t> n(sheets.n_horizons, 0), n_moved(sheets.n_horizons, 0), n_above(sheets.n_horizons, 0);
   std::vector<double> sum(sheets.n_horizons, 0);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const Vec2 p = samples.place(s);
@@ -61,6 +61,10 @@ void measure_moves(const MapSheets& sheets, const SettledFrom& from, const Sheet
       if (std::isnan(move)) continue;
       SettledHorizon& told = stack.horizons[k];
       ++n[k];
+      if (from.has_topography && given > samples.heights(s)[0]) {
+        ++n_above[k];
+        continue;
+      }
       if (move <= from.options.allowed * (1 + 1e-9)) {
         told.largest_off = std::max(told.largest_off, move);
         continue;
@@ -74,9 +78,12 @@ void measure_moves(const MapSheets& sheets, const SettledFrom& from, const Sheet
     }
   }
   for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
+    if (n[k] == 0) continue;
+    const double share = stack.horizons[k].area / static_cast<double>(n[k]);
+    stack.horizons[k].area_above_topography = share * static_cast<double>(n_above[k]);
     if (n_moved[k] == 0) continue;
     stack.horizons[k].mean_move = sum[k] / static_cast<double>(n_moved[k]);
-    stack.horizons[k].area_moved = stack.horizons[k].area * static_cast<double>(n_moved[k]) / static_cast<double>(n[k]);
+    stack.horizons[k].area_moved = share * static_cast<double>(n_moved[k]);
   }
 }
 
@@ -126,6 +133,8 @@ std::vector<std::string> notes_of(const SettledStack& stack) {
                        " triangles became " + std::to_string(h.n_triangles) + ", within " + to_text(h.largest_off) +
                        " m";
     if (h.area_merged > 0) text += "; shares one surface with a neighbour over an area of " + to_text(h.area_merged);
+    if (h.area_above_topography > 0)
+      text += "; cut off above the topography over an area of " + to_text(h.area_above_topography);
     if (h.area_moved > 0)
       text += "; moved over an area of " + to_text(h.area_moved) + " by " + to_text(h.mean_move) +
               " m in the mean, at most " + to_text(h.largest_move) + " m near " + to_text(h.place);

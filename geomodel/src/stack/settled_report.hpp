@@ -16,6 +16,7 @@ struct SettledFrom {
   const MapBounds& bounds;
   const SheetOptions& options;
   const FaultStrips& strips;  ///< in which moves are not measured: there the sheets are the mean of both sides
+  bool has_topography;        ///< the first horizon: what lies over it is cut off, which is no move
 };
 
 /// Names, counts of triangles and what happened along faults are left to the caller.

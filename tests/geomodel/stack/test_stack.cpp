@@ -411,6 +411,68 @@ TEST_CASE("a stack is left as given where surfaces are kept exactly, where it is
   CHECK(built.surfaces[1].points == apart[1].points);
 }
 
+namespace {
+
+/// Two smooth horizons that cross along x = 5000 at an angle, the younger one erosive, so that a rule says which one
+/// cuts.
+BuiltSurfaces crossing_at(double degrees, ModelRules rules) {
+  const double slope = std::tan(degrees * M_PI / 180);
+  rules.surfaces = {SurfaceRules{}};
+  rules.surfaces[0].base = BaseRule::erode;
+  const auto level = [](double, double) { return 0.0; };
+  const auto dipping = [slope](double x, double) { return slope * (5003.7 - x); };
+  const auto deep = [](double, double) { return -2000.0; };
+  return build_surfaces({grid("top", 23, level, 0, 1), grid("mid", 23, dipping, 0, 2), grid("base", 23, deep, 0, 3)},
+                        rules);
+}
+
+}  // namespace
+
+TEST_CASE("horizons that cross at less than two degrees are settled though a rule says which one cuts", "[stack]") {
+  for (const double degrees : {0.05, 0.3, 1.0, 1.9}) {
+    INFO(degrees << " degrees");
+    const BuiltSurfaces built = crossing_at(degrees, stack_rules());
+    REQUIRE(built.stack.settled);
+    const TriangulatedSurface &top = built.surfaces[0], &mid = built.surfaces[1];
+    for (std::size_t v = 0; v < top.points.size(); ++v) REQUIRE(top.points[v].z >= mid.points[v].z);
+  }
+  for (const double degrees : {2.1, 5.0, 8.0}) {
+    INFO(degrees << " degrees");
+    CHECK(!crossing_at(degrees, stack_rules()).stack.settled);
+  }
+}
+
+TEST_CASE("what a settled stack cuts off above the topography is no move", "[stack]") {
+  ModelRules rules = stack_rules();
+  rules.topography = "top";
+  const BuiltSurfaces built = crossing_at(1, rules);
+  REQUIRE(built.stack.settled);
+  const SettledHorizon& mid = built.stack.horizons[1];
+  CHECK(mid.area_above_topography == Approx(0.5 * width * width).epsilon(0.1));
+  CHECK(mid.largest_move < 2 * built.stack.min_thickness);
+}
+
+TEST_CASE("horizons whose borders lie on the sides of the box are settled in a model with faults", "[stack]") {
+  const auto cut = [](std::vector<TriangulatedSurface> given, double from) {
+    for (TriangulatedSurface& s : given) {
+      for (Vec3& p : s.points) p.x = std::clamp(p.x, from, width), p.y = std::clamp(p.y, 0.0, width);
+      std::erase_if(s.triangles, [&](const Triangle& t) { return area_in_map(s, t) == 0; });
+    }
+    TriangulatedSurface fault;
+    fault.name = "fault";
+    fault.kind = SurfaceKind::fault;
+    fault.points = {{2000, 2000, -3000}, {8000, 2500, -3000}, {8000, 2500, 1000}};
+    fault.triangles = {{0, 1, 2}};
+    given.push_back(fault);
+    return given;
+  };
+  CHECK(build_surfaces(cut(noisy_stack(4), 0), stack_rules()).stack.settled);
+  const BuiltSurfaces ends_inside = build_surfaces(cut(noisy_stack(4), 1000), stack_rules());
+  CHECK(!ends_inside.stack.settled);
+  REQUIRE(ends_inside.notes.size() == 1);
+  CHECK(ends_inside.notes[0].find("ends inside the model") != std::string::npos);
+}
+
 TEST_CASE("a stack with an overhanging horizon is left as given, and a note names the horizon", "[stack]") {
   std::vector<TriangulatedSurface> given = noisy_stack(4);
   CHECK(is_single_valued(given[1]));

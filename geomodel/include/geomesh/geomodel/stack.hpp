@@ -36,7 +36,8 @@ struct SettledHorizon {
   std::size_t n_triangles_given = 0, n_triangles = 0;
   double area = 0;
   double area_merged = 0;                  ///< shared with a neighbour
-  double area_moved = 0;                   ///< off its input by more than the share of the tolerance
+  double area_above_topography = 0;        ///< where its input lies above it, so that it is cut off
+  double area_moved = 0;                   ///< elsewhere: off its input by more than the share of the tolerance
   double largest_move = 0, mean_move = 0;  ///< where it was moved
   Vec3 place;                              ///< of the largest move
   double largest_off = 0;                  ///< elsewhere: distance from the input's points
