@@ -56,7 +56,7 @@ class MapModel(ProgramTest):
         for z in range(1200, 200, -5):
             for low, high, unit, corners in near:
                 if low[2] <= z <= high[2] and holds(*corners, (x, y, z)):
-                    return re.sub(r"__\d+$", "", unit)
+                    return re.sub(r"__B?\d+$", "", unit)
         return None
 
     def test_blocks_of_a_mapped_area(self):
@@ -66,7 +66,7 @@ class MapModel(ProgramTest):
         self.run_program(self.path("project.yaml"))
         check = self.check(self.path("out", "map_model.vtu"), "--project", self.path("project.yaml"))
         report = self.report(self.path("out", "map_model.report.json"))
-        units = {re.sub(r"__\d+$", "", name) for name in self.region_names(check)}
+        units = {re.sub(r"__B?\d+$", "", name) for name in self.region_names(check)}
         with open(os.path.join(data, "geological_map_data", "contacts.csv")) as file:
             mapped = {row["name"] for row in csv.DictReader(file)}
         self.assertEqual(units, mapped | {"older"})
