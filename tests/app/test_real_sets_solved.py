@@ -5,6 +5,8 @@ import importlib.machinery
 import importlib.util
 import os
 import pathlib
+import shutil
+import unittest
 
 from geomesh_program import NIGHTLY, SOURCE, ProgramTest, main
 from test_solver_ready import SolverReady
@@ -19,6 +21,7 @@ def solver_ready_script():
     return module
 
 
+@unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
 class RealSetsSolved(ProgramTest):
     timeout = 600
     solve = SolverReady.solve

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models a few ulps thick: each is meshed, or refused with its facets, place and advice. Neither takes more than ten
 // times as long as models of the same shape and size with room, or as the Delaunay tetrahedralization of 55,000 uniform
-// points where that is more. That takes 0.05 CPU seconds on a free machine, and more on a busy one, as the models do.
+// points where that is more: 0.07 CPU seconds on the machine of 2026-11, and more on a busy one, as for the models.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -48,7 +48,7 @@ double seconds_of(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions
   return thread_cpu_seconds() - start;
 }
 
-/// CPU seconds that the machine takes now for what it does in 0.05 when it is free.
+/// CPU seconds that the machine takes now for the same piece of work.
 double seconds_of_measure() {
   static const std::vector<Vec3> points = [] {
     std::mt19937_64 random(1);
