@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-from geomesh_program import SOURCE, ProgramTest, main
+from geomesh_program import PROGRAM, SOURCE, ProgramTest, main
 
 sys.path.insert(0, os.path.join(SOURCE, "samples", "generator"))
 from settled_volumes import MODELS  # noqa: E402
@@ -32,6 +32,12 @@ class StackVolumes(ProgramTest):
 
     def test_units_of_the_reservoir_have_the_volumes_that_its_grids_have_by_the_rules(self):
         self.assert_volumes("reservoir")
+
+    def test_throw_of_the_reservoir_restored_keeps_its_volumes_and_suits_solvers(self):
+        script = os.path.join(SOURCE, "scripts", "stacks-in-full")
+        run = subprocess.run([sys.executable, script, "--small", "--throw"], env={**os.environ, "GEOMESH_PROGRAM": PROGRAM},
+                             capture_output=True, text=True, timeout=self.timeout)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
 
     def test_units_of_grids_with_undefined_nodes_have_the_volumes_that_the_grids_have_by_the_rules(self):
         self.assert_volumes("blank-grids")

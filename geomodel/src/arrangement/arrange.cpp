@@ -57,9 +57,10 @@ void add(const Displacement& more, Displacement& total) {
   total.points_moved += more.points_moved;
 }
 
-void close_thin_pockets(Complex& complex, double tolerance, const SurfaceList& surfaces,
+void close_thin_pockets(Complex& complex, const ArrangementOptions& options, const SurfaceList& surfaces,
                         ArrangementResult::Merging& merging) {
-  const ClosedPockets closed = close_pockets(complex, tolerance, static_cast<Index>(surfaces.given.size()));
+  const ClosedPockets closed =
+      close_pockets(complex, options.tolerance, static_cast<Index>(surfaces.given.size()), options.parts);
   add(closed.moved, merging.displacement);
   merging.pockets_closed += closed.n_pockets;
   merging.facets_merged += closed.n_facets_removed;
@@ -251,7 +252,7 @@ class Arrangement {
       apply_tolerance(complex);
     }
     if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
-    if (options_.tolerance > 0) close_thin_pockets(complex, options_.tolerance, surfaces_, result_.merging);
+    if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);

@@ -30,6 +30,7 @@ class HorizonParting {
     for (Index block = 0; block < n_blocks; ++block) part(block, n_blocks > 1);
     std::vector<Index> all(p_.soup.soup.facets.size());
     std::iota(all.begin(), all.end(), Index{0});
+    p_.removed[horizon_] += leave_to_faults(all);
     const auto is_remade = [this](const Origin& o) {
       return o.surface == horizon_ && block_of_[o.triangle] == BuiltRows::of_no_block;
     };
@@ -85,6 +86,15 @@ class HorizonParting {
                        (overshoot > 0 ? ", of which given (overshoot on the wrong side) " + to_text(overshoot) +
                                             " near " + to_text(place)
                                       : std::string()));
+  }
+
+  /// What lies on a fault that parts the horizon is the fault's alone: nobody can say which block it would be of.
+  double leave_to_faults(const std::vector<Index>& facets) {
+    std::vector<Index> shared;
+    for (const Index f : facets)
+      if (std::any_of(faults_.begin(), faults_.end(), [&](Index fault) { return p_.soup.has(f, fault); }))
+        shared.push_back(f);
+    return p_.soup.remove(shared, [this](const Origin& o) { return o.surface == horizon_; });
   }
 
   std::vector<double> given_area(const std::vector<Piece>& pieces,

@@ -110,6 +110,30 @@ TEST_CASE("The mesh of the sampled model has the components of the first", "[ref
   CHECK(volume_of(*half, 0) == Approx(volume_of(model.mesh, 0)).epsilon(1e-12));
 }
 
+TEST_CASE("Edges of facets in trouble, and those that points in trouble lie on, are not cut again", "[refine]") {
+  const Model model = two_boxes(1);
+  auto merged = remesh::merge_pieces(model.plc, {});
+  const auto sample = [&](const remesh::WholeEdges& whole) {
+    return remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {}, whole);
+  };
+  const remesh::SampledComplex sampled = sample({});
+  const auto n_given = static_cast<VertexIndex>(model.plc.points.size());
+  REQUIRE(sampled.edge_of_point.size() > 10);
+  ErrorContext trouble;
+  trouble.facets = {0};
+  trouble.vertices = {n_given + static_cast<VertexIndex>(sampled.edge_of_point.size()) - 1, 0};
+  remesh::WholeEdges whole;
+  CHECK(remesh::keep_whole(merged, sampled, trouble, whole));
+  const std::size_t n_sides = model.plc.outer_loop(0).size();
+  CHECK(whole.size() >= n_sides);
+  CHECK(whole.contains(sampled.edge_of_point.back()));
+  CHECK_FALSE(remesh::keep_whole(merged, sampled, trouble, whole));
+  const remesh::SampledComplex again = sample(whole);
+  CHECK(again.plc.outer_loop(0).size() == n_sides);
+  CHECK(again.edge_of_point.size() < sampled.edge_of_point.size());
+  for (const auto& edge : again.edge_of_point) CHECK_FALSE(whole.contains(edge));
+}
+
 TEST_CASE("A sliver as wide as rounding is sampled without edges that cross", "[refine]") {
   // A turned box. The diagonal of its top has a point on it but for rounding, and a sliver stands between.
   const double c = std::cos(0.3), s = std::sin(0.3);

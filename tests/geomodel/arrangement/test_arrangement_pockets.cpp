@@ -96,6 +96,28 @@ TEST_CASE("pockets: sides that face each other keep their orientation", "[arrang
   CHECK(n_double > 10);
 }
 
+TEST_CASE("pockets: what stays stands for both parts of one surface, which may be taken away one by one",
+          "[arrangement]") {
+  std::vector<TriangulatedSurface> one = floor_and_bump(0.004);
+  const auto n_first = static_cast<VertexIndex>(one[0].points.size());
+  std::vector<Index> part(one[0].triangles.size(), 0);
+  one[0].points.insert(one[0].points.end(), one[1].points.begin(), one[1].points.end());
+  for (const Triangle& t : one[1].triangles) {
+    one[0].triangles.push_back({t[0] + n_first, t[1] + n_first, t[2] + n_first});
+    part.push_back(1);
+  }
+  one.pop_back();
+  ArrangementOptions options = where_they_meet(0.01);
+  const auto as_one = arrange(one, {}, {}, options);
+  CHECK(as_one.merging.pockets_closed == 1);
+  CHECK(double_area(as_one.soup) == 0);
+  options.parts = {part};
+  const auto of_parts = arrange(one, {}, {}, options);
+  require_sound(of_parts.soup);
+  CHECK(of_parts.merging.pockets_closed == 1);
+  CHECK(double_area(of_parts.soup) == Approx(3.14159 * 5).epsilon(0.05));
+}
+
 TEST_CASE("pockets: a well that passes through keeps its wall", "[arrangement]") {
   const Polyline well{"well", "", {{5.03, 4.96, -1}, {5.03, 4.96, 1}}};
   const auto result = arrange(floor_and_bump(0.004), {well}, {}, where_they_meet(0.01));

@@ -51,25 +51,52 @@ RunContext counting_towards(double estimate, const RunContext& context) {
 /// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
+/// Takes their parents from the facets that were merged to one of `rows`. Whether there are any.
+bool take_apart(const MergedFacets& merged, const std::vector<Index>& rows, std::vector<Index>& parent) {
+  std::vector<Index> n_merged(merged.plc.n_facets(), 0);
+  for (const Index row : merged.row_of_facet) ++n_merged[row];
+  bool any = false;
+  for (Index f = 0; f < parent.size(); ++f) {
+    const Index row = merged.row_of_facet[f];
+    if (n_merged[row] < 2 || std::find(rows.begin(), rows.end(), row) == rows.end()) continue;
+    parent[f] = no_index;
+    any = true;
+  }
+  return any;
+}
+
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
-/// one by one would start from the slivers between them. False where that cannot be; the mesh is then as it was.
+/// one by one would start from the slivers between them. Points are rounded: where pieces of an edge run through a
+/// facet that all but touches it, the edges there stay whole, what was merged there comes apart, and all is tried
+/// again. False where that cannot be; the mesh is then as it was.
 bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged, const RefineOptions& options,
                         ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {
+  constexpr unsigned most_rounds = 8;
   const SizeField none({}, {});
-  SampledComplex sampled = sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none,
-                                           options.honour == Honour::exact ? Slivers::stay : Slivers::may_go, context);
-  const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
-  const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
-  const bool is_merged = merged.plc.n_facets() < plc.n_facets();
-  if (!is_merged && static_cast<double>(n_on_facets + n_on_edges) <=
-                        least_share_of_points(options) * static_cast<double>(plc.points.size()))
-    return false;
-  auto fresh = mesh_sampled(merged, mesh, std::move(sampled), context);
-  if (!fresh) return false;
-  mesh = std::move(*fresh);
-  result.statistics.points_on_curves += n_on_edges;
-  result.statistics.points_on_surfaces += n_on_facets;
-  return true;
+  std::vector<Index> parent = options.facet_parent;
+  WholeEdges whole;
+  for (unsigned round = 0; round < most_rounds; ++round) {
+    SampledComplex sampled =
+        sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none,
+                        options.honour == Honour::exact ? Slivers::stay : Slivers::may_go, context, whole);
+    const std::size_t n_on_facets = sampled.plc.facet_points.size() - merged.plc.facet_points.size();
+    const std::size_t n_on_edges = sampled.plc.points.size() - plc.points.size() - n_on_facets;
+    const bool is_merged = merged.plc.n_facets() < plc.n_facets();
+    if (!is_merged && static_cast<double>(n_on_facets + n_on_edges) <=
+                          least_share_of_points(options) * static_cast<double>(plc.points.size()))
+      return false;
+    ErrorContext trouble;
+    if (auto fresh = mesh_sampled(merged, mesh, sampled, context, &trouble)) {
+      mesh = std::move(*fresh);
+      result.statistics.points_on_curves += n_on_edges;
+      result.statistics.points_on_surfaces += n_on_facets;
+      return true;
+    }
+    const bool taken_apart = take_apart(merged, trouble.facets, parent);
+    if (!keep_whole(merged, sampled, trouble, whole) && !taken_apart) return false;
+    if (taken_apart) merged = merge_pieces(plc, parent);
+  }
+  return false;
 }
 
 /// Edges that long stay where the front was stuck. A few are mended by the improvement; so large a share of the cells

@@ -97,7 +97,7 @@ PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
 /// Nothing where the complex cannot be meshed, or components cannot be told.
 std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const ComponentsBeside& beside,
                                                                    std::size_t n_components, PiecewiseLinearComplex plc,
-                                                                   const RunContext& context) {
+                                                                   const RunContext& context, ErrorContext* trouble) {
   RunContext quiet;
   quiet.cancel = context.cancel;
   quiet.threads = context.threads;
@@ -121,6 +121,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::interrupted) throw;
     context.note(LogLevel::debug, std::string("not meshed anew: ") + e.what());
+    if (trouble) *trouble = e.context();
     return std::nullopt;
   }
 }
@@ -137,18 +138,19 @@ void inherit(const ConstrainedTetrahedralization& mesh, ConstrainedTetrahedraliz
 
 std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const ConstrainedTetrahedralization& mesh,
                                                                const std::vector<Index>& row_of_facet,
-                                                               PiecewiseLinearComplex plc, const RunContext& context) {
+                                                               PiecewiseLinearComplex plc, const RunContext& context,
+                                                               ErrorContext* trouble) {
   const auto beside =
       components_beside(mesh, plc.n_facets(), [&](Index f) { return row_of_facet[mesh.faces[f].facet]; });
   if (!beside) return std::nullopt;
-  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), context);
+  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), context, trouble);
   if (fresh) inherit(mesh, *fresh);
   return fresh;
 }
 
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
   const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
-  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), context);
+  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), context, nullptr);
   if (!fresh) return false;
   inherit(mesh, *fresh);
   for (auto& f : fresh->faces) f.facet = mesh.faces[f.facet].facet;

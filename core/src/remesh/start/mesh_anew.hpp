@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "geomesh/core/error.hpp"
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
@@ -17,7 +18,8 @@ namespace geomesh::remesh {
 /// where rounding made facets cross), or components cannot be told.
 std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const ConstrainedTetrahedralization& mesh,
                                                                const std::vector<Index>& row_of_facet,
-                                                               PiecewiseLinearComplex plc, const RunContext& context);
+                                                               PiecewiseLinearComplex plc, const RunContext& context,
+                                                               ErrorContext* trouble = nullptr);
 
 /// Exchanges the mesh for the constrained Delaunay start of the same points, faces and edges: rows of facets, segments,
 /// components and input vertices as they were, cells new, points perhaps a few more. Precondition: every face of the

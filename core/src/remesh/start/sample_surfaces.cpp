@@ -136,6 +136,7 @@ class SurfaceSampler {
       const double t = p[0] + (q[0] - p[0]) * (wanted - p[1]) / (q[1] - p[1]);
       parts.points.push_back(static_cast<VertexIndex>(out_.plc.points.size()));
       out_.plc.points.push_back(a + t * d);
+      out_.edge_of_point.push_back(edge);
     }
   }
 
@@ -333,8 +334,7 @@ ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, co
 }  // namespace
 
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
-                               Slivers slivers, const RunContext& context) {
-  std::set<Edge> whole;
+                               Slivers slivers, const RunContext& context, WholeEdges whole) {
   std::set<Index> flipped;  // once is enough: a second flip might undo the first
   for (;;) {
     SampledComplex sampled = SurfaceSampler(merged, mesh, size, whole).run(context);
@@ -353,10 +353,20 @@ SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedra
 
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
                                                           const ConstrainedTetrahedralization& mesh,
-                                                          SampledComplex sampled, const RunContext& context) {
-  auto fresh = tetrahedralize_as(mesh, merged.row_of_facet, sampled.plc, context);
+                                                          SampledComplex sampled, const RunContext& context,
+                                                          ErrorContext* trouble) {
+  auto fresh = tetrahedralize_as(mesh, merged.row_of_facet, sampled.plc, context, trouble);
   if (!fresh) return std::nullopt;
   return renumbered(std::move(*fresh), merged, sampled);
+}
+
+bool keep_whole(const MergedFacets& merged, const SampledComplex& sampled, const ErrorContext& trouble,
+                WholeEdges& whole) {
+  const std::size_t before = whole.size(), n_given = merged.plc.points.size();
+  for (const Index f : trouble.facets) add_edges_of(merged.plc, f, whole);
+  for (const VertexIndex v : trouble.vertices)
+    if (v >= n_given && v - n_given < sampled.edge_of_point.size()) whole.insert(sampled.edge_of_point[v - n_given]);
+  return whole.size() > before;
 }
 
 }  // namespace geomesh::remesh

@@ -4,9 +4,12 @@
 /// they are.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 
+#include "geomesh/core/error.hpp"
 #include "geomesh/core/plc.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/core/size_field.hpp"
@@ -16,9 +19,14 @@
 namespace geomesh::remesh {
 
 /// The merged facets and the segments in their order with more points: rows of the PLC given first.
+/// Edges of a complex that are not cut, the lesser end first.
+using WholeEdges = std::set<std::array<VertexIndex, 2>>;
+
 struct SampledComplex {
   PiecewiseLinearComplex plc;
   std::vector<Index> segment;  ///< per row of plc.segments the row that it is a piece of
+  /// Per point that was put on an edge that edge, from the first such point on.
+  std::vector<std::array<VertexIndex, 2>> edge_of_point;
 };
 
 /// Triangles of which rounding would make edges cross, once there are points on them: they lose their longest edge to a
@@ -31,13 +39,18 @@ enum class Slivers : std::uint8_t { may_go, stay };
 /// before facets were merged, and tells which components a facet has beside it. Edges of slivers that stay are not cut;
 /// those that go are flipped in `merged`. Deterministic. Near-linear in the points where sizes vary slowly.
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
-                               Slivers slivers, const RunContext& context);
+                               Slivers slivers, const RunContext& context, WholeEdges whole = {});
 
 /// The mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and components as
 /// `mesh` has them, facets by the first of those that were merged, nothing of a component that it lacks. Nothing where
 /// rounding made facets cross, or components cannot be told.
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
                                                           const ConstrainedTetrahedralization& mesh,
-                                                          SampledComplex sampled, const RunContext& context);
+                                                          SampledComplex sampled, const RunContext& context,
+                                                          ErrorContext* trouble = nullptr);
+
+/// The edges of the facets in trouble, and those that the points in trouble were put on. Whether any is new.
+bool keep_whole(const MergedFacets& merged, const SampledComplex& sampled, const ErrorContext& trouble,
+                WholeEdges& whole);
 
 }  // namespace geomesh::remesh

@@ -94,6 +94,9 @@ struct ArrangementOptions {
   /// each other within a hundredth of it join wherever they are near, with a warning. So do parts of one fault. Other
   /// surfaces lose no detail of their own. Both close pockets that are thinner than it.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
+  /// Per surface the part of each triangle; a surface without an entry, or with an empty one, is one part. Parts of one
+  /// surface may be taken away later, one without the other: a facet that comes to stand for several names them all.
+  std::vector<std::vector<Index>> parts;
   /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
   /// needed it ends with Error{cannot_mesh} and the place.
   std::size_t max_memory = 0;

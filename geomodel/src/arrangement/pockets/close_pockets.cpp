@@ -56,6 +56,19 @@ Triangle sorted_corners(Triangle t) {
 
 using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends, the lesser first, and a surface
 
+/// The part of its surface that an origin is of.
+class Parts {
+ public:
+  explicit Parts(const std::vector<std::vector<Index>>& of_triangle) : of_triangle_(of_triangle) {}
+  bool are_same(const Origin& a, const Origin& b) const {
+    return a.surface == b.surface && (a.surface >= of_triangle_.size() || of_triangle_[a.surface].empty() ||
+                                      of_triangle_[a.surface][a.triangle] == of_triangle_[b.surface][b.triangle]);
+  }
+
+ private:
+  const std::vector<std::vector<Index>>& of_triangle_;
+};
+
 /// What pockets that were closed have given to facets beside them.
 struct GivenSurfaces {
   std::map<Triangle, std::set<Index>> of_facet;  ///< by the corners of the facet
@@ -135,9 +148,10 @@ void prune_fins(Complex& complex, const GivenSurfaces& given) {
 /// One round: pockets that share no facet.
 class PocketRound {
  public:
-  PocketRound(Complex& complex, double distance, Index first_side, GivenSurfaces& given)
+  PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts, GivenSurfaces& given)
       : complex_(complex),
         distance_(distance),
+        parts_(parts),
         given_(given),
         edges_(edge_facets(complex)),
         walls_(complex, edges_, first_side),
@@ -190,13 +204,14 @@ class PocketRound {
       const Vec3 x = middle(a) - here, y = middle(b) - here;
       return dot(x, x) < dot(y, y);
     });
-    const std::vector<Index> own = surfaces_of_facet(complex_, facet_of(stays));
+    const auto own = complex_.origins.of(facet_of(stays));
     for (Origin o : complex_.origins.of(facet_of(nearest))) {
-      if (std::binary_search(own.begin(), own.end(), o.surface)) continue;
+      if (std::any_of(own.begin(), own.end(), [&](const Origin& p) { return parts_.are_same(o, p); })) continue;
       const bool looks_in = is_front(nearest) != o.reversed;
       o.reversed = looks_in == is_front(stays);
       more_origins_[facet_of(stays)].push_back(o);
-      given_.of_facet[sorted_corners(complex_.facets[facet_of(stays)])].insert(o.surface);
+      if (std::none_of(own.begin(), own.end(), [&](const Origin& p) { return p.surface == o.surface; }))
+        given_.of_facet[sorted_corners(complex_.facets[facet_of(stays)])].insert(o.surface);
     }
   }
 
@@ -227,6 +242,7 @@ class PocketRound {
 
   Complex& complex_;
   double distance_;
+  const Parts& parts_;
   GivenSurfaces& given_;
   EdgeFacets edges_;
   WallSearch walls_;
@@ -236,10 +252,11 @@ class PocketRound {
 
 }  // namespace
 
-ClosedPockets close_pockets(Complex& complex, double distance, Index first_side) {
+ClosedPockets close_pockets(Complex& complex, double distance, Index first_side,
+                            const std::vector<std::vector<Index>>& parts) {
   ClosedPockets done;
   GivenSurfaces given;
-  while (PocketRound(complex, distance, first_side, given).run(done)) {
+  while (PocketRound(complex, distance, first_side, Parts(parts), given).run(done)) {
   }
   if (!given.of_facet.empty()) prune_fins(complex, given);
   return done;

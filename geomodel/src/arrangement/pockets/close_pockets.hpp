@@ -17,8 +17,10 @@ struct ClosedPockets {
 /// ends, it is no part of the strip. Nothing new can cross: facets go, and none moves. Pockets
 /// stay of which a wall is a side of the volume: surfaces from the row `first_side` on are. So do those where something
 /// else hangs on the wall, and those where no part of one surface is about half of the area.
+/// `parts` as in ArrangementOptions.
 /// Precondition: facets meet in shared vertices and edges only. Points that nothing names may be left. O(n log n) for
 /// pockets of few facets.
-ClosedPockets close_pockets(Complex& complex, double distance, Index first_side);
+ClosedPockets close_pockets(Complex& complex, double distance, Index first_side,
+                            const std::vector<std::vector<Index>>& parts = {});
 
 }  // namespace geomesh::geomodel::arrangement

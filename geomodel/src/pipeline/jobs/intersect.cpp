@@ -101,6 +101,20 @@ void drop_spots_of_blocks(PreparedModel& model) {
   });
 }
 
+/// Blocks of horizons with throw, and what continues faults only to part them.
+std::vector<std::vector<Index>> parts_that_may_go(const PreparedModel& model) {
+  std::vector<std::vector<Index>> parts = model.built_rows.block_of_triangle;
+  const std::vector<Index>& first_only_parting = model.built_rows.first_only_parting;
+  parts.resize(model.surfaces.size());
+  for (std::size_t s = 0; s < first_only_parting.size() && s < parts.size(); ++s) {
+    const std::size_t n = model.surfaces[s].triangles.size(), first = first_only_parting[s];
+    if (!parts[s].empty() || first >= n) continue;
+    parts[s].assign(n, 0);
+    std::fill(parts[s].begin() + static_cast<std::ptrdiff_t>(first), parts[s].end(), Index{1});
+  }
+  return parts;
+}
+
 /// Settled horizons share surfaces where that is wanted: nothing to warn of.
 void drop_spots_of_stack(PreparedModel& model) {
   const auto is_settled = [&](Index s) {
@@ -160,7 +174,9 @@ void build(PreparedModel& model, const RunContext& context) {
 void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const ArrangementOptions& options,
                const RunContext& context) {
   StageScope stage(context, "intersect");
-  model.arrangement = arrange_merging_near(model, wells, options, context);
+  ArrangementOptions with_parts = options;
+  with_parts.parts = parts_that_may_go(model);
+  model.arrangement = arrange_merging_near(model, wells, with_parts, context);
   drop_spots_of_blocks(model);
   drop_spots_of_stack(model);
   for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
