@@ -66,8 +66,8 @@ bool take_apart(const MergedFacets& merged, const std::vector<Index>& rows, std:
 }
 
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
-/// one by one would start from the slivers between them. Points are rounded: where pieces of an edge run through a
-/// facet that all but touches it, the edges there stay whole, what was merged there comes apart, and all is tried
+/// one by one would start from the slivers between them. Points are rounded: pieces of an edge may run through a
+/// facet that all but touches it. Then edges there stay whole, what was merged there comes apart, and all is tried
 /// again. False where that cannot be; the mesh is then as it was.
 bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged, const RefineOptions& options,
                         ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {

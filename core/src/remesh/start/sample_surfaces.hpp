@@ -37,13 +37,14 @@ enum class Slivers : std::uint8_t { may_go, stay };
 /// points follow from the border inwards at the asked distance from each other. Each has at least 0.75 of it from all
 /// others there: the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
 /// before facets were merged, and tells which components a facet has beside it. Edges of slivers that stay are not cut;
-/// those that go are flipped in `merged`. Deterministic. Near-linear in the points where sizes vary slowly.
+/// those that go are flipped in `merged`. Edges in `whole` are not cut either. Deterministic. Near-linear in the points
+/// where sizes vary slowly.
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
                                Slivers slivers, const RunContext& context, WholeEdges whole = {});
 
 /// The mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and components as
 /// `mesh` has them, facets by the first of those that were merged, nothing of a component that it lacks. Nothing where
-/// rounding made facets cross, or components cannot be told.
+/// rounding made facets cross, or components cannot be told; `trouble` is then what the engine said of the place.
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
                                                           const ConstrainedTetrahedralization& mesh,
                                                           SampledComplex sampled, const RunContext& context,
