@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "arrangement/pockets/shells.hpp"
+#include "arrangement/snap/flatten_slivers.hpp"
+#include "arrangement/snap/slits.hpp"
 #include "arrangement_inputs.hpp"
 #include "dice.hpp"
 #include "require_sound.hpp"
@@ -123,6 +125,26 @@ TEST_CASE("pockets: a well that passes through keeps its wall", "[arrangement]")
   const auto result = arrange(floor_and_bump(0.004), {well}, {}, where_they_meet(0.01));
   require_sound(result.soup);
   CHECK(n_closed_shells(result.soup) + result.merging.pockets_closed == 1);
+}
+
+TEST_CASE("slits: an end of a surface beside vertices of its own is closed, once they are as near as asked",
+          "[arrangement]") {
+  // The needle between the edge 0-1 and the vertex 2 on it has vanished; 5 is far from all ends.
+  const double off = GENERATE(1e-12, 0.1);
+  arrangement::Complex complex;
+  complex.points = {{0, 0, 0}, {3, 1, 0.5}, {1.5 - off, 0.5 + off, 0.25}, {1, 4, 0}, {2, -4, 1}, {9, 9, 9}};
+  complex.facets = {{0, 1, 3}, {2, 0, 4}, {1, 2, 4}, {3, 1, 5}};
+  for (Index f = 0; f < 4; ++f) complex.origins.push(std::vector<PolygonSoup::Origin>{{0, f, false}});
+  complex.dirty_facet.assign(4, 0);
+  complex.input_point.assign(6, no_index);
+  std::vector<std::uint8_t> active(4, 0);
+  arrangement::mark_slits(complex, 1e-10, active);
+  const bool is_slit = off < 1e-10;
+  CHECK(active == (is_slit ? std::vector<std::uint8_t>{1, 1, 1, 0} : std::vector<std::uint8_t>(4, 0)));
+  arrangement::Joining joining;
+  joining.distance = 1e-10;
+  CHECK(arrangement::flatten_slivers(complex, joining, {}, 1 << 30).changed() == is_slit);
+  CHECK(complex.facets.size() == (is_slit ? 5 : 4));
 }
 
 TEST_CASE("shells: one for each space of random boxes, one for all that is outside", "[arrangement]") {
