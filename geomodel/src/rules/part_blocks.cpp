@@ -30,7 +30,7 @@ class HorizonParting {
     for (Index block = 0; block < n_blocks; ++block) part(block, n_blocks > 1);
     std::vector<Index> all(p_.soup.soup.facets.size());
     std::iota(all.begin(), all.end(), Index{0});
-    p_.removed[horizon_] += leave_to_faults(all);
+    leave_to_faults(all);
     const auto is_remade = [this](const Origin& o) {
       return o.surface == horizon_ && block_of_[o.triangle] == BuiltRows::of_no_block;
     };
@@ -89,12 +89,16 @@ class HorizonParting {
   }
 
   /// What lies on a fault that parts the horizon is the fault's alone: nobody can say which block it would be of.
-  double leave_to_faults(const std::vector<Index>& facets) {
+  void leave_to_faults(const std::vector<Index>& facets) {
     std::vector<Index> shared;
     for (const Index f : facets)
       if (std::any_of(faults_.begin(), faults_.end(), [&](Index fault) { return p_.soup.has(f, fault); }))
         shared.push_back(f);
-    return p_.soup.remove(shared, [this](const Origin& o) { return o.surface == horizon_; });
+    const double area = p_.soup.remove(shared, [this](const Origin& o) { return o.surface == horizon_; });
+    if (area > 0)
+      p_.notes.push_back("horizon " + name() + ": lay on its faults, which have it now, over an area of " +
+                         to_text(area));
+    p_.removed[horizon_] += area;
   }
 
   std::vector<double> given_area(const std::vector<Piece>& pieces,

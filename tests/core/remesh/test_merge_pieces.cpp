@@ -139,3 +139,17 @@ TEST_CASE("Needles between pieces of one side force nothing", "[refine]") {
   CHECK(top == Approx(1).epsilon(1e-12));
   CHECK(std::count(named.begin() + 10, named.end(), true) >= 4);  // faces bear the piece under them
 }
+
+TEST_CASE("What is taken apart is not merged again", "[refine]") {
+  PiecewiseLinearComplex plc;
+  plc.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}};
+  for (const Triangle& t : {Triangle{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}) plc.add_triangle(t);
+  std::vector<Index> parent{7, 7, 8, 8};
+  const remesh::MergedFacets merged = remesh::merge_pieces(plc, parent);
+  REQUIRE(merged.plc.n_facets() == 2);
+  CHECK(remesh::take_apart(merged, {merged.row_of_facet[2]}, parent));
+  CHECK(parent == std::vector<Index>{7, 7, no_index, no_index});
+  const remesh::MergedFacets apart = remesh::merge_pieces(plc, parent);
+  CHECK(apart.plc.n_facets() == 3);
+  CHECK_FALSE(remesh::take_apart(apart, {apart.row_of_facet[2]}, parent));
+}

@@ -74,7 +74,7 @@ TEST_CASE("The mesh of the sampled model has the components of the first", "[ref
   const Model model = two_boxes(1);
   auto merged = remesh::merge_pieces(model.plc, {});
   remesh::SampledComplex sampled = remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {});
-  const auto fresh = remesh::mesh_sampled(merged, model.mesh, std::move(sampled), {});
+  const auto fresh = remesh::mesh_sampled(merged, model.mesh, sampled, {});
   REQUIRE(fresh);
   REQUIRE(fresh->n_components == model.mesh.n_components);
   for (Index c = 0; c < fresh->n_components; ++c)
@@ -104,7 +104,7 @@ TEST_CASE("The mesh of the sampled model has the components of the first", "[ref
     if (f.tetrahedron_above != no_index) f.tetrahedron_above = row[f.tetrahedron_above];
   }
   sampled = remesh::sample_surfaces(merged, one, constant_size(), Slivers::stay, {});
-  const auto half = remesh::mesh_sampled(merged, one, std::move(sampled), {});
+  const auto half = remesh::mesh_sampled(merged, one, sampled, {});
   REQUIRE(half);
   CHECK(half->n_components == 1);
   CHECK(volume_of(*half, 0) == Approx(volume_of(model.mesh, 0)).epsilon(1e-12));
@@ -132,6 +132,51 @@ TEST_CASE("Edges of facets in trouble, and those that points in trouble lie on, 
   CHECK(again.plc.outer_loop(0).size() == n_sides);
   CHECK(again.edge_of_point.size() < sampled.edge_of_point.size());
   for (const auto& edge : again.edge_of_point) CHECK_FALSE(whole.contains(edge));
+}
+
+TEST_CASE("Where rounded points on an edge run into a facet beside it, the edge stays whole and the model is meshed",
+          "[refine]") {
+  // A box around two triangles: an edge of the upper one runs across an edge of the lower one, an ulp or so above it.
+  const auto model = [](double turn, double at) {
+    PiecewiseLinearComplex plc;
+    for (unsigned k = 0; k < 8; ++k) plc.points.push_back({k & 1 ? 1. : 0., k & 2 ? 1. : 0., k & 4 ? 1. : 0.});
+    for (const std::vector<VertexIndex>& side :
+         {std::vector<VertexIndex>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+      plc.add_polygon(std::vector<std::vector<VertexIndex>>{side}, 0);
+    const auto add = [&](const Vec3& p) {
+      plc.points.push_back(p);
+      return static_cast<VertexIndex>(plc.points.size() - 1);
+    };
+    const Vec3 a{0.1, 0.2, 0.5 - turn}, b{0.9, 0.8, 0.5 + turn}, across{-0.06, 0.09, 0.02};
+    const Vec3 touch = a + at * (b - a);
+    const VertexIndex end = add(touch - across);
+    while (orient3d(a, b, touch + across, plc.points[end]) != Sign::positive)
+      plc.points[end].z = std::nextafter(plc.points[end].z, 1.0);
+    plc.add_triangle({add(a), add(b), add({0.5, 0.4, 0.1})});
+    plc.add_triangle({end, add(touch + across), add(touch + Vec3{0, 0, 0.2})});
+    return plc;
+  };
+  std::size_t n_in_trouble = 0;
+  for (int k = 1; k < 60 && n_in_trouble < 3; ++k) {
+    const PiecewiseLinearComplex plc = model(0.003 * k, 0.21 + 0.009 * k);
+    std::optional<ConstrainedTetrahedralization> mesh;
+    try {
+      mesh = tetrahedralize(plc, {}, {});
+    } catch (const Error&) {
+      FAIL("valid");
+    }
+    auto merged = remesh::merge_pieces(plc, {});
+    remesh::SampledComplex sampled = remesh::sample_surfaces(merged, *mesh, constant_size(), Slivers::stay, {});
+    ErrorContext trouble;
+    if (remesh::mesh_sampled(merged, *mesh, sampled, {}, &trouble)) continue;
+    ++n_in_trouble;
+    REQUIRE_FALSE(trouble.facets.empty());
+    remesh::WholeEdges whole;
+    REQUIRE(remesh::keep_whole(merged, sampled, trouble, whole));
+    sampled = remesh::sample_surfaces(merged, *mesh, constant_size(), Slivers::stay, {}, whole);
+    CHECK(remesh::mesh_sampled(merged, *mesh, sampled, {}));
+  }
+  CHECK(n_in_trouble > 0);
 }
 
 TEST_CASE("A sliver as wide as rounding is sampled without edges that cross", "[refine]") {
@@ -169,7 +214,7 @@ TEST_CASE("A sliver as wide as rounding is sampled without edges that cross", "[
   };
   CHECK(has_diagonal(static_cast<Index>(plc.n_facets() - 1)) == (slivers == Slivers::stay));
   CHECK(sampled.plc.points.size() > plc.points.size() + 100);
-  const auto fresh = remesh::mesh_sampled(merged, mesh, std::move(sampled), {});
+  const auto fresh = remesh::mesh_sampled(merged, mesh, sampled, {});
   REQUIRE(fresh);
   CHECK(volume_of(*fresh, 0) == Approx(volume_of(mesh, 0)));
 }

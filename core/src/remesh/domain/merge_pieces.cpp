@@ -294,4 +294,18 @@ MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Ind
   return out;
 }
 
+bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector<Index>& parent) {
+  std::sort(rows.begin(), rows.end());
+  std::vector<Index> n_merged(merged.plc.n_facets(), 0);
+  for (const Index row : merged.row_of_facet) ++n_merged[row];
+  bool any = false;
+  for (Index f = 0; f < parent.size(); ++f) {
+    const Index row = merged.row_of_facet[f];
+    if (n_merged[row] < 2 || !std::binary_search(rows.begin(), rows.end(), row)) continue;
+    parent[f] = no_index;
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace geomesh::remesh

@@ -22,6 +22,10 @@ struct MergedFacets {
 /// nothing else uses are in no facet any more. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
+/// Takes the parent from each facet that was merged with others to one of `rows`, so that it is not merged again.
+/// Whether there was any. O(n log m) for m rows.
+bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector<Index>& parent);
+
 /// The complex but for its facets and what is inside them.
 PiecewiseLinearComplex without_facets(const PiecewiseLinearComplex& plc);
 

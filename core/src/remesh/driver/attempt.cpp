@@ -51,20 +51,6 @@ RunContext counting_towards(double estimate, const RunContext& context) {
 /// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
-/// Takes their parents from the facets that were merged to one of `rows`. Whether there are any.
-bool take_apart(const MergedFacets& merged, const std::vector<Index>& rows, std::vector<Index>& parent) {
-  std::vector<Index> n_merged(merged.plc.n_facets(), 0);
-  for (const Index row : merged.row_of_facet) ++n_merged[row];
-  bool any = false;
-  for (Index f = 0; f < parent.size(); ++f) {
-    const Index row = merged.row_of_facet[f];
-    if (n_merged[row] < 2 || std::find(rows.begin(), rows.end(), row) == rows.end()) continue;
-    parent[f] = no_index;
-    any = true;
-  }
-  return any;
-}
-
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
 /// one by one would start from the slivers between them. Points are rounded: pieces of an edge may run through a
 /// facet that all but touches it. Then edges there stay whole, what was merged there comes apart, and all is tried
@@ -92,9 +78,9 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
       result.statistics.points_on_surfaces += n_on_facets;
       return true;
     }
-    const bool taken_apart = take_apart(merged, trouble.facets, parent);
-    if (!keep_whole(merged, sampled, trouble, whole) && !taken_apart) return false;
-    if (taken_apart) merged = merge_pieces(plc, parent);
+    const bool comes_apart = take_apart(merged, trouble.facets, parent);
+    if (!keep_whole(merged, sampled, trouble, whole) && !comes_apart) return false;
+    merged = merge_pieces(plc, parent);  // slivers may have been flipped in it
   }
   return false;
 }

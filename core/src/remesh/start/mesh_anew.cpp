@@ -121,7 +121,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::interrupted) throw;
     context.note(LogLevel::debug, std::string("not meshed anew: ") + e.what());
-    if (trouble) *trouble = e.context();
+    if (trouble && e.kind() == ErrorKind::invalid_input) *trouble = e.context();
     return std::nullopt;
   }
 }

@@ -353,7 +353,7 @@ SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedra
 
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
                                                           const ConstrainedTetrahedralization& mesh,
-                                                          SampledComplex sampled, const RunContext& context,
+                                                          const SampledComplex& sampled, const RunContext& context,
                                                           ErrorContext* trouble) {
   auto fresh = tetrahedralize_as(mesh, merged.row_of_facet, sampled.plc, context, trouble);
   if (!fresh) return std::nullopt;

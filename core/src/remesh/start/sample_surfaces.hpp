@@ -18,10 +18,10 @@
 
 namespace geomesh::remesh {
 
-/// The merged facets and the segments in their order with more points: rows of the PLC given first.
 /// Edges of a complex that are not cut, the lesser end first.
 using WholeEdges = std::set<std::array<VertexIndex, 2>>;
 
+/// The merged facets and the segments in their order with more points: rows of the PLC given first.
 struct SampledComplex {
   PiecewiseLinearComplex plc;
   std::vector<Index> segment;  ///< per row of plc.segments the row that it is a piece of
@@ -47,7 +47,7 @@ SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedra
 /// rounding made facets cross, or components cannot be told; `trouble` is then what the engine said of the place.
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
                                                           const ConstrainedTetrahedralization& mesh,
-                                                          SampledComplex sampled, const RunContext& context,
+                                                          const SampledComplex& sampled, const RunContext& context,
                                                           ErrorContext* trouble = nullptr);
 
 /// The edges of the facets in trouble, and those that the points in trouble were put on. Whether any is new.

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "arrangement/model/surface_ends.hpp"
 #include "arrangement/pockets/pocket_walls.hpp"
 #include "geomesh/core/surface_distance.hpp"
 
@@ -94,8 +95,7 @@ std::map<SurfaceEdge, Index> facets_at_edges(const Complex& complex) {
 
 std::set<SurfaceEdge> borders_of(const Complex& complex) {
   std::set<SurfaceEdge> borders;
-  for (const auto& [edge, n] : facets_at_edges(complex))
-    if (n == 1) borders.insert(borders.end(), edge);
+  for (const SurfaceEnd& end : surface_ends(complex)) borders.insert(borders.end(), {end.a, end.b, end.surface});
   return borders;
 }
 

@@ -11,8 +11,7 @@ namespace geomesh::geomodel::arrangement {
 /// No points fit between their sides, so that meshes get flat cells there. What is within the distance about them is
 /// brought together: corners become one, or come to lie on the edge beside them. So is a slit (mark_slits) that a
 /// needle has left. Places where a facet cannot follow stay. Where facets meet anew, all stay. Precondition: nothing
-/// meets. Cost: that of snap_near, of a copy for each place where some cannot follow, and of the contacts of what
-/// changed.
+/// meets. Cost: that of snap_near, a few times, and of the contacts of what changed.
 SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
                             std::size_t memory_bound);
 

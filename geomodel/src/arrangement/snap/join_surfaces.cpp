@@ -21,7 +21,7 @@ std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const 
   Complex joined = complex;
   SnapOutcome outcome = snap_near(joined, std::vector<std::uint8_t>(joined.facets.size(), 1),
                                   {joining.distance, joining.box, MoveToBox::none, rule});
-  if (!outcome.changed() || outcome.n_facets_left_alone > 0) return std::nullopt;
+  if (!outcome.changed() || !outcome.facets_left_alone.empty()) return std::nullopt;
   complex = std::move(joined);
   return outcome;
 }

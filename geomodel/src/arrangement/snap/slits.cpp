@@ -3,43 +3,12 @@
 
 #include <algorithm>
 #include <span>
-#include <tuple>
+
+#include "arrangement/model/surface_ends.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
 namespace {
-
-/// An edge, the lesser end first, a surface and a facet of it there.
-using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index, Index>;
-
-bool are_of_one_surface(const SurfaceEdge& x, const SurfaceEdge& y) {
-  return std::tie(std::get<0>(x), std::get<1>(x), std::get<2>(x)) ==
-         std::tie(std::get<0>(y), std::get<1>(y), std::get<2>(y));
-}
-
-/// Where surfaces end.
-std::vector<SurfaceEdge> ends_of(const Complex& complex) {
-  std::vector<SurfaceEdge> all;
-  for (Index f = 0; f < complex.facets.size(); ++f) {
-    const Triangle& t = complex.facets[f];
-    Index last = no_index;  // origins of one surface follow each other
-    for (const Origin& o : complex.origins.of(f)) {
-      if (o.surface == last) continue;
-      last = o.surface;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-        all.emplace_back(a, b, o.surface, f);
-      }
-    }
-  }
-  std::sort(all.begin(), all.end());
-  std::vector<SurfaceEdge> ends;
-  for (std::size_t i = 0, j; i < all.size(); i = j) {
-    for (j = i + 1; j < all.size() && are_of_one_surface(all[i], all[j]);) ++j;
-    if (j == i + 1) ends.push_back(all[i]);
-  }
-  return ends;
-}
 
 /// Facets by vertex.
 class FacetsAt {
@@ -73,14 +42,14 @@ bool is_beside(const Vec3& p, const Vec3& a, const Vec3& b, double distance) {
 
 void mark_slits(const Complex& complex, double distance, std::vector<std::uint8_t>& active) {
   const FacetsAt facets_at(complex);
-  for (const auto& [a, b, surface, f] : ends_of(complex)) {
-    const Triangle& own = complex.facets[f];
+  for (const SurfaceEnd& end : surface_ends(complex)) {
+    const Vec3 &a = complex.points[end.a], &b = complex.points[end.b];
+    const Triangle& own = complex.facets[end.facet];
     for (const VertexIndex v : own)
       for (const Index g : facets_at.of(v))
         for (const VertexIndex w : complex.facets[g])
-          if (std::find(own.begin(), own.end(), w) == own.end() &&
-              is_beside(complex.points[w], complex.points[a], complex.points[b], distance))
-            active[f] = active[g] = 1;
+          if (std::find(own.begin(), own.end(), w) == own.end() && is_beside(complex.points[w], a, b, distance))
+            active[end.facet] = active[g] = 1;
   }
 }
 

@@ -46,10 +46,10 @@ class Rebuilding {
       std::vector<VertexIndex> all = border;
       all.insert(all.end(), in.begin(), in.end());
       const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
-      outcome_.n_facets_left_alone += !split;
-      if (!split)
+      if (!split) {
+        outcome_.facets_left_alone.push_back(f);
         push(out, t, f, 1);
-      else if (split->empty())
+      } else if (split->empty())
         note_vanished(t, f);
       else
         for (const Triangle& piece : *split) push(out, piece, f, 1);

@@ -26,7 +26,8 @@ struct SnapOptions {
 
 struct SnapOutcome {
   std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
-  std::size_t n_facets_left_alone = 0;  ///< near vertices, but not to be split at them: neighbours may have been
+  std::vector<Index> facets_left_alone;  ///< near vertices, but not to be split at them: neighbours may have been; rows
+                                         ///< as they were
   std::vector<VanishedFacet> vanished;
   Displacement moved;  ///< of merged vertices, and of edges and facets at vertices inserted in them
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
