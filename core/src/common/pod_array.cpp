@@ -14,37 +14,109 @@ namespace {
 
 constexpr std::size_t line = 64;
 
-void* aligned(void* raw) {
+/// Blocks from malloc. The handle is what malloc gave.
+void* resize_small(void*& raw, void* data, std::size_t used, std::size_t bytes) {
+  const std::ptrdiff_t shift = raw ? static_cast<char*>(data) - static_cast<char*>(raw) : 0;
+  void* const moved = std::realloc(raw, bytes + line);
+  if (moved == nullptr) throw std::bad_alloc();
+  raw = moved;
   const auto address = reinterpret_cast<std::uintptr_t>(raw);
-  return reinterpret_cast<void*>((address + line - 1) / line * line);
+  auto* const start = static_cast<char*>(raw) + ((address + line - 1) / line * line - address);
+  if (used != 0 && start != static_cast<char*>(raw) + shift) std::memmove(start, static_cast<char*>(raw) + shift, used);
+  return start;
 }
 
-/// Random access over hundreds of megabytes misses the TLB at nearly every step with small pages.
-void ask_for_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) {
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::uintptr_t huge = std::uintptr_t{1} << 21;
-  const auto first = (reinterpret_cast<std::uintptr_t>(data) + huge - 1) / huge * huge;
-  const auto last = (reinterpret_cast<std::uintptr_t>(data) + bytes) / huge * huge;
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-#endif
+#if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+// Large blocks are mapped on their own, from the border of a huge page on. Random access over hundreds of megabytes
+// misses the TLB at nearly every step with small pages. A block grows in place, or moves by its tables of pages to
+// another such border: huge pages are neither copied nor broken up. The first line holds the length.
+
+constexpr std::size_t huge = std::size_t{1} << 21, least_mapped = 2 * huge;
+
+/// The handle of a mapped block has its lowest bit set.
+bool is_mapped(const void* raw) { return (reinterpret_cast<std::uintptr_t>(raw) & 1u) != 0; }
+char* base_of(void* raw) { return static_cast<char*>(raw) - 1; }
+std::size_t& length_of(char* base) { return *reinterpret_cast<std::size_t*>(base); }
+
+/// Advice: where it is not taken pages stay small.
+void ask_for_huge_pages(char* base, std::size_t length) { madvise(base, length, MADV_HUGEPAGE); }
+
+char* map_aligned(std::size_t length) {
+  void* const got = mmap(nullptr, length + huge, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (got == MAP_FAILED) throw std::bad_alloc();
+  const auto address = reinterpret_cast<std::uintptr_t>(got);
+  const std::size_t before = (address + huge - 1) / huge * huge - address;
+  char* const base = static_cast<char*>(got) + before;
+  if (before > 0) munmap(got, before);
+  munmap(base + length, huge - before);
+  return base;
 }
+
+char* move_mapped(char* base, std::size_t length) {
+  const std::size_t before = length_of(base);
+  if (mremap(base, before, length, 0) != MAP_FAILED) return base;
+  char* const target = map_aligned(length);
+  if (mremap(base, before, length, MREMAP_MAYMOVE | MREMAP_FIXED, target) != MAP_FAILED) return target;
+  munmap(target, length);
+  throw std::bad_alloc();
+}
+
+void release(void*& raw) {
+  if (is_mapped(raw))
+    munmap(base_of(raw), length_of(base_of(raw)));
+  else
+    std::free(raw);
+  raw = nullptr;
+}
+
+void* resize_large(void*& raw, void* data, std::size_t used, std::size_t bytes) {
+  const std::size_t length = (line + bytes + huge - 1) / huge * huge;
+  char* base = nullptr;
+  if (is_mapped(raw)) {
+    base = move_mapped(base_of(raw), length);
+  } else {
+    base = map_aligned(length);
+    ask_for_huge_pages(base, length);
+    if (used != 0) std::memcpy(base + line, data, used);
+    std::free(raw);
+  }
+  ask_for_huge_pages(base, length);
+  length_of(base) = length;
+  raw = base + 1;
+  return base + line;
+}
+
+void* resize(void*& raw, void* data, std::size_t used, std::size_t bytes) {
+  if (bytes >= least_mapped) return resize_large(raw, data, used, bytes);
+  if (!is_mapped(raw)) return resize_small(raw, data, used, bytes);
+  void* small = nullptr;
+  void* const start = resize_small(small, nullptr, 0, bytes);
+  std::memcpy(start, data, used < bytes ? used : bytes);
+  release(raw);
+  raw = small;
+  return start;
+}
+
+#else
+
+void release(void*& raw) {
+  std::free(raw);
+  raw = nullptr;
+}
+
+void* resize(void*& raw, void* data, std::size_t used, std::size_t bytes) {
+  return resize_small(raw, data, used, bytes);
+}
+
+#endif
 
 }  // namespace
 
 void* resize_block(void*& raw, void* data, std::size_t used, std::size_t bytes) {
-  if (bytes == 0) {
-    std::free(raw);
-    raw = nullptr;
-    return nullptr;
-  }
-  const std::ptrdiff_t shift = raw ? static_cast<char*>(data) - static_cast<char*>(raw) : 0;
-  void* moved = std::realloc(raw, bytes + line);
-  if (moved == nullptr) throw std::bad_alloc();
-  raw = moved;
-  void* start = aligned(raw);
-  if (used != 0 && start != static_cast<char*>(raw) + shift) std::memmove(start, static_cast<char*>(raw) + shift, used);
-  ask_for_huge_pages(start, bytes);
-  return start;
+  if (bytes != 0) return resize(raw, data, used, bytes);
+  release(raw);
+  return nullptr;
 }
 
 }  // namespace geomesh::detail

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "common/chunks.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/name_regions.hpp"
@@ -23,19 +23,43 @@ std::uint8_t kind_of(const ConstrainedTetrahedralization& mesh, const PolygonSou
 /// Points with those of kind input first, otherwise as the core orders them. Returns the new row of each point of the
 /// core.
 std::vector<VertexIndex> fill_points(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
-                                     ModelMesh& model) {
-  std::vector<VertexIndex> order(mesh.points.size()), row(mesh.points.size());
-  std::iota(order.begin(), order.end(), VertexIndex{0});
-  std::stable_partition(order.begin(), order.end(), [&](VertexIndex v) { return kind_of(mesh, soup, v) == 0; });
-  for (VertexIndex v : order) {
-    row[v] = static_cast<VertexIndex>(model.points.size());
-    model.points.push_back(mesh.points[v]);
-    model.point_kind.push_back(kind_of(mesh, soup, v));
-    const VertexIndex p = mesh.input_vertex[v];
-    const bool is_input = p != no_vertex && soup.input_point[p] != no_index;
-    model.input_vertex.push_back(is_input ? static_cast<std::int32_t>(soup.input_point[p]) : -1);
-  }
+                                     unsigned threads, ModelMesh& model) {
+  const std::size_t n = mesh.points.size();
+  std::vector<std::uint8_t> kinds(n);
+  const Chunks chunks(n);
+  chunks.for_each(threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) kinds[v] = kind_of(mesh, soup, static_cast<VertexIndex>(v));
+  });
+  std::vector<VertexIndex> row(n);
+  auto next = static_cast<VertexIndex>(std::count(kinds.begin(), kinds.end(), 0));
+  for (std::size_t v = 0, next_input = 0; v < n; ++v)
+    row[v] = kinds[v] == 0 ? static_cast<VertexIndex>(next_input++) : next++;
+  model.points.resize(n);
+  model.point_kind.resize(n);
+  model.input_vertex.resize(n);
+  chunks.for_each(threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      model.points[row[v]] = mesh.points[v];
+      model.point_kind[row[v]] = kinds[v];
+      const VertexIndex p = mesh.input_vertex[v];
+      const bool is_input = p != no_vertex && soup.input_point[p] != no_index;
+      model.input_vertex[row[v]] = is_input ? static_cast<std::int32_t>(soup.input_point[p]) : -1;
+    }
+  });
   return row;
+}
+
+void fill_tetrahedra(const ConstrainedTetrahedralization& mesh, const std::vector<VertexIndex>& row,
+                     const std::vector<std::int32_t>& id_of_component, unsigned threads, ModelMesh& model) {
+  model.tetrahedra.resize(mesh.tetrahedra.size());
+  model.tet_region.resize(mesh.tetrahedra.size());
+  Chunks(mesh.tetrahedra.size()).for_each(threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Tetrahedron& v = mesh.tetrahedra[t];
+      model.tetrahedra[t] = {row[v[0]], row[v[1]], row[v[2]], row[v[3]]};
+      model.tet_region[t] = id_of_component[mesh.component[t]];
+    }
+  });
 }
 
 /// For facets that stand for several soup facets (polygons on a box side): the triangles of the side they come from.
@@ -187,7 +211,7 @@ void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::
 }
 
 ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoint>& points, const NamingRules& rules,
-                          std::vector<std::string>& warnings) {
+                          std::vector<std::string>& warnings, unsigned threads) {
   const ConstrainedTetrahedralization& mesh = meshed.mesh;
   const Column column = make_column(rules.column, meshed.surfaces, warnings);
   NamedRegions named = name_regions(meshed, rules, column, warnings);
@@ -195,12 +219,8 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
 
   ModelMesh model;
   model.regions = std::move(named.regions);
-  const std::vector<VertexIndex> row = fill_points(mesh, meshed.soup, model);
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const Tetrahedron& v = mesh.tetrahedra[t];
-    model.tetrahedra.push_back({row[v[0]], row[v[1]], row[v[2]], row[v[3]]});
-    model.tet_region.push_back(named.id_of_component[mesh.component[t]]);
-  }
+  const std::vector<VertexIndex> row = fill_points(mesh, meshed.soup, threads, model);
+  fill_tetrahedra(mesh, row, named.id_of_component, threads, model);
   std::int32_t next_id = static_cast<std::int32_t>(model.regions.size()) + 1;
   std::vector<std::int32_t> surface_id;
   for (const TriangulatedSurface& surface : meshed.surfaces) {
@@ -217,11 +237,11 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
 }  // namespace
 
 ModelMesh name_model(const MeshedModel& model, const std::vector<NamedPoint>& points, const NamingRules& rules,
-                     std::vector<std::string>& warnings) {
-  if (rules.topography.empty() && rules.floor.empty()) return name_components(model, points, rules, warnings);
+                     std::vector<std::string>& warnings, unsigned threads) {
+  if (rules.topography.empty() && rules.floor.empty()) return name_components(model, points, rules, warnings, threads);
   const auto& [mesh, soup, plc, surfaces] = model;
   const ConstrainedTetrahedralization kept = within_ends(mesh, soup, plc, surfaces, rules, warnings);
-  return name_components({kept, soup, plc, surfaces}, points, rules, warnings);
+  return name_components({kept, soup, plc, surfaces}, points, rules, warnings, threads);
 }
 
 }  // namespace geomesh::geomodel

@@ -119,8 +119,8 @@ void require_valid(const ModelMesh& mesh, const PreparedModel& model, unsigned t
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
                           PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
-  ModelMesh mesh =
-      name_model({core, model.arrangement.soup, model.plc, model.surfaces}, model.points, model.naming, model.warnings);
+  ModelMesh mesh = name_model({core, model.arrangement.soup, model.plc, model.surfaces}, model.points, model.naming,
+                              model.warnings, recorder.context().threads);
   for (std::size_t i = known; i < model.warnings.size(); ++i)
     recorder.context().note(LogLevel::warning, model.warnings[i]);
   mesh.name = model.name;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "common/chunks.hpp"
 #include "geomesh/core/quality.hpp"
 #include "geomesh/geomodel/solver_verdict.hpp"
-#include "verify/chunks.hpp"
 
 namespace geomesh::geomodel {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/chunks.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
-#include "verify/chunks.hpp"
 
 namespace geomesh::geomodel {
 
@@ -77,12 +77,13 @@ FaceUses::FaceUses(const ModelMesh& mesh, unsigned threads) {
     for (auto& row : place) total += std::exchange(row[b], total);
   }
   begin_[n_blocks] = total;
-  uses_.resize(total);
+  uses_.grow_to(total);
   chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
     for_each_use(mesh, begin, end, [&](const FaceUse& use) { uses_[place[k][block_of(use)]++] = use; });
   });
-  for_each_task(n_blocks, threads,
-                [&](std::size_t b) { sort_block(std::span(uses_).subspan(begin_[b], begin_[b + 1] - begin_[b])); });
+  for_each_task(n_blocks, threads, [&](std::size_t b) {
+    sort_block({uses_.data() + begin_[b], begin_[b + 1] - begin_[b]});
+  });
 }
 
 }  // namespace geomesh::geomodel

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geomesh/core/pod_array.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"
 
 namespace geomesh::geomodel {
@@ -48,12 +49,10 @@ class FaceUses {
  public:
   FaceUses(const ModelMesh& mesh, unsigned threads);
   std::size_t n_blocks() const { return begin_.size() - 1; }
-  std::span<const FaceUse> block(std::size_t b) const {
-    return std::span(uses_).subspan(begin_[b], begin_[b + 1] - begin_[b]);
-  }
+  std::span<const FaceUse> block(std::size_t b) const { return {uses_.data() + begin_[b], begin_[b + 1] - begin_[b]}; }
 
  private:
-  std::vector<FaceUse> uses_;
+  PodArray<FaceUse> uses_;
   std::vector<std::size_t> begin_;  ///< by block; one more
 };
 

@@ -2,17 +2,18 @@
 // The invariants of a named mesh, declared in geomesh/geomodel/build_model.hpp.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 #include <span>
 
+#include "common/chunks.hpp"
 #include "common/parallel.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "geomesh/geomodel/build_model.hpp"
-#include "verify/chunks.hpp"
 #include "verify/face_uses.hpp"
 #include "verify/fault_list.hpp"
 
@@ -20,7 +21,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
+bool check_indices(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
   const std::size_t n = m.points.size(), before = faults.size();
   if (m.point_kind.size() != n || m.input_vertex.size() != n) faults.push_back("point arrays differ in length");
   if (m.tet_region.size() != m.tetrahedra.size()) faults.push_back("tet_region differs in length from tetrahedra");
@@ -33,8 +34,13 @@ bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
   };
   FaultList tets("tetrahedra with a vertex out of range"), faces("faces with a vertex or surface set out of range"),
       curves("curve edges with a vertex out of range"), marked("marked points out of range");
-  for (std::size_t t = 0; t < m.tetrahedra.size(); ++t)
-    if (bad(m.tetrahedra[t].begin(), m.tetrahedra[t].end())) tets.add(t);
+  const Chunks chunks(m.tetrahedra.size());
+  std::vector<FaultList> tets_of_chunk(chunks.size(), tets);
+  chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      if (bad(m.tetrahedra[t].begin(), m.tetrahedra[t].end())) tets_of_chunk[k].add(t);
+  });
+  for (const FaultList& of_chunk : tets_of_chunk) tets.append(of_chunk);
   for (std::size_t f = 0; f < m.faces.size(); ++f)
     if (bad(m.faces[f].vertices.begin(), m.faces[f].vertices.end()) || m.faces[f].surface_set < 0 ||
         static_cast<std::size_t>(m.faces[f].surface_set) >= m.surface_sets.size())
@@ -50,9 +56,11 @@ bool check_indices(const ModelMesh& m, std::vector<std::string>& faults) {
 void check_points(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
   FaultList unused("points of no tetrahedron"), not_finite("points that are not finite"),
       equal("points equal to another"), order("input points after added ones");
-  std::vector<bool> used(m.points.size(), false);
-  for (const Tetrahedron& t : m.tetrahedra)
-    for (VertexIndex v : t) used[v] = true;
+  std::vector<std::uint8_t> used(m.points.size(), 0);
+  Chunks(m.tetrahedra.size()).for_each(threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      for (const VertexIndex v : m.tetrahedra[t]) std::atomic_ref(used[v]).store(1, std::memory_order_relaxed);
+  });
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     if (!used[v]) unused.add(v);
     if (!std::isfinite(m.points[v].x) || !std::isfinite(m.points[v].y) || !std::isfinite(m.points[v].z))
@@ -164,21 +172,27 @@ void check_faces(const ModelMesh& m, unsigned threads, std::vector<std::string>&
   sets.flush(faults);
 }
 
-void check_curves(const ModelMesh& m, std::vector<std::string>& faults) {
+void check_curves(const ModelMesh& m, unsigned threads, std::vector<std::string>& faults) {
   if (m.curve_edges.empty()) return;
   std::vector<std::pair<VertexIndex, VertexIndex>> wanted;
   for (const auto& e : m.curve_edges) wanted.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  std::vector<bool> found(wanted.size(), false), on_curve(m.points.size(), false);
+  std::vector<bool> on_curve(m.points.size(), false);
+  std::vector<std::uint8_t> found(wanted.size(), 0);
   for (const auto& [a, b] : wanted) on_curve[a] = on_curve[b] = true;
-  for (const Tetrahedron& t : m.tetrahedra)
+  const auto look_for_edges = [&](const Tetrahedron& t) {
     for (const auto& [i, j] : edge_vertices) {
       if (!on_curve[t[i]] || !on_curve[t[j]]) continue;
       const std::pair key(std::min(t[i], t[j]), std::max(t[i], t[j]));
       const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
-      if (at != wanted.end() && *at == key) found[static_cast<std::size_t>(at - wanted.begin())] = true;
+      if (at == wanted.end() || *at != key) continue;
+      std::atomic_ref(found[static_cast<std::size_t>(at - wanted.begin())]).store(1, std::memory_order_relaxed);
     }
+  };
+  Chunks(m.tetrahedra.size()).for_each(threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) look_for_edges(m.tetrahedra[t]);
+  });
   FaultList missing("curve edges that are no edge of a tetrahedron");
   for (std::size_t e = 0; e < wanted.size(); ++e)
     if (!found[e]) missing.add(e);
@@ -221,11 +235,11 @@ void check_ids(const ModelMesh& m, std::vector<std::string>& faults) {
 
 std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned threads) {
   std::vector<std::string> faults;
-  if (!check_indices(mesh, faults)) return faults;
+  if (!check_indices(mesh, threads, faults)) return faults;
   check_points(mesh, threads, faults);
   check_tetrahedra(mesh, threads, faults);
   if (faults.empty()) check_faces(mesh, threads, faults);
-  check_curves(mesh, faults);
+  check_curves(mesh, threads, faults);
   check_ids(mesh, faults);
   return faults;
 }

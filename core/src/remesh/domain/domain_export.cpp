@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/geometry.hpp"
+#include "common/parallel.hpp"
 #include "common/sort_unique.hpp"
 #include "remesh/domain/domain_io.hpp"
 
@@ -11,11 +12,18 @@ namespace geomesh::remesh {
 namespace {
 
 using Edge = std::array<VertexIndex, 2>;
+using Face = ConstrainedTetrahedralization::Face;
 
 class Exporter {
  public:
-  Exporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before, ExportScratch& scratch)
-      : domain_(domain), before_(before), marks_(scratch.marks), row_(scratch.vertex_row), cell_row_(scratch.cell_row) {
+  Exporter(const DomainMesh& domain, const ConstrainedTetrahedralization& before, ExportScratch& scratch,
+           unsigned threads = 1)
+      : domain_(domain),
+        before_(before),
+        marks_(scratch.marks),
+        row_(scratch.vertex_row),
+        cell_row_(scratch.cell_row),
+        threads_(threads) {
     row_.resize(std::max(row_.size(), domain.n_vertices()), no_vertex);
     cell_row_.resize(std::max<std::size_t>(cell_row_.size(), domain.n_slots()), no_index);
   }
@@ -24,7 +32,10 @@ class Exporter {
     for (VertexIndex v = 0; v < domain_.n_vertices(); ++v)
       if (domain_.kind(v) != VertexKind::dead) add_vertex(v);
     cells_.reserve(domain_.n_cells());
-    for (const CellIndex c : domain_.live_cells()) add_cell(c);
+    for (const CellIndex c : domain_.live_cells()) {
+      cell_row_[c] = static_cast<Index>(cells_.size());
+      cells_.push_back(c);
+    }
     out_.n_components = before_.n_components;
     out_.component_seed = before_.component_seed;
     out_.recovery = before_.recovery;
@@ -87,21 +98,13 @@ class Exporter {
     out_.points.reserve(vertices_.size());
     out_.input_vertex.reserve(vertices_.size());
     out_.origin.reserve(vertices_.size());
-    out_.tetrahedra.reserve(cells_.size());
-    out_.component.reserve(cells_.size());
     for (const VertexIndex v : vertices_) {
       row_[v] = static_cast<VertexIndex>(out_.points.size());
       out_.points.push_back(domain_.point(v));
       out_.input_vertex.push_back(input_of(v));
       out_.origin.push_back(origin_of(v));
     }
-    for (const CellIndex c : cells_) {
-      Tetrahedron t = domain_.vertices(c);
-      for (VertexIndex& v : t) v = row_[v];
-      out_.tetrahedra.push_back(t);
-      out_.component.push_back(domain_.component(c));
-      for (unsigned i = 0; i < 4; ++i) add_face(FaceRef(c, i));
-    }
+    fill_cells();
     std::stable_sort(out_.faces.begin(), out_.faces.end(),
                      [](const auto& a, const auto& b) { return a.facet < b.facet; });
     for (const auto& [a, b] : curves)
@@ -111,8 +114,27 @@ class Exporter {
                      [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
+  /// Cells, once vertices have their rows, and constrained faces in the order of the cells.
+  void fill_cells() {
+    constexpr std::size_t chunk = 16384;
+    out_.tetrahedra.resize(cells_.size());
+    out_.component.resize(cells_.size());
+    std::vector<std::vector<Face>> faces((cells_.size() + chunk - 1) / chunk);
+    for_each_task(faces.size(), threads_, [&](std::size_t task) {
+      for (std::size_t k = task * chunk; k < std::min(cells_.size(), (task + 1) * chunk); ++k) {
+        const CellIndex c = cells_[k];
+        Tetrahedron t = domain_.vertices(c);
+        for (VertexIndex& v : t) v = row_[v];
+        out_.tetrahedra[k] = t;
+        out_.component[k] = domain_.component(c);
+        for (unsigned i = 0; i < 4; ++i) add_face(FaceRef(c, i), faces[task]);
+      }
+    });
+    for (const std::vector<Face>& of_task : faces) out_.faces.insert(out_.faces.end(), of_task.begin(), of_task.end());
+  }
+
   /// Once: from above, or where the cell there is none of those exported.
-  void add_face(FaceRef face) {
+  void add_face(FaceRef face, std::vector<Face>& faces) const {
     const FaceTag tag = domain_.tag(face);
     if (!tag.constrained() || tag.facet() == hull_facet) return;
     const FaceRef other = domain_.cells().mirror(face);
@@ -120,12 +142,12 @@ class Exporter {
     if (!tag.above() && there != no_index) return;
     Triangle t = domain_.facet_face(face);
     for (VertexIndex& v : t) v = row_[v];
-    ConstrainedTetrahedralization::Face f;
+    Face f;
     f.vertices = t;
     f.facet = tag.facet();
     f.tetrahedron_above = tag.above() ? here : no_index;
     f.tetrahedron_below = tag.above() ? there : here;
-    out_.faces.push_back(f);
+    faces.push_back(f);
   }
 
   std::vector<Edge> curves_of_cells() const {
@@ -144,6 +166,7 @@ class Exporter {
   EpochMarks& marks_;
   std::vector<VertexIndex>& row_;
   std::vector<Index>& cell_row_;
+  unsigned threads_;
   std::vector<CellIndex> cells_;
   std::vector<VertexIndex> vertices_;
   ConstrainedTetrahedralization out_;
@@ -156,9 +179,10 @@ VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedrali
   return domain.point(v) == before.points[v] ? before.input_vertex[v] : no_vertex;
 }
 
-ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before) {
+ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before,
+                                            unsigned threads) {
   ExportScratch scratch;
-  return Exporter(domain, before, scratch).whole();
+  return Exporter(domain, before, scratch, thread_count(threads)).whole();
 }
 
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,

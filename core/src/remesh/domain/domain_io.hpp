@@ -27,7 +27,8 @@ DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTet
 
 /// Input vertices that are still where they were first, in input order, then the others by row. Cells by row; faces by
 /// facet.
-ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before);
+ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before,
+                                            unsigned threads = 1);
 
 /// Row of v in the input PLC where it is still at its place.
 VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v);

@@ -26,19 +26,13 @@ void DomainMesh::reserve(std::size_t n_vertices, std::size_t n_cells) {
   cell_of_.reserve(n_vertices);
   changed_.reserve(n_vertices);
   mesh_.reserve(n_cells);
-  attributes_.component.reserve(n_cells);
-  attributes_.tags.reserve(n_cells);
-  attributes_.shape.reserve(n_cells);
+  attributes_.reserve(n_cells);
 }
 
 CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, double shape) {
   const CellIndex c = mesh_.add_cell(vertices);
   if (journal_.is_open) journal_.note_added(c);
-  if (c == attributes_.component.size()) {
-    attributes_.component.push_back(component);
-    attributes_.tags.emplace_back();
-    attributes_.shape.push_back(0);
-  }
+  attributes_.grow_to(c + std::size_t{1});
   set_cell(c, {vertices, component, {}, shape}, clock_);
   return c;
 }
@@ -176,9 +170,7 @@ void DomainMesh::undo_trial() {
       mesh_.free_cell(event->cell);
     else
       mesh_.drop_slots_from(event->cell);
-  attributes_.component.resize(mesh_.n_slots());
-  attributes_.tags.resize(mesh_.n_slots());
-  attributes_.shape.resize(mesh_.n_slots());
+  attributes_.truncate(mesh_.n_slots());
   for (const SavedCell& s : journal_.cells) {
     mesh_.cells()[s.cell] = s.links;
     attributes_.component[s.cell] = s.component;

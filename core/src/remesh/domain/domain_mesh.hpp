@@ -44,9 +44,26 @@ struct DomainAttributes {
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
-  std::vector<Index> component;
-  std::vector<std::array<FaceTag, 4>> tags;
-  std::vector<double> shape;
+  /// Room for so many cells; what they carry is to be set.
+  void grow_to(std::size_t n) {
+    component.grow_to(n);
+    tags.grow_to(n);
+    shape.grow_to(n);
+  }
+  void truncate(std::size_t n) {
+    component.truncate(n);
+    tags.truncate(n);
+    shape.truncate(n);
+  }
+  void reserve(std::size_t n) {
+    component.reserve(n);
+    tags.reserve(n);
+    shape.reserve(n);
+  }
+
+  PodArray<Index> component;
+  PodArray<std::array<FaceTag, 4>> tags;
+  PodArray<double> shape;
 };
 
 struct MeshPart;

@@ -10,9 +10,10 @@ void DomainMesh::open_block(BlockEdit& block, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     const CellIndex c = mesh_.add_cell({no_vertex, no_vertex, no_vertex, no_vertex});
     if (c == attributes_.component.size()) {
-      attributes_.component.push_back(no_index);
-      attributes_.tags.emplace_back();
-      attributes_.shape.push_back(0);
+      attributes_.grow_to(c + std::size_t{1});
+      attributes_.component[c] = no_index;
+      attributes_.tags[c] = {};
+      attributes_.shape[c] = 0;
     }
     block.free.push_back(c);
   }

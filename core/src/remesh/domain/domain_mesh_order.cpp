@@ -14,10 +14,10 @@ namespace {
 std::size_t with_spare_slots(std::size_t n) { return n + n / 32; }
 
 template <class Value>
-void permute(std::vector<Value>& values, const std::vector<CellIndex>& old_index, unsigned threads) {
-  std::vector<Value> sorted;
+void permute(PodArray<Value>& values, const std::vector<CellIndex>& old_index, unsigned threads) {
+  PodArray<Value> sorted;
   sorted.reserve(with_spare_slots(old_index.size()));
-  sorted.resize(old_index.size());
+  sorted.grow_to(old_index.size());
   for_each_index(old_index.size(), threads, [&](std::size_t c) { sorted[c] = values[old_index[c]]; });
   values = std::move(sorted);
 }

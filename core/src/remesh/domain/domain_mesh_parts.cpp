@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DomainMesh taken apart by components and put together again.
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "common/parallel.hpp"
@@ -80,17 +81,25 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
   CellIndex end = n_slots();
   for (const CellIndex c : mesh.live_cells()) row_of_cell[c] = end++;
   mesh_.grow_to(end);
-  attributes_.component.resize(end);
-  attributes_.tags.resize(end);
-  attributes_.shape.resize(end);
+  attributes_.grow_to(end);
   std::vector<std::vector<OpenFace>> found((mesh.n_slots() + chunk - 1) / chunk);
   for_each_task(found.size(), threads, [&](std::size_t k) {
     for (std::size_t c = k * chunk; c < std::min<std::size_t>(mesh.n_slots(), (k + 1) * chunk); ++c)
       if (row_of_cell[c] != no_cell) copy_cell({mesh, row, row_of_cell}, static_cast<CellIndex>(c), found[k]);
   });
   for (const auto& of_chunk : found) open.insert(open.end(), of_chunk.begin(), of_chunk.end());
-  for (const CellIndex c : mesh.live_cells())
-    for (const VertexIndex v : mesh.vertices(c)) cell_of_[row[v]] = row_of_cell[c], changed_[row[v]] = clock_;
+  // The last of its cells, which is of this part where the vertex was in others before.
+  for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
+    if (row_of_cell[c] == no_cell) return;
+    for (const VertexIndex v : mesh.vertices(static_cast<CellIndex>(c))) {
+      std::atomic_ref last(cell_of_[row[v]]);
+      CellIndex known = last.load(std::memory_order_relaxed);
+      while ((known == no_cell || known < row_of_cell[c]) &&
+             !last.compare_exchange_weak(known, row_of_cell[c], std::memory_order_relaxed)) {
+      }
+    }
+  });
+  for (const VertexIndex v : row) changed_[v] = clock_;
 }
 
 /// Into its own slot. Links with cells of its component, whose rows are known; `open` gets the other faces.

@@ -125,7 +125,7 @@ void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const R
                       const RunContext& context) {
   constexpr unsigned most_rounds = 2;
   for (unsigned round = 0; round < most_rounds && is_stuck(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
-    input = export_domain(tools.mesh, input);
+    input = export_domain(tools.mesh, input, context.threads);
     tools.mesh = {};
     tools.vertex_size = {};
     const bool is_fresh = mesh_anew(input, context);
@@ -156,7 +156,7 @@ void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const Constrained
   renew_facets(tools.mesh, tools.guard, plc);
   const std::string fault = tools.mesh.validate(threads);
   if (!fault.empty()) throw InternalError("refinement: " + fault);
-  result.mesh = export_domain(tools.mesh, input);
+  result.mesh = export_domain(tools.mesh, input, threads);
 }
 
 /// Of the estimate: what is beyond makes the rest of the run as much longer, and is told before it begins.

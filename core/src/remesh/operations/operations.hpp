@@ -122,9 +122,9 @@ struct Sphere {
 };
 
 struct InsertionRule {
-  double spacing = 0;                            ///< no vertex of the cavity nearer than this
-  double min_shape = 0;                          ///< the worst new shape must be above this
-  const std::vector<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
+  double spacing = 0;                         ///< no vertex of the cavity nearer than this
+  double min_shape = 0;                       ///< the worst new shape must be above this
+  const PodArray<Sphere>* spheres = nullptr;  ///< those of all live cells, where the caller keeps them
 };
 
 /// The cell that p is in, by a walk from `start`; nothing where a constrained face is in the way, or the walk does not

@@ -21,7 +21,8 @@ constexpr double spacing_ratio = refine_ratios.spacing;
 /// 1993; Frey, Borouchaki and George 1998). Where the front's point is refused, the circumcentre.
 class InsideRefiner {
  public:
-  InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
+  InsideRefiner(Toolbox& tools, std::size_t max_cells, Insertions expected)
+      : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells), keeps_spheres_(expected == Insertions::many) {}
 
   std::size_t run(const RunContext& context) {
     mesh_.sort_cells(context.threads);
@@ -54,6 +55,11 @@ class InsideRefiner {
   /// those beyond it.
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
 
+  /// Two bytes, since each cell has three of them. Passes beyond the last number share it, with the start of the first
+  /// of these: cells are then tried more often than need be.
+  using PassNumber = std::uint16_t;
+  static constexpr std::size_t last_pass = std::numeric_limits<PassNumber>::max();
+
   bool is_many(std::size_t n_large) const {
     return static_cast<double>(n_large) > refine_ratios.many_stuck * static_cast<double>(mesh_.n_cells());
   }
@@ -73,15 +79,16 @@ class InsideRefiner {
   }
 
   void make_room() {
-    if (mesh_.n_slots() <= spheres_.size()) return;
-    spheres_.resize(mesh_.n_slots() + mesh_.n_slots() / 8);
-    large_.resize(spheres_.size(), 0);
+    if (keeps_spheres_) spheres_.grow_to(mesh_.n_slots());
+    large_.grow_to(mesh_.n_slots());
   }
   /// To be called for each cell that is made, once there is room for all.
   void measure(CellIndex c) {
-    spheres_[c] = circumsphere(mesh_, c);
-    large_[c] = !(spheres_[c].radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
+    const Sphere s = circumsphere(mesh_, c);
+    if (keeps_spheres_) spheres_[c] = s;
+    large_[c] = !(s.radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
   }
+  Sphere sphere_of(CellIndex c) const { return keeps_spheres_ ? spheres_[c] : circumsphere(mesh_, c); }
   bool is_large(CellIndex c) const { return large_[c]; }
 
   /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception. By
@@ -99,8 +106,9 @@ class InsideRefiner {
 
   /// One visit to each large cell; `large` becomes what is still large, new cells included.
   std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
-    const auto number = static_cast<unsigned>(starts_.size());
-    starts_.push_back(mesh_.tick());
+    const auto number = static_cast<PassNumber>(std::min<std::size_t>(starts_.size(), last_pass));
+    starts_.resize(number + std::size_t{1});
+    starts_[number] = mesh_.tick();
     order_by_size(large);
     std::vector<CellIndex> next;
     std::size_t n = 0;
@@ -108,7 +116,7 @@ class InsideRefiner {
       if (k % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
       const CellIndex c = large[k];
       if (!mesh_.is_live(c) || !is_large(c)) continue;
-      unsigned& refused = refusal(kind, c);
+      PassNumber& refused = refusal(kind, c);
       const bool is_in_vain = refused > 0 && !changed_since(mesh_, mesh_.vertices(c), starts_[refused]);
       if (is_in_vain ||
           !(kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front))) {
@@ -130,8 +138,8 @@ class InsideRefiner {
 
   /// By kind of pass and cell: the last one that placed no point there; 0: none. It is tried again once cells were made
   /// at a vertex of it since that pass began, as where its slot was used anew.
-  unsigned& refusal(Kind kind, CellIndex c) {
-    std::vector<unsigned>& refused = refused_[static_cast<std::size_t>(kind)];
+  PassNumber& refusal(Kind kind, CellIndex c) {
+    std::vector<PassNumber>& refused = refused_[static_cast<std::size_t>(kind)];
     if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
     return refused[c];
   }
@@ -176,13 +184,14 @@ class InsideRefiner {
     if (!home || surely_crowds(p, *home)) return std::nullopt;
     const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
     if (h >= crowded) return std::nullopt;
-    const auto v = insert_in_cell(tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, &spheres_});
+    const auto v = insert_in_cell(
+        tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, keeps_spheres_ ? &spheres_ : nullptr});
     if (v) tools_.set_size(*v, h);
     return v;
   }
 
   std::optional<VertexIndex> insert_on_front(CellIndex c) {
-    const Vec3 centre = spheres_[c].centre;
+    const Vec3 centre = sphere_of(c).centre;
     for (unsigned i = 0; i < 4; ++i) {
       const bool constrained = mesh_.tag(c, i).constrained();
       if (!constrained && is_large(mesh_.cells().neighbor_cell(c, i))) continue;
@@ -223,7 +232,7 @@ class InsideRefiner {
   /// distance.
   std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return std::nullopt;
-    const Sphere s = spheres_[c];
+    const Sphere s = sphere_of(c);
     if (!(s.radius < 1e300)) return std::nullopt;
     if (const auto v = insert(s.centre, c)) return v;
     return insert(mesh_.middle(mesh_.vertices(c)), c);
@@ -234,15 +243,16 @@ class InsideRefiner {
   std::size_t max_cells_;
   const double steepest_ = tools_.size.steepest();
   std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
-  std::vector<Sphere> spheres_;           // by cell
-  std::vector<std::uint8_t> large_;       // by cell: whether its circumradius over the asked size is
-  std::array<std::vector<unsigned>, 3> refused_;
+  bool keeps_spheres_;                    // many points: each cell's sphere is asked for again and again
+  PodArray<Sphere> spheres_;              // by cell, where they are kept
+  PodArray<std::uint8_t> large_;          // by cell: whether its circumradius over the asked size is
+  std::array<std::vector<PassNumber>, 3> refused_;
 };
 
 }  // namespace
 
-std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context) {
-  return InsideRefiner(tools, max_cells).run(context);
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context, Insertions expected) {
+  return InsideRefiner(tools, max_cells, expected).run(context);
 }
 
 }  // namespace geomesh::remesh

@@ -56,8 +56,12 @@ void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunC
 /// Inserts points on faces larger than asked, front by front from curves and small faces.
 std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
+/// How many points are to come: where many are, cells are put in order first and each keeps its circumsphere.
+enum class Insertions : bool { few, many };
+
 /// Inserts points into cells larger than asked until there are none that admit one.
-std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context,
+                          Insertions expected = Insertions::many);
 
 /// The same in all components at once, on all cores, with the same result whatever their number. On one where sizes are
 /// a function of the caller.

@@ -12,41 +12,44 @@ namespace geomesh::remesh {
 
 namespace {
 
+/// visit(a, b) for the edges of all cells, a < b, on several threads.
 template <class Visit>
-void for_each_cell_edge(const DomainMesh& mesh, const Visit& visit) {
-  for (CellIndex c = 0; c < mesh.n_slots(); ++c)
-    if (mesh.is_live(c))
-      for (const auto& e : edge_vertices) {
-        const VertexIndex a = mesh.vertices(c)[e[0]], b = mesh.vertices(c)[e[1]];
-        visit(std::min(a, b), std::max(a, b));
-      }
+void for_each_cell_edge(const DomainMesh& mesh, unsigned threads, const Visit& visit) {
+  for_each_index(mesh.n_slots(), threads, [&](std::size_t slot) {
+    const auto c = static_cast<CellIndex>(slot);
+    if (!mesh.is_live(c)) return;
+    for (const auto& e : edge_vertices) {
+      const VertexIndex a = mesh.vertices(c)[e[0]], b = mesh.vertices(c)[e[1]];
+      visit(std::min(a, b), std::max(a, b));
+    }
+  });
 }
 
-/// Calls visit(a, b) for each edge once, a < b: a counting sort by a, then short sorts.
-/// By edge's lower vertex: the upper ones, once for each cell that has the edge.
+/// By edge's lower vertex: the upper ones, once for each cell that has the edge, in any order. A counting sort.
 struct EdgeEnds {
-  explicit EdgeEnds(const DomainMesh& mesh) : first(mesh.n_vertices() + 1, 0) {
-    for_each_cell_edge(mesh, [&](VertexIndex a, VertexIndex) { ++first[a + 1]; });
+  EdgeEnds(const DomainMesh& mesh, unsigned threads) : first(mesh.n_vertices() + 1, 0) {
+    const auto next_at = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };
+    for_each_cell_edge(mesh, threads, [&](VertexIndex a, VertexIndex) { next_at(first[a + std::size_t{1}]); });
     for (std::size_t v = 0; v < mesh.n_vertices(); ++v) first[v + 1] += first[v];
-    upper.resize(first.back());
+    upper.grow_to(first.back());
     std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for_each_cell_edge(mesh, [&](VertexIndex a, VertexIndex b) { upper[next[a]++] = b; });
+    for_each_cell_edge(mesh, threads, [&](VertexIndex a, VertexIndex b) { upper[next_at(next[a])] = b; });
   }
   std::vector<std::size_t> first;
-  std::vector<VertexIndex> upper;
+  PodArray<VertexIndex> upper;
 };
 
 }  // namespace
 
-double share_of_edges_within_size(Toolbox& tools, unsigned threads) {
+double share_of_edges_within_size(Toolbox& tools, unsigned asked_threads) {
+  const unsigned threads = thread_count(asked_threads);
   const DomainMesh& mesh = tools.mesh;
   tools.know_sizes(threads);
-  EdgeEnds edges(mesh);
+  EdgeEnds edges(mesh, threads);
   std::atomic<std::size_t> n = 0, within = 0;
-  for_each_index(mesh.n_vertices(), thread_count(threads), [&](std::size_t v) {
+  for_each_index(mesh.n_vertices(), threads, [&](std::size_t v) {
     const auto a = static_cast<VertexIndex>(v);
-    const std::span<VertexIndex> ends =
-        std::span(edges.upper).subspan(edges.first[v], edges.first[v + 1] - edges.first[v]);
+    const std::span<VertexIndex> ends(edges.upper.data() + edges.first[v], edges.first[v + 1] - edges.first[v]);
     std::sort(ends.begin(), ends.end());
     const auto last = std::unique(ends.begin(), ends.end());
     std::size_t n_within = 0;

@@ -94,7 +94,7 @@ struct NamingRules {
 /// Appends to `warnings`: units that join through a gap, regions that got a suffix, horizons that stop short or have
 /// holes. Throws Error{usage} where the column is malformed or names a horizon that is not there.
 ModelMesh name_model(const MeshedModel& model, const std::vector<NamedPoint>& points, const NamingRules& rules,
-                     std::vector<std::string>& warnings);
+                     std::vector<std::string>& warnings, unsigned threads = 1);
 
 /// Lists every fault against the invariants of ModelMesh (empty: none). Runs before anything is written.
 std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned threads = 0);
