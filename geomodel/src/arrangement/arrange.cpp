@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The driver of the arrangement, declared in geomesh/geomodel/arrangement.hpp.
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
@@ -16,6 +13,7 @@
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
+#include "common/thread_limit.hpp"
 #include "geomesh/geomodel/model_error.hpp"
 #include "geomesh/geomodel/words.hpp"
 
@@ -351,9 +349,7 @@ class Arrangement {
 ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
                           const std::vector<NamedPoint>& points, const ArrangementOptions& options,
                           const RunContext& context) {
-  std::unique_ptr<tbb::global_control> limit;
-  if (context.threads > 0)
-    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, context.threads);
+  const ThreadLimit limit(context.threads);
   return Arrangement(surfaces, polylines, points, options, context).run();
 }
 

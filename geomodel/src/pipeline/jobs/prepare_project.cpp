@@ -2,6 +2,7 @@
 // The model of a project, declared in pipeline/jobs/prepare.hpp.
 #include <nlohmann/json.hpp>
 
+#include "common/thread_limit.hpp"
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/geomodel/ask_stack.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -101,6 +102,7 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
 }  // namespace
 
 void prepare_project(const Project& project, PreparedModel& model, const RunContext& context) {
+  const ThreadLimit limit(context.threads);
   refuse_scaling(project);
   ProjectInputs inputs = [&] {
     StageScope stage(context, "read");

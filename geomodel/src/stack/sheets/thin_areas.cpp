@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/parallel.hpp"
+
 namespace geomesh::geomodel {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr double most_cells = 1e6;
 constexpr std::uint32_t few_samples = 4;  // of a cell
 constexpr int places_a_side = 3;          // of a cell with few samples
 constexpr int smoothing_passes = 4;
+constexpr std::size_t cells_a_task = 1024;
 constexpr double least_squares = 2;       // area of an island, in squares of the size
 constexpr double surely_thin = 0.75;      // of the least thickness
 constexpr double surely_thick = 1.5;      // of the least thickness
@@ -53,12 +56,17 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
     for (std::size_t k = 0; k < n; ++k) means[k].values[cell] += heights[k];
     ++counts[cell];
   }
-  for (std::size_t cell = 0; cell < like.size(); ++cell)
+  const auto fill = [&](std::size_t cell) {
     if (counts[cell] < few_samples) {
       average_places(samples, like, cell, means);
     } else {
       for (MapRaster& m : means) m.values[cell] /= counts[cell];
     }
+  };
+  parallel_for((like.size() + cells_a_task - 1) / cells_a_task, [&](std::size_t task) {
+    const std::size_t end = std::min(like.size(), (task + 1) * cells_a_task);
+    for (std::size_t cell = task * cells_a_task; cell < end; ++cell) fill(cell);
+  });
   return means;
 }
 
