@@ -173,6 +173,13 @@ output: {directory: out, formats: [vtu]}
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("reach%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
 
+    def test_surfaces_are_whole_where_facets_vanished(self):
+        """A fault had a hole before a facet that two others shared (825861). Of an intersection nothing was left but its point, beside a closed
+        pocket (860835)."""
+        for seed in (825861, 860835):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("whole%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
+
     def test_faces_at_right_angles_to_their_horizon_tell_no_side_of_it(self):
         """A face of 3 m2 on a fault, which bears a horizon that ends there, named a region of 4 km3 for the judge (820328)."""
         self.assertEqual(outcome_of(820328, self.path("sides"), PROGRAM, 60, light=True), ("passes", ""))

@@ -8,6 +8,7 @@
 #include "arrangement/diagnosis/near_surfaces.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
+#include "arrangement/pockets/fill_holes.hpp"
 #include "arrangement/snap/flatten_slivers.hpp"
 #include "arrangement/snap/join_patches.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
@@ -251,6 +252,7 @@ class Arrangement {
     }
     if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
+    if (options_.tolerance > 0) fill_holes(complex, options_.tolerance);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);

@@ -20,16 +20,35 @@ std::uint8_t kind_of(const ConstrainedTetrahedralization& mesh, const PolygonSou
   return soup.kind[mesh.input_vertex[v]] == SoupVertexKind::input ? 0 : 1;
 }
 
+/// Where surfaces were brought together, or a pocket was closed, points may be left at which nothing meets any more:
+/// those with faces of one surface, and no curve, are points on a facet.
+void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t>& kinds) {
+  constexpr std::uint8_t intersection = 1;
+  constexpr auto on_facet = static_cast<std::uint8_t>(VertexOrigin::on_facet);
+  const auto& [mesh, soup, plc, surfaces] = meshed;
+  std::map<VertexIndex, std::set<Index>> surfaces_at;
+  for (const auto& face : mesh.faces)
+    for (const VertexIndex v : face.vertices)
+      if (kinds[v] == intersection)
+        for (const PolygonSoup::Origin& origin : origins_of(soup, plc, face.facet))
+          surfaces_at[v].insert(origin.surface);
+  for (const auto& edge : mesh.edges)
+    if (!plc.segment_curves[edge.segment].empty()) surfaces_at.erase(edge.a), surfaces_at.erase(edge.b);
+  for (const auto& [v, at] : surfaces_at)
+    if (at.size() == 1) kinds[v] = on_facet;
+}
+
 /// Points with those of kind input first, otherwise as the core orders them. Returns the new row of each point of the
 /// core.
-std::vector<VertexIndex> fill_points(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
-                                     unsigned threads, ModelMesh& model) {
+std::vector<VertexIndex> fill_points(const MeshedModel& meshed, unsigned threads, ModelMesh& model) {
+  const auto& [mesh, soup, plc, surfaces] = meshed;
   const std::size_t n = mesh.points.size();
   std::vector<std::uint8_t> kinds(n);
   const Chunks chunks(n);
   chunks.for_each(threads, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) kinds[v] = kind_of(mesh, soup, static_cast<VertexIndex>(v));
   });
+  name_what_meets_nothing(meshed, kinds);
   std::vector<VertexIndex> row(n);
   auto next = static_cast<VertexIndex>(std::count(kinds.begin(), kinds.end(), 0));
   for (std::size_t v = 0, next_input = 0; v < n; ++v)
@@ -219,7 +238,7 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
 
   ModelMesh model;
   model.regions = std::move(named.regions);
-  const std::vector<VertexIndex> row = fill_points(mesh, meshed.soup, threads, model);
+  const std::vector<VertexIndex> row = fill_points(meshed, threads, model);
   fill_tetrahedra(mesh, row, named.id_of_component, threads, model);
   std::int32_t next_id = static_cast<std::int32_t>(model.regions.size()) + 1;
   std::vector<std::int32_t> surface_id;

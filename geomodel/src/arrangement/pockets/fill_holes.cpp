@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/pockets/fill_holes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "arrangement/model/surface_ends.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+namespace {
+
+using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends, the lesser first, and a surface
+
+/// Whether the facet's corners go from a to b.
+bool goes_along(const Triangle& t, VertexIndex a, VertexIndex b) {
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
+
+/// The surface's origin of the facet beside, turned as the surface goes on over the edge to `t`.
+Origin carried_over(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
+  const auto of = complex.origins.of(end.facet);
+  Origin o = *std::find_if(of.begin(), of.end(), [&](const Origin& own) { return own.surface == end.surface; });
+  if (goes_along(t, end.a, end.b) == goes_along(complex.facets[end.facet], end.a, end.b)) o.reversed = !o.reversed;
+  return o;
+}
+
+bool is_low(const Complex& complex, const Triangle& t, double height) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, length(complex.points[t[(k + 1) % 3]] - complex.points[t[k]]));
+  return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) <= height * longest;
+}
+
+/// By facet the origins that fill holes.
+std::map<Index, std::vector<Origin>> find_holes(const Complex& complex, double distance) {
+  std::map<SurfaceEdge, SurfaceEnd> ends;
+  for (const SurfaceEnd& end : surface_ends(complex)) ends.emplace(SurfaceEdge{end.a, end.b, end.surface}, end);
+  std::map<Index, std::vector<Origin>> found;
+  for (Index f = 0; f < complex.facets.size() && !ends.empty(); ++f) {
+    const Triangle& t = complex.facets[f];
+    const auto ends_at = [&](std::size_t k, Index surface) {
+      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+      const auto at = ends.find(SurfaceEdge{a, b, surface});
+      return at != ends.end() && at->second.facet != f;
+    };
+    const auto [a, b] = std::minmax(t[0], t[1]);
+    for (auto at = ends.lower_bound({a, b, 0}); at != ends.end() && at->second.a == a && at->second.b == b; ++at) {
+      const Index surface = at->second.surface;
+      if (ends_at(0, surface) && ends_at(1, surface) && ends_at(2, surface) && is_low(complex, t, 2 * distance))
+        found[f].push_back(carried_over(complex, at->second, t));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::size_t fill_holes(Complex& complex, double distance) {
+  const std::map<Index, std::vector<Origin>> more = find_holes(complex, distance);
+  if (more.empty()) return 0;
+  OriginLists origins;
+  for (Index f = 0; f < complex.facets.size(); ++f) {
+    std::vector<Origin> of(complex.origins.of(f).begin(), complex.origins.of(f).end());
+    if (const auto at = more.find(f); at != more.end()) {
+      of.insert(of.end(), at->second.begin(), at->second.end());
+      if (normalise_origins(of)) std::swap(complex.facets[f][1], complex.facets[f][2]);
+    }
+    origins.push(of);
+  }
+  complex.origins = std::move(origins);
+  return more.size();
+}
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Holes that surfaces got where several of them were brought together.
+#pragma once
+
+#include "arrangement/model/complex.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Where three surfaces meet within the distance, a facet of one of them may vanish that stood before a facet of the
+/// two others. A surface that ends at all three edges of a facet lower than twice the distance has that facet too.
+/// Returns how many facets. Nothing moves. O(n log n).
+std::size_t fill_holes(Complex& complex, double distance);
+
+}  // namespace geomesh::geomodel::arrangement
