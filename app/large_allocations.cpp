@@ -18,7 +18,7 @@
 #include <malloc.h>
 #endif
 
-#if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(GEOMESH_SANITIZED)
 
 namespace {
 

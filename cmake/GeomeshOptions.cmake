@@ -23,6 +23,7 @@ set(GEOMESH_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")
 if(GEOMESH_SANITIZE)
   add_compile_options(-fsanitize=${GEOMESH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)  # a finding fails the test
   add_link_options(-fsanitize=${GEOMESH_SANITIZE})
+  add_compile_definitions(GEOMESH_SANITIZED)  # memory is left to the sanitizer
 endif()
 
 # Python itself is no program of a sanitizer: its library is to be loaded first, with the one whose exceptions it watches. Empty where

@@ -26,7 +26,7 @@ void* resize_small(void*& raw, void* data, std::size_t used, std::size_t bytes) 
   return start;
 }
 
-#if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(GEOMESH_SANITIZED)
 
 // Large blocks are mapped on their own, from the border of a huge page on. Random access over hundreds of megabytes
 // misses the TLB at nearly every step with small pages. A block grows in place, or moves by its tables of pages to
@@ -39,27 +39,30 @@ bool is_mapped(const void* raw) { return (reinterpret_cast<std::uintptr_t>(raw) 
 char* base_of(void* raw) { return static_cast<char*>(raw) - 1; }
 std::size_t& length_of(char* base) { return *reinterpret_cast<std::size_t*>(base); }
 
-/// Advice: where it is not taken pages stay small.
-void ask_for_huge_pages(char* base, std::size_t length) { madvise(base, length, MADV_HUGEPAGE); }
-
+/// Null where there is no room.
 char* map_aligned(std::size_t length) {
   void* const got = mmap(nullptr, length + huge, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (got == MAP_FAILED) throw std::bad_alloc();
+  if (got == MAP_FAILED) return nullptr;
   const auto address = reinterpret_cast<std::uintptr_t>(got);
   const std::size_t before = (address + huge - 1) / huge * huge - address;
   char* const base = static_cast<char*>(got) + before;
   if (before > 0) munmap(got, before);
   munmap(base + length, huge - before);
+  madvise(base, length, MADV_HUGEPAGE);  // advice: where it is not taken pages stay small
   return base;
 }
 
-char* move_mapped(char* base, std::size_t length) {
+/// Null where there is no room. The advice goes with the pages. Where there is no room beside the old block for the
+/// new one, as under a limit of addresses, it moves to any page.
+char* grow_mapped(char* base, std::size_t length) {
   const std::size_t before = length_of(base);
   if (mremap(base, before, length, 0) != MAP_FAILED) return base;
-  char* const target = map_aligned(length);
-  if (mremap(base, before, length, MREMAP_MAYMOVE | MREMAP_FIXED, target) != MAP_FAILED) return target;
-  munmap(target, length);
-  throw std::bad_alloc();
+  if (char* const target = map_aligned(length)) {
+    if (mremap(base, before, length, MREMAP_MAYMOVE | MREMAP_FIXED, target) != MAP_FAILED) return target;
+    munmap(target, length);
+  }
+  void* const anywhere = mremap(base, before, length, MREMAP_MAYMOVE);
+  return anywhere == MAP_FAILED ? nullptr : static_cast<char*>(anywhere);
 }
 
 void release(void*& raw) {
@@ -72,30 +75,20 @@ void release(void*& raw) {
 
 void* resize_large(void*& raw, void* data, std::size_t used, std::size_t bytes) {
   const std::size_t length = (line + bytes + huge - 1) / huge * huge;
-  char* base = nullptr;
-  if (is_mapped(raw)) {
-    base = move_mapped(base_of(raw), length);
-  } else {
-    base = map_aligned(length);
-    ask_for_huge_pages(base, length);
+  char* const base = is_mapped(raw) ? grow_mapped(base_of(raw), length) : map_aligned(length);
+  if (base == nullptr) throw std::bad_alloc();
+  if (!is_mapped(raw)) {
     if (used != 0) std::memcpy(base + line, data, used);
     std::free(raw);
   }
-  ask_for_huge_pages(base, length);
   length_of(base) = length;
   raw = base + 1;
   return base + line;
 }
 
+/// Blocks grow, or go: a mapped one stays so.
 void* resize(void*& raw, void* data, std::size_t used, std::size_t bytes) {
-  if (bytes >= least_mapped) return resize_large(raw, data, used, bytes);
-  if (!is_mapped(raw)) return resize_small(raw, data, used, bytes);
-  void* small = nullptr;
-  void* const start = resize_small(small, nullptr, 0, bytes);
-  std::memcpy(start, data, used < bytes ? used : bytes);
-  release(raw);
-  raw = small;
-  return start;
+  return bytes >= least_mapped ? resize_large(raw, data, used, bytes) : resize_small(raw, data, used, bytes);
 }
 
 #else

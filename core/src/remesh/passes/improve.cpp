@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The schedule of improvement; declared in improve_passes.hpp.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <limits>
 
-#include "common/parallel.hpp"
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/pass_runner.hpp"
 #include "remesh/passes/passes.hpp"
@@ -39,41 +37,6 @@ class TimeBudget {
 
 double share(std::size_t n, const DomainMesh& mesh) {
   return static_cast<double>(n) / static_cast<double>(mesh.n_cells());
-}
-
-/// The shape below which the schedule's share of all cells is. Cells are counted by class of shape, on all cores; those
-/// of the one class that matters are ordered.
-double low_percentile(const DomainMesh& mesh, const ImproveSchedule& schedule, unsigned threads) {
-  constexpr std::size_t chunk = 65536, n_classes = 1024;
-  using Counts = std::array<std::size_t, n_classes>;
-  const auto class_of = [](double shape) {
-    return static_cast<std::size_t>(std::clamp(shape, 0.0, 1.0) * static_cast<double>(n_classes - 1));
-  };
-  std::vector<Counts> counts((mesh.n_slots() + chunk - 1) / chunk, Counts{});
-  const auto for_each_shape = [&](std::size_t k, const auto& visit) {
-    const auto end = static_cast<CellIndex>(std::min<std::size_t>(mesh.n_slots(), (k + 1) * chunk));
-    for (auto c = static_cast<CellIndex>(k * chunk); c < end; ++c)
-      if (mesh.is_live(c)) visit(mesh.shape_of(c));
-  };
-  for_each_task(counts.size(), thread_count(threads),
-                [&](std::size_t k) { for_each_shape(k, [&](double shape) { ++counts[k][class_of(shape)]; }); });
-  auto place = static_cast<std::size_t>(schedule.floor_percentile * static_cast<double>(mesh.n_cells()));
-  std::size_t wanted = 0;
-  for (;; ++wanted) {
-    std::size_t n = 0;
-    for (const Counts& of_chunk : counts) n += of_chunk.at(wanted);
-    if (place < n) break;
-    place -= n;
-  }
-  std::vector<double> shapes;
-  for (std::size_t k = 0; k < counts.size(); ++k)
-    if (counts[k].at(wanted) > 0)
-      for_each_shape(k, [&](double shape) {
-        if (class_of(shape) == wanted) shapes.push_back(shape);
-      });
-  const auto at = shapes.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(shapes.begin(), at, shapes.end());
-  return *at;
 }
 
 /// Where surfaces force poor shapes everywhere, repair only moves them about: rounds that do not lower their number end
@@ -182,8 +145,8 @@ void mend_what_is_left(const Mending& mending) {
   DomainMesh& mesh = tools.mesh;
   const CellQuality& measure = mesh.measure();
   const bool rescues_bad = mends_bad_cells(tools, schedule);
-  const double thinning_floor =
-      std::max(measure.of_angle(schedule.sliver_angle), low_percentile(mesh, schedule, context.threads));
+  const double thinning_floor = std::max(measure.of_angle(schedule.sliver_angle),
+                                         shape_at_percentile(mesh, schedule.floor_percentile, context.threads));
   const auto thin_unneeded = [&](ShortEdges which) { return thin_out(tools, which, thinning_floor, context); };
   passes.run({.name = "points taken out that were not needed",
               .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
@@ -228,8 +191,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   RaisedBefore raised{.much_gained = schedule.much_gained};
   const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
-    const double floor =
-        std::clamp(low_percentile(mesh, schedule, context.threads), least, measure.of_angle(schedule.mean_floor_angle));
+    const double floor = std::clamp(shape_at_percentile(mesh, schedule.floor_percentile, context.threads), least,
+                                    measure.of_angle(schedule.mean_floor_angle));
     raise_mean(tools, floor, smoothing_steps, context, raised, poor);
     return Next::again;
   };

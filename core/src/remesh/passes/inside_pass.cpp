@@ -107,8 +107,8 @@ class InsideRefiner {
   /// One visit to each large cell; `large` becomes what is still large, new cells included.
   std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
     const auto number = static_cast<PassNumber>(std::min<std::size_t>(starts_.size(), last_pass));
-    starts_.resize(number + std::size_t{1});
-    starts_[number] = mesh_.tick();
+    const std::uint64_t start = mesh_.tick();
+    if (number == starts_.size()) starts_.push_back(start);
     order_by_size(large);
     std::vector<CellIndex> next;
     std::size_t n = 0;

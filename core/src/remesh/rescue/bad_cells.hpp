@@ -19,6 +19,8 @@ struct BadCell {
 };
 
 std::size_t count_below(const DomainMesh& mesh, double limit);
+/// The shape below which that share of all cells is, 0..1. On all cores. O(n). Precondition: there are cells.
+double shape_at_percentile(const DomainMesh& mesh, double share, unsigned threads);
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
 /// The same by classes of equal width in shape, the worst class first. Within a class cells come in the order of the

@@ -51,6 +51,18 @@ bool normalise_origins(std::vector<Origin>& origins) {
   return turned;
 }
 
+void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit) {
+  OriginLists edited;
+  std::vector<Origin> origins;
+  for (Index f = 0; f < complex.facets.size(); ++f) {
+    origins.assign(complex.origins.of(f).begin(), complex.origins.of(f).end());
+    edit(f, origins);
+    if (normalise_origins(origins)) std::swap(complex.facets[f][1], complex.facets[f][2]);
+    edited.push(origins);
+  }
+  complex.origins = std::move(edited);
+}
+
 namespace {
 
 /// The corners ascending, and whether that turns the facet round.

@@ -100,16 +100,10 @@ std::set<SurfaceEdge> borders_of(const Complex& complex) {
 }
 
 void take_surface(Complex& complex, const std::map<Index, std::set<Index>>& taken) {
-  OriginLists origins;
-  for (Index f = 0; f < complex.facets.size(); ++f) {
-    std::vector<Origin> of(complex.origins.of(f).begin(), complex.origins.of(f).end());
-    if (const auto at = taken.find(f); at != taken.end()) {
+  edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
+    if (const auto at = taken.find(f); at != taken.end())
       std::erase_if(of, [&](const Origin& o) { return at->second.contains(o.surface); });
-      if (normalise_origins(of)) std::swap(complex.facets[f][1], complex.facets[f][2]);
-    }
-    origins.push(of);
-  }
-  complex.origins = std::move(origins);
+  });
 }
 
 /// A strip between two pockets is given a surface that lost its walls on either side of it, and ends nowhere. Facets

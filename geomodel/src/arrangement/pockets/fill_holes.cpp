@@ -11,8 +11,6 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends, the lesser first, and a surface
-
 /// Whether the facet's corners go from a to b.
 bool goes_along(const Triangle& t, VertexIndex a, VertexIndex b) {
   return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
@@ -35,22 +33,24 @@ bool is_low(const Complex& complex, const Triangle& t, double height) {
 
 /// By facet the origins that fill holes.
 std::map<Index, std::vector<Origin>> find_holes(const Complex& complex, double distance) {
-  std::map<SurfaceEdge, SurfaceEnd> ends;
-  for (const SurfaceEnd& end : surface_ends(complex)) ends.emplace(SurfaceEdge{end.a, end.b, end.surface}, end);
+  const std::vector<SurfaceEnd> ends = surface_ends(complex);
+  const auto ends_from = [&](VertexIndex a, VertexIndex b, Index surface) {
+    return std::lower_bound(ends.begin(), ends.end(), std::tuple(std::min(a, b), std::max(a, b), surface),
+                            [](const SurfaceEnd& e, const auto& key) { return std::tie(e.a, e.b, e.surface) < key; });
+  };
   std::map<Index, std::vector<Origin>> found;
-  for (Index f = 0; f < complex.facets.size() && !ends.empty(); ++f) {
+  for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
-    const auto ends_at = [&](std::size_t k, Index surface) {
-      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-      const auto at = ends.find(SurfaceEdge{a, b, surface});
-      return at != ends.end() && at->second.facet != f;
+    const auto ends_at = [&](std::size_t k, const SurfaceEnd& first) {
+      const auto at = ends_from(t[k], t[(k + 1) % 3], first.surface);
+      const bool is_same = at != ends.end() && std::minmax(t[k], t[(k + 1) % 3]) == std::minmax(at->a, at->b) &&
+                           at->surface == first.surface;
+      return is_same && at->facet != f;
     };
-    const auto [a, b] = std::minmax(t[0], t[1]);
-    for (auto at = ends.lower_bound({a, b, 0}); at != ends.end() && at->second.a == a && at->second.b == b; ++at) {
-      const Index surface = at->second.surface;
-      if (ends_at(0, surface) && ends_at(1, surface) && ends_at(2, surface) && is_low(complex, t, 2 * distance))
-        found[f].push_back(carried_over(complex, at->second, t));
-    }
+    for (auto at = ends_from(t[0], t[1], 0); at != ends.end() && std::minmax(at->a, at->b) == std::minmax(t[0], t[1]);
+         ++at)
+      if (ends_at(0, *at) && ends_at(1, *at) && ends_at(2, *at) && is_low(complex, t, 2 * distance))
+        found[f].push_back(carried_over(complex, *at, t));
   }
   return found;
 }
@@ -60,16 +60,9 @@ std::map<Index, std::vector<Origin>> find_holes(const Complex& complex, double d
 std::size_t fill_holes(Complex& complex, double distance) {
   const std::map<Index, std::vector<Origin>> more = find_holes(complex, distance);
   if (more.empty()) return 0;
-  OriginLists origins;
-  for (Index f = 0; f < complex.facets.size(); ++f) {
-    std::vector<Origin> of(complex.origins.of(f).begin(), complex.origins.of(f).end());
-    if (const auto at = more.find(f); at != more.end()) {
-      of.insert(of.end(), at->second.begin(), at->second.end());
-      if (normalise_origins(of)) std::swap(complex.facets[f][1], complex.facets[f][2]);
-    }
-    origins.push(of);
-  }
-  complex.origins = std::move(origins);
+  edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
+    if (const auto at = more.find(f); at != more.end()) of.insert(of.end(), at->second.begin(), at->second.end());
+  });
   return more.size();
 }
 

@@ -89,14 +89,9 @@ class Patches {
 
 /// Origins as they were before patches were told apart.
 void give_surfaces_back(Complex& complex, const Patches& patches) {
-  OriginLists origins;
-  for (Index f = 0; f < complex.facets.size(); ++f) {
-    std::vector<Origin> of(complex.origins.of(f).begin(), complex.origins.of(f).end());
+  edit_origins(complex, [&](Index, std::vector<Origin>& of) {
     for (Origin& o : of) o.surface = patches.surface_of(o.surface);
-    if (normalise_origins(of)) std::swap(complex.facets[f][1], complex.facets[f][2]);
-    origins.push(of);
-  }
-  complex.origins = std::move(origins);
+  });
 }
 
 }  // namespace
