@@ -175,10 +175,16 @@ output: {directory: out, formats: [vtu]}
 
     def test_surfaces_are_whole_where_facets_vanished(self):
         """A fault had a hole before a facet that two others shared (825861). Of an intersection nothing was left but its point, beside a closed
-        pocket (860835)."""
-        for seed in (825861, 860835):
+        pocket (860835). A salt body was open at a flap beside a needle (840039), on which a horizon ended (823151)."""
+        for seed in (825861, 860835, 840039, 823151):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("whole%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_faces_of_closed_pockets_name_the_triangle_that_lay_there(self):
+        """They named the one with the nearest middle, 94 m (860690) and 78 m off (823221)."""
+        for seed in (860690, 823221):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("pocket%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
 
     def test_faces_at_right_angles_to_their_horizon_tell_no_side_of_it(self):
         """A face of 3 m2 on a fault, which bears a horizon that ends there, named a region of 4 km3 for the judge (820328)."""

@@ -46,6 +46,8 @@ bool SurfaceDistance::empty() const { return !search_->trees.has_group(0); }
 
 Vec3 SurfaceDistance::closest(const Vec3& p) const { return search_->trees.closest(p, 0).point; }
 
+Index SurfaceDistance::closest_triangle(const Vec3& p) const { return search_->trees.closest(p, 0).item; }
+
 bool SurfaceDistance::is_within(const std::array<Vec3, 3>& triangle, double limit) const {
   search_->prover.set_limit(proven_share * limit);
   return search_->prover.judge(triangle, 0).is_proven;

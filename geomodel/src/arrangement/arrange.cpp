@@ -8,6 +8,7 @@
 #include "arrangement/diagnosis/near_surfaces.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
+#include "arrangement/pockets/cut_flaps.hpp"
 #include "arrangement/pockets/fill_holes.hpp"
 #include "arrangement/snap/flatten_slivers.hpp"
 #include "arrangement/snap/join_patches.hpp"
@@ -63,6 +64,16 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
   add(closed.moved, merging.displacement);
   merging.pockets_closed += closed.n_pockets;
   merging.facets_merged += closed.n_facets_removed;
+}
+
+/// What needles that vanished left of surfaces.
+void mend_surfaces(Complex& complex, double tolerance, ArrangementResult::Merging& merging,
+                   std::vector<VanishedFacet>& vanished) {
+  const CutFlaps cut = cut_flaps(complex, tolerance);
+  add(cut.moved, merging.displacement);
+  merging.facets_collapsed += cut.vanished.size();
+  vanished.insert(vanished.end(), cut.vanished.begin(), cut.vanished.end());
+  fill_holes(complex, tolerance);
 }
 
 void log_round(const RunContext& context, unsigned round, const Complex& complex, const Contacts& contacts) {
@@ -252,7 +263,7 @@ class Arrangement {
     }
     if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
-    if (options_.tolerance > 0) fill_holes(complex, options_.tolerance);
+    if (options_.tolerance > 0) mend_surfaces(complex, options_.tolerance, result_.merging, vanished_);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);

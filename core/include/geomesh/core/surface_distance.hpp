@@ -23,6 +23,8 @@ class SurfaceDistance {
   bool empty() const;
   /// The nearest point of the surface, which is not empty. O(log n).
   Vec3 closest(const Vec3& p) const;
+  /// The row of the triangle on which that point is; of several the same one each time. O(log n).
+  Index closest_triangle(const Vec3& p) const;
   /// Whether all of the triangle is proven to be within the limit of the surface, and not at samples only. False where
   /// a point of it is not, and where that was not decided. A millionth of the limit is left for rounding.
   bool is_within(const std::array<Vec3, 3>& triangle, double limit) const;

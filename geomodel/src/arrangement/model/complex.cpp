@@ -51,15 +51,30 @@ bool normalise_origins(std::vector<Origin>& origins) {
   return turned;
 }
 
+Origin carried_over(Origin origin, const Triangle& from, const Triangle& to, VertexIndex a, VertexIndex b) {
+  const auto goes_along = [&](const Triangle& t) {
+    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+  };
+  if (goes_along(from) == goes_along(to)) origin.reversed = !origin.reversed;
+  return origin;
+}
+
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit) {
   OriginLists edited;
   std::vector<Origin> origins;
+  Index kept = 0;
   for (Index f = 0; f < complex.facets.size(); ++f) {
     origins.assign(complex.origins.of(f).begin(), complex.origins.of(f).end());
     edit(f, origins);
-    if (normalise_origins(origins)) std::swap(complex.facets[f][1], complex.facets[f][2]);
+    if (origins.empty()) continue;
+    complex.facets[kept] = complex.facets[f];
+    complex.dirty_facet[kept] = complex.dirty_facet[f];
+    if (normalise_origins(origins)) std::swap(complex.facets[kept][1], complex.facets[kept][2]);
     edited.push(origins);
+    ++kept;
   }
+  complex.facets.resize(kept);
+  complex.dirty_facet.resize(kept);
   complex.origins = std::move(edited);
 }
 

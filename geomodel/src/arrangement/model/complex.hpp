@@ -55,9 +55,12 @@ void remove_repeated_segments(Complex& complex);
 /// turned, and the facet is to be.
 bool normalise_origins(std::vector<Origin>& origins);
 
-/// Calls edit(facet, origins) for each facet with its origins, to change them; one at least stays. Facets whose first
-/// origin is reversed then are turned. O(n).
+/// Calls edit(facet, origins) for each facet with its origins, to change them. Facets without any then go. Facets whose
+/// first origin is reversed then are turned. O(n).
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit);
+
+/// `origin` of the facet `from`, turned as its surface goes on over the edge (a, b) to the facet `to`.
+Origin carried_over(Origin origin, const Triangle& from, const Triangle& to, VertexIndex a, VertexIndex b);
 
 /// Facets on the same three vertices become the first of them, with the origins of all. Returns how many went.
 std::size_t merge_equal_facets(Complex& complex);

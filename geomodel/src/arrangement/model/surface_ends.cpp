@@ -6,7 +6,12 @@
 
 namespace geomesh::geomodel::arrangement {
 
-std::vector<SurfaceEnd> surface_ends(const Complex& complex) {
+namespace {
+
+auto place(const SurfaceEnd& e) { return std::tie(e.a, e.b, e.surface); }
+
+/// Each edge of each facet once for each of its surfaces, ascending by edge, then by surface.
+std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   std::vector<SurfaceEnd> all;
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
@@ -20,14 +25,37 @@ std::vector<SurfaceEnd> surface_ends(const Complex& complex) {
       }
     }
   }
-  const auto place = [](const SurfaceEnd& e) { return std::tie(e.a, e.b, e.surface); };
-  std::sort(all.begin(), all.end(), [&](const SurfaceEnd& x, const SurfaceEnd& y) { return place(x) < place(y); });
-  std::vector<SurfaceEnd> ends;
+  std::sort(all.begin(), all.end(), [](const SurfaceEnd& x, const SurfaceEnd& y) { return place(x) < place(y); });
+  return all;
+}
+
+/// Calls see(first, count) for the facets of one surface at one edge.
+template <class See>
+void for_each_group(const std::vector<SurfaceEnd>& all, See see) {
   for (std::size_t i = 0, j; i < all.size(); i = j) {
     for (j = i + 1; j < all.size() && place(all[j]) == place(all[i]);) ++j;
-    if (j == i + 1) ends.push_back(all[i]);
+    see(all[i], j - i);
   }
+}
+
+}  // namespace
+
+std::vector<SurfaceEnd> surface_ends(const Complex& complex) {
+  std::vector<SurfaceEnd> ends;
+  for_each_group(surface_edges(complex), [&](const SurfaceEnd& first, std::size_t n) {
+    if (n == 1) ends.push_back(first);
+  });
   return ends;
+}
+
+std::vector<Index> branching_surfaces(const Complex& complex) {
+  std::vector<Index> surfaces;
+  for_each_group(surface_edges(complex), [&](const SurfaceEnd& first, std::size_t n) {
+    if (n >= 3) surfaces.push_back(first.surface);
+  });
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  return surfaces;
 }
 
 }  // namespace geomesh::geomodel::arrangement

@@ -18,4 +18,7 @@ struct SurfaceEnd {
 /// Ascending by edge, then by surface. O(n log n).
 std::vector<SurfaceEnd> surface_ends(const Complex& complex);
 
+/// Surfaces with an edge at which three facets of theirs or more are, ascending. O(n log n).
+std::vector<Index> branching_surfaces(const Complex& complex);
+
 }  // namespace geomesh::geomodel::arrangement

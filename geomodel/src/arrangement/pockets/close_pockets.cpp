@@ -182,22 +182,16 @@ class PocketRound {
     if (!way || !way_between(complex_, walls->that_stays, goes, distance_)) return;
     for (const FacetSide s : shell) is_taken_[facet_of(s)] = 1;
     for (const FacetSide s : walls->that_goes) goes_[facet_of(s)] = 1;
-    for (const FacetSide s : walls->that_stays) give_origins(s, walls->that_goes);
+    for (const FacetSide s : walls->that_stays) give_origins(s, walls->that_goes, goes);
     if (way->largest > done.moved.largest) done.moved = *way;
     ++done.n_pockets;
   }
 
-  /// The facet is part of the surfaces of the nearest facet that goes, seen from beyond the pocket.
-  void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes) {
-    const auto middle = [&](FacetSide s) {
-      const Triangle& t = complex_.facets[facet_of(s)];
-      return complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]];
-    };
-    const Vec3 here = middle(stays);
-    const FacetSide nearest = *std::min_element(that_goes.begin(), that_goes.end(), [&](FacetSide a, FacetSide b) {
-      const Vec3 x = middle(a) - here, y = middle(b) - here;
-      return dot(x, x) < dot(y, y);
-    });
+  /// The facet is part of the surfaces of the facet that goes nearest to its middle, seen from beyond the pocket.
+  void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
+    const Triangle& t = complex_.facets[facet_of(stays)];
+    const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);
+    const FacetSide nearest = that_goes[goes.closest_triangle(middle)];
     const auto own = complex_.origins.of(facet_of(stays));
     for (Origin o : complex_.origins.of(facet_of(nearest))) {
       if (std::any_of(own.begin(), own.end(), [&](const Origin& p) { return parts_.are_same(o, p); })) continue;

@@ -11,17 +11,11 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Whether the facet's corners go from a to b.
-bool goes_along(const Triangle& t, VertexIndex a, VertexIndex b) {
-  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-}
-
 /// The surface's origin of the facet beside, turned as the surface goes on over the edge to `t`.
-Origin carried_over(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
+Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
-  Origin o = *std::find_if(of.begin(), of.end(), [&](const Origin& own) { return own.surface == end.surface; });
-  if (goes_along(t, end.a, end.b) == goes_along(complex.facets[end.facet], end.a, end.b)) o.reversed = !o.reversed;
-  return o;
+  const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });
+  return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
 bool is_low(const Complex& complex, const Triangle& t, double height) {
@@ -50,7 +44,7 @@ std::map<Index, std::vector<Origin>> find_holes(const Complex& complex, double d
     for (auto at = ends_from(t[0], t[1], 0); at != ends.end() && std::minmax(at->a, at->b) == std::minmax(t[0], t[1]);
          ++at)
       if (ends_at(0, *at) && ends_at(1, *at) && ends_at(2, *at) && is_low(complex, t, 2 * distance))
-        found[f].push_back(carried_over(complex, *at, t));
+        found[f].push_back(origin_beside(complex, *at, t));
   }
   return found;
 }

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/pockets/cut_flaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "arrangement/model/surface_ends.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+namespace {
+
+constexpr std::size_t most_facets = 64;  ///< of a flap: what a needle leaves has few
+
+using Edge = std::array<VertexIndex, 2>;
+
+std::array<Edge, 3> edges_of(const Triangle& t) {
+  const auto edge = [&](std::size_t i, std::size_t j) { return Edge{std::min(t[i], t[j]), std::max(t[i], t[j])}; };
+  return {edge(0, 1), edge(1, 2), edge(2, 0)};
+}
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+  return length(p - (a + t * along));
+}
+
+struct Flap {
+  std::vector<Index> facets;
+  std::vector<Edge> hinge;
+  Displacement way;  ///< from its farthest corner to the hinge
+};
+
+/// The facets of one surface, by edge.
+class SurfaceFacets {
+ public:
+  SurfaceFacets(const Complex& complex, const std::vector<Index>& facets) : complex_(complex) {
+    for (const Index f : facets)
+      for (const Edge& e : edges_of(complex.facets[f])) at_[e].push_back(f);
+  }
+  /// Pieces between ends of the surface and a hinge, whose corners are all within the distance of the hinge. Of pieces
+  /// that share one, those come first whose facets are lower.
+  std::vector<Flap> take_flaps(double distance) {
+    std::vector<Flap> flaps;
+    for (std::vector<Index>& piece : pieces_that_end()) {
+      Flap flap{std::move(piece), {}, {}};
+      flap.hinge = hinge_of(flap.facets);
+      if (flap.hinge.empty()) continue;
+      flap.way = way_to(flap.hinge, flap.facets);
+      if (flap.way.largest > distance) continue;
+      for (const Index f : flap.facets)
+        for (const Edge& e : edges_of(complex_.facets[f])) std::erase(at_[e], f);
+      flaps.push_back(std::move(flap));
+    }
+    return flaps;
+  }
+
+ private:
+  std::vector<std::vector<Index>> pieces_that_end() const {
+    std::vector<std::vector<Index>> pieces;
+    std::set<Index> seen;
+    for (const auto& [edge, facets] : at_)
+      if (facets.size() == 1 && !seen.contains(facets[0])) {
+        std::vector<Index> piece = piece_of(facets[0]);
+        seen.insert(piece.begin(), piece.end());
+        if (piece.size() <= most_facets) pieces.push_back(std::move(piece));
+      }
+    return pieces;
+  }
+  /// Through edges with two facets. Ends early where there are more facets than a flap has.
+  std::vector<Index> piece_of(Index first) const {
+    std::vector<Index> piece{first};
+    for (std::size_t k = 0; k < piece.size() && piece.size() <= most_facets; ++k)
+      for (const Edge& e : edges_of(complex_.facets[piece[k]])) {
+        const std::vector<Index>& facets = at_.at(e);
+        if (facets.size() != 2) continue;
+        const Index other = facets[0] == piece[k] ? facets[1] : facets[0];
+        if (std::find(piece.begin(), piece.end(), other) == piece.end()) piece.push_back(other);
+      }
+    return piece;
+  }
+  /// Empty where there is none, or where the surface would end at it without the piece.
+  std::vector<Edge> hinge_of(const std::vector<Index>& piece) const {
+    std::map<Edge, std::size_t> own;
+    for (const Index f : piece)
+      for (const Edge& e : edges_of(complex_.facets[f])) ++own[e];
+    std::vector<Edge> hinge;
+    for (const auto& [e, n] : own) {
+      const std::size_t all = at_.at(e).size();
+      if (all < 3) continue;
+      if (all - n < 2) return {};
+      hinge.push_back(e);
+    }
+    return hinge;
+  }
+  Displacement way_to(const std::vector<Edge>& hinge, const std::vector<Index>& piece) const {
+    Displacement way;
+    for (const Index f : piece)
+      for (const VertexIndex v : complex_.facets[f]) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Edge& e : hinge)
+          least =
+              std::min(least, distance_to_segment(complex_.points[v], complex_.points[e[0]], complex_.points[e[1]]));
+        if (least > way.largest) {
+          way.largest = least;
+          way.where = complex_.points[v];
+        }
+      }
+    return way;
+  }
+
+  const Complex& complex_;
+  std::map<Edge, std::vector<Index>> at_;
+};
+
+std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& complex) {
+  std::map<Index, std::vector<Index>> facets_of;
+  for (const Index surface : branching_surfaces(complex)) facets_of[surface];
+  if (facets_of.empty()) return facets_of;
+  for (Index f = 0; f < complex.facets.size(); ++f) {
+    Index last = no_index;  // origins of one surface follow each other
+    for (const Origin& o : complex.origins.of(f))
+      if (o.surface != std::exchange(last, o.surface))
+        if (const auto at = facets_of.find(o.surface); at != facets_of.end()) at->second.push_back(f);
+  }
+  return facets_of;
+}
+
+using FacetsAtEdges = std::map<Edge, std::vector<Index>>;
+
+/// What meets a flap at edges other than its hinge, where the flap is of no other surface.
+struct Borne {
+  std::optional<Origin> ending;  ///< of a surface that ends there; `reversed` where the flap is turned against it
+  bool by_others = false;        ///< what goes on beyond, or a second surface
+};
+
+Borne borne_by(const Complex& complex, const FacetsAtEdges& at, const Flap& flap) {
+  Borne borne;
+  for (const Index f : flap.facets) {
+    if (complex.origins.of(f).size() > 1) continue;
+    for (const Edge& e : edges_of(complex.facets[f])) {
+      if (std::find(flap.hinge.begin(), flap.hinge.end(), e) != flap.hinge.end()) continue;
+      std::size_t n_beside = 0;
+      for (const Index other : at.at(e)) {
+        if (std::find(flap.facets.begin(), flap.facets.end(), other) != flap.facets.end()) continue;
+        Origin on = carried_over(complex.origins.of(other)[0], complex.facets[other], complex.facets[f], e[0], e[1]);
+        on.reversed = on.reversed != complex.origins.of(f)[0].reversed;
+        if (!borne.ending) borne.ending = on;
+        if (++n_beside > 1 || complex.origins.of(other).size() > 1 || borne.ending->surface != on.surface ||
+            borne.ending->reversed != on.reversed)
+          borne.by_others = true;
+      }
+    }
+  }
+  return borne;
+}
+
+FacetsAtEdges facets_at(const Complex& complex, const std::vector<std::pair<Index, Flap>>& flaps) {
+  FacetsAtEdges at;
+  for (const auto& [surface, flap] : flaps)
+    for (const Index f : flap.facets)
+      for (const Edge& e : edges_of(complex.facets[f])) at[e];
+  if (at.empty()) return at;
+  for (Index f = 0; f < complex.facets.size(); ++f)
+    for (const Edge& e : edges_of(complex.facets[f]))
+      if (const auto found = at.find(e); found != at.end()) found->second.push_back(f);
+  return at;
+}
+
+}  // namespace
+
+CutFlaps cut_flaps(Complex& complex, double distance) {
+  std::vector<std::pair<Index, Flap>> flaps;  // with their surfaces
+  for (const auto& [surface, facets] : facets_of_branching_surfaces(complex))
+    for (Flap& flap : SurfaceFacets(complex, facets).take_flaps(distance)) flaps.emplace_back(surface, std::move(flap));
+  const FacetsAtEdges at = facets_at(complex, flaps);
+  CutFlaps done;
+  struct Change {
+    Index surface;
+    std::optional<Origin> instead;
+  };
+  std::map<Index, std::vector<Change>> changes;  // by facet
+  for (const auto& [surface, flap] : flaps) {
+    const Borne borne = borne_by(complex, at, flap);
+    if (borne.by_others) continue;
+    for (const Index f : flap.facets) {
+      changes[f].push_back({surface, borne.ending});
+      done.vanished.push_back({surface, complex.points[complex.facets[f][0]]});
+    }
+    if (flap.way.largest > done.moved.largest) done.moved = flap.way;
+    ++done.n_flaps;
+  }
+  if (changes.empty()) return done;
+  edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
+    const auto found = changes.find(f);
+    if (found == changes.end()) return;
+    for (const Change& change : found->second) {
+      const bool was_alone = of.size() == 1;
+      const bool reversed = of[0].reversed;
+      std::erase_if(of, [&](const Origin& o) { return o.surface == change.surface; });
+      if (!was_alone || !change.instead) continue;
+      of.push_back(*change.instead);
+      of[0].reversed = of[0].reversed != reversed;
+    }
+  });
+  return done;
+}
+
+}  // namespace geomesh::geomodel::arrangement
