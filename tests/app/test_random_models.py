@@ -180,6 +180,12 @@ output: {directory: out, formats: [vtu]}
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path("whole%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
 
+    def test_needles_are_split_as_their_border_is_seen_or_stay_whole(self):
+        """Facets that could not be split left slits beside neighbours that were (871136, 820502, 840171, 850554), and models refused (840347, 825556)."""
+        for seed in (871136, 820502, 840171, 850554, 840347, 825556):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("needle%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
+
     def test_faces_of_closed_pockets_name_the_triangle_that_lay_there(self):
         """They named the one with the nearest middle, 94 m (860690) and 78 m off (823221)."""
         for seed in (860690, 823221):

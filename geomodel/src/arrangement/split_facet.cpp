@@ -136,19 +136,40 @@ void remove_spikes(std::vector<VertexIndex>& walk) {
   }
 }
 
+/// Nothing where the walk crosses itself as seen, or winds the wrong way.
 std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame,
-                                               const std::vector<VertexIndex>& walk,
-                                               const std::vector<VertexIndex>& inside,
+                                               std::vector<VertexIndex> walk, const std::vector<VertexIndex>& inside,
                                                const std::vector<EdgeKey>& wanted) {
+  if (frame.sign == Sign::zero) return std::nullopt;
+  if (frame.sign == Sign::negative) std::reverse(walk.begin(), walk.end());
   FacetSplitter splitter(points, frame);
   if (!splitter.add_vertices(walk, inside)) return std::nullopt;
   try {
     splitter.constrain(edges_of_walk(walk));
     splitter.constrain(wanted);
-    return splitter.inside_of(walk);
+    std::vector<Triangle> triangles = splitter.inside_of(walk);
+    if (frame.sign == Sign::negative)
+      for (Triangle& t : triangles) std::swap(t[1], t[2]);
+    return triangles;
   } catch (const ConstraintsCross&) {
     return std::nullopt;
   }
+}
+
+/// Seen along each axis, the one along which the walk has the largest area first; others have half of it at least.
+std::vector<Projection> frames_of_walk(const std::vector<Vec3>& points, const std::vector<VertexIndex>& walk) {
+  constexpr double least_share = 0.5;
+  Vec3 area;
+  for (std::size_t k = 1; k + 1 < walk.size(); ++k)
+    area = area + cross(points[walk[k]] - points[walk[0]], points[walk[k + 1]] - points[walk[0]]);
+  std::array<std::size_t, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](std::size_t a, std::size_t b) { return std::fabs(area[a]) > std::fabs(area[b]); });
+  std::vector<Projection> frames;
+  for (const std::size_t k : axes)
+    if (std::fabs(area[k]) > 0 && std::fabs(area[k]) >= least_share * std::fabs(area[axes[0]]))
+      frames.push_back({(k + 1) % 3, (k + 2) % 3, area[k] > 0 ? Sign::positive : Sign::negative});
+  return frames;
 }
 
 }  // namespace
@@ -160,14 +181,16 @@ std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points
   std::vector<VertexIndex> walk = border;
   remove_spikes(walk);
   if (walk.size() < 3) return std::vector<Triangle>{};
-  const Projection frame = projection_of(points[facet[0]], points[facet[1]], points[facet[2]]);
-  if (frame.sign == Sign::zero) return std::nullopt;
-  if (frame.sign == Sign::negative) std::reverse(walk.begin(), walk.end());
-  auto triangles = try_split(points, frame, walk, inside, wanted);
-  if (!triangles && !wanted.empty()) triangles = try_split(points, frame, walk, inside, {});
-  if (triangles && frame.sign == Sign::negative)
-    for (Triangle& t : *triangles) std::swap(t[1], t[2]);
-  return triangles;
+  const auto split_as_seen = [&](const Projection& frame) {
+    auto triangles = try_split(points, frame, walk, inside, wanted);
+    return triangles || wanted.empty() ? triangles : try_split(points, frame, walk, inside, {});
+  };
+  if (auto triangles = split_as_seen(projection_of(points[facet[0]], points[facet[1]], points[facet[2]])))
+    return triangles;
+  // A needle's plane is not that of its border once vertices near it are on that.
+  for (const Projection& frame : frames_of_walk(points, walk))
+    if (auto triangles = split_as_seen(frame)) return triangles;
+  return std::nullopt;
 }
 
 }  // namespace geomesh::geomodel::arrangement

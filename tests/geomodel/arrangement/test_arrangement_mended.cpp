@@ -7,6 +7,7 @@
 #include "arrangement/pockets/close_pockets.hpp"
 #include "arrangement/pockets/cut_flaps.hpp"
 #include "arrangement/pockets/fill_holes.hpp"
+#include "arrangement/snap/snap.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -169,4 +170,19 @@ TEST_CASE("pockets: the wall that stays names the triangle that lay on it, not t
   REQUIRE(complex.origins.of(0).size() == 2);
   CHECK(complex.origins.of(0)[1].surface == 1);
   CHECK(complex.origins.of(0)[1].triangle == 2);
+}
+
+TEST_CASE("needles: one whose border crosses itself in its plane is split as its border is well seen",
+          "[arrangement]") {
+  // The vertex 3 is to go on the needle's long side, and lies beyond its third corner as seen along the normal.
+  const std::vector<Vec3> points{
+      {350, 213.5, 1706.46}, {2404.4, 487.2, 1692.76}, {2193.6, 460.8, 1694.28}, {2193.6, 461, 1696.35}};
+  const auto split = split_facet(points, {0, 1, 2}, {0, 3, 1, 2}, {}, {});
+  REQUIRE(split);
+  REQUIRE(split->size() == 2);
+  std::map<std::pair<VertexIndex, VertexIndex>, int> n_at;
+  for (const Triangle& t : *split)
+    for (std::size_t k = 0; k < 3; ++k) ++n_at[{t[k], t[(k + 1) % 3]}];
+  for (const auto& [a, b] : {std::pair{0u, 3u}, std::pair{3u, 1u}, std::pair{1u, 2u}, std::pair{2u, 0u}})
+    CHECK(n_at[{a, b}] == 1);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
+#include <tuple>
 
 #include "common/union_find.hpp"
 
@@ -17,13 +17,27 @@ constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a pocket:
 
 using Edge = std::pair<VertexIndex, VertexIndex>;
 
-std::map<Edge, std::vector<Index>> facets_by_edge(const Complex& complex, const std::vector<FacetSide>& sides) {
-  std::map<Edge, std::vector<Index>> at;
+/// Calls see(a, b, facets) for each edge of the facets, ascending.
+template <class See>
+void for_each_edge_of(const Complex& complex, const std::vector<FacetSide>& sides, const See& see) {
+  std::vector<std::tuple<VertexIndex, VertexIndex, Index>> uses;
+  uses.reserve(3 * sides.size());
   for (const FacetSide s : sides) {
     const Triangle& t = complex.facets[facet_of(s)];
-    for (std::size_t k = 0; k < 3; ++k) at[std::minmax(t[k], t[(k + 1) % 3])].push_back(facet_of(s));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+      uses.emplace_back(a, b, facet_of(s));
+    }
   }
-  return at;
+  std::sort(uses.begin(), uses.end());
+  std::vector<Index> facets;
+  for (std::size_t i = 0; i < uses.size();) {
+    const auto [a, b, first] = uses[i];
+    facets.clear();
+    for (; i < uses.size() && std::get<0>(uses[i]) == a && std::get<1>(uses[i]) == b; ++i)
+      facets.push_back(std::get<2>(uses[i]));
+    see(a, b, facets);
+  }
 }
 
 }  // namespace
@@ -77,13 +91,17 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
 
 /// Facets of one list of surfaces, joined across edges on which nothing else hangs.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
-  std::map<Index, Index> row;  // in the shell
-  for (std::size_t k = 0; k < shell.size(); ++k) row[facet_of(shell[k])] = static_cast<Index>(k);
+  const auto row = [&](Index facet) {  // in the shell, which is ascending
+    return static_cast<Index>(
+        std::lower_bound(shell.begin(), shell.end(), facet, [](FacetSide s, Index f) { return facet_of(s) < f; }) -
+        shell.begin());
+  };
   UnionFind joined(shell.size());
-  for (const auto& [edge, at] : facets_by_edge(complex_, shell))
-    if (at.size() == 2 && is_free_inside(edge.first, edge.second) &&
+  for_each_edge_of(complex_, shell, [&](VertexIndex a, VertexIndex b, const std::vector<Index>& at) {
+    if (at.size() == 2 && is_free_inside(a, b) &&
         surfaces_of_facet(complex_, at[0]) == surfaces_of_facet(complex_, at[1]))
-      joined.unite(row[at[0]], row[at[1]]);
+      joined.unite(row(at[0]), row(at[1]));
+  });
   std::map<Index, std::vector<FacetSide>> parts;
   for (std::size_t k = 0; k < shell.size(); ++k) parts[joined.find(static_cast<Index>(k))].push_back(shell[k]);
   std::vector<std::vector<FacetSide>> all;
@@ -93,15 +111,20 @@ std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<Facet
 
 /// The vertices inside it are its own.
 bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
-  std::map<VertexIndex, Index> n_at;
+  std::vector<VertexIndex> corners, on_rim;
   for (const FacetSide s : wall)
-    for (const VertexIndex v : complex_.facets[facet_of(s)]) ++n_at[v];
-  std::set<VertexIndex> on_rim;
-  for (const auto& [edge, at] : facets_by_edge(complex_, wall))
-    if (at.size() == 1) on_rim.insert({edge.first, edge.second});
-  return std::all_of(n_at.begin(), n_at.end(), [&](const auto& at) {
-    return on_rim.contains(at.first) || (n_facets_at_[at.first] == at.second && !is_held_[at.first]);
+    for (const VertexIndex v : complex_.facets[facet_of(s)]) corners.push_back(v);
+  std::sort(corners.begin(), corners.end());
+  for_each_edge_of(complex_, wall, [&](VertexIndex a, VertexIndex b, const std::vector<Index>& at) {
+    if (at.size() == 1) on_rim.insert(on_rim.end(), {a, b});
   });
+  std::sort(on_rim.begin(), on_rim.end());
+  for (std::size_t i = 0, j; i < corners.size(); i = j) {
+    const VertexIndex v = corners[i];
+    for (j = i; j < corners.size() && corners[j] == v;) ++j;
+    if (!std::binary_search(on_rim.begin(), on_rim.end(), v) && (n_facets_at_[v] != j - i || is_held_[v])) return false;
+  }
+  return true;
 }
 
 /// Two facets share the edge, and no well can run along it.

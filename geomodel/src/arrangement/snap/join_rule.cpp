@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <compare>
 #include <iterator>
+#include <utility>
 
 namespace geomesh::geomodel::arrangement {
 
@@ -61,20 +62,27 @@ void JoinRule::index_edges(const Complex& complex, const std::function<bool(Vert
     auto operator<=>(const Side&) const = default;
   };
   std::vector<Side> sides;
-  for (Index f = 0; f < complex.facets.size(); ++f)
-    for (const Index surface : surfaces_of(complex, f))
+  sides.reserve(3 * complex.facets.size());
+  for (Index f = 0; f < complex.facets.size(); ++f) {
+    Index last = no_index;  // origins of one surface follow each other
+    for (const Origin& o : complex.origins.of(f)) {
+      if (o.surface == std::exchange(last, o.surface)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const VertexIndex a = complex.facets[f][k], b = complex.facets[f][(k + 1) % 3];
-        if (a != b) sides.push_back({std::min(a, b), std::max(a, b), surface});
+        if (a != b) sides.push_back({std::min(a, b), std::max(a, b), o.surface});
       }
+    }
+  }
   std::sort(sides.begin(), sides.end());
+  std::vector<Index> surfaces;
   for (std::size_t i = 0, j; i < sides.size(); i = j) {
-    std::vector<Index> surfaces;
+    surfaces.clear();
     for (j = i; j < sides.size() && sides[j].a == sides[i].a && sides[j].b == sides[i].b; ++j)
       if (surfaces.empty() || surfaces.back() != sides[j].surface) surfaces.push_back(sides[j].surface);
     const bool is_border = j - i == 1 && !lies_on_box(sides[i].a, sides[i].b);
-    of_edge_.emplace_hint(of_edge_.end(), std::pair{sides[i].a, sides[i].b},
-                          Thing{number(std::move(surfaces)), is_border});
+    const Set last = of_edge_.empty() ? none : of_edge_.back().second.surfaces;
+    const Set now = sets_[last] == surfaces ? last : number(surfaces);
+    of_edge_.push_back({Edge{sides[i].a, sides[i].b}, Thing{now, is_border}});
   }
 }
 
@@ -86,8 +94,10 @@ void JoinRule::index(const Complex& complex, const std::function<bool(VertexInde
 }
 
 JoinRule::Thing JoinRule::of_edge(VertexIndex a, VertexIndex b) const {
-  const auto at = of_edge_.find({std::min(a, b), std::max(a, b)});
-  return at == of_edge_.end() ? Thing{} : at->second;
+  const Edge edge{std::min(a, b), std::max(a, b)};
+  const auto at = std::lower_bound(of_edge_.begin(), of_edge_.end(), edge,
+                                   [](const auto& entry, const Edge& e) { return entry.first < e; });
+  return at == of_edge_.end() || at->first != edge ? Thing{} : at->second;
 }
 
 JoinRule::Thing JoinRule::of_facet(const Complex& complex, Index facet) {
@@ -111,7 +121,16 @@ void JoinRule::set_vertex(VertexIndex v, const Thing& thing) {
 }
 
 bool JoinRule::allows(const Thing& a, const Thing& b) const {
+  constexpr std::size_t most_sets = 512;
   if (!restricts_) return true;
+  if (sets_.size() > most_sets) return find_whether_allowed(a, b);
+  known_.resize(2 * most_sets * most_sets, 0);
+  std::uint8_t& known = known_[2 * (most_sets * a.surfaces + b.surfaces) + (a.is_border || b.is_border ? 1 : 0)];
+  if (known == 0) known = find_whether_allowed(a, b) ? 1 : 2;
+  return known == 1;
+}
+
+bool JoinRule::find_whether_allowed(const Thing& a, const Thing& b) const {
   const std::vector<Index>&x = sets_[a.surfaces], &y = sets_[b.surfaces];
   const auto is_fixed = [&](const std::vector<Index>& of) { return !of.empty() && of.back() >= first_fixed_; };
   if (is_fixed(x) || is_fixed(y)) return false;

@@ -3,6 +3,7 @@
 /// Which surfaces may be brought together: all, or those alone that meet somewhere.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
@@ -51,10 +52,16 @@ class JoinRule {
   }
 
   /// These join wherever they are near, whether they end there or not.
-  void join_all_of(const std::set<SurfacePair>& pairs) { following_.insert(pairs.begin(), pairs.end()); }
+  void join_all_of(const std::set<SurfacePair>& pairs) {
+    following_.insert(pairs.begin(), pairs.end());
+    known_.clear();
+  }
 
   /// These join where one of them ends, though they meet nowhere.
-  void join_ends_of(const std::set<SurfacePair>& pairs) { meeting_.insert(pairs.begin(), pairs.end()); }
+  void join_ends_of(const std::set<SurfacePair>& pairs) {
+    meeting_.insert(pairs.begin(), pairs.end());
+    known_.clear();
+  }
 
   bool restricts() const { return restricts_; }
   /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
@@ -72,7 +79,9 @@ class JoinRule {
 
  private:
   static constexpr Set none = 0;
+  using Edge = std::pair<VertexIndex, VertexIndex>;
   Set number(std::vector<Index> surfaces);
+  bool find_whether_allowed(const Thing& a, const Thing& b) const;
 
   std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
@@ -80,7 +89,9 @@ class JoinRule {
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
-  std::map<std::pair<VertexIndex, VertexIndex>, Thing> of_edge_;
+  std::vector<std::pair<Edge, Thing>> of_edge_;  // ascending by edge
+  /// By set and set, twice and once more for borders: what was found, as long as there are few sets. 0: not known.
+  mutable std::vector<std::uint8_t> known_;
 };
 
 }  // namespace geomesh::geomodel::arrangement

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <unordered_map>
 
 #include "arrangement/snap/snap_search.hpp"
 
@@ -26,33 +27,39 @@ std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::
 class Rebuilding {
  public:
   /// `edges`: of the facets that were snapped; `touched`: facets of which a corner merged.
-  Rebuilding(Complex& complex, const Insertions& insertions, const std::vector<EdgeKey>& edges,
+  Rebuilding(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
 
+  /// Where a facet cannot be split its edges stay whole, so that surfaces hang together there. Each round leaves
+  /// insertions out, so there are no more rounds than insertions.
+  void leave_out_what_splits_nothing() {
+    for (std::vector<Index> open = split_all(); !open.empty();) {
+      outcome_.facets_left_alone.insert(outcome_.facets_left_alone.end(), open.begin(), open.end());
+      std::set<EdgeKey> whole;
+      for (const Index f : open) {
+        insertions_.in_facet.erase(f);
+        for (const EdgeKey& e : edges_of(complex_.facets[f]))
+          if (insertions_.on_edge.erase(e) > 0) whole.insert(e);
+      }
+      if (whole.empty()) break;
+      open = split_again(whole);
+    }
+  }
+
   void rebuild_facets() {
-    const std::vector<EdgeKey> pieces = list_pieces();
     Complex out;
     for (Index f = 0; f < complex_.facets.size(); ++f) {
       const Triangle& t = complex_.facets[f];
-      const std::vector<VertexIndex> border = border_of(t);
-      const auto inside = insertions_.in_facet.find(f);
-      if (border.size() == 3 && inside == insertions_.in_facet.end() && !touched_.contains(f)) {
+      const auto at = splits_.find(f);
+      if (at == splits_.end())
         push(out, t, f, complex_.dirty_facet[f]);
-        continue;
-      }
-      const std::vector<VertexIndex> none;
-      const std::vector<VertexIndex>& in = inside == insertions_.in_facet.end() ? none : inside->second;
-      std::vector<VertexIndex> all = border;
-      all.insert(all.end(), in.begin(), in.end());
-      const auto split = split_facet(complex_.points, t, border, in, pieces_among(std::move(all), pieces));
-      if (!split) {
-        outcome_.facets_left_alone.push_back(f);
+      else if (!at->second)
         push(out, t, f, 1);
-      } else if (split->empty())
+      else if (at->second->empty())
         note_vanished(t, f);
       else
-        for (const Triangle& piece : *split) push(out, piece, f, 1);
+        for (const Triangle& piece : *at->second) push(out, piece, f, 1);
     }
     complex_.facets = std::move(out.facets);
     complex_.origins = std::move(out.origins);
@@ -82,6 +89,61 @@ class Rebuilding {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
+  static std::array<EdgeKey, 3> edges_of(const Triangle& t) {
+    return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
+  }
+
+  bool is_to_be_split(Index f) const {
+    if (insertions_.in_facet.contains(f) || touched_.contains(f)) return true;
+    const std::array<EdgeKey, 3> edges = edges_of(complex_.facets[f]);
+    return std::any_of(edges.begin(), edges.end(), [&](const EdgeKey& e) { return insertions_.on_edge.contains(e); });
+  }
+
+  /// Facets that cannot be split as asked.
+  std::vector<Index> split_all() {
+    std::vector<Index> facets;
+    is_of_split_.assign(complex_.points.size(), 0);
+    for (Index f = 0; f < complex_.facets.size(); ++f) {
+      if (!is_to_be_split(f)) continue;
+      facets.push_back(f);
+      for (const VertexIndex v : vertices_of(f)) is_of_split_[v] = 1;
+    }
+    return split_these(facets);
+  }
+  /// The same, of facets at edges that stay whole now.
+  std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
+    std::vector<Index> facets;
+    for (const auto& [f, split] : splits_) {
+      const std::array<EdgeKey, 3> edges = edges_of(complex_.facets[f]);
+      if (std::any_of(edges.begin(), edges.end(), [&](const EdgeKey& e) { return whole.contains(e); }))
+        facets.push_back(f);
+    }
+    std::sort(facets.begin(), facets.end());
+    return split_these(facets);
+  }
+  std::vector<Index> split_these(const std::vector<Index>& facets) {
+    const std::vector<EdgeKey> pieces = list_pieces();
+    std::vector<Index> open;
+    for (const Index f : facets) {
+      splits_.erase(f);
+      if (!is_to_be_split(f)) continue;
+      const auto inside = insertions_.in_facet.find(f);
+      const auto [at, is_new] = splits_.emplace(
+          f, split_facet(complex_.points, complex_.facets[f], border_of(complex_.facets[f]),
+                         inside == insertions_.in_facet.end() ? std::vector<VertexIndex>{} : inside->second,
+                         pieces_among(vertices_of(f), pieces)));
+      if (!at->second) open.push_back(f);
+    }
+    return open;
+  }
+  /// On its border and inside.
+  std::vector<VertexIndex> vertices_of(Index f) const {
+    std::vector<VertexIndex> all = border_of(complex_.facets[f]);
+    if (const auto inside = insertions_.in_facet.find(f); inside != insertions_.in_facet.end())
+      all.insert(all.end(), inside->second.begin(), inside->second.end());
+    return all;
+  }
+
   /// From a to b with what is inserted between; without b.
   void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
     walk.push_back(a);
@@ -98,14 +160,17 @@ class Rebuilding {
     return walk;
   }
 
-  /// Pieces of the active facets' edges from both ends, sorted.
+  /// Pieces of the active facets' edges from both ends, sorted, between vertices of facets that are to be split.
   std::vector<EdgeKey> list_pieces() const {
     std::vector<EdgeKey> pieces;
+    std::vector<VertexIndex> walk;
     for (const EdgeKey& e : edges_) {
-      std::vector<VertexIndex> walk;
+      if (!is_of_split_[e.first] && !is_of_split_[e.second]) continue;
+      walk.clear();
       walk_edge(e.first, e.second, walk);
       walk.push_back(e.second);
       for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
+        if (!is_of_split_[walk[k]] || !is_of_split_[walk[k + 1]]) continue;
         pieces.emplace_back(walk[k], walk[k + 1]);
         pieces.emplace_back(walk[k + 1], walk[k]);
       }
@@ -131,10 +196,12 @@ class Rebuilding {
   }
 
   Complex& complex_;
-  const Insertions& insertions_;
+  Insertions& insertions_;
   const std::vector<EdgeKey>& edges_;
   const std::set<Index>& touched_;
   SnapOutcome& outcome_;
+  std::unordered_map<Index, std::optional<std::vector<Triangle>>> splits_;  ///< by facet; nothing: left alone
+  std::vector<std::uint8_t> is_of_split_;  ///< by vertex: of a facet that is to be split
 };
 
 /// The course of snapping: vertices merged, then inserted in edges and facets that are near.
@@ -160,11 +227,11 @@ class Snapper {
     std::vector<VertexIndex> standing;
     for (const VertexIndex v : vertices_)
       if (now_[v] == v) standing.push_back(v);
-    const Insertions insertions =
-        find_insertions(complex_, active_facets_, edges_, std::move(standing), grid_, options_);
+    Insertions insertions = find_insertions(complex_, active_facets_, edges_, std::move(standing), grid_, options_);
+    Rebuilding rebuilding(complex_, insertions, edges_, touched_, outcome_);
+    rebuilding.leave_out_what_splits_nothing();
     for (const auto& [edge, on] : insertions.on_edge) note_insertions(edge, on);
     for (const auto& [facet, in] : insertions.in_facet) outcome_.n_vertices_inserted += in.size();
-    Rebuilding rebuilding(complex_, insertions, edges_, touched_, outcome_);
     rebuilding.rebuild_facets();
     rebuilding.rebuild_segments();
     for (auto& p : complex_.isolated_points) p.v = now_[p.v];

@@ -26,7 +26,7 @@ struct SnapOptions {
 
 struct SnapOutcome {
   std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
-  std::vector<Index> facets_left_alone;  ///< near vertices, but not to be split at them: neighbours may have been; rows
+  std::vector<Index> facets_left_alone;  ///< near vertices, but not to be split at them: their edges stay whole; rows
                                          ///< as they were
   std::vector<VanishedFacet> vanished;
   Displacement moved;  ///< of merged vertices, and of edges and facets at vertices inserted in them
@@ -56,7 +56,7 @@ struct Insertions {
 
 /// The facet with vertices on its edges and inside, as triangles that turn as the facet does. Edges of `wanted` between
 /// its vertices are there where they cross nothing. nothing: its border crosses itself as seen along the normal, and
-/// the facet is best left alone. Empty: no area is left.
+/// along the axes from which the border is well seen; the facet is best left alone. Empty: no area is left.
 std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet,
                                                  const std::vector<VertexIndex>& border,
                                                  const std::vector<VertexIndex>& inside,

@@ -2,7 +2,9 @@
 #include "arrangement/snap/snap_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <unordered_map>
 
 #include "arrangement/search/bvh.hpp"
 
@@ -242,27 +244,57 @@ Vec3 BoxPlanes::onto_near(const Vec3& p, double distance) const {
   return onto(p, planes);
 }
 
-Vec3 VertexGrid::cell_of(const Vec3& p) const {
-  return {std::floor(p.x / distance_) + 0.0, std::floor(p.y / distance_) + 0.0, std::floor(p.z / distance_) + 0.0};
+VertexGrid::Cell VertexGrid::cell_of(const Vec3& p) const {
+  constexpr double distances_a_cell = 4;
+  const double size = distances_a_cell * distance_;
+  return {std::floor(p.x / size) + 0.0, std::floor(p.y / size) + 0.0, std::floor(p.z / size) + 0.0};
+}
+
+std::size_t VertexGrid::place_of(const Cell& cell) const {
+  std::uint64_t hash = 0;
+  for (const double c : cell) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 32;
+  }
+  std::size_t i = hash & (slots_.size() - 1);
+  while (slots_[i].first != no_vertex && slots_[i].cell != cell) i = (i + 1) & (slots_.size() - 1);
+  return i;
+}
+
+void VertexGrid::grow() {
+  std::vector<Slot> old(std::max<std::size_t>(64, 2 * slots_.size()));
+  old.swap(slots_);
+  for (const Slot& s : old)
+    if (s.first != no_vertex) slots_[place_of(s.cell)] = s;
+}
+
+void VertexGrid::add(VertexIndex v) {
+  if (2 * (n_cells_ + 1) > slots_.size()) grow();
+  if (next_.size() <= v) next_.resize(std::max<std::size_t>(v + std::size_t{1}, points_.size()), no_vertex);
+  const Cell cell = cell_of(points_[v]);
+  Slot& slot = slots_[place_of(cell)];
+  n_cells_ += slot.first == no_vertex;
+  next_[v] = slot.first;
+  slot = {cell, v};
 }
 
 VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes& box,
                                 const std::function<bool(VertexIndex)>& may_take) const {
-  const Vec3 centre = cell_of(p);
   VertexIndex best = no_vertex;
+  if (slots_.empty()) return best;
+  const Vec3 margin{distance_, distance_, distance_};
+  const Cell first = cell_of(p - margin), last = cell_of(p + margin);
   double best_distance = distance_;
-  for (double dx = -1; dx <= 1; ++dx)
-    for (double dy = -1; dy <= 1; ++dy)
-      for (double dz = -1; dz <= 1; ++dz) {
-        const auto cell = cells_.find(centre + Vec3{dx, dy, dz});
-        if (cell == cells_.end()) continue;
-        for (const VertexIndex v : cell->second) {
+  for (double x = first[0]; x <= last[0]; ++x)
+    for (double y = first[1]; y <= last[1]; ++y)
+      for (double z = first[2]; z <= last[2]; ++z)
+        for (VertexIndex v = slots_[place_of({x, y, z})].first; v != no_vertex; v = next_[v]) {
           const double d = length(p - points_[v]);
-          if (d >= best_distance || (box.of(points_[v]) & planes) != planes || !may_take(v)) continue;
+          const bool is_nearer = d < best_distance || (d == best_distance && best != no_vertex && v < best);
+          if (!is_nearer || (box.of(points_[v]) & planes) != planes || !may_take(v)) continue;
           best = v;
           best_distance = d;
         }
-      }
   return best;
 }
 

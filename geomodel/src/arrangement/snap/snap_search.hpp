@@ -4,8 +4,8 @@
 /// validity rests on them.
 #pragma once
 
+#include <array>
 #include <functional>
-#include <unordered_map>
 
 #include "arrangement/snap/snap.hpp"
 
@@ -25,20 +25,31 @@ class BoxPlanes {
   std::optional<Box3> box_;
 };
 
-/// Vertices by place.
+/// Vertices by place, in cells of a few distances: a ball of that radius meets one to eight of them, two mostly.
 class VertexGrid {
  public:
   VertexGrid(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {}
-  void add(VertexIndex v) { cells_[cell_of(points_[v])].push_back(v); }
-  /// The nearest vertex closer to p than the distance that lies on all of `planes` and may be taken, or no_vertex.
+  void add(VertexIndex v);
+  /// The nearest vertex closer to p than the distance that lies on all of `planes` and may be taken, or no_vertex. Of
+  /// several as near the first by index.
   VertexIndex nearest(const Vec3& p, unsigned planes, const BoxPlanes& box,
                       const std::function<bool(VertexIndex)>& may_take) const;
 
  private:
-  Vec3 cell_of(const Vec3& p) const;
+  using Cell = std::array<double, 3>;
+  struct Slot {
+    Cell cell;
+    VertexIndex first = no_vertex;  ///< no_vertex: nothing here
+  };
+  Cell cell_of(const Vec3& p) const;
+  std::size_t place_of(const Cell& cell) const;
+  void grow();
+
   const std::vector<Vec3>& points_;
   double distance_;
-  std::unordered_map<Vec3, std::vector<VertexIndex>, PointHash> cells_;
+  std::vector<Slot> slots_;        // a power of two, with linear probing
+  std::vector<VertexIndex> next_;  // by vertex: another of its cell
+  std::size_t n_cells_ = 0;
 };
 
 /// Finds vertices near edges, edges near each other and vertices near facets, among the given facets, edges and
