@@ -81,8 +81,7 @@ void fill_tetrahedra(const ConstrainedTetrahedralization& mesh, const std::vecto
   });
 }
 
-/// For facets that come from several triangles of a surface: they stand for several soup facets (polygons on a box
-/// side), or more than one triangle was brought together there.
+/// For facets that stand for several soup facets (polygons on a box side): the triangles of the side they come from.
 class SourceTriangles {
  public:
   SourceTriangles(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
@@ -112,12 +111,8 @@ class SourceTriangles {
  private:
   std::vector<Index> triangles_of(Index facet) const {
     std::set<Index> triangles;
-    const Index surface = origins_of(soup_, plc_, facet).front().surface;
-    for (Index i = plc_.facet_soup_offsets[facet]; i < plc_.facet_soup_offsets[facet + 1]; ++i) {
-      const Index s = plc_.facet_soup[i];
-      for (Index k = soup_.origin_offsets[s]; k < soup_.origin_offsets[s + 1]; ++k)
-        if (soup_.origins[k].surface == surface) triangles.insert(soup_.origins[k].triangle);
-    }
+    for (Index i = plc_.facet_soup_offsets[facet]; i < plc_.facet_soup_offsets[facet + 1]; ++i)
+      triangles.insert(soup_.origins[soup_.origin_offsets[plc_.facet_soup[i]]].triangle);
     return {triangles.begin(), triangles.end()};
   }
 
@@ -144,12 +139,11 @@ void fill_faces(const MeshedModel& meshed, const std::vector<std::int32_t>& surf
       std::swap(out.vertices[1], out.vertices[2]);
       std::swap(out.region_minus, out.region_plus);
     }
+    const bool several = plc.facet_soup_offsets[face.facet + 1] - plc.facet_soup_offsets[face.facet] > 1;
     const Vec3 middle =
         (1.0 / 3) * (mesh.points[face.vertices[0]] + mesh.points[face.vertices[1]] + mesh.points[face.vertices[2]]);
     const std::span<const PolygonSoup::Origin> origins = origins_of(soup, plc, face.facet);
     out.surface = surface_id[origins.front().surface];
-    const bool several = plc.facet_soup_offsets[face.facet + 1] - plc.facet_soup_offsets[face.facet] > 1 ||
-                         (origins.size() > 1 && origins[1].surface == origins[0].surface);
     out.source_triangle =
         static_cast<std::int32_t>(several ? sources.under(middle, face.facet) : origins.front().triangle);
     out.patch = static_cast<std::int32_t>(plc.facet_patch[face.facet]);

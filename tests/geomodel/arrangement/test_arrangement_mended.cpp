@@ -128,6 +128,24 @@ TEST_CASE("flaps: one that another surface crosses, or on which two end, stays",
   }
 }
 
+TEST_CASE("flaps: a facet that is a flap of two surfaces stays that of one, and holds what ends on it",
+          "[arrangement]") {
+  // Two tetrahedra on either side of the edge (0, 1), of surfaces 0 and 1, share a flap; surface 2 ends on it.
+  std::vector<Vec3> points = tetrahedron_and_points_beside(0.01);
+  points.push_back({0, -1, 0.5});
+  points.push_back({0, -0.5, 1});
+  points.push_back({0.7, -3, -3});
+  Complex complex = complex_of(points, with(sides, {{{0, 6, 1}, {1}},
+                                                    {{0, 1, 7}, {1}},
+                                                    {{1, 6, 7}, {1}},
+                                                    {{0, 7, 6}, {1}},
+                                                    {{0, 1, 4}, {0, 1}},
+                                                    {{1, 8, 4}, {2}}}));
+  CHECK(cut_flaps(complex, 0.02).n_flaps == 1);
+  REQUIRE(complex.facets.size() == 10);
+  CHECK(complex.origins.of(8).size() == 1);
+}
+
 TEST_CASE("flaps: a facet that another surface has too stays that one's", "[arrangement]") {
   Complex complex = complex_of(tetrahedron_and_points_beside(0.01), with(sides, {{{0, 1, 4}, {0, 1}}}));
   CHECK(cut_flaps(complex, 0.02).n_flaps == 1);

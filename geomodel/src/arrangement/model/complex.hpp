@@ -4,9 +4,11 @@
 /// origins.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geomesh/geomodel/arrangement.hpp"
@@ -16,6 +18,14 @@ namespace geomesh::geomodel::arrangement {
 inline constexpr std::size_t no_memory_bound = ~std::size_t{0};
 
 using Origin = PolygonSoup::Origin;
+
+/// An edge or a well's segment by its ends, the lesser one first.
+using EdgeKey = std::pair<VertexIndex, VertexIndex>;
+inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
+/// From each corner to the next.
+inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
+  return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
+}
 
 /// Lists of origins, one for each facet, back to back.
 struct OriginLists {

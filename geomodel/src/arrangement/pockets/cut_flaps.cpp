@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::size_t most_facets = 64;  ///< of a flap: what a needle leaves has few
 
-using Edge = std::array<VertexIndex, 2>;
-
-std::array<Edge, 3> edges_of(const Triangle& t) {
-  const auto edge = [&](std::size_t i, std::size_t j) { return Edge{std::min(t[i], t[j]), std::max(t[i], t[j])}; };
-  return {edge(0, 1), edge(1, 2), edge(2, 0)};
-}
-
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
@@ -32,7 +25,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 struct Flap {
   std::vector<Index> facets;
-  std::vector<Edge> hinge;
+  std::vector<EdgeKey> hinge;
   Displacement way;  ///< from its farthest corner to the hinge
 };
 
@@ -41,7 +34,7 @@ class SurfaceFacets {
  public:
   SurfaceFacets(const Complex& complex, const std::vector<Index>& facets) : complex_(complex) {
     for (const Index f : facets)
-      for (const Edge& e : edges_of(complex.facets[f])) at_[e].push_back(f);
+      for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
   /// Pieces between ends of the surface and a hinge, whose corners are all within the distance of the hinge. Of pieces
   /// that share one, those come first whose facets are lower.
@@ -54,7 +47,7 @@ class SurfaceFacets {
       flap.way = way_to(flap.hinge, flap.facets);
       if (flap.way.largest > distance) continue;
       for (const Index f : flap.facets)
-        for (const Edge& e : edges_of(complex_.facets[f])) std::erase(at_[e], f);
+        for (const EdgeKey& e : edges_of(complex_.facets[f])) std::erase(at_[e], f);
       flaps.push_back(std::move(flap));
     }
     return flaps;
@@ -76,7 +69,7 @@ class SurfaceFacets {
   std::vector<Index> piece_of(Index first) const {
     std::vector<Index> piece{first};
     for (std::size_t k = 0; k < piece.size() && piece.size() <= most_facets; ++k)
-      for (const Edge& e : edges_of(complex_.facets[piece[k]])) {
+      for (const EdgeKey& e : edges_of(complex_.facets[piece[k]])) {
         const std::vector<Index>& facets = at_.at(e);
         if (facets.size() != 2) continue;
         const Index other = facets[0] == piece[k] ? facets[1] : facets[0];
@@ -85,11 +78,11 @@ class SurfaceFacets {
     return piece;
   }
   /// Empty where there is none, or where the surface would end at it without the piece.
-  std::vector<Edge> hinge_of(const std::vector<Index>& piece) const {
-    std::map<Edge, std::size_t> own;
+  std::vector<EdgeKey> hinge_of(const std::vector<Index>& piece) const {
+    std::map<EdgeKey, std::size_t> own;
     for (const Index f : piece)
-      for (const Edge& e : edges_of(complex_.facets[f])) ++own[e];
-    std::vector<Edge> hinge;
+      for (const EdgeKey& e : edges_of(complex_.facets[f])) ++own[e];
+    std::vector<EdgeKey> hinge;
     for (const auto& [e, n] : own) {
       const std::size_t all = at_.at(e).size();
       if (all < 3) continue;
@@ -98,14 +91,14 @@ class SurfaceFacets {
     }
     return hinge;
   }
-  Displacement way_to(const std::vector<Edge>& hinge, const std::vector<Index>& piece) const {
+  Displacement way_to(const std::vector<EdgeKey>& hinge, const std::vector<Index>& piece) const {
     Displacement way;
     for (const Index f : piece)
       for (const VertexIndex v : complex_.facets[f]) {
         double least = std::numeric_limits<double>::infinity();
-        for (const Edge& e : hinge)
-          least =
-              std::min(least, distance_to_segment(complex_.points[v], complex_.points[e[0]], complex_.points[e[1]]));
+        for (const EdgeKey& e : hinge)
+          least = std::min(
+              least, distance_to_segment(complex_.points[v], complex_.points[e.first], complex_.points[e.second]));
         if (least > way.largest) {
           way.largest = least;
           way.where = complex_.points[v];
@@ -115,7 +108,7 @@ class SurfaceFacets {
   }
 
   const Complex& complex_;
-  std::map<Edge, std::vector<Index>> at_;
+  std::map<EdgeKey, std::vector<Index>> at_;
 };
 
 std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& complex) {
@@ -131,7 +124,7 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
   return facets_of;
 }
 
-using FacetsAtEdges = std::map<Edge, std::vector<Index>>;
+using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
 /// What meets a flap at edges other than its hinge, where the flap is of no other surface.
 struct Borne {
@@ -139,16 +132,37 @@ struct Borne {
   bool by_others = false;        ///< what goes on beyond, or a second surface
 };
 
+/// What a facet loses, and what it gets where that is all that it is of.
+struct Change {
+  Index surface;
+  std::optional<Origin> instead;
+};
+using Changes = std::map<Index, Change>;  ///< by facet
+
+/// Whether a facet of the flap, or one beside it but for its hinge, changes already: it may not be there any more.
+bool is_beside_a_change(const FacetsAtEdges& at, const Changes& changes, const Complex& complex, const Flap& flap) {
+  for (const Index f : flap.facets)
+    for (const EdgeKey& e : edges_of(complex.facets[f])) {
+      const std::vector<Index>& facets = at.at(e);
+      const bool is_hinge = std::find(flap.hinge.begin(), flap.hinge.end(), e) != flap.hinge.end();
+      if (changes.contains(f) || (!is_hinge && std::any_of(facets.begin(), facets.end(),
+                                                           [&](Index other) { return changes.contains(other); })))
+        return true;
+    }
+  return false;
+}
+
 Borne borne_by(const Complex& complex, const FacetsAtEdges& at, const Flap& flap) {
   Borne borne;
   for (const Index f : flap.facets) {
     if (complex.origins.of(f).size() > 1) continue;
-    for (const Edge& e : edges_of(complex.facets[f])) {
+    for (const EdgeKey& e : edges_of(complex.facets[f])) {
       if (std::find(flap.hinge.begin(), flap.hinge.end(), e) != flap.hinge.end()) continue;
       std::size_t n_beside = 0;
       for (const Index other : at.at(e)) {
         if (std::find(flap.facets.begin(), flap.facets.end(), other) != flap.facets.end()) continue;
-        Origin on = carried_over(complex.origins.of(other)[0], complex.facets[other], complex.facets[f], e[0], e[1]);
+        Origin on =
+            carried_over(complex.origins.of(other)[0], complex.facets[other], complex.facets[f], e.first, e.second);
         on.reversed = on.reversed != complex.origins.of(f)[0].reversed;
         if (!borne.ending) borne.ending = on;
         if (++n_beside > 1 || complex.origins.of(other).size() > 1 || borne.ending->surface != on.surface ||
@@ -164,10 +178,10 @@ FacetsAtEdges facets_at(const Complex& complex, const std::vector<std::pair<Inde
   FacetsAtEdges at;
   for (const auto& [surface, flap] : flaps)
     for (const Index f : flap.facets)
-      for (const Edge& e : edges_of(complex.facets[f])) at[e];
+      for (const EdgeKey& e : edges_of(complex.facets[f])) at[e];
   if (at.empty()) return at;
   for (Index f = 0; f < complex.facets.size(); ++f)
-    for (const Edge& e : edges_of(complex.facets[f]))
+    for (const EdgeKey& e : edges_of(complex.facets[f]))
       if (const auto found = at.find(e); found != at.end()) found->second.push_back(f);
   return at;
 }
@@ -180,16 +194,12 @@ CutFlaps cut_flaps(Complex& complex, double distance) {
     for (Flap& flap : SurfaceFacets(complex, facets).take_flaps(distance)) flaps.emplace_back(surface, std::move(flap));
   const FacetsAtEdges at = facets_at(complex, flaps);
   CutFlaps done;
-  struct Change {
-    Index surface;
-    std::optional<Origin> instead;
-  };
-  std::map<Index, std::vector<Change>> changes;  // by facet
+  Changes changes;
   for (const auto& [surface, flap] : flaps) {
     const Borne borne = borne_by(complex, at, flap);
-    if (borne.by_others) continue;
+    if (borne.by_others || is_beside_a_change(at, changes, complex, flap)) continue;
     for (const Index f : flap.facets) {
-      changes[f].push_back({surface, borne.ending});
+      changes.emplace(f, Change{surface, borne.ending});
       done.vanished.push_back({surface, complex.points[complex.facets[f][0]]});
     }
     if (flap.way.largest > done.moved.largest) done.moved = flap.way;
@@ -199,14 +209,12 @@ CutFlaps cut_flaps(Complex& complex, double distance) {
   edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
     const auto found = changes.find(f);
     if (found == changes.end()) return;
-    for (const Change& change : found->second) {
-      const bool was_alone = of.size() == 1;
-      const bool reversed = of[0].reversed;
-      std::erase_if(of, [&](const Origin& o) { return o.surface == change.surface; });
-      if (!was_alone || !change.instead) continue;
-      of.push_back(*change.instead);
-      of[0].reversed = of[0].reversed != reversed;
-    }
+    const auto& [surface, instead] = found->second;
+    const bool was_alone = of.size() == 1, reversed = of[0].reversed;
+    std::erase_if(of, [&](const Origin& o) { return o.surface == surface; });
+    if (!was_alone || !instead) return;
+    of.push_back(*instead);
+    of[0].reversed = of[0].reversed != reversed;
   });
   return done;
 }

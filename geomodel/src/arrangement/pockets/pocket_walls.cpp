@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "common/union_find.hpp"
 
@@ -15,28 +15,21 @@ namespace {
 
 constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a pocket: what one of its two walls takes
 
-using Edge = std::pair<VertexIndex, VertexIndex>;
-
-/// Calls see(a, b, facets) for each edge of the facets, ascending.
+/// Calls see(edge, facets) for each edge of the facets, ascending.
 template <class See>
 void for_each_edge_of(const Complex& complex, const std::vector<FacetSide>& sides, const See& see) {
-  std::vector<std::tuple<VertexIndex, VertexIndex, Index>> uses;
+  std::vector<std::pair<EdgeKey, Index>> uses;
   uses.reserve(3 * sides.size());
   for (const FacetSide s : sides) {
-    const Triangle& t = complex.facets[facet_of(s)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-      uses.emplace_back(a, b, facet_of(s));
-    }
+    for (const EdgeKey& e : edges_of(complex.facets[facet_of(s)])) uses.emplace_back(e, facet_of(s));
   }
   std::sort(uses.begin(), uses.end());
   std::vector<Index> facets;
   for (std::size_t i = 0; i < uses.size();) {
-    const auto [a, b, first] = uses[i];
+    const EdgeKey edge = uses[i].first;
     facets.clear();
-    for (; i < uses.size() && std::get<0>(uses[i]) == a && std::get<1>(uses[i]) == b; ++i)
-      facets.push_back(std::get<2>(uses[i]));
-    see(a, b, facets);
+    for (; i < uses.size() && uses[i].first == edge; ++i) facets.push_back(uses[i].second);
+    see(edge, facets);
   }
 }
 
@@ -97,8 +90,8 @@ std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<Facet
         shell.begin());
   };
   UnionFind joined(shell.size());
-  for_each_edge_of(complex_, shell, [&](VertexIndex a, VertexIndex b, const std::vector<Index>& at) {
-    if (at.size() == 2 && is_free_inside(a, b) &&
+  for_each_edge_of(complex_, shell, [&](const EdgeKey& e, const std::vector<Index>& at) {
+    if (at.size() == 2 && is_free_inside(e.first, e.second) &&
         surfaces_of_facet(complex_, at[0]) == surfaces_of_facet(complex_, at[1]))
       joined.unite(row(at[0]), row(at[1]));
   });
@@ -115,8 +108,8 @@ bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
   for (const FacetSide s : wall)
     for (const VertexIndex v : complex_.facets[facet_of(s)]) corners.push_back(v);
   std::sort(corners.begin(), corners.end());
-  for_each_edge_of(complex_, wall, [&](VertexIndex a, VertexIndex b, const std::vector<Index>& at) {
-    if (at.size() == 1) on_rim.insert(on_rim.end(), {a, b});
+  for_each_edge_of(complex_, wall, [&](const EdgeKey& e, const std::vector<Index>& at) {
+    if (at.size() == 1) on_rim.insert(on_rim.end(), {e.first, e.second});
   });
   std::sort(on_rim.begin(), on_rim.end());
   for (std::size_t i = 0, j; i < corners.size(); i = j) {
@@ -130,8 +123,8 @@ bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
 /// Two facets share the edge, and no well can run along it.
 bool WallSearch::is_free_inside(VertexIndex a, VertexIndex b) const {
   if (is_held_[a] && is_held_[b]) return false;
-  const auto less = [](const EdgeFacets::Use& use, const Edge& edge) { return Edge(use.a, use.b) < edge; };
-  const auto first = std::lower_bound(edges_.uses.begin(), edges_.uses.end(), Edge(a, b), less);
+  const auto less = [](const EdgeFacets::Use& use, const EdgeKey& edge) { return EdgeKey(use.a, use.b) < edge; };
+  const auto first = std::lower_bound(edges_.uses.begin(), edges_.uses.end(), EdgeKey(a, b), less);
   std::ptrdiff_t n = 0;
   for (auto at = first; at != edges_.uses.end() && at->a == a && at->b == b; ++at) ++n;
   return n == 2;

@@ -82,7 +82,7 @@ void JoinRule::index_edges(const Complex& complex, const std::function<bool(Vert
     const bool is_border = j - i == 1 && !lies_on_box(sides[i].a, sides[i].b);
     const Set last = of_edge_.empty() ? none : of_edge_.back().second.surfaces;
     const Set now = sets_[last] == surfaces ? last : number(surfaces);
-    of_edge_.push_back({Edge{sides[i].a, sides[i].b}, Thing{now, is_border}});
+    of_edge_.push_back({EdgeKey{sides[i].a, sides[i].b}, Thing{now, is_border}});
   }
 }
 
@@ -94,9 +94,9 @@ void JoinRule::index(const Complex& complex, const std::function<bool(VertexInde
 }
 
 JoinRule::Thing JoinRule::of_edge(VertexIndex a, VertexIndex b) const {
-  const Edge edge{std::min(a, b), std::max(a, b)};
+  const EdgeKey edge = edge_key(a, b);
   const auto at = std::lower_bound(of_edge_.begin(), of_edge_.end(), edge,
-                                   [](const auto& entry, const Edge& e) { return entry.first < e; });
+                                   [](const auto& entry, const EdgeKey& e) { return entry.first < e; });
   return at == of_edge_.end() || at->first != edge ? Thing{} : at->second;
 }
 

@@ -26,7 +26,7 @@ std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts&
 /// Two things may join where one of them is a free border, and a surface of the one meets another surface of the
 /// other somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
 /// triangles beside their curve are for remeshing to take out. Surfaces from the row `first_fixed` on stay what they
-/// are, and nothing joins them: sides of a model volume, which would leave their planes.
+/// are, and nothing joins them: sides of a model volume, which would leave their planes. For one thread at a time.
 class JoinRule {
  public:
   using Set = Index;  ///< of surfaces, by number
@@ -79,7 +79,6 @@ class JoinRule {
 
  private:
   static constexpr Set none = 0;
-  using Edge = std::pair<VertexIndex, VertexIndex>;
   Set number(std::vector<Index> surfaces);
   bool find_whether_allowed(const Thing& a, const Thing& b) const;
 
@@ -89,8 +88,8 @@ class JoinRule {
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
-  std::vector<std::pair<Edge, Thing>> of_edge_;  // ascending by edge
-  /// By set and set, twice and once more for borders: what was found, as long as there are few sets. 0: not known.
+  std::vector<std::pair<EdgeKey, Thing>> of_edge_;  // ascending by edge
+  /// Of two sets, without and with a border: 1 allowed, 2 not, 0 not asked yet. Only while there are few sets.
   mutable std::vector<std::uint8_t> known_;
 };
 

@@ -89,10 +89,6 @@ class Rebuilding {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  static std::array<EdgeKey, 3> edges_of(const Triangle& t) {
-    return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
-  }
-
   bool is_to_be_split(Index f) const {
     if (insertions_.in_facet.contains(f) || touched_.contains(f)) return true;
     const std::array<EdgeKey, 3> edges = edges_of(complex_.facets[f]);

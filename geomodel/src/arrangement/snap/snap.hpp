@@ -44,10 +44,6 @@ struct SnapOutcome {
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 
-/// An edge or a well's segment by its ends, the lesser one first.
-using EdgeKey = std::pair<VertexIndex, VertexIndex>;
-inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
-
 /// What is to be inserted where; vertices on an edge are in order from its lesser end.
 struct Insertions {
   std::map<EdgeKey, std::vector<VertexIndex>> on_edge;

@@ -283,18 +283,22 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
   VertexIndex best = no_vertex;
   if (slots_.empty()) return best;
   const Vec3 margin{distance_, distance_, distance_};
-  const Cell first = cell_of(p - margin), last = cell_of(p + margin);
+  const Cell low = cell_of(p - margin), high = cell_of(p + margin);
   double best_distance = distance_;
-  for (double x = first[0]; x <= last[0]; ++x)
-    for (double y = first[1]; y <= last[1]; ++y)
-      for (double z = first[2]; z <= last[2]; ++z)
-        for (VertexIndex v = slots_[place_of({x, y, z})].first; v != no_vertex; v = next_[v]) {
-          const double d = length(p - points_[v]);
-          const bool is_nearer = d < best_distance || (d == best_distance && best != no_vertex && v < best);
-          if (!is_nearer || (box.of(points_[v]) & planes) != planes || !may_take(v)) continue;
-          best = v;
-          best_distance = d;
-        }
+  for (unsigned k = 0; k < 8; ++k) {  // the ball is half a cell wide: two cells along an axis at most
+    Cell cell = low;
+    bool is_same = false;  // as one before
+    for (std::size_t i = 0; i < 3; ++i)
+      if ((k >> i & 1u) != 0) is_same |= low[i] == high[i], cell[i] = high[i];
+    if (is_same) continue;
+    for (VertexIndex v = slots_[place_of(cell)].first; v != no_vertex; v = next_[v]) {
+      const double d = length(p - points_[v]);
+      const bool is_nearer = d < best_distance || (d == best_distance && best != no_vertex && v < best);
+      if (!is_nearer || (box.of(points_[v]) & planes) != planes || !may_take(v)) continue;
+      best = v;
+      best_distance = d;
+    }
+  }
   return best;
 }
 
