@@ -168,6 +168,38 @@ output: {directory: out, formats: [vtu]}
             self.assertGreater(max(between), 80 * 100 * 30)
         self.assertEqual(outcome_of(823132, self.path("beyond"), PROGRAM, 60, light=True), ("passes", ""))
 
+    def test_a_piece_that_a_rule_takes_is_judged_as_a_whole(self):
+        """h1 dives below h2, and rises again where h2 has ended. clip_younger takes all of h1 beyond the edge where both meet (810236, 881594)."""
+        def strip(name, *line):
+            points = [(x, y, z) for x, z in line for y in (-10, 110)]
+            ends = range(0, 2 * len(line) - 2, 2)
+            self.write(name + ".ts", triangles_ts(name, points, [t for k in ends for t in ((k, k + 2, k + 3), (k, k + 3, k + 1))]))
+        strip("h2", (-10, 30), (100, 30))
+        project = self.write("project.yaml", """name: m
+box: {min: [0, 0, 0], max: [140, 100, 150]}
+surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}]
+column: [u1, h1, u2, h2, u3]
+rules: {stack: keep, on_crossing: clip_younger}
+mesh: {mode: constrained, refine: none}
+output: {directory: out, formats: [vtu]}
+""")
+        for end in ((100, 10), (110, 40), (150, 40)), ((30, 50 - 40 / 110 * 40),):  # the second is short of the edge where they meet
+            strip("h1", (-10, 50), *end)
+            self.run_program(project)
+            self.check(self.path("out", "m.vtu"), "--project", project)
+        strip("h1", (-10, 50), (100, 10), (110, 40), (150, 40))
+        self.assertIn("uncovered_triangles", self.run_program("check", self.path("out", "m.vtu"), "--project", project, status=None))
+        for seed in (810236, 881594):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("piece%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_a_region_is_named_by_none_of_the_small_ones_that_joined_it(self):
+        self.assertEqual(outcome_of(840117, self.path("joined"), PROGRAM, 60, light=True), ("passes", ""))
+
+    def test_a_needle_that_hangs_from_a_surface_goes_where_no_tolerance_is_given(self):
+        """A fault had a fin half an ulp high and 115 m long, where it crosses another one (890064)."""
+        self.assertEqual(outcome_of(890064, self.path("fin"), PROGRAM, 60, light=True), ("passes", ""))
+
     def test_a_piece_that_reaches_further_than_trim_overshoot_in_its_middle_stays(self):
         for seed in (820320, 825174):
             with self.subTest(seed=seed):
@@ -193,8 +225,11 @@ output: {directory: out, formats: [vtu]}
                 self.assertEqual(outcome_of(seed, self.path("pocket%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
 
     def test_faces_at_right_angles_to_their_horizon_tell_no_side_of_it(self):
-        """A face of 3 m2 on a fault, which bears a horizon that ends there, named a region of 4 km3 for the judge (820328)."""
-        self.assertEqual(outcome_of(820328, self.path("sides"), PROGRAM, 60, light=True), ("passes", ""))
+        """A face of 3 m2 on a fault, which bears a horizon that ends there, named a region of 4 km3 for the judge (820328), one of 55 m2 a region
+        of 0.05 km3 for the mesher (881980)."""
+        for seed in (820328, 881980):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path("sides%d" % seed), PROGRAM, 60, light=True), ("passes", ""))
 
     def test_lines_of_the_map_an_ulp_apart_are_halved_one_at_a_time(self):
         """Their middles rounded to one place, and both were opened there: a crash (824102)."""

@@ -66,14 +66,15 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
   merging.facets_merged += closed.n_facets_removed;
 }
 
-/// What needles that vanished left of surfaces.
-void mend_surfaces(Complex& complex, double tolerance, ArrangementResult::Merging& merging,
+/// What needles that vanished left of surfaces. `rounding`: a distance that rounding leaves.
+void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
-  const CutFlaps cut = cut_flaps(complex, tolerance);
-  add(cut.moved, merging.displacement);
-  merging.facets_collapsed += cut.vanished.size();
+  if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
+  const CutFlaps cut = cut_flaps(complex, std::max(tolerance, rounding));
+  add(cut.moved, result.merging.displacement);
+  result.merging.facets_collapsed += cut.vanished.size();
   vanished.insert(vanished.end(), cut.vanished.begin(), cut.vanished.end());
-  fill_holes(complex, tolerance);
+  if (tolerance > 0) fill_holes(complex, tolerance);
 }
 
 void log_round(const RunContext& context, unsigned round, const Complex& complex, const Contacts& contacts) {
@@ -263,7 +264,7 @@ class Arrangement {
     }
     if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
-    if (options_.tolerance > 0) mend_surfaces(complex, options_.tolerance, result_.merging, vanished_);
+    mend_surfaces(complex, options_.tolerance, joining_.distance, result_, vanished_);
     result_.soup = soup_of(std::move(complex));
     diagnose_soup(surfaces_, vanished_, result_);
     return std::move(result_);

@@ -2,11 +2,30 @@
 #include "naming/column.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geomesh/core/error.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
+
+namespace {
+
+/// Cosine of the angle between a face and its triangle below which the face shows no side.
+constexpr double least_cosine = 0.1;
+
+std::vector<Vec3> unit_normals(const TriangulatedSurface& surface) {
+  std::vector<Vec3> normals;
+  normals.reserve(surface.triangles.size());
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 n = cross(surface.points[t[1]] - surface.points[t[0]], surface.points[t[2]] - surface.points[t[0]]);
+    const double length = norm(n);
+    normals.push_back(length > 0 ? (1 / length) * n : Vec3{});
+  }
+  return normals;
+}
+
+}  // namespace
 
 Column make_column(const std::vector<std::string>& names, const std::vector<TriangulatedSurface>& surfaces,
                    std::vector<std::string>& warnings) {
@@ -27,6 +46,7 @@ Column make_column(const std::vector<std::string>& names, const std::vector<Tria
                                         ") must be a horizon and no surface has this name");
     column.horizons.push_back(static_cast<Index>(at - surfaces.begin()));
     column.sides.push_back(orient_upward(*at));
+    column.normals.push_back(unit_normals(*at));
     if (column.sides.back().n_unorientable_sheets > 0)
       warnings.push_back(
           "horizon " + names[i] + ": " + std::to_string(column.sides.back().n_unorientable_sheets) +
@@ -41,12 +61,16 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
   std::map<Index, Index> row_of_surface;
   for (Index h = 0; h < column.horizons.size(); ++h) row_of_surface[column.horizons[h]] = h;
   for (const auto& face : mesh.faces) {
-    const double area =
-        triangle_area(mesh.points[face.vertices[0]], mesh.points[face.vertices[1]], mesh.points[face.vertices[2]]);
+    const Vec3& corner = mesh.points[face.vertices[0]];
+    const Vec3 normal = cross(mesh.points[face.vertices[1]] - corner, mesh.points[face.vertices[2]] - corner);
+    const double area = norm(normal) / 2;
     for (const PolygonSoup::Origin& o : origins_of(soup, plc, face.facet)) {
       const auto row = row_of_surface.find(o.surface);
       if (row == row_of_surface.end()) continue;
       const Index h = row->second;
+      if (std::abs(dot(normal, column.normals[h][o.triangle])) <
+          least_cosine * 2 * area * norm(column.normals[h][o.triangle]))
+        continue;
       const bool facet_normal_is_up = (column.sides[h].as_stored[o.triangle] != 0) != o.reversed;
       Index lower = component_of(mesh, face.tetrahedron_below), upper = component_of(mesh, face.tetrahedron_above);
       if (!facet_normal_is_up) std::swap(lower, upper);

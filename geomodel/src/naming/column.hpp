@@ -16,8 +16,9 @@ namespace geomesh::geomodel {
 /// and above horizon u.
 struct Column {
   std::vector<std::string> units;
-  std::vector<Index> horizons;     ///< rows of surfaces; one fewer than units, none where there is no column
-  std::vector<UpwardSides> sides;  ///< per horizon
+  std::vector<Index> horizons;             ///< rows of surfaces; one fewer than units, none where there is no column
+  std::vector<UpwardSides> sides;          ///< per horizon
+  std::vector<std::vector<Vec3>> normals;  ///< per horizon: of each triangle, of unit length; zero where it has no area
   bool given() const { return !units.empty(); }
 };
 /// Throws Error{usage} where the list has even length or a horizon is not among the surfaces. Warns of sheets that have
@@ -25,7 +26,8 @@ struct Column {
 Column make_column(const std::vector<std::string>& names, const std::vector<TriangulatedSurface>& surfaces,
                    std::vector<std::string>& warnings);
 
-/// The faces of horizons about one component: areas by row of the column.
+/// The faces of horizons about one component: areas by row of the column. A face at 84 degrees or more to the triangle
+/// that it stands for shows no side: a horizon that ends on a fault within the tolerance has such faces along it.
 struct HorizonContacts {
   std::map<Index, double> lies_below, lies_above;  ///< faces that part it from something else
   std::map<Index, double> on_both_sides;           ///< faces with this component on both sides

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "check/claim/taken_by_rules.hpp"
+#include "check/claim/taken_pieces.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -37,4 +38,29 @@ TEST_CASE("Above and below another surface are told on the vertical, and beside 
       CHECK_FALSE(taken.may_be_away(1, 0, {x, 0.5, 3 + beyond}));  // of which no rule takes anything
     }
   }
+}
+
+TEST_CASE("A piece is away as a whole where most of it is beyond what cuts it and it ends there", "[check]") {
+  TriangulatedSurface strip;  // of four triangles in a row
+  strip.points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+  strip.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
+  const std::array<bool, 3> on{true, true, true};
+  const auto left = [&](double beyond, bool ends, bool joined) {
+    std::vector<UncoveredTriangle> uncovered{{0, beyond, 0, on, ends, {}}, {1, 0, 0.5, on, true, {}}};
+    if (!joined) uncovered[1].goes_on = {false, false, false};
+    return not_taken_as_pieces(strip, uncovered);
+  };
+  CHECK(left(0.6, true, true).empty());
+  CHECK(left(0.4, true, true) == std::vector<Index>{1});                    // most of it is not beyond
+  CHECK(left(0.6, false, true) == std::vector<Index>{1});                   // it ends elsewhere, too
+  CHECK(left(0.6, true, false) == std::vector<Index>{1});                   // another piece
+  CHECK(not_taken_as_pieces(strip, {{0, 0.5, 0, on, false, {}}}).empty());  // place by place, none is missing
+}
+
+TEST_CASE("Pieces go on across points that a surface has twice", "[check]") {
+  TriangulatedSurface parts;
+  parts.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  parts.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const std::array<bool, 3> on{true, true, true};
+  CHECK(not_taken_as_pieces(parts, {{0, 0.6, 0, on, true, {}}, {1, 0, 0.5, on, true, {}}}).empty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The claim of a project or of surface files, declared in check/claim/claim.hpp.
 #include <algorithm>
+#include <cmath>
 
 #include "check/claim/claim.hpp"
 #include "coordinates/project_inputs.hpp"
@@ -91,9 +92,13 @@ ClaimedNames names_of(const Project& project, const ProjectInputs& inputs) {
   names.groups = project.naming.groups;
   names.attributes = project.naming.attributes;
   names.fault_blocks = project.naming.fault_blocks;
+  names.min_volume = project.naming.min_volume;
   names.merges_small = project.naming.merge_small && project.naming.min_volume > 0;
   return names;
 }
+
+/// Of a regular tetrahedron with edges of this length.
+double volume_of_element(double edge) { return edge * edge * edge / (6 * std::sqrt(2.0)); }
 
 }  // namespace
 
@@ -120,6 +125,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others
     claim.names.fault_blocks = true;
     claim.names.merges_small = true;
+    if (!(claim.names.min_volume > 0)) claim.names.min_volume = 0.1 * volume_of_element(built.stack.size);
   }
   for (const TriangulatedSurface& s : built.surfaces)
     claim.input_points.insert(claim.input_points.end(), s.points.begin(), s.points.end());

@@ -67,15 +67,20 @@ bool TakenByRules::is_near_another(Index surface, const Vec3& p, double distance
   return false;
 }
 
+bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p) const {
+  if (!claim_.may_be_trimmed(surface)) return false;
+  const auto beyond = [&](const std::vector<Index>& rows, bool above) {
+    return std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_beyond(row, p, above); });
+  };
+  return beyond(claim_.trims[surface].above, true) || beyond(claim_.trims[surface].below, false);
+}
+
 bool TakenByRules::may_be_away(Index surface, Index triangle, const Vec3& p) const {
   if (is_outside(p)) return true;
   if (!claim_.may_be_trimmed(surface)) return false;
   const TrimRules& trim = claim_.trims[surface];
   if (trim.given_beyond_faults || (trim.continuation && triangle >= trim.n_given_triangles)) return true;
-  const auto beyond = [&](const std::vector<Index>& rows, bool above) {
-    return std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_beyond(row, p, above); });
-  };
-  return beyond(trim.above, true) || beyond(trim.below, false) ||
+  return is_beyond_cutters(surface, p) ||
          (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_));
 }
 

@@ -18,6 +18,8 @@ class TakenByRules {
 
   /// Whether p, a point of triangle `triangle` of the surface, may be away: outside the volume, or by a rule.
   bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
+  /// Whether p, a point of the surface, is beyond one of the surfaces that cut it by rule.
+  bool is_beyond_cutters(Index surface, const Vec3& p) const;
   /// Whether p is outside the volume (which need not be a box) or within the room of its sides.
   bool is_outside(const Vec3& p) const;
 

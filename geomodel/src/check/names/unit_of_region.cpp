@@ -7,6 +7,7 @@
 
 #include "check/exact/vertical_line.hpp"
 #include "check/names/sheet_sides.hpp"
+#include "check/names/small_parts.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -41,9 +42,11 @@ UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claim
   add_faces(reach);
 }
 
-/// The side of a horizon that a face shows to each of its regions: by the input triangle nearest to the face.
+/// The side of a horizon that a face shows to each of its regions: by the input triangle nearest to the face. A small
+/// part that joined a region of another unit gives it no second one.
 void UnitJudge::add_faces(double reach) {
   const FacesFile& faces = *claimed_.faces();
+  const std::vector<bool> bounds_small_part = faces_of_small_parts(claimed_);
   for (Index f = 0; f < claimed_.candidates().size(); ++f) {
     const Corners c = corners_of(claimed_, f);
     const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]), middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
@@ -67,7 +70,7 @@ void UnitJudge::add_faces(double reach) {
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
       if (lower == upper) {
-        contacts_[lower].both[h] += area;
+        if (!bounds_small_part[f]) contacts_[lower].both[h] += area;
       } else {
         contacts_[lower].below[h] += area;
         contacts_[upper].above[h] += area;

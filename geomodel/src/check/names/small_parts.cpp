@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/names/small_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/union_find.hpp"
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+double volume_of(const JudgedMesh& mesh, const Tetrahedron& cell) {
+  const Vec3& o = mesh.point(cell[0]);
+  return std::abs(dot(mesh.point(cell[1]) - o, cross(mesh.point(cell[2]) - o, mesh.point(cell[3]) - o))) / 6;
+}
+
+/// Cells joined across faces of one region that are no candidates.
+UnionFind parts_of(const ClaimedFaces& claimed) {
+  const JudgedMesh& mesh = claimed.mesh();
+  std::vector<Triangle> walls;
+  for (const Triangle& t : claimed.candidates()) walls.push_back(sorted(t));
+  std::sort(walls.begin(), walls.end());
+  UnionFind parts(mesh.cells.size());
+  for (const FacePair& face : mesh.faces)
+    if (is_inner(face) && mesh.file.region[face.even] == mesh.file.region[face.odd] &&
+        !std::binary_search(walls.begin(), walls.end(), face.key))
+      parts.unite(face.even, face.odd);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<bool> faces_of_small_parts(const ClaimedFaces& claimed) {
+  std::vector<bool> small(claimed.candidates().size(), false);
+  const ClaimedNames& names = claimed.claim().names;
+  if (!names.merges_small || !(names.min_volume > 0)) return small;
+  const JudgedMesh& mesh = claimed.mesh();
+  UnionFind parts = parts_of(claimed);
+  std::vector<double> volume(mesh.cells.size(), 0);  // of the part that the cell stands for
+  for (Index c = 0; c < mesh.cells.size(); ++c) volume[parts.find(c)] += volume_of(mesh, mesh.cells[c]);
+  const FacesFile& faces = *claimed.faces();
+  for (Index f = 0; f < small.size(); ++f) {
+    if (faces.region_minus[f] != faces.region_plus[f]) continue;
+    const FacePair* const face = find_face(mesh, sorted(claimed.candidates()[f]));
+    if (!face || !is_inner(*face)) continue;
+    const Index even = parts.find(face->even), odd = parts.find(face->odd);
+    small[f] = even != odd && std::min(volume[even], volume[odd]) < names.min_volume;
+  }
+  return small;
+}
+
+}  // namespace geomesh::geomodel::checking
