@@ -69,6 +69,7 @@ class EdgeBlock {
       for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         const Tetrahedron& v = tetrahedra[t];
         if (std::min(std::min(v[0], v[1]), std::min(v[2], v[3])) >= end) continue;
+        if (std::max(std::max(v[0], v[1]), std::max(v[2], v[3])) < begin) continue;
         for (const auto& e : edge_vertices) {
           const VertexIndex lower = std::min(v[e[0]], v[e[1]]), upper = std::max(v[e[0]], v[e[1]]);
           if (lower >= begin && lower < end) visit(lower - begin, upper, t);
