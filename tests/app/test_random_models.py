@@ -200,6 +200,10 @@ output: {directory: out, formats: [vtu]}
         """A fault had a fin half an ulp high and 115 m long, where it crosses another one (890064)."""
         self.assertEqual(outcome_of(890064, self.path("fin"), PROGRAM, 60, light=True), ("passes", ""))
 
+    def test_points_on_a_fault_that_leans_by_a_picoradian_are_on_it(self):
+        """They had the fault's x at one corner, and were off it by more than rounding (870384)."""
+        self.assertEqual(outcome_of(870384, self.path("leaning"), PROGRAM, 60, light=True), ("passes", ""))
+
     def test_a_piece_that_reaches_further_than_trim_overshoot_in_its_middle_stays(self):
         for seed in (820320, 825174):
             with self.subTest(seed=seed):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points on edges and facets before meshing: distances, planes, and that the mesh made of them is still one of the
 // model.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -68,6 +69,29 @@ TEST_CASE("Edges and facets are sampled at the asked distance, facets in their p
     }
   }
   CHECK(n_inside > 200);
+}
+
+TEST_CASE("Points on a facet that leans by a nanoradian are in its plane", "[refine]") {
+  // Found by seed 870384 of the random models: the sine of such an angle is lost in the length of the normal.
+  constexpr double lean = 1.0 / (1 << 30);
+  Model model = two_boxes(1);
+  for (std::vector<Vec3>* points : {&model.plc.points, &model.mesh.points})
+    for (Vec3& p : *points) p.x += lean * p.y;
+  auto merged = remesh::merge_pieces(model.plc, {});
+  const remesh::SampledComplex sampled =
+      remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {});
+  std::size_t n_leaning = 0;
+  for (const auto& p : sampled.plc.facet_points) {
+    const auto loop = model.plc.outer_loop(p.facet);
+    const Vec3& first = model.plc.points[loop[0]];
+    const auto straight = [&](const Vec3& at) { return at.x - lean * at.y; };
+    if (!std::all_of(loop.begin(), loop.end(),
+                     [&](VertexIndex v) { return std::abs(straight(model.plc.points[v]) - straight(first)) < 1e-15; }))
+      continue;
+    ++n_leaning;
+    CHECK(std::abs(straight(sampled.plc.points[p.v]) - straight(first)) < 1e-15);
+  }
+  CHECK(n_leaning > 50);
 }
 
 TEST_CASE("The mesh of the sampled model has the components of the first", "[refine]") {

@@ -34,7 +34,7 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
   const double l = length(n);
   if (!(l > 0)) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (std::abs(n[axis]) == l) {
+    if (n[(axis + 1) % 3] == 0 && n[(axis + 2) % 3] == 0) {
       PlaneFrame f{o, {}, {}};
       f.u[(axis + 1) % 3] = 1;
       f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
