@@ -239,11 +239,19 @@ output: {directory: out, formats: [vtu]}
         """Their middles rounded to one place, and both were opened there: a crash (824102)."""
         self.assertEqual(outcome_of(824102, self.path("middles"), PROGRAM, 60, light=True), ("passes", ""))
 
-    @unittest.skipUnless(NIGHTLY, "takes a minute")
+    def test_both_facets_of_a_triangle_that_rounding_made_one_are_sampled_otherwise(self):
+        """Sampled surfaces got a triangle that two of them had. One was left whole, which changed nothing. Points put one by one made 2.6 times
+        as many elements as were estimated (825080), or took more than two minutes (900345)."""
+        folder = self.path("overlaps")
+        self.assertEqual(outcome_of(825080, folder, PROGRAM, 60, light=True), ("passes", ""))
+        report = self.report(os.path.join(folder, "out", "model.report.json"))
+        self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+
+    @unittest.skipUnless(NIGHTLY, "takes minutes")
     def test_more_elements_than_were_estimated_are_told(self):
-        """Where the same points cannot be meshed anew, refinement makes 2.6 times as many (825080)."""
+        """Where the same points cannot be meshed anew, refinement makes more than twice as many (823848)."""
         folder = self.path("growth")
-        self.assertEqual(outcome_of(825080, folder, PROGRAM, 600, light=True), ("passes", ""))
+        self.assertEqual(outcome_of(823848, folder, PROGRAM, 600, light=True), ("passes", ""))
         report = self.report(os.path.join(folder, "out", "model.report.json"))
         self.assertGreater(report["tetrahedra"], 2 * report["refinement"]["estimated_tetrahedra"])
         self.assertTrue(any("were estimated; improvement takes as much longer" in w for w in report["warnings"]), report["warnings"])

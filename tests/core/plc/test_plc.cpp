@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "corpus_builder.hpp"
 #include "corpus_models.hpp"
@@ -57,6 +58,19 @@ TEST_CASE("equal points, flat and repeated triangles are refused", "[plc]") {
   twice.add_triangle({0, 1, 8});
   twice.add_triangle({1, 8, 0});
   CHECK(kind_of_failure(twice) == ErrorKind::invalid_input);
+}
+
+TEST_CASE("a triangle that two facets have is refused with both named", "[plc]") {
+  PiecewiseLinearComplex twice = box();
+  twice.points.push_back({0.5, 0.5, 0.5});
+  const Index a = twice.add_triangle({0, 1, 8}), b = twice.add_triangle({1, 8, 0});
+  try {
+    tetrahedralize(twice);
+    FAIL("the triangle was meshed");
+  } catch (const Error& e) {
+    CHECK(e.kind() == ErrorKind::invalid_input);
+    CHECK(std::set<Index>(e.context().facets.begin(), e.context().facets.end()) == std::set<Index>{a, b});
+  }
 }
 
 TEST_CASE("crossing facets are refused with both named", "[plc][recover]") {

@@ -105,9 +105,10 @@ class Declarer {
   void add_triangle(const Triangle& t, Index f) {
     const Triangle v{local_[t[0]], local_[t[1]], local_[t[2]]};
     const Index other = out_.constraints.subfacet_of(v[0], v[1], v[2]);
-    if (other != no_index)
-      fail(f, {"it overlaps facet " + std::to_string(names_.facet[out_.constraints.subfacets[other].facet]),
-               {t[0], t[1], t[2]}});
+    if (other != no_index) {
+      const Index below = out_.constraints.subfacets[other].facet;
+      fail(f, {"it overlaps facet " + std::to_string(names_.facet[below]), {t[0], t[1], t[2]}}, below);
+    }
     out_.constraints.add_subfacet(v, f);
   }
   /// The border as directed edges of the draft that are segments, so that the loops' own orientation does not matter.
@@ -127,9 +128,11 @@ class Declarer {
     const Triangle& t = draft.triangles.front();
     out_.constraints.add_piece({local_[t[0]], local_[t[1]], local_[t[2]]}, std::move(piece), f);
   }
-  [[noreturn]] void fail(Index f, const FacetFault& fault) const {
+  /// `other`: a facet that the fault is with, no_index: none.
+  [[noreturn]] void fail(Index f, const FacetFault& fault, Index other = no_index) const {
     ErrorContext context;
     context.facets = {f};
+    if (other != no_index) context.facets.push_back(other);
     context.vertices = fault.vertices;
     for (VertexIndex v : fault.vertices) context.places.push_back(plc_.points[v]);
     throw Error(ErrorKind::invalid_input,
