@@ -252,11 +252,11 @@ class Arrangement {
         take(*joined);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
-      for (unsigned k = 0; k < most_snaps && snap_contacts(complex, contacts, round); ++k)
+      const auto grows = [&] { return complex.facets.size() > most_facets; };
+      for (unsigned k = 0; k < most_snaps && !grows() && snap_contacts(complex, contacts, round); ++k)
         contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
-      if (round > options_.max_rounding_rounds || complex.facets.size() > most_facets ||
-          contacts.facets.size() > 4 * fewest_contacts + 1000)
+      if (round > options_.max_rounding_rounds || grows() || contacts.facets.size() > 4 * fewest_contacts + 1000)
         refuse(surfaces_, complex, contacts);
       fewest_contacts = std::min(fewest_contacts, contacts.facets.size());
       complex = round_again(complex, contacts, round);

@@ -8,26 +8,25 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "check/claim/taken_by_rules.hpp"
-#include "check/claim/taken_pieces.hpp"
 #include "check/exact/crossing.hpp"
 #include "check/exact/deviation.hpp"
 #include "check/exact/plane_triangle.hpp"
 #include "check/judged/claimed_faces.hpp"
 #include "check/judged/faults.hpp"
 #include "check/judged/judged_mesh.hpp"
+#include "check/pieces/pieces_without_faces.hpp"
+#include "check/pieces/uncovered_places.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
-
-/// Parts of a triangle's sides in the lattice of places at which what no face covers is judged.
-constexpr int lattice = 14;
 
 /// Ends of the edges that one triangle has alone.
 std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface) {
@@ -39,13 +38,6 @@ std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface
     if (n == 1) borders.push_back({surface.points[e.first], surface.points[e.second]});
   return borders;
 }
-
-/// Edges at which the faces of one surface end, and whether they run along what cuts it.
-struct OpenEdges {
-  std::vector<Triangle> edges;  ///< with the second end twice
-  std::vector<bool> at_cutter;
-  BoxTree tree;
-};
 
 class CoverageJudge : public ClaimedFaces {
  public:
@@ -65,7 +57,6 @@ class CoverageJudge : public ClaimedFaces {
 
  private:
   void collect_clip_edges();
-  OpenEdges open_edges_of(Index surface) const;
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool may_be_cut_by_horizons(Index surface) const {
     return claim_.may_be_trimmed(surface) &&
@@ -77,15 +68,11 @@ class CoverageJudge : public ClaimedFaces {
   struct Source {
     Index surface, triangle;
   };
-  template <class Visit>
-  void for_each_uncovered(const PlaneTriangle& triangle, const std::vector<Index>& pieces, Visit visit) const;
   bool uncovered_is_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                             Vec3& place) const;
   bool may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                       Vec3& place) const;
-  bool runs_on(const PlaneTriangle& triangle, const Vec3& a, const Vec3& b) const;
-  UncoveredTriangle uncovered_part(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
-                                   const OpenEdges& open) const;
+  std::function<bool(VertexIndex, VertexIndex)> runs_along_clip_or_border(Index surface) const;
 
   double tolerance_;
   TakenByRules rules_;
@@ -214,31 +201,12 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, In
   return true;
 }
 
-/// Visits the places of a lattice of the triangle that lie under no piece; visit tells whether to go on.
-template <class Visit>
-void CoverageJudge::for_each_uncovered(const PlaneTriangle& triangle, const std::vector<Index>& pieces,
-                                       Visit visit) const {
-  const auto& c = triangle.corners();
-  std::vector<PlaneTriangle> flat;
-  for (const Index f : pieces)
-    flat.emplace_back(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
-  for (int i = 1; i < lattice; ++i)
-    for (int j = 1; i + j < lattice; ++j) {
-      const double u = double(i) / lattice, v = double(j) / lattice;
-      const Vec3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
-      const bool covered = std::any_of(flat.begin(), flat.end(), [&](const PlaneTriangle& f) {
-        return !f.degenerate() && f.outside(p) <= tolerance_;
-      });
-      if (!covered && !visit(p)) return;
-    }
-}
-
 /// Judges a lattice of points of the triangle: what lies in the box and under no piece must have been taken away by
 /// rule.
 bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                          Vec3& place) const {
   bool removed = true;
-  for_each_uncovered(triangle, pieces, [&](const Vec3& p) {
+  for_each_uncovered(triangle, flat_faces(*this, pieces), tolerance_, [&](const Vec3& p) {
     removed = rules_.may_be_away(source.surface, source.triangle, p) ||
               is_removed(source.surface, p, (4 * tolerance_) * triangle.normal());
     if (!removed) place = p;
@@ -247,77 +215,11 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source s
   return removed;
 }
 
-OpenEdges CoverageJudge::open_edges_of(Index surface) const {
-  const TrimRules& trim = claim_.trims[surface];
-  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
-  std::set<std::pair<VertexIndex, VertexIndex>> of_cutters;
-  for (Index f = 0; f < candidates_.size(); ++f) {
-    const auto cuts = [&](Index row) { return carries(f, row); };
-    const bool of_cutter = std::ranges::any_of(trim.above, cuts) || std::ranges::any_of(trim.below, cuts);
-    for (int i = 0; i < 3; ++i) {
-      const auto e = edge(candidates_[f][i], candidates_[f][(i + 1) % 3]);
-      if (carries(f, surface)) ++uses[e];
-      if (of_cutter) of_cutters.insert(e);
-    }
-  }
-  OpenEdges open{{}, {}, tree_over(mesh_.file.points, {})};
-  for (const auto& [e, n] : uses) {
-    if (n != 1) continue;
-    open.edges.push_back({e.first, e.second, e.second});
-    open.at_cutter.push_back(of_cutters.contains(e) || std::binary_search(clip_edges_.begin(), clip_edges_.end(), e) ||
-                             runs_along_border(surface, mesh_.point(e.first), mesh_.point(e.second)));
-  }
-  open.tree = tree_over(mesh_.file.points, open.edges);
-  return open;
-}
-
-/// Whether some place of the segment is on the triangle. How far places are beside the triangle is convex along the
-/// segment.
-bool CoverageJudge::runs_on(const PlaneTriangle& triangle, const Vec3& a, const Vec3& b) const {
-  double from = 0, to = 1;
-  for (int k = 0; k < 60; ++k) {
-    const double third = (to - from) / 3;
-    const Vec3 p = a + (from + third) * (b - a), q = a + (to - third) * (b - a);
-    if (triangle.outside(p) <= triangle.outside(q)) {
-      to -= third;
-    } else {
-      from += third;
-    }
-  }
-  const Vec3 nearest = a + 0.5 * (from + to) * (b - a);
-  return triangle.outside(nearest) <= tolerance_ && triangle.distance(nearest) <= tolerance_;
-}
-
-/// What no face covers of the triangle, for judging pieces as wholes.
-UncoveredTriangle CoverageJudge::uncovered_part(const PlaneTriangle& triangle, Source source,
-                                                const std::vector<Index>& pieces, const OpenEdges& open) const {
-  UncoveredTriangle part{source.triangle};
-  const double weight = 2 * triangle.area() / ((lattice - 1) * (lattice - 2));
-  for_each_uncovered(triangle, pieces, [&](const Vec3& p) {
-    if (rules_.is_beyond_cutters(source.surface, p)) {
-      part.beyond += weight;
-    } else if (!rules_.may_be_away(source.surface, source.triangle, p) &&
-               !is_removed(source.surface, p, (4 * tolerance_) * triangle.normal())) {
-      part.within += weight;
-      part.place = p;
-    }
-    return true;
-  });
-  const auto& c = triangle.corners();
-  for (std::size_t i = 0; i < 3; ++i)
-    for (int k = 1; k < lattice && !part.goes_on[i]; ++k) {
-      const Vec3 p = c[i] + (double(k) / lattice) * (c[(i + 1) % 3] - c[i]);
-      part.goes_on[i] = std::ranges::none_of(pieces, [&](Index f) {
-        const Triangle& t = candidates_[f];
-        const PlaneTriangle flat(corner(t, 0), corner(t, 1), corner(t, 2));
-        return !flat.degenerate() && flat.outside(p) <= tolerance_;
-      });
-    }
-  open.tree.query(inflated(box_of(c[0], c[1], c[2]), tolerance_), [&](Index e) {
-    if (runs_on(triangle, mesh_.point(open.edges[e][0]), mesh_.point(open.edges[e][1])))
-      part.ends_at_cutters = part.ends_at_cutters && open.at_cutter[e];
-  });
-  return part;
+std::function<bool(VertexIndex, VertexIndex)> CoverageJudge::runs_along_clip_or_border(Index surface) const {
+  return [this, surface](VertexIndex a, VertexIndex b) {
+    return std::binary_search(clip_edges_.begin(), clip_edges_.end(), edge(a, b)) ||
+           runs_along_border(surface, mesh_.point(a), mesh_.point(b));
+  };
 }
 
 /// Whether what no piece covers may be what the rules take away; `place`: where not.
@@ -337,8 +239,7 @@ void CoverageJudge::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < claim_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = claim_.surfaces[s];
-    std::optional<OpenEdges> open;  // where pieces may be taken as wholes, once something is uncovered
-    std::vector<UncoveredTriangle> uncovered;
+    std::optional<PiecesWithoutFaces> uncovered;  // where pieces may be taken as wholes, once there is something
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];
       const PlaneTriangle triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
@@ -357,8 +258,8 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       if (due < triangle.area() - slack) ++n_clipped;
       if (covered >= due - slack) continue;
       if (may_be_cut_by_horizons(s)) {
-        if (!open) open = open_edges_of(s);
-        uncovered.push_back(uncovered_part(triangle, {s, static_cast<Index>(i)}, pieces, *open));
+        if (!uncovered) uncovered.emplace(*this, s, rules_, tolerance_, runs_along_clip_or_border(s));
+        uncovered->add(triangle, static_cast<Index>(i), pieces);
         continue;
       }
       Vec3 place = (1.0 / 3) * (triangle.corners()[0] + triangle.corners()[1] + triangle.corners()[2]);
@@ -369,11 +270,13 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       missing.add(first_of_surface + i, place);
       short_of.insert(surface.name);
     }
-    const std::vector<Index> not_taken = not_taken_as_pieces(surface, uncovered);
-    n_clipped += uncovered.size() - not_taken.size();
-    for (const Index row : not_taken) {
-      missing.add(first_of_surface + uncovered[row].triangle, uncovered[row].place);
-      short_of.insert(surface.name);
+    if (uncovered) {
+      const std::vector<UncoveredTriangle> not_taken = uncovered->not_taken();
+      n_clipped += uncovered->size() - not_taken.size();
+      for (const UncoveredTriangle& u : not_taken) {
+        missing.add(first_of_surface + u.triangle, u.place);
+        short_of.insert(surface.name);
+      }
     }
     first_of_surface += surface.triangles.size();
   }

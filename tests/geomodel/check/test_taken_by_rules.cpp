@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "check/claim/taken_by_rules.hpp"
-#include "check/claim/taken_pieces.hpp"
+#include "check/pieces/taken_pieces.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

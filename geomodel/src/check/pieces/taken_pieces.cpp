@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/claim/taken_pieces.hpp"
+#include "check/pieces/taken_pieces.hpp"
 
 #include <map>
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Places of an input triangle that no mesh face covers, on a lattice.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "check/exact/plane_triangle.hpp"
+#include "check/judged/claimed_faces.hpp"
+
+namespace geomesh::geomodel::checking {
+
+/// Parts of a triangle's sides in the lattice.
+inline constexpr int lattice_parts = 14;
+
+/// The faces in their planes.
+inline std::vector<PlaneTriangle> flat_faces(const ClaimedFaces& claimed, const std::vector<Index>& faces) {
+  std::vector<PlaneTriangle> flat;
+  for (const Index f : faces) {
+    const Triangle& t = claimed.candidates()[f];
+    flat.emplace_back(claimed.corner(t, 0), claimed.corner(t, 1), claimed.corner(t, 2));
+  }
+  return flat;
+}
+
+inline bool is_covered(const Vec3& p, const std::vector<PlaneTriangle>& flat, double tolerance) {
+  return std::ranges::any_of(flat,
+                             [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance; });
+}
+
+/// Visits the places inside the triangle that lie under none of the faces; visit tells whether to go on.
+template <class Visit>
+void for_each_uncovered(const PlaneTriangle& triangle, const std::vector<PlaneTriangle>& flat, double tolerance,
+                        Visit visit) {
+  const auto& c = triangle.corners();
+  for (int i = 1; i < lattice_parts; ++i)
+    for (int j = 1; i + j < lattice_parts; ++j) {
+      const double u = double(i) / lattice_parts, v = double(j) / lattice_parts;
+      const Vec3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+      if (!is_covered(p, flat, tolerance) && !visit(p)) return;
+    }
+}
+
+}  // namespace geomesh::geomodel::checking
