@@ -68,9 +68,8 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
       const auto row = row_of_surface.find(o.surface);
       if (row == row_of_surface.end()) continue;
       const Index h = row->second;
-      if (std::abs(dot(normal, column.normals[h][o.triangle])) <
-          least_cosine * 2 * area * norm(column.normals[h][o.triangle]))
-        continue;
+      const Vec3& given = column.normals[h][o.triangle];
+      if (std::abs(dot(normal, given)) < least_cosine * norm(normal) * norm(given)) continue;
       const bool facet_normal_is_up = (column.sides[h].as_stored[o.triangle] != 0) != o.reversed;
       Index lower = component_of(mesh, face.tetrahedron_below), upper = component_of(mesh, face.tetrahedron_above);
       if (!facet_normal_is_up) std::swap(lower, upper);

@@ -2,17 +2,12 @@
 #include "check/names/small_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "check/exact/exact.hpp"
 #include "common/union_find.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
-
-double volume_of(const JudgedMesh& mesh, const Tetrahedron& cell) {
-  const Vec3& o = mesh.point(cell[0]);
-  return std::abs(dot(mesh.point(cell[1]) - o, cross(mesh.point(cell[2]) - o, mesh.point(cell[3]) - o))) / 6;
-}
 
 /// Cells joined across faces of one region that are no candidates.
 UnionFind parts_of(const ClaimedFaces& claimed) {
@@ -37,7 +32,10 @@ std::vector<bool> faces_of_small_parts(const ClaimedFaces& claimed) {
   const JudgedMesh& mesh = claimed.mesh();
   UnionFind parts = parts_of(claimed);
   std::vector<double> volume(mesh.cells.size(), 0);  // of the part that the cell stands for
-  for (Index c = 0; c < mesh.cells.size(); ++c) volume[parts.find(c)] += volume_of(mesh, mesh.cells[c]);
+  for (Index c = 0; c < mesh.cells.size(); ++c) {
+    const Tetrahedron& v = mesh.cells[c];
+    volume[parts.find(c)] += six_volumes(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])) / 6;
+  }
   const FacesFile& faces = *claimed.faces();
   for (Index f = 0; f < small.size(); ++f) {
     if (faces.region_minus[f] != faces.region_plus[f]) continue;
