@@ -234,6 +234,11 @@ output: {directory: out, formats: [vtu]}
         report = self.report(os.path.join(folder, "out", "model.report.json"))
         self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
 
+    def test_a_border_on_which_a_fault_gets_an_edge_is_told_as_their_intersection(self):
+        """A horizon ends within rounding of a fault, with two points of it. Refinement gave the fault the edge between these, which stayed the
+        horizon's border (902199)."""
+        self.assert_pass(902199, light=True)
+
     def test_facets_that_multiply_as_surfaces_are_brought_together_end_the_try(self):
         """They were split without end, for over 400 CPU s (825922). It is tried within half the distance then."""
         project = RandomModel(825922, light=True).write(self.path("multiply"))

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "naming/soup_edges.hpp"
+#include "common/edge_uses.hpp"
+#include "naming/surface_sets.hpp"
 
 namespace geomesh::geomodel {
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
+#include "common/edge_uses.hpp"
 #include "common/union_find.hpp"
 #include "naming/name_regions.hpp"
-#include "naming/soup_edges.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
@@ -30,7 +30,7 @@ struct HorizonEdges {
 std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vector<std::vector<Index>>& rows_of_facet,
                                         std::size_t n_horizons) {
   std::vector<HorizonEdges> result(n_horizons);
-  for_each_edge(sorted_edge_uses(soup), [&](std::span<const EdgeUse> edge) {
+  for_each_edge(sorted_edge_uses(soup.facets), [&](std::span<const EdgeUse> edge) {
     std::map<Index, std::vector<EdgeUse>> of;
     for (const EdgeUse& use : edge)
       for (Index h : rows_of_facet[use.facet]) of[h].push_back(use);

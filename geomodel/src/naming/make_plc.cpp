@@ -6,10 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "common/edge_uses.hpp"
 #include "common/union_find.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/flat_patches.hpp"
-#include "naming/soup_edges.hpp"
+#include "naming/surface_curves.hpp"
+#include "naming/surface_sets.hpp"
 
 namespace geomesh::geomodel {
 
@@ -27,16 +29,6 @@ std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const SurfaceSets&
   return all;
 }
 
-std::string joined_names(const std::vector<Index>& rows, const std::vector<TriangulatedSurface>& surfaces) {
-  std::vector<std::string> names;
-  for (Index row : rows) names.push_back(surfaces[row].name);
-  if (names.size() == 1) names.push_back(names.front());
-  std::sort(names.begin(), names.end());
-  std::string joined = names.front();
-  for (std::size_t i = 1; i < names.size(); ++i) joined += "*" + names[i];
-  return joined;
-}
-
 bool inside_patch(std::span<const EdgeUse> edge, const SurfaceSets& sets) {
   return edge.size() == 2 && sets.of_facet[edge[0].facet] == sets.of_facet[edge[1].facet];
 }
@@ -45,11 +37,7 @@ bool inside_patch(std::span<const EdgeUse> edge, const SurfaceSets& sets) {
 std::optional<SoupCurve> curve_at(std::span<const EdgeUse> edge, const SurfaceSets& sets,
                                   const std::vector<TriangulatedSurface>& surfaces) {
   if (inside_patch(edge, sets)) return std::nullopt;
-  const std::vector<Index> at = surfaces_at(edge, sets);
-  if (at.size() > 1 || edge.size() > 1) return SoupCurve{joined_names(at, surfaces), "intersection"};
-  const TriangulatedSurface& surface = surfaces[at.front()];
-  if (surface.kind == SurfaceKind::fault) return SoupCurve{surface.name + ".tip", "fault_tip"};
-  return SoupCurve{surface.name + ".border", "border"};
+  return curve_of(surfaces_at(edge, sets), edge.size(), surfaces);
 }
 
 /// Segments of the PLC by end points, with the names of their curves before these have rows.
@@ -118,7 +106,7 @@ std::vector<VertexIndex> lone_points(const PolygonSoup& soup) {
 ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                   const std::vector<Polyline>& polylines, const PlcOptions& options) {
   const SurfaceSets sets = surface_sets(soup);
-  const std::vector<EdgeUse> uses = sorted_edge_uses(soup);
+  const std::vector<EdgeUse> uses = sorted_edge_uses(soup.facets);
   ModelPlc model;
   model.plc.points = soup.points;
   model.plc.provenance_sets = sets.sets;

@@ -10,6 +10,7 @@
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/name_regions.hpp"
 #include "naming/sums.hpp"
+#include "naming/surface_curves.hpp"
 
 namespace geomesh::geomodel {
 
@@ -166,28 +167,36 @@ void sum_areas(ModelMesh& model) {
   for (NamedSurface& surface : model.surfaces) surface.area = areas[surface.id].value();
 }
 
-/// Curves with at least one edge in the mesh, in the order of plc.curves, then marked points.
-void fill_curves(const MeshedModel& meshed, const std::vector<NamedPoint>& points, const std::vector<VertexIndex>& row,
-                 std::int32_t next_id, ModelMesh& model) {
-  const ConstrainedTetrahedralization& mesh = meshed.mesh;
-  const PolygonSoup& soup = meshed.soup;
-  const ModelPlc& plc = meshed.plc;
-  std::vector<CompensatedSum> lengths(plc.curves.size());
-  std::vector<std::size_t> n_edges(plc.curves.size(), 0);
+MeshCurves curves_of_segments(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc,
+                              const std::vector<VertexIndex>& row) {
+  MeshCurves result{plc.curves, {}};
   for (const auto& edge : mesh.edges)
-    for (Index curve : plc.segment_curves[edge.segment]) {
-      lengths[curve].add(norm(mesh.points[edge.b] - mesh.points[edge.a]));
-      ++n_edges[curve];
-    }
-  std::vector<std::int32_t> id(plc.curves.size(), 0);
-  for (std::size_t c = 0; c < plc.curves.size(); ++c) {
+    for (const Index curve : plc.segment_curves[edge.segment])
+      result.edges.push_back({row[edge.a], row[edge.b], curve});
+  return result;
+}
+
+/// Curves with at least one edge in the mesh, in the order of `given`. Returns the next id.
+std::int32_t fill_curves(const MeshCurves& given, std::int32_t next_id, ModelMesh& model) {
+  std::vector<CompensatedSum> lengths(given.curves.size());
+  std::vector<std::size_t> n_edges(given.curves.size(), 0);
+  for (const auto& [a, b, curve] : given.edges) {
+    lengths[curve].add(norm(model.points[b] - model.points[a]));
+    ++n_edges[curve];
+  }
+  std::vector<std::int32_t> id(given.curves.size(), 0);
+  for (std::size_t c = 0; c < given.curves.size(); ++c) {
     if (n_edges[c] == 0) continue;
     id[c] = next_id++;
-    model.curves.push_back({id[c], plc.curves[c].name, plc.curves[c].kind, lengths[c].value()});
+    model.curves.push_back({id[c], given.curves[c].name, given.curves[c].kind, lengths[c].value()});
   }
-  for (const auto& edge : mesh.edges)
-    for (Index curve : plc.segment_curves[edge.segment])
-      model.curve_edges.push_back({row[edge.a], row[edge.b], id[curve]});
+  for (const auto& [a, b, curve] : given.edges) model.curve_edges.push_back({a, b, id[curve]});
+  return next_id;
+}
+
+void fill_marked_points(const MeshedModel& meshed, const std::vector<NamedPoint>& points,
+                        const std::vector<VertexIndex>& row, std::int32_t next_id, ModelMesh& model) {
+  const auto& [mesh, soup, plc, surfaces] = meshed;
   std::map<VertexIndex, VertexIndex> mesh_point;
   for (const PolygonSoup::IsolatedPoint& p : soup.isolated_points) mesh_point[p.v] = no_vertex;
   for (VertexIndex v = 0; v < mesh.points.size(); ++v)
@@ -248,7 +257,10 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
   }
   fill_faces(meshed, surface_id, row, model);
   sum_areas(model);
-  fill_curves(meshed, points, row, next_id, model);
+  MeshCurves curves = curves_of_segments(mesh, meshed.plc, row);
+  correct_by_faces(meshed.surfaces, model, curves);
+  next_id = fill_curves(curves, next_id, model);
+  fill_marked_points(meshed, points, row, next_id, model);
   add_groups_and_attributes(rules, model, warnings);
   return model;
 }

@@ -8,7 +8,6 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "naming/name_regions.hpp"
-#include "naming/soup_edges.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {

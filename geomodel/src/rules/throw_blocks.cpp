@@ -8,7 +8,6 @@
 #include "common/union_find.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
-#include "naming/soup_edges.hpp"
 #include "naming/sums.hpp"
 #include "rules/throw/fault_crossings.hpp"
 

@@ -14,6 +14,7 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
 #include "geomesh/geomodel/build_model.hpp"
+#include "verify/curves_at_faces.hpp"
 #include "verify/face_uses.hpp"
 #include "verify/fault_list.hpp"
 
@@ -240,6 +241,7 @@ std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned thr
   check_tetrahedra(mesh, threads, faults);
   if (faults.empty()) check_faces(mesh, threads, faults);
   check_curves(mesh, threads, faults);
+  check_curves_at_faces(mesh, faults);
   check_ids(mesh, faults);
   return faults;
 }

@@ -269,6 +269,8 @@ TEST_CASE("the validator of named meshes sees each kind of fault", "[sets]") {
   CHECK(faulty([](ModelMesh& m) {
     m.curve_edges.push_back({0, static_cast<VertexIndex>(m.points.size() - 1), m.curves[0].id});
   }));
+  CHECK(faulty([](ModelMesh& m) { m.curve_edges.pop_back(); }));
+  CHECK(faulty([](ModelMesh& m) { ++m.faces[0].patch; }));
   CHECK(faulty([](ModelMesh& m) { m.regions[0].name = m.regions[1].name; }));
   CHECK(faulty([](ModelMesh& m) { m.surface_sets[0] = {}; }));
 }

@@ -68,7 +68,7 @@ int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<In
 
 }  // namespace
 
-WorkingSoup::WorkingSoup(const PolygonSoup& s) : soup(s), uses(sorted_edge_uses(s)), origins(s.facets.size()) {
+WorkingSoup::WorkingSoup(const PolygonSoup& s) : soup(s), uses(sorted_edge_uses(s.facets)), origins(s.facets.size()) {
   for (Index f = 0; f < s.facets.size(); ++f)
     origins[f].assign(s.origins.begin() + s.origin_offsets[f], s.origins.begin() + s.origin_offsets[f + 1]);
 }

@@ -7,8 +7,9 @@
 #include <functional>
 #include <vector>
 
+#include "common/edge_uses.hpp"
+#include "geomesh/geomodel/arrangement.hpp"
 #include "naming/sheets.hpp"
-#include "naming/soup_edges.hpp"
 
 namespace geomesh::geomodel {
 

@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "naming/soup_edges.hpp"
+#include "naming/surface_sets.hpp"
 
+#include <algorithm>
 #include <map>
-#include <tuple>
 
 namespace geomesh::geomodel {
-
-std::vector<EdgeUse> sorted_edge_uses(const PolygonSoup& soup) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * soup.facets.size());
-  for (Index f = 0; f < soup.facets.size(); ++f) {
-    const Triangle& t = soup.facets[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const VertexIndex p = t[i], q = t[(i + 1) % 3];
-      uses.push_back({std::min(p, q), std::max(p, q), f});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& p, const EdgeUse& q) {
-    return std::tie(p.a, p.b, p.facet) < std::tie(q.a, q.b, q.facet);
-  });
-  return uses;
-}
 
 SurfaceSets surface_sets(const PolygonSoup& soup) {
   SurfaceSets result;
