@@ -239,6 +239,10 @@ output: {directory: out, formats: [vtu]}
         horizon's border (902199)."""
         self.assert_pass(902199, light=True)
 
+    def test_a_facet_along_several_triangles_names_the_nearest_one(self):
+        """A horizon and a fault were brought together. A facet of the fault took one triangle of the horizon, 87 m off at its other end (910930)."""
+        self.assert_pass(910930, light=True)
+
     def test_facets_that_multiply_as_surfaces_are_brought_together_end_the_try(self):
         """They were split without end, for over 400 CPU s (825922). It is tried within half the distance then."""
         project = RandomModel(825922, light=True).write(self.path("multiply"))

@@ -36,6 +36,10 @@ struct SurfaceDistance::Search {
   Search& operator=(const Search&) = delete;
 };
 
+Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& triangle) {
+  return search::closest_on_triangle(p, triangle[0], triangle[1], triangle[2]);
+}
+
 SurfaceDistance::SurfaceDistance(std::span<const Vec3> points, std::span<const Triangle> triangles)
     : search_(std::make_unique<Search>(points, triangles)) {}
 SurfaceDistance::~SurfaceDistance() = default;

@@ -114,7 +114,7 @@ std::string consequence(Index component, Index horizon, const Column& column, co
 void warn_of_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
                   std::vector<std::string>& warnings) {
   if (!column.given()) return;
-  const auto& [mesh, soup, plc, surfaces] = model;
+  const auto& [mesh, soup, plc, surfaces, moved] = model;
   std::vector<std::vector<Index>> rows_of_facet(soup.facets.size());
   std::vector<bool> present(column.horizons.size(), false);
   for (Index f = 0; f < soup.facets.size(); ++f)

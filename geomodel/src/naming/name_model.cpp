@@ -9,6 +9,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/name_regions.hpp"
+#include "naming/source_triangles.hpp"
 #include "naming/sums.hpp"
 #include "naming/surface_curves.hpp"
 
@@ -26,7 +27,7 @@ std::uint8_t kind_of(const ConstrainedTetrahedralization& mesh, const PolygonSou
 void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t>& kinds) {
   constexpr std::uint8_t intersection = 1;
   constexpr auto on_facet = static_cast<std::uint8_t>(VertexOrigin::on_facet);
-  const auto& [mesh, soup, plc, surfaces] = meshed;
+  const auto& [mesh, soup, plc, surfaces, moved] = meshed;
   std::map<VertexIndex, std::set<Index>> surfaces_at;
   for (const auto& face : mesh.faces)
     for (const VertexIndex v : face.vertices)
@@ -42,7 +43,7 @@ void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t
 /// Points with those of kind input first, otherwise as the core orders them. Returns the new row of each point of the
 /// core.
 std::vector<VertexIndex> fill_points(const MeshedModel& meshed, unsigned threads, ModelMesh& model) {
-  const auto& [mesh, soup, plc, surfaces] = meshed;
+  const auto& [mesh, soup, plc, surfaces, moved] = meshed;
   const std::size_t n = mesh.points.size();
   std::vector<std::uint8_t> kinds(n);
   const Chunks chunks(n);
@@ -82,51 +83,14 @@ void fill_tetrahedra(const ConstrainedTetrahedralization& mesh, const std::vecto
   });
 }
 
-/// For facets that stand for several soup facets (polygons on a box side): the triangles of the side they come from.
-class SourceTriangles {
- public:
-  SourceTriangles(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
-      : soup_(soup), plc_(plc), surfaces_(surfaces) {}
-
-  /// The one nearest to holding p, a point in their plane.
-  Index under(const Vec3& p, Index facet) {
-    const Index surface = origins_of(soup_, plc_, facet).front().surface;
-    std::vector<Index>& candidates = candidates_[facet];
-    if (candidates.empty()) candidates = triangles_of(facet);
-    Index best = candidates.front();
-    double best_excess = std::numeric_limits<double>::infinity();
-    for (Index triangle : candidates) {
-      const TriangulatedSurface& side = surfaces_[surface];
-      const Triangle& t = side.triangles[triangle];
-      const Vec3 &a = side.points[t[0]], &b = side.points[t[1]], &c = side.points[t[2]];
-      const double excess =
-          triangle_area(p, a, b) + triangle_area(p, b, c) + triangle_area(p, c, a) - triangle_area(a, b, c);
-      if (excess < best_excess) {
-        best_excess = excess;
-        best = triangle;
-      }
-    }
-    return best;
-  }
-
- private:
-  std::vector<Index> triangles_of(Index facet) const {
-    std::set<Index> triangles;
-    for (Index i = plc_.facet_soup_offsets[facet]; i < plc_.facet_soup_offsets[facet + 1]; ++i)
-      triangles.insert(soup_.origins[soup_.origin_offsets[plc_.facet_soup[i]]].triangle);
-    return {triangles.begin(), triangles.end()};
-  }
-
-  const PolygonSoup& soup_;
-  const ModelPlc& plc_;
-  const std::vector<TriangulatedSurface>& surfaces_;
-  std::map<Index, std::vector<Index>> candidates_;
-};
+Vec3 middle_of(const std::vector<Vec3>& points, const Triangle& t) {
+  return (1.0 / 3) * (points[t[0]] + points[t[1]] + points[t[2]]);
+}
 
 void fill_faces(const MeshedModel& meshed, const std::vector<std::int32_t>& surface_id,
                 const std::vector<VertexIndex>& row, ModelMesh& model) {
-  const auto& [mesh, soup, plc, surfaces] = meshed;
-  SourceTriangles sources(soup, plc, surfaces);
+  const auto& [mesh, soup, plc, surfaces, moved] = meshed;
+  SourceTriangles sources(meshed);
   std::map<std::vector<std::int32_t>, std::int32_t> set_rows;
   std::vector<std::int32_t> set;
   for (const auto& face : mesh.faces) {
@@ -140,13 +104,9 @@ void fill_faces(const MeshedModel& meshed, const std::vector<std::int32_t>& surf
       std::swap(out.vertices[1], out.vertices[2]);
       std::swap(out.region_minus, out.region_plus);
     }
-    const bool several = plc.facet_soup_offsets[face.facet + 1] - plc.facet_soup_offsets[face.facet] > 1;
-    const Vec3 middle =
-        (1.0 / 3) * (mesh.points[face.vertices[0]] + mesh.points[face.vertices[1]] + mesh.points[face.vertices[2]]);
     const std::span<const PolygonSoup::Origin> origins = origins_of(soup, plc, face.facet);
     out.surface = surface_id[origins.front().surface];
-    out.source_triangle =
-        static_cast<std::int32_t>(several ? sources.under(middle, face.facet) : origins.front().triangle);
+    out.source_triangle = static_cast<std::int32_t>(sources.of(face.facet, middle_of(mesh.points, face.vertices)));
     out.patch = static_cast<std::int32_t>(plc.facet_patch[face.facet]);
     set.clear();
     for (const PolygonSoup::Origin& origin : origins)
@@ -196,7 +156,7 @@ std::int32_t fill_curves(const MeshCurves& given, std::int32_t next_id, ModelMes
 
 void fill_marked_points(const MeshedModel& meshed, const std::vector<NamedPoint>& points,
                         const std::vector<VertexIndex>& row, std::int32_t next_id, ModelMesh& model) {
-  const auto& [mesh, soup, plc, surfaces] = meshed;
+  const auto& [mesh, soup, plc, surfaces, moved] = meshed;
   std::map<VertexIndex, VertexIndex> mesh_point;
   for (const PolygonSoup::IsolatedPoint& p : soup.isolated_points) mesh_point[p.v] = no_vertex;
   for (VertexIndex v = 0; v < mesh.points.size(); ++v)
@@ -270,9 +230,9 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
 ModelMesh name_model(const MeshedModel& model, const std::vector<NamedPoint>& points, const NamingRules& rules,
                      std::vector<std::string>& warnings, unsigned threads) {
   if (rules.topography.empty() && rules.floor.empty()) return name_components(model, points, rules, warnings, threads);
-  const auto& [mesh, soup, plc, surfaces] = model;
+  const auto& [mesh, soup, plc, surfaces, moved] = model;
   const ConstrainedTetrahedralization kept = within_ends(mesh, soup, plc, surfaces, rules, warnings);
-  return name_components({kept, soup, plc, surfaces}, points, rules, warnings, threads);
+  return name_components({kept, soup, plc, surfaces, moved}, points, rules, warnings, threads);
 }
 
 }  // namespace geomesh::geomodel

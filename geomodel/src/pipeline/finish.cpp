@@ -116,11 +116,19 @@ void require_valid(const ModelMesh& mesh, const PreparedModel& model, unsigned t
   throw InternalError(all);
 }
 
+/// By bringing surfaces together, by rounding, and within a tolerance.
+double moved_at_most(const PreparedModel& model) {
+  const RefinementSettings& refinement = model.refinement;
+  const double tolerance =
+      refinement.honour == Honour::tolerance ? refinement.tolerance + refinement.tolerance_used : 0;
+  return tolerance + model.arrangement.merging.displacement.largest + model.arrangement.rounding.largest;
+}
+
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
                           PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
-  ModelMesh mesh = name_model({core, model.arrangement.soup, model.plc, model.surfaces}, model.points, model.naming,
-                              model.warnings, recorder.context().threads);
+  ModelMesh mesh = name_model({core, model.arrangement.soup, model.plc, model.surfaces, moved_at_most(model)},
+                              model.points, model.naming, model.warnings, recorder.context().threads);
   for (std::size_t i = known; i < model.warnings.size(); ++i)
     recorder.context().note(LogLevel::warning, model.warnings[i]);
   mesh.name = model.name;

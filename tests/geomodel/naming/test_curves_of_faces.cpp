@@ -19,9 +19,8 @@ struct HorizonOnFault {
   MeshCurves curves;
 
   HorizonOnFault() {
-    surfaces.resize(2);
-    surfaces[0].name = "f", surfaces[0].kind = SurfaceKind::fault;
-    surfaces[1].name = "h", surfaces[1].kind = SurfaceKind::horizon;
+    add_surface("f", SurfaceKind::fault);
+    add_surface("h", SurfaceKind::horizon);
     model.surfaces = {{7, "f", SurfaceKind::fault}, {8, "h", SurfaceKind::horizon}};
     model.surface_sets = {{7}, {8}};
     const auto face = [&](Triangle t, std::int32_t set, std::int32_t patch) {
@@ -36,6 +35,11 @@ struct HorizonOnFault {
     edge(2, 0, 2);
   }
 
+  void add_surface(std::string name, SurfaceKind kind) {
+    surfaces.emplace_back();
+    surfaces.back().name = std::move(name);
+    surfaces.back().kind = kind;
+  }
   void border_at_0_1() { curves.edges.push_back({1, 0, 0}); }
   static std::string told(const SoupCurve& curve) {
     std::string text = curve.kind;

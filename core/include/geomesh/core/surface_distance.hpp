@@ -11,6 +11,9 @@
 
 namespace geomesh {
 
+/// Point of the triangle nearest to p. Corners may be equal. O(1).
+Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
+
 /// A surface of triangles, searched by boxes. Triangles may have no area. For one thread.
 class SurfaceDistance {
  public:

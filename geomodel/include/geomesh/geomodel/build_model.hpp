@@ -58,6 +58,8 @@ struct MeshedModel {
   const PolygonSoup& soup;
   const ModelPlc& plc;
   const std::vector<TriangulatedSurface>& surfaces;
+  /// How far faces may be from the triangles that they stand for, but for rounding.
+  double moved_at_most = 0;
 };
 
 /// How regions get their names, in this order: a seed point inside, a region seed of the PLC, the innermost body it
