@@ -243,6 +243,14 @@ output: {directory: out, formats: [vtu]}
         """A horizon and a fault were brought together. A facet of the fault took one triangle of the horizon, 87 m off at its other end (910930)."""
         self.assert_pass(910930, light=True)
 
+    def test_facets_in_each_other_get_no_points_inside(self):
+        """Points on two faults that lie in each other to rounding made these cross. Points put one by one took 136 CPU s, and made half as many
+        elements again as were estimated (890362)."""
+        folder = self.path("within_rounding")
+        self.assertEqual(outcome_of(890362, folder, PROGRAM, 120, light=True), ("passes", ""))
+        report = self.report(os.path.join(folder, "out", "model.report.json"))
+        self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+
     def test_facets_that_multiply_as_surfaces_are_brought_together_end_the_try(self):
         """They were split without end, for over 400 CPU s (825922). It is tried within half the distance then."""
         project = RandomModel(825922, light=True).write(self.path("multiply"))

@@ -9,9 +9,9 @@
 #include "common/edge_uses.hpp"
 #include "common/union_find.hpp"
 #include "geomesh/geomodel/build_model.hpp"
-#include "naming/flat_patches.hpp"
-#include "naming/surface_curves.hpp"
-#include "naming/surface_sets.hpp"
+#include "naming/patches/flat_patches.hpp"
+#include "naming/patches/surface_curves.hpp"
+#include "naming/patches/surface_sets.hpp"
 
 namespace geomesh::geomodel {
 

@@ -9,9 +9,9 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/name_regions.hpp"
+#include "naming/patches/surface_curves.hpp"
 #include "naming/source_triangles.hpp"
 #include "naming/sums.hpp"
-#include "naming/surface_curves.hpp"
 
 namespace geomesh::geomodel {
 

@@ -111,3 +111,19 @@ TEST_CASE("a region keeps its sheets and its segments", "[recover][region]") {
                         [&](const Tetrahedron& t) { return has(t, 0) && has(t, 2) && has(t, top); }) == 2);
   }
 }
+
+TEST_CASE("a filling may lack added points beyond its boundary, but no input vertex", "[recover][region]") {
+  // Found by seed 823848 of the random models (--light): facets beside a point that went left a Steiner point beyond
+  // them. It was in no cell any more, though in the mesh, and its star was looked for without end.
+  std::mt19937 random(5);
+  TwistedPrism prism(4, 0.05, 0, random);
+  REQUIRE(recover::fill_region(prism.mesh(), prism.constraints(), prism.region, 10000));
+  prism.region.vertices.push_back(static_cast<VertexIndex>(prism.points.size()));
+  prism.points.push_back({5, 5, 5});
+  const auto fill = [&](std::size_t n_input) {
+    const ConstrainedMesh mesh(TetMesh(), prism.points, n_input);
+    return recover::fill_region(mesh, prism.constraints(), prism.region, 10000);
+  };
+  CHECK(fill(prism.points.size() - 1));
+  CHECK_FALSE(fill(prism.points.size()));
+}

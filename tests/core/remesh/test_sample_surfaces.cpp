@@ -9,6 +9,7 @@
 #include "quality/measure/shape.hpp"
 #include "refine_models.hpp"
 #include "remesh/start/sample_surfaces.hpp"
+#include "remesh/start/sampled_crossings.hpp"
 
 using namespace geomesh;
 using namespace refine_models;
@@ -137,7 +138,7 @@ TEST_CASE("The mesh of the sampled model has the components of the first", "[ref
 TEST_CASE("Edges of facets in trouble, and those that points in trouble lie on, are not cut again", "[refine]") {
   const Model model = two_boxes(1);
   auto merged = remesh::merge_pieces(model.plc, {});
-  const auto sample = [&](const remesh::WholeEdges& whole) {
+  const auto sample = [&](const remesh::WholeParts& whole) {
     return remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {}, whole);
   };
   const remesh::SampledComplex sampled = sample({});
@@ -146,16 +147,51 @@ TEST_CASE("Edges of facets in trouble, and those that points in trouble lie on, 
   ErrorContext trouble;
   trouble.facets = {0};
   trouble.vertices = {n_given + static_cast<VertexIndex>(sampled.edge_of_point.size()) - 1, 0};
-  remesh::WholeEdges whole;
+  remesh::WholeParts whole;
   CHECK(remesh::keep_whole(merged, sampled, trouble, whole));
   const std::size_t n_sides = model.plc.outer_loop(0).size();
   CHECK(whole.size() >= n_sides);
-  CHECK(whole.contains(sampled.edge_of_point.back()));
+  CHECK(whole.edges.contains(sampled.edge_of_point.back()));
   CHECK_FALSE(remesh::keep_whole(merged, sampled, trouble, whole));
   const remesh::SampledComplex again = sample(whole);
   CHECK(again.plc.outer_loop(0).size() == n_sides);
   CHECK(again.edge_of_point.size() < sampled.edge_of_point.size());
-  for (const auto& edge : again.edge_of_point) CHECK_FALSE(whole.contains(edge));
+  const auto n_inside = [](const remesh::SampledComplex& s) {
+    return std::count_if(s.plc.facet_points.begin(), s.plc.facet_points.end(),
+                         [](const auto& p) { return p.facet == 0; });
+  };
+  CHECK(n_inside(sampled) > 0);
+  CHECK(n_inside(again) == 0);
+  for (const auto& edge : again.edge_of_point) CHECK_FALSE(whole.edges.contains(edge));
+}
+
+TEST_CASE("A facet stays whole where a point inside of it is in trouble", "[refine]") {
+  const Model model = two_boxes(1);
+  auto merged = remesh::merge_pieces(model.plc, {});
+  const remesh::SampledComplex sampled =
+      remesh::sample_surfaces(merged, model.mesh, constant_size(), Slivers::stay, {});
+  const auto inside = sampled.plc.facet_points.back();
+  REQUIRE(inside.v >= model.plc.points.size() + sampled.edge_of_point.size());
+  ErrorContext trouble;
+  trouble.vertices = {inside.v};
+  remesh::WholeParts whole;
+  CHECK(remesh::keep_whole(merged, sampled, trouble, whole));
+  CHECK(whole.facets == std::set<Index>{inside.facet});
+  CHECK(whole.edges.empty());
+}
+
+TEST_CASE("All facets of a sampled complex that meet are found at once", "[refine]") {
+  PiecewiseLinearComplex plc;
+  plc.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {2, 1, 1}, {9, 0, 0},
+                {9, 4, 0}, {9, 0, 4}, {0, 0, 9}, {4, 0, 9},  {4, 4, 9}, {0, 4, 9}};
+  plc.add_triangle({0, 1, 2});
+  plc.add_triangle({3, 4, 5});  // through the first
+  plc.add_triangle({6, 7, 8});  // alone
+  plc.add_triangle({9, 10, 11});
+  plc.add_triangle({11, 9, 10});  // the same once more
+  CHECK(remesh::facets_that_meet(plc, 1) == std::vector<Index>{0, 1, 3, 4});
+  plc.add_polygon(std::vector<std::vector<VertexIndex>>{{9, 11, 10, 12}});  // its border crosses itself
+  CHECK(remesh::facets_that_meet(plc, 1) == std::vector<Index>{0, 1, 3, 4, 5});
 }
 
 TEST_CASE("Where rounded points on an edge run into a facet beside it, the edge stays whole and the model is meshed",
@@ -195,7 +231,7 @@ TEST_CASE("Where rounded points on an edge run into a facet beside it, the edge 
     if (remesh::mesh_sampled(merged, *mesh, sampled, {}, &trouble)) continue;
     ++n_in_trouble;
     REQUIRE_FALSE(trouble.facets.empty());
-    remesh::WholeEdges whole;
+    remesh::WholeParts whole;
     REQUIRE(remesh::keep_whole(merged, sampled, trouble, whole));
     sampled = remesh::sample_surfaces(merged, *mesh, constant_size(), Slivers::stay, {}, whole);
     CHECK(remesh::mesh_sampled(merged, *mesh, sampled, {}));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "naming/surface_curves.hpp"
+#include "naming/patches/surface_curves.hpp"
 #include "verify/curves_at_faces.hpp"
 
 using namespace geomesh;

@@ -16,23 +16,42 @@ std::uint64_t edge_key(VertexIndex a, VertexIndex b) { return std::uint64_t{std:
 }  // namespace
 
 Cavity::Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped)
-    : recovery_(recovery), dropped_(dropped) {
-  for (CellIndex c : cells) add_cell(c);
+    : recovery_(recovery), cells_(std::move(cells)), dropped_(dropped) {
+  std::vector<CellIndex> sorted = cells_;
+  std::sort(sorted.begin(), sorted.end());
+  const ConstrainedMesh& mesh = recovery_.mesh;
+  for (const CellIndex c : cells_)
+    for (unsigned i = 0; i < 4; ++i) {
+      const FaceRef face(c, i);
+      const CellIndex beyond = mesh.cells().mirror(face).cell();
+      const bool is_inside = std::binary_search(sorted.begin(), sorted.end(), beyond) && !mesh.is_locked(face);
+      if (!is_inside && !is_of_dropped(face)) add_side(face);
+    }
+}
+
+/// Of a cell that has the vertex that is to go.
+bool Cavity::is_of_dropped(FaceRef face) const {
+  const TetMesh& cells = recovery_.mesh.cells();
+  return dropped_ != no_vertex && cells.vertex(face.cell(), face.face()) != dropped_ &&
+         cells.has_vertex(face.cell(), dropped_);
+}
+
+void Cavity::add_side(FaceRef face) {
+  const TetMesh& cells = recovery_.mesh.cells();
+  const auto& l = face_vertices[face.face()];
+  const CellIndex c = face.cell();
+  boundary_.push_back({{cells.vertex(c, l[0]), cells.vertex(c, l[1]), cells.vertex(c, l[2])}, face});
 }
 
 void Cavity::add_cell(CellIndex c) {
   const ConstrainedMesh& mesh = recovery_.mesh;
   for (unsigned i = 0; i < 4; ++i) {
     const FaceRef face(c, i), outer = mesh.cells().mirror(face);
-    if (dropped_ != no_vertex && mesh.cells().vertex(c, i) != dropped_ && mesh.cells().has_vertex(c, dropped_))
-      continue;
-    if (contains(outer.cell()) && !mesh.is_locked(face)) {
+    if (is_of_dropped(face)) continue;
+    if (contains(outer.cell()) && !mesh.is_locked(face))
       std::erase_if(boundary_, [&](const Side& s) { return s.inner == outer; });
-      continue;
-    }
-    const auto& l = face_vertices[i];
-    boundary_.push_back(
-        {{mesh.cells().vertex(c, l[0]), mesh.cells().vertex(c, l[1]), mesh.cells().vertex(c, l[2])}, face});
+    else
+      add_side(face);
   }
   cells_.push_back(c);
 }

@@ -205,8 +205,7 @@ class PointRemoval {
       filling.insert(filling.end(), s.filling.begin(), s.filling.end());
       cells.insert(cells.end(), s.cells.begin(), s.cells.end());
     }
-    mesh_.replace(cells, filling);
-    mesh_.forget(x_);
+    refill(mesh_, cells, filling);
     if (!around_.halves.empty()) {
       const Index segment = constraints_.subsegments[around_.halves[0]].segment;
       const Index chord = constraints_.subsegment_of(around_.ends[0], around_.ends[1]);

@@ -47,8 +47,7 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
   if (!region) return false;
   const auto filling = fill_region_once(recovery, *region);
   if (!filling) return false;
-  mesh.replace(region->cells, *filling);
-  mesh.forget(x);
+  refill(mesh, region->cells, *filling);
   return true;
 }
 
@@ -68,7 +67,7 @@ template <class Remove>
 void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Remove& remove) {
   std::erase_if(points, [&](VertexIndex x) {
     recovery.context.check_cancelled();
-    return remove(x);
+    return !recovery.mesh.in_mesh(x) || remove(x);  // it may have gone with another one
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 #include "common/hash.hpp"
 #include "common/sort_unique.hpp"
@@ -162,12 +163,42 @@ class RegionFiller {
 
 }  // namespace
 
+namespace {
+
+std::vector<VertexIndex> vertices_of(const std::vector<Tetrahedron>& cells) {
+  std::vector<VertexIndex> out;
+  for (const Tetrahedron& t : cells) out.insert(out.end(), t.begin(), t.end());
+  sort_unique(out);
+  return out;
+}
+
+/// Of the vertices (sorted), those that no cell has.
+std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
+                                       const std::vector<Tetrahedron>& cells) {
+  const std::vector<VertexIndex> used = vertices_of(cells);
+  std::vector<VertexIndex> lost;
+  std::set_difference(vertices.begin(), vertices.end(), used.begin(), used.end(), std::back_inserter(lost));
+  return lost;
+}
+
+}  // namespace
+
 std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                     const Region& region, std::size_t max_conflicts) {
   if (region.vertices.size() > SideMasks::max_vertices) return std::nullopt;
   FillingCandidates candidates(mesh, constraints, region);
   if (!candidates.find()) return std::nullopt;
-  return RegionFiller(region, candidates).run(max_conflicts);
+  auto filling = RegionFiller(region, candidates).run(max_conflicts);
+  if (filling)
+    for (const VertexIndex v : lost_vertices(region.vertices, *filling))
+      if (v < mesh.n_input()) return std::nullopt;
+  return filling;
+}
+
+void refill(ConstrainedMesh& mesh, const std::vector<CellIndex>& cells, const std::vector<Tetrahedron>& filling) {
+  const std::vector<VertexIndex> lost = lost_vertices(vertices_of_cells(mesh.cells(), cells), filling);
+  mesh.replace(cells, filling);
+  for (const VertexIndex v : lost) mesh.forget(v);
 }
 
 namespace {

@@ -35,10 +35,14 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
                                    std::span<const CellIndex> forbidden = {});
 
 /// Cells for the region that have all of its boundary and segments; none where there are none or `max_conflicts` do not
-/// suffice. O(n^4) for n vertices before the search.
+/// suffice. They may lack added points, as one beyond the facets that the boundary has now, but no input vertex.
+/// O(n^4) for n vertices before the search.
 std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                     const Region& region, std::size_t max_conflicts);
 /// The same within recovery's budget, but for regions that have been found to have none: they are remembered.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region);
+
+/// Exchanges cells for a filling of theirs. Vertices that it lacks are in the mesh no more. O(k log k) for k cells.
+void refill(ConstrainedMesh& mesh, const std::vector<CellIndex>& cells, const std::vector<Tetrahedron>& filling);
 
 }  // namespace geomesh::recover

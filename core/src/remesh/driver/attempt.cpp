@@ -15,6 +15,7 @@
 #include "remesh/sizes/sizes.hpp"
 #include "remesh/start/mesh_anew.hpp"
 #include "remesh/start/sample_surfaces.hpp"
+#include "remesh/start/sampled_crossings.hpp"
 
 namespace geomesh::remesh {
 
@@ -53,14 +54,14 @@ double least_share_of_points(const RefineOptions& o) { return o.honour == Honour
 
 /// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
 /// one by one would start from the slivers between them. Points are rounded: pieces of an edge may run through a
-/// facet that all but touches it. Then edges there stay whole, what was merged there comes apart, and all is tried
-/// again. False where that cannot be; the mesh is then as it was.
+/// facet that all but touches it. Then facets and edges there stay whole, what was merged there comes apart, and all is
+/// tried again. False where that cannot be; the mesh is then as it was.
 bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged, const RefineOptions& options,
                         ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {
-  constexpr unsigned most_rounds = 8;
+  constexpr unsigned most_rounds = 16;
   const SizeField none({}, {});
   std::vector<Index> parent = options.facet_parent;
-  WholeEdges whole;
+  WholeParts whole;
   for (unsigned round = 0; round < most_rounds; ++round) {
     SampledComplex sampled =
         sample_surfaces(merged, mesh, sizes_surfaces(options) ? result.size_field : none,
@@ -78,6 +79,8 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
       result.statistics.points_on_surfaces += n_on_facets;
       return true;
     }
+    const std::vector<Index> meeting = facets_that_meet(sampled.plc, context.threads);
+    trouble.facets.insert(trouble.facets.end(), meeting.begin(), meeting.end());
     const bool comes_apart = take_apart(merged, trouble.facets, parent);
     if (!keep_whole(merged, sampled, trouble, whole) && !comes_apart) return false;
     merged = merge_pieces(plc, parent);  // slivers may have been flipped in it

@@ -97,7 +97,8 @@ PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
 /// Nothing where the complex cannot be meshed, or components cannot be told.
 std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const ComponentsBeside& beside,
                                                                    std::size_t n_components, PiecewiseLinearComplex plc,
-                                                                   const RunContext& context, ErrorContext* trouble) {
+                                                                   unsigned most_attempts, const RunContext& context,
+                                                                   ErrorContext* trouble) {
   RunContext quiet;
   quiet.cancel = context.cancel;
   quiet.threads = context.threads;
@@ -105,7 +106,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
     if (level == LogLevel::debug) context.note(level, text);
   };
   TetrahedralizeOptions options;
-  options.recover.max_attempts = 8;  // the caller has another way
+  options.recover.max_attempts = most_attempts;
   try {
     ConstrainedTetrahedralization fresh = tetrahedralize(plc, options, quiet);
     auto match = match_components(beside, fresh);
@@ -115,13 +116,16 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
       fresh = tetrahedralize(plc, options, quiet);
       match = match_components(beside, fresh);
     }
-    if (!match || !is_complete(*match, n_components)) return std::nullopt;
+    if (!match || !is_complete(*match, n_components)) {
+      context.note(LogLevel::debug, "not meshed anew: its components cannot be told");
+      return std::nullopt;
+    }
     for (Index& c : fresh.component) c = (*match)[c];
     return fresh;
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::interrupted) throw;
     context.note(LogLevel::debug, std::string("not meshed anew: ") + e.what());
-    if (trouble && e.kind() == ErrorKind::invalid_input) *trouble = e.context();
+    if (trouble) *trouble = e.context();
     return std::nullopt;
   }
 }
@@ -143,14 +147,16 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   const auto beside =
       components_beside(mesh, plc.n_facets(), [&](Index f) { return row_of_facet[mesh.faces[f].facet]; });
   if (!beside) return std::nullopt;
-  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), context, trouble);
+  constexpr unsigned most_attempts = 2;  // the caller asks again without what is in trouble
+  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), most_attempts, context, trouble);
   if (fresh) inherit(mesh, *fresh);
   return fresh;
 }
 
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
   const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
-  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), context, nullptr);
+  constexpr unsigned most_attempts = 8;  // the caller has another way
+  auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), most_attempts, context, nullptr);
   if (!fresh) return false;
   inherit(mesh, *fresh);
   for (auto& f : fresh->faces) f.facet = mesh.faces[f.facet].facet;

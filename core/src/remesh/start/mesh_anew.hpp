@@ -15,7 +15,8 @@ namespace geomesh::remesh {
 
 /// The mesh of `plc` with the components of `mesh`, told by the facets: `row_of_facet` gives for each facet of `mesh`
 /// its row in `plc`. Nothing of a component that `mesh` lacks. Nothing at all where the complex cannot be meshed (as
-/// where rounding made facets cross: `trouble` then tells what crosses), or components cannot be told.
+/// where rounding made facets cross, or leaves no room for a double: `trouble` then tells where), or components cannot
+/// be told.
 std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const ConstrainedTetrahedralization& mesh,
                                                                const std::vector<Index>& row_of_facet,
                                                                PiecewiseLinearComplex plc, const RunContext& context,

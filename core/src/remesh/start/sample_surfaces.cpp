@@ -49,10 +49,14 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
 
 class SurfaceSampler {
  public:
-  /// Edges of `whole` are not cut.
   SurfaceSampler(const MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
-                 const std::set<Edge>& whole)
-      : plc_(merged.plc), size_(size), whole_(whole), beside_(merged.plc.n_facets(), {no_index, no_index}) {
+                 const WholeParts& whole)
+      : plc_(merged.plc),
+        size_(size),
+        whole_(whole),
+        is_whole_(merged.plc.n_facets(), false),
+        beside_(merged.plc.n_facets(), {no_index, no_index}) {
+    for (const Index f : whole.facets) is_whole_[merged.row_of_facet[f]] = true;
     for (const auto& f : mesh.faces) {
       std::array<Index, 2>& beside = beside_[merged.row_of_facet[f.facet]];
       if (f.tetrahedron_below != no_index) beside[0] = mesh.component[f.tetrahedron_below];
@@ -116,7 +120,7 @@ class SurfaceSampler {
 
   /// Equal shares of the integral of 1 / size along the edge.
   void cut(const Edge& edge, EdgeParts& parts) {
-    if (whole_.contains(edge)) return;
+    if (whole_.edges.contains(edge)) return;
     constexpr double surely_one = 1.2;  // by the sizes at the ends; half a share more would make two
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
@@ -204,7 +208,7 @@ class SurfaceSampler {
       for (std::size_t i = 0; i < loop.size(); ++i)
         for_each_piece(loop[i], loop[(i + 1) % loop.size()], [&](VertexIndex a, VertexIndex) { fine.push_back(a); });
     }
-    if (is_full(f, loops)) return sample;
+    if (is_whole_[f] || is_full(f, loops)) return sample;
     const auto frame = frame_of(plc_, plc_.outer_loop(f));
     if (!frame) return sample;
     const std::array<Index, 1> facet{f};
@@ -255,7 +259,8 @@ class SurfaceSampler {
 
   const PiecewiseLinearComplex& plc_;
   const SizeField& size_;
-  const std::set<Edge>& whole_;
+  const WholeParts& whole_;
+  std::vector<bool> is_whole_;                // by facet
   std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
@@ -334,7 +339,7 @@ ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, co
 }  // namespace
 
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
-                               Slivers slivers, const RunContext& context, WholeEdges whole) {
+                               Slivers slivers, const RunContext& context, WholeParts whole) {
   std::set<Index> flipped;  // once is enough: a second flip might undo the first
   for (;;) {
     SampledComplex sampled = SurfaceSampler(merged, mesh, size, whole).run(context);
@@ -346,7 +351,7 @@ SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedra
     const std::size_t n_tried = to_flip.size(), n_whole = whole.size();
     if (n_tried > 0) to_flip = flip_slivers(merged.plc, to_flip);
     for (const std::vector<Index>* stay : {&to_flip, &to_keep})
-      for (const Index f : *stay) add_edges_of(merged.plc, f, whole);
+      for (const Index f : *stay) add_edges_of(merged.plc, f, whole.edges);
     if (to_flip.size() == n_tried && whole.size() == n_whole) return sampled;
   }
 }
@@ -361,11 +366,21 @@ std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& me
 }
 
 bool keep_whole(const MergedFacets& merged, const SampledComplex& sampled, const ErrorContext& trouble,
-                WholeEdges& whole) {
+                WholeParts& whole) {
   const std::size_t before = whole.size(), n_given = merged.plc.points.size();
-  for (const Index f : trouble.facets) add_edges_of(merged.plc, f, whole);
-  for (const VertexIndex v : trouble.vertices)
-    if (v >= n_given && v - n_given < sampled.edge_of_point.size()) whole.insert(sampled.edge_of_point[v - n_given]);
+  std::vector<bool> in_trouble(merged.plc.n_facets(), false);
+  for (const Index f : trouble.facets) {
+    in_trouble[f] = true;
+    add_edges_of(merged.plc, f, whole.edges);
+  }
+  const std::set<VertexIndex> vertices(trouble.vertices.begin(), trouble.vertices.end());
+  for (const VertexIndex v : vertices)
+    if (v >= n_given && v - n_given < sampled.edge_of_point.size())
+      whole.edges.insert(sampled.edge_of_point[v - n_given]);
+  for (const auto& inside : sampled.plc.facet_points)
+    if (inside.v >= n_given && vertices.contains(inside.v)) in_trouble[inside.facet] = true;
+  for (Index f = 0; f < merged.row_of_facet.size(); ++f)
+    if (in_trouble[merged.row_of_facet[f]]) whole.facets.insert(f);
   return whole.size() > before;
 }
 

@@ -18,8 +18,13 @@
 
 namespace geomesh::remesh {
 
-/// Edges of a complex that are not cut, the lesser end first.
-using WholeEdges = std::set<std::array<VertexIndex, 2>>;
+/// What gets no points.
+struct WholeParts {
+  std::set<std::array<VertexIndex, 2>> edges;  ///< of the complex, the lesser end first
+  std::set<Index> facets;                      ///< rows before facets were merged: no points inside
+
+  std::size_t size() const { return edges.size() + facets.size(); }
+};
 
 /// The merged facets and the segments in their order with more points: rows of the PLC given first.
 struct SampledComplex {
@@ -37,10 +42,10 @@ enum class Slivers : std::uint8_t { may_go, stay };
 /// points follow from the border inwards at the asked distance from each other. Each has at least 0.75 of it from all
 /// others there: the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
 /// before facets were merged, and tells which components a facet has beside it. Edges of slivers that stay are not cut;
-/// those that go are flipped in `merged`. Edges in `whole` are not cut either. Deterministic. Near-linear in the points
-/// where sizes vary slowly.
+/// those that go are flipped in `merged`. Edges in `whole` are not cut either, and its facets get no points inside.
+/// Deterministic. Near-linear in the points where sizes vary slowly.
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
-                               Slivers slivers, const RunContext& context, WholeEdges whole = {});
+                               Slivers slivers, const RunContext& context, WholeParts whole = {});
 
 /// The mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and components as
 /// `mesh` has them, facets by the first of those that were merged, nothing of a component that it lacks. Nothing where
@@ -50,8 +55,8 @@ std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& me
                                                           const SampledComplex& sampled, const RunContext& context,
                                                           ErrorContext* trouble = nullptr);
 
-/// The edges of the facets in trouble, and those that the points in trouble were put on. Whether any is new.
+/// The facets in trouble with their edges, and what the points in trouble were put on. Whether any is new.
 bool keep_whole(const MergedFacets& merged, const SampledComplex& sampled, const ErrorContext& trouble,
-                WholeEdges& whole);
+                WholeParts& whole);
 
 }  // namespace geomesh::remesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "naming/surface_curves.hpp"
+#include "naming/patches/surface_curves.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "naming/flat_patches.hpp"
+#include "naming/patches/flat_patches.hpp"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "naming/surface_sets.hpp"
+#include "naming/patches/surface_sets.hpp"
 
 #include <algorithm>
 #include <map>

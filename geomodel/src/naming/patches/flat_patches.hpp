@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/edge_uses.hpp"
-#include "naming/surface_sets.hpp"
+#include "naming/patches/surface_sets.hpp"
 
 namespace geomesh::geomodel {
 
