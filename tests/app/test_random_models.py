@@ -243,6 +243,10 @@ output: {directory: out, formats: [vtu]}
         """A horizon and a fault were brought together. A facet of the fault took one triangle of the horizon, 87 m off at its other end (910930)."""
         self.assert_pass(910930, light=True)
 
+    def test_a_well_that_ends_on_a_side_of_three_corners_crosses_nothing(self):
+        """The search for crossings, which is asked where many points were added, did not know the well's end on that side (920971)."""
+        self.assert_pass(920971, light=True)
+
     def test_facets_in_each_other_get_no_points_inside(self):
         """Points on two faults that lie in each other to rounding made these cross. Points put one by one took 136 CPU s, and made half as many
         elements again as were estimated (890362)."""

@@ -70,6 +70,9 @@ class CrossingSearch {
     return out;
   }
   void collect() {
+    std::vector<bool> has_parts(plc_.n_facets(), false);  // points or segments inside, where others may end
+    for (const auto& p : plc_.facet_points) has_parts[p.facet] = true;
+    for (const auto& s : plc_.facet_segments) has_parts[s.facet] = true;
     for (Index f = 0; f < plc_.n_facets(); ++f) {
       for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
         const auto loop = plc_.loop(l);
@@ -77,7 +80,8 @@ class CrossingSearch {
           edges_.push_back(make(loop[i], loop[(i + 1) % loop.size()], no_vertex, f));
       }
       const auto outer = plc_.outer_loop(f);
-      if (plc_.n_loops(f) == 1 && outer.size() == 3) triangles_.push_back(make(outer[0], outer[1], outer[2], f));
+      if (plc_.n_loops(f) == 1 && outer.size() == 3 && !has_parts[f])
+        triangles_.push_back(make(outer[0], outer[1], outer[2], f));
     }
     for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
   }

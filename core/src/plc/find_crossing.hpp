@@ -18,8 +18,8 @@ struct PlcCrossing {
   Index facet = no_index;                    ///< the facet met
 };
 
-/// The first one by edge, then facet. Triangles are searched, polygons are not (declaring them has checked them
-/// within). O(n log n) plus pairs whose boxes overlap along the longest axis.
+/// The first one by edge, then facet. Triangles are searched; polygons are not, nor triangles with points or segments
+/// inside (declaring them has checked them within). O(n log n) plus pairs whose boxes overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
 /// All of them, in that order.
 std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads = 1);

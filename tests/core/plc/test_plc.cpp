@@ -93,6 +93,21 @@ TEST_CASE("crossing facets are refused with both named", "[plc][recover]") {
   }
 }
 
+TEST_CASE("an edge that ends on a point declared inside of a triangle crosses nothing", "[plc]") {
+  // Found by seed 920971 of the random models (--light): a well ends on a side of the box that has three corners.
+  PiecewiseLinearComplex plc;
+  plc.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 1, -1}, {2, 1, 0}};
+  const Index f = plc.add_triangle({0, 1, 2});
+  plc.segments.push_back({3, 4});
+  CHECK(find_crossing(plc).has_value());
+  PiecewiseLinearComplex with_point = plc;
+  with_point.facet_points.push_back({f, 3});
+  CHECK_FALSE(find_crossing(with_point).has_value());
+  PiecewiseLinearComplex with_segment = plc;
+  with_segment.facet_segments.push_back({f, 3, 5});
+  CHECK_FALSE(find_crossing(with_segment).has_value());
+}
+
 TEST_CASE("a vertex inside a facet or on a segment is refused", "[plc][recover]") {
   PiecewiseLinearComplex inside = box();
   inside.points.push_back({0, 0.3, 0.4});
