@@ -171,16 +171,14 @@ std::vector<Index> facets_about(const Recovery& recovery, VertexIndex x) {
 
 Error error_of_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points) {
   const VertexIndex x = points.front();
-  const std::vector<Index> facets = facets_about(recovery, x);
-  std::vector<Index> all;
-  for (const VertexIndex v : points) all = join(std::move(all), facets_about(recovery, v));
+  std::vector<Index> facets = facets_about(recovery, x);
   const std::string where = facets.empty() ? "" : " at " + list(recovery, facets);
   const std::string at = describe_vertex(recovery, x) + where;
   const std::string what = points.size() == 1 ? "no double near " + at + " leaves all cells positive"
                                               : "no doubles near " + std::to_string(points.size()) +
                                                     " added vertices leave all cells positive, the first " + at;
   return Error(ErrorKind::cannot_mesh, what + advice(ErrorKind::cannot_mesh),
-               context_of(recovery, std::move(all), {x}));
+               context_of(recovery, std::move(facets), {x}));
 }
 
 void Recovery::count_added_point() {
