@@ -36,6 +36,12 @@ class RandomModels(ProgramTest):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path(str(seed)), PROGRAM, limit, light=light), ("passes", ""))
 
+    def assert_within_estimate(self, seed, limit):
+        """A light model passes, with at most a tenth more elements than were estimated."""
+        self.assert_pass(seed, limit=limit, light=True)
+        report = self.report(os.path.join(self.path(str(seed)), "out", "model.report.json"))
+        self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+
     def test_random_whole_models_pass_the_judge_or_are_refused_with_a_reason(self):
         outcomes = {}
         for seed in range(FIRST, FIRST + COUNT):
@@ -229,10 +235,7 @@ output: {directory: out, formats: [vtu]}
     def test_both_facets_of_a_triangle_that_rounding_made_one_are_sampled_otherwise(self):
         """Sampled surfaces got a triangle that two of them had. One was left whole, which changed nothing. Points put one by one made 2.6 times
         as many elements as were estimated (825080), or took more than two minutes (900345)."""
-        folder = self.path("overlaps")
-        self.assertEqual(outcome_of(825080, folder, PROGRAM, 60, light=True), ("passes", ""))
-        report = self.report(os.path.join(folder, "out", "model.report.json"))
-        self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+        self.assert_within_estimate(825080, 60)
 
     def test_a_border_on_which_a_fault_gets_an_edge_is_told_as_their_intersection(self):
         """A horizon ends within rounding of a fault, with two points of it. Refinement gave the fault the edge between these, which stayed the
@@ -250,10 +253,7 @@ output: {directory: out, formats: [vtu]}
     def test_facets_in_each_other_get_no_points_inside(self):
         """Points on two faults that lie in each other to rounding made these cross. Points put one by one took 136 CPU s, and made half as many
         elements again as were estimated (890362)."""
-        folder = self.path("within_rounding")
-        self.assertEqual(outcome_of(890362, folder, PROGRAM, 120, light=True), ("passes", ""))
-        report = self.report(os.path.join(folder, "out", "model.report.json"))
-        self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+        self.assert_within_estimate(890362, 120)
 
     def test_facets_that_multiply_as_surfaces_are_brought_together_end_the_try(self):
         """They were split without end, for over 400 CPU s (825922). It is tried within half the distance then."""

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <span>
-#include <tuple>
 #include <vector>
 
-#include "geomesh/core/geometry.hpp"
+#include "geomesh/geomodel/model_mesh.hpp"
 
 namespace geomesh::geomodel {
 
@@ -16,23 +16,29 @@ namespace geomesh::geomodel {
 struct EdgeUse {
   VertexIndex a, b;
   Index facet;  ///< row of the triangle
+  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
 };
 
-/// All uses, sorted by (a, b, facet). O(n log n).
-inline std::vector<EdgeUse> sorted_edge_uses(std::span<const Triangle> triangles) {
+/// All uses, sorted by (a, b, facet); triangle_of(row) for rows below n. O(n log n).
+template <class TriangleOf>
+std::vector<EdgeUse> sorted_edge_uses(std::size_t n, const TriangleOf& triangle_of) {
   std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (Index f = 0; f < triangles.size(); ++f) {
-    const Triangle& t = triangles[f];
+  uses.reserve(3 * n);
+  for (Index f = 0; f < n; ++f) {
+    const Triangle& t = triangle_of(f);
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexIndex p = t[i], q = t[(i + 1) % 3];
       uses.push_back({std::min(p, q), std::max(p, q), f});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& p, const EdgeUse& q) {
-    return std::tie(p.a, p.b, p.facet) < std::tie(q.a, q.b, q.facet);
-  });
+  std::sort(uses.begin(), uses.end());
   return uses;
+}
+inline std::vector<EdgeUse> sorted_edge_uses(std::span<const Triangle> triangles) {
+  return sorted_edge_uses(triangles.size(), [&](Index f) -> const Triangle& { return triangles[f]; });
+}
+inline std::vector<EdgeUse> sorted_edge_uses(const std::vector<ModelMesh::Face>& faces) {
+  return sorted_edge_uses(faces.size(), [&](Index f) -> const Triangle& { return faces[f].vertices; });
 }
 
 /// Calls visit(span of uses) once for each edge, in the order of sorted_edge_uses.

@@ -107,7 +107,6 @@ void fill_faces(const MeshedModel& meshed, const std::vector<std::int32_t>& surf
     const std::span<const PolygonSoup::Origin> origins = origins_of(soup, plc, face.facet);
     out.surface = surface_id[origins.front().surface];
     out.source_triangle = static_cast<std::int32_t>(sources.of(face.facet, middle_of(mesh.points, face.vertices)));
-    out.patch = static_cast<std::int32_t>(plc.facet_patch[face.facet]);
     set.clear();
     for (const PolygonSoup::Origin& origin : origins)
       if (const std::int32_t id = surface_id[origin.surface]; set.empty() || set.back() != id) set.push_back(id);
@@ -127,13 +126,19 @@ void sum_areas(ModelMesh& model) {
   for (NamedSurface& surface : model.surfaces) surface.area = areas[surface.id].value();
 }
 
-MeshCurves curves_of_segments(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc,
-                              const std::vector<VertexIndex>& row) {
-  MeshCurves result{plc.curves, {}};
+/// Wells, after the curves of surfaces.
+void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, const std::vector<VertexIndex>& row,
+               MeshCurves& curves) {
+  std::map<Index, Index> well;  // row of `curves`, by row of plc.curves
+  for (Index c = 0; c < plc.curves.size(); ++c)
+    if (plc.curves[c].kind == "well") {
+      well[c] = static_cast<Index>(curves.curves.size());
+      curves.curves.push_back(plc.curves[c]);
+    }
   for (const auto& edge : mesh.edges)
     for (const Index curve : plc.segment_curves[edge.segment])
-      result.edges.push_back({row[edge.a], row[edge.b], curve});
-  return result;
+      if (const auto at = well.find(curve); at != well.end())
+        curves.edges.push_back({row[edge.a], row[edge.b], at->second});
 }
 
 /// Curves with at least one edge in the mesh, in the order of `given`. Returns the next id.
@@ -217,8 +222,8 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
   }
   fill_faces(meshed, surface_id, row, model);
   sum_areas(model);
-  MeshCurves curves = curves_of_segments(mesh, meshed.plc, row);
-  correct_by_faces(meshed.surfaces, model, curves);
+  MeshCurves curves = tell_curves_and_patches(meshed.surfaces, model);
+  add_wells(mesh, meshed.plc, row, curves);
   next_id = fill_curves(curves, next_id, model);
   fill_marked_points(meshed, points, row, next_id, model);
   add_groups_and_attributes(rules, model, warnings);

@@ -30,6 +30,8 @@ Index SourceTriangles::of(Index facet, const Vec3& p) {
   const PolygonSoup::Origin& origin = origins_of(meshed_.soup, meshed_.plc, facet).front();
   const ModelPlc& plc = meshed_.plc;
   if (plc.facet_soup_offsets[facet + 1] - plc.facet_soup_offsets[facet] > 1) return under(p, facet);
+  if (plc.plc.n_loops(facet) > 1 || plc.plc.outer_loop(facet).size() > 3)
+    return origin.triangle;  // a polygon of a file
   const double most = meshed_.moved_at_most + rounding_at(p);
   if (!(distance_from(p, origin.surface, origin.triangle) > most)) return origin.triangle;
   return search_in(origin.surface).closest_triangle(p);

@@ -32,12 +32,9 @@ void check_curves_at_faces(const ModelMesh& mesh, std::vector<std::string>& faul
   FaultList missing("faces at an edge where surfaces meet or end that is on no curve"),
       several("faces at an edge on several curves of surfaces"), inside("faces at an edge on a curve inside a patch"),
       patches("faces whose patch differs from that of the face beside them");
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  for (const ModelMesh::Face& face : mesh.faces) triangles.push_back(face.vertices);
   const std::vector<EdgeKey> on_curves = edges_of_surface_curves(mesh);
   auto at = on_curves.begin();
-  for_each_edge(sorted_edge_uses(triangles), [&](std::span<const EdgeUse> edge) {
+  for_each_edge(sorted_edge_uses(mesh.faces), [&](std::span<const EdgeUse> edge) {
     const EdgeKey key{edge[0].a, edge[0].b};
     while (at != on_curves.end() && *at < key) ++at;
     std::size_t n_curves = 0;

@@ -31,3 +31,25 @@ TEST_CASE("a facet that lies along several triangles names the nearest one at ea
   CHECK(SourceTriangles(moved).of(0, {12, 1, 0}) == 0);  // within what surfaces moved by
   CHECK(SourceTriangles(moved).of(0, {14, 1, 0}) == 1);
 }
+
+TEST_CASE("a polygon of a file is told by its row, wherever the place in it", "[sets]") {
+  // The surface of a .poly file has the first three corners of each facet in place of a triangle.
+  TriangulatedSurface file;
+  file.points = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 10, 5}};
+  file.triangles = {{0, 1, 2}, {2, 3, 4}};
+  const std::vector<TriangulatedSurface> surfaces = {file};
+  PolygonSoup soup;
+  soup.points = file.points;
+  soup.facets = file.triangles;
+  soup.origins = {{0, 0, false}, {0, 1, false}};
+  soup.origin_offsets = {0, 1, 2};
+  ModelPlc plc;
+  plc.plc.points = file.points;
+  plc.plc.add_polygon(std::vector<std::vector<VertexIndex>>{{0, 1, 2, 3}}, 0);
+  plc.plc.add_triangle({2, 3, 4});
+  plc.facet_soup = {0, 1};
+  plc.facet_soup_offsets = {0, 1, 2};
+  const ConstrainedTetrahedralization mesh;
+  const MeshedModel meshed{mesh, soup, plc, surfaces};
+  CHECK(SourceTriangles(meshed).of(0, {1, 9, 0}) == 0);  // nearer to the other facet than to the first three corners
+}

@@ -27,6 +27,16 @@ std::vector<VertexIndex> vertices_of_cells(const TetMesh& cells, const std::vect
   return out;
 }
 
+/// Of the vertices (sorted), those that no tetrahedron has.
+std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
+                                       const std::vector<Tetrahedron>& tetrahedra) {
+  std::vector<VertexIndex> used, lost;
+  for (const Tetrahedron& t : tetrahedra) used.insert(used.end(), t.begin(), t.end());
+  sort_unique(used);
+  std::set_difference(vertices.begin(), vertices.end(), used.begin(), used.end(), std::back_inserter(lost));
+  return lost;
+}
+
 /// Adds neighbours to the cells, and their vertices to `vertices`, while there is room.
 void spread(const ConstrainedMesh& mesh, std::span<const CellIndex> forbidden, std::vector<CellIndex>& cells,
             std::vector<VertexIndex>& vertices, std::size_t max_vertices) {
@@ -160,26 +170,6 @@ class RegionFiller {
   std::vector<Literal> clause_;
   SatSolver solver_;
 };
-
-}  // namespace
-
-namespace {
-
-std::vector<VertexIndex> vertices_of(const std::vector<Tetrahedron>& cells) {
-  std::vector<VertexIndex> out;
-  for (const Tetrahedron& t : cells) out.insert(out.end(), t.begin(), t.end());
-  sort_unique(out);
-  return out;
-}
-
-/// Of the vertices (sorted), those that no cell has.
-std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
-                                       const std::vector<Tetrahedron>& cells) {
-  const std::vector<VertexIndex> used = vertices_of(cells);
-  std::vector<VertexIndex> lost;
-  std::set_difference(vertices.begin(), vertices.end(), used.begin(), used.end(), std::back_inserter(lost));
-  return lost;
-}
 
 }  // namespace
 

@@ -20,14 +20,14 @@ struct MeshCurves {
     VertexIndex a, b;  ///< rows of ModelMesh::points
     Index curve;       ///< row of `curves`
   };
-  std::vector<SoupCurve> curves;  ///< as ModelPlc::curves
-  std::vector<Edge> edges;        ///< one for each curve that an edge is on
+  std::vector<SoupCurve> curves;
+  std::vector<Edge> edges;  ///< one for each curve that an edge is on
 };
 
-/// Makes curves of surfaces and patches of `model` what the faces at each edge say. They are that already, but where
-/// refinement gave one surface an edge of another: a border within rounding of a fault becomes an intersection.
-/// Wells stay. Precondition: faces and surface sets are filled, with ids of surfaces that follow one another in the
-/// order of `surfaces`. O(n log n) for n faces.
-void correct_by_faces(const std::vector<TriangulatedSurface>& surfaces, ModelMesh& model, MeshCurves& curves);
+/// Curves of surfaces and patches as the faces at each edge tell them; fills the faces' patches. Those of the complex
+/// (ModelPlc) may differ: refinement gives a fault the edge on which a horizon ends, within rounding of it. Curves are
+/// ordered by kind, then name, edges by their ends, patches by their first face. Precondition: faces and surface sets
+/// are filled, with ids of surfaces that follow one another in the order of `surfaces`. O(n log n) for n faces.
+MeshCurves tell_curves_and_patches(const std::vector<TriangulatedSurface>& surfaces, ModelMesh& model);
 
 }  // namespace geomesh::geomodel
