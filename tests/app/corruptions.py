@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ways to break an output, each with the faults of which the judge must name one at least."""
+import itertools
 import math
 
 
@@ -382,9 +383,9 @@ def a_well_of_another_name(m):
 
 @corruption("curve_edges_not_in_mesh")
 def a_curve_edge_that_no_mesh_edge_is(m):
-    lines = m.curves["Lines", "connectivity"].values
-    rows = m.lines_of("fault*top_reservoir")
-    m.add_line(lines[2 * rows[0]], lines[2 * rows[-1] + 1], m.curve_id("fault*top_reservoir"))
+    lines, xyz = m.curves["Lines", "connectivity"].values, m.curves["Points", "Points"].values
+    vertices = {v for row in m.lines_of("fault*top_reservoir") for v in lines[2 * row:2 * row + 2]}
+    m.add_line(*max(itertools.combinations(sorted(vertices), 2), key=lambda e: math.dist(*(xyz[3 * v:3 * v + 3] for v in e))), m.curve_id("fault*top_reservoir"))
 
 
 @corruption("repeated_curve_edges")

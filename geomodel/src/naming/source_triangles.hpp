@@ -13,7 +13,8 @@ namespace geomesh::geomodel {
 
 /// Triangles of the first surface of a facet, as the soup's origins name them. A facet may stand for several soup
 /// facets (polygons on box sides). It may reach beyond its triangle, too: where two surfaces were brought together, a
-/// facet of one lies along several triangles of the other. Then the nearest triangle is told. A polygon of a file is told by its row alone.
+/// facet of one lies along several triangles of the other. Then the nearest triangle is told. A polygon of a file is
+/// told by its row alone.
 class SourceTriangles {
  public:
   /// `meshed` outlives this.
