@@ -261,15 +261,6 @@ output: {directory: out, formats: [vtu]}
         status, printed = run(PROGRAM, [project, "--preview", "--quiet", "--threads", "1"], 60)
         self.assertEqual(status, 0, printed)
 
-    @unittest.skipUnless(NIGHTLY, "takes minutes")
-    def test_more_elements_than_were_estimated_are_told(self):
-        """Where the same points cannot be meshed anew, refinement makes more than twice as many (823848)."""
-        folder = self.path("growth")
-        self.assertEqual(outcome_of(823848, folder, PROGRAM, 600, light=True), ("passes", ""))
-        report = self.report(os.path.join(folder, "out", "model.report.json"))
-        self.assertGreater(report["tetrahedra"], 2 * report["refinement"]["estimated_tetrahedra"])
-        self.assertTrue(any("were estimated; improvement takes as much longer" in w for w in report["warnings"]), report["warnings"])
-
     def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
         self.assert_pass(821026, light=True)
 

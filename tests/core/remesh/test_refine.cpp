@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "geomesh/core/predicates.hpp"
@@ -284,4 +285,30 @@ TEST_CASE("A cancelled refinement ends with interrupted", "[refine]") {
   } catch (const Error& e) {
     CHECK(e.kind() == ErrorKind::interrupted);
   }
+}
+
+TEST_CASE("More than twice as many elements as were estimated are told before they are improved", "[refine]") {
+  const Model model = two_boxes(20);  // its points on surfaces make 60,000 cells
+  RefineOptions options;
+  options.honour = Honour::tolerance;  // the estimate counts no given cells
+  options.tolerance = 1e-6;
+  options.size.from_input_edges = false;
+  options.quality = QualityLevel::fast;
+  options.fixed_points.emplace(model.plc.points.size());
+  std::iota(options.fixed_points->begin(), options.fixed_points->end(), 0);
+  const auto warnings = [&](double size) {
+    options.size.global = size;
+    std::vector<std::string> told;
+    RunContext context;
+    context.log = [&](LogLevel level, std::string_view text) {
+      if (level == LogLevel::warning) told.emplace_back(text);
+    };
+    const RefineResult r = refine_and_improve(model.plc, model.mesh, options, context);
+    CHECK(r.warnings == told);
+    return told;
+  };
+  CHECK(warnings(0.06).empty());
+  const std::vector<std::string> told = warnings(1);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].find("were estimated; improvement takes as much longer") != std::string::npos);
 }
