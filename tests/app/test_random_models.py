@@ -261,6 +261,12 @@ output: {directory: out, formats: [vtu]}
         status, printed = run(PROGRAM, [project, "--preview", "--quiet", "--threads", "1"], 60)
         self.assertEqual(status, 0, printed)
 
+    def test_edges_that_cross_in_one_plane_at_small_angles_are_joined(self):
+        """Their crossing was off along them, by rounding, and they seemed to pass each other. A horizon and a fault that lie in each other were
+        refused (825539, 901481, 930281), or kept pockets of an ulp (825922 took more than 107 CPU s)."""
+        self.assert_pass(825539, 901481, 930281, light=True)
+        self.assert_within_estimate(825922, 60)
+
     def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
         self.assert_pass(821026, light=True)
 

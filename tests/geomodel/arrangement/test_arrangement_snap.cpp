@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bringing together what is near: `tolerance`, and overlaps too thin for any rounding.
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 #include <set>
 
 #include "arrangement/snap/snap.hpp"
@@ -19,6 +21,8 @@ ArrangementOptions within(double tolerance) {
   options.tolerance = tolerance;
   return options;
 }
+
+Vec3 unit(const Vec3& v) { return (1 / arrangement::length(v)) * v; }
 
 /// Edges at which facets of both surfaces lie.
 std::size_t n_common_edges(const PolygonSoup& soup, Index a, Index b) {
@@ -275,6 +279,62 @@ TEST_CASE("snapping: edges that join where a facet beside them has a corner take
   std::set<std::array<double, 3>> places;
   for (const Vec3& p : complex.points) places.insert({p.x, p.y, p.z});
   CHECK(places.size() == complex.points.size());
+}
+
+TEST_CASE("snapping: long edges of one plane that cross get a common vertex, however small the angle",
+          "[arrangement]") {
+  constexpr double size = 6000, ulp = 0x1p-40;  // of coordinates to 8192
+  std::mt19937 chance(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (const double angle : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
+    for (int k = 0; k < 100; ++k) {
+      const auto direction = [&] { return unit({any(chance), any(chance), any(chance)}); };
+      const Vec3 normal = direction(), along = unit(cross(normal, direction()));
+      const Vec3 turned = std::cos(angle) * along + std::sin(angle) * cross(normal, along);
+      const Vec3 middle{size, size, size / 2};
+      arrangement::Complex complex;
+      complex.points = {middle - 700 * along,  middle + 900 * along,  middle + 500 * normal,
+                        middle - 800 * turned, middle + 600 * turned, middle - 500 * normal};
+      complex.input_point.assign(6, no_index);
+      for (VertexIndex v = 0; v < 6; v += 3) {
+        complex.facets.push_back({v, v + 1, v + 2});
+        complex.origins.push(std::vector{arrangement::Origin{v / 3, 0, false}});
+      }
+      complex.dirty_facet.assign(2, 1);
+      INFO("angle " << angle << ", plane " << k);
+      CHECK(arrangement::snap_near(complex, {1, 1}, {32 * ulp, std::nullopt}).n_vertices_inserted == 2);
+      CHECK(complex.facets.size() == 4);
+    }
+}
+
+TEST_CASE("snapping: a vertex inside of a thin facet is put in it, however thin it is", "[arrangement]") {
+  constexpr double size = 6000, ulp = 0x1p-40;
+  std::mt19937 chance(8);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (const double width : {10.0, 1.0, 1e-2, 1e-4, 1e-6})
+    for (int k = 0; k < 100; ++k)
+      for (const bool is_needle : {false, true}) {
+        const auto direction = [&] { return unit({any(chance), any(chance), any(chance)}); };
+        const Vec3 normal = direction(), along = unit(cross(normal, direction())), across = cross(normal, along);
+        const Vec3 a{size, size, size / 2}, b = a + 1500 * along,
+                                            c = (is_needle ? a : a + 700 * along) + width * across;
+        const Vec3 inside = 0.3 * a + 0.3 * b + 0.4 * c;
+        arrangement::Complex complex;
+        complex.points = {a, b, c, inside, inside + Vec3{40, 60, 80}, inside + Vec3{-70, 20, 60}};
+        complex.input_point.assign(6, no_index);
+        for (VertexIndex v = 0; v < 6; v += 3) {
+          complex.facets.push_back({v, v + 1, v + 2});
+          std::rotate(complex.facets.back().begin(), complex.facets.back().begin() + k % 3,
+                      complex.facets.back().end());
+          complex.origins.push(std::vector{arrangement::Origin{v / 3, 0, false}});
+        }
+        complex.dirty_facet.assign(2, 1);
+        INFO("width " << width << ", plane " << k << (is_needle ? ", needle" : ", cap"));
+        arrangement::snap_near(complex, {1, 1}, {32 * ulp, std::nullopt});
+        CHECK(std::count_if(complex.facets.begin(), complex.facets.end(), [](const Triangle& t) {
+                return std::find(t.begin(), t.end(), VertexIndex{3}) != t.end();
+              }) == 4);
+      }
 }
 
 TEST_CASE("split_facet: vertices on the border and inside", "[arrangement]") {

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "arrangement/search/bvh.hpp"
+#include "arrangement/snap/nearness.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -129,14 +130,9 @@ class Search {
   void join_edges(Index row_e, Index row_f) {
     const EdgeKey &e = edges_[row_e], &f = edges_[row_f];
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
-    const Vec3 u = point(e.second) - point(e.first), v = point(f.second) - point(f.first),
-               w = point(e.first) - point(f.first);
-    const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
-    if (!(determinant > 1e-12 * uu * vv)) return;  // parallel: the ends that are near were inserted
-    const double s = (uv * dot(v, w) - vv * dot(u, w)) / determinant,
-                 t = (uu * dot(v, w) - uv * dot(u, w)) / determinant;
-    if (!(s > 0 && s < 1 && t > 0 && t < 1)) return;
-    const Vec3 p = on_edges_.at(e, s), q = on_edges_.at(f, t);
+    const auto nearest = nearest_of_edges(point(e.first), point(e.second), point(f.first), point(f.second));
+    if (!nearest) return;  // where they are parallel the ends that are near were inserted
+    const auto& [p, q] = *nearest;
     if (length(p - q) >= distance_) return;
     const VertexIndex on_e = on_edges_.nearer(e, p), on_f = on_edges_.nearer(f, q);
     if (on_e != no_vertex && on_f != no_vertex) return;
@@ -195,10 +191,7 @@ class Search {
       planes &= planes_.of(point(corner(f, k)));
     }
     if (!lies_on(v, planes)) return false;
-    const Vec3 &a = point(corner(f, 0)), &b = point(corner(f, 1)), &c = point(corner(f, 2)), &p = point(v);
-    const Vec3 n = cross(b - a, c - a);
-    if (!(std::fabs(dot(n, p - a)) < distance_ * length(n))) return false;
-    return dot(n, cross(b - a, p - a)) > 0 && dot(n, cross(c - b, p - b)) > 0 && dot(n, cross(a - c, p - c)) > 0;
+    return is_near_inside(point(v), {point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_);
   }
 
   Complex& complex_;

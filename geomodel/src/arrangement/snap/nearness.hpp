@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Distances between edges, facets and vertices to a few ulps of their coordinates, however small the angles are at
+/// which edges cross and however thin facets are. Rounded: nothing about validity rests on them.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "arrangement/model/complex.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// The points of the edges (a, b) and (c, d) that are nearest to each other. Nothing where one of them would be an end
+/// or beyond it, or where the edges are parallel (to 1e-6 rad).
+std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Nearer to the plane of the triangle than the distance, and above its inside.
+bool is_near_inside(const Vec3& p, const std::array<Vec3, 3>& triangle, double distance);
+
+}  // namespace geomesh::geomodel::arrangement
