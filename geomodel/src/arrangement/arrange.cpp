@@ -276,10 +276,10 @@ class Arrangement {
     std::vector<std::uint8_t> crosses_itself(surfaces_.given.size(), 0);
     diagnose_crossings({ingested_.complex, contacts, arranged}, surfaces_, bounds_, result_, crosses_itself);
     if (options_.crossings == ArrangementOptions::Crossings::refuse) refuse_crossings(result_, surfaces_);
-    const ClipContext clip{arranged, surfaces_, result_};
+    const ClipContext clip{arranged, surfaces_, result_, options_.tolerance};
     if (options_.box) clip_to_box(clip, *options_.box, polylines_);
     if (!options_.box && bounds_) clip_to_volume(clip, ingested_.complex, ingested_, polylines_, points_);
-    cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself);
+    add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
     return take(round_to_doubles(arranged, ingested_.complex, {0, bounds_}));
   }

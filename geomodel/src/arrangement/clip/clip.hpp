@@ -18,6 +18,7 @@ struct ClipContext {
   Arranged& arranged;
   const SurfaceList& surfaces;
   ArrangementResult& result;  ///< areas, spots and warnings go here
+  double tolerance = 0;       ///< within which surfaces were brought together before; 0: they were not
 };
 
 /// Removes facets, wells and points outside the closed box. A piece lies on one side of each box plane, as the sides
@@ -30,9 +31,11 @@ void clip_to_volume(ClipContext context, const Complex& complex, const Ingested&
                     const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points);
 
 /// First, inner parts of bodies that cross themselves are removed (winding number not zero on both sides). Then the
-/// parts of horizons and faults strictly inside bodies with cuts_all go. `crosses_itself` is per given surface.
-void cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
-                   const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
+/// parts of horizons and faults strictly inside bodies with cuts_all go. `crosses_itself` is per given surface. Returns
+/// how far from what is left of a surface places are that went, though they were outside of the body as given
+/// (lost_beside_body.hpp).
+Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
+                           const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 
 /// Facet f loses the origins that `remove` accepts; where none is left the facet goes (keep[f] = 0).
 template <typename Remove>

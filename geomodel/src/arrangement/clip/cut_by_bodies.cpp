@@ -6,6 +6,7 @@
 #include "arrangement/clip/body_shape.hpp"
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/clip/facet_components.hpp"
+#include "arrangement/clip/lost_beside_body.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -71,8 +72,11 @@ class BodyCutter {
       if (inside[f]) note_cut(f, body_of[component[f]]);
     }
     report_cuts();
+    if (context_.tolerance > 0) note_lost(inside, [&](std::size_t f) { return body_of[component[f]]; });
     remove_origins(arranged_, inside, [this](const Origin& o) { return is_cut(o.surface); });
   }
+
+  const Displacement& lost() const { return lost_; }
 
  private:
   bool is_cut(Index surface) const {
@@ -132,6 +136,27 @@ class BodyCutter {
       context_.result.area_clipped_by_bodies[o.surface] += facet_area(arranged_, f);
     }
   }
+  /// `body_of` is asked of facets inside of one.
+  template <typename BodyOf>
+  void note_lost(const std::vector<std::uint8_t>& inside, BodyOf&& body_of) {
+    std::map<std::pair<Index, Index>, CutOff> cut_off;  // by surface and body
+    std::vector<std::vector<Index>> left(context_.surfaces.size());
+    for (Index f = 0; f < arranged_.facets.size(); ++f)
+      for (const Origin& o : arranged_.origins.of(f)) {
+        if (!inside[f])
+          left[o.surface].push_back(f);
+        else if (is_cut(o.surface))
+          cut_off[{o.surface, body_of(f)}].facets.push_back(f);
+      }
+    for (auto& [key, cut] : cut_off) {
+      cut.left = left[key.first];
+      const auto shape = std::find_if(bodies_.begin(), bodies_.end(),
+                                      [&, body = key.second](const BodyShape& b) { return b.surface == body; });
+      const Displacement here =
+          lost_beside_body(arranged_, cut, context_.surfaces[key.second], *shape, context_.tolerance);
+      if (here.largest > lost_.largest) lost_ = here;
+    }
+  }
   void report_cuts() {
     for (const auto& cut : cuts_) context_.result.spots.push_back(cut.second);
   }
@@ -142,12 +167,13 @@ class BodyCutter {
   std::vector<BodyShape> bodies_;
   std::vector<WindingNumber> winding_;
   std::map<std::pair<Index, Index>, Spot> cuts_;
+  Displacement lost_;
 };
 
 }  // namespace
 
-void cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
-                   const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself) {
+Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
+                           const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself) {
   BodyCutter cutter(context, complex);
   std::vector<Index> rows;
   bool any_cuts = false;
@@ -171,6 +197,7 @@ void cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& 
   for (std::size_t b = 0; b < rows.size(); ++b)
     if (crosses_itself[rows[b]]) cutter.resolve_self_crossing(b);
   if (any_cuts) cutter.cut();
+  return cutter.lost();
 }
 
 }  // namespace geomesh::geomodel::arrangement
