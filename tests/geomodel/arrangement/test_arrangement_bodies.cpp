@@ -55,6 +55,20 @@ TEST_CASE("bodies: how far from a fault what was brought into a body is, is told
   CHECK(together.merging.displacement.largest == Approx(far).epsilon(0.01));
 }
 
+TEST_CASE("bodies: a border that leaves a body at a small angle is told as moved as far as it goes", "[arrangement]") {
+  constexpr double beyond = 0.008, from = 8;  // the border is within 0.01 of the side and beyond it from y = 4 on
+  auto horizon = triangles("horizon", {{Vec3{9.996, 2, 5}, Vec3{10 + beyond, from, 5}, Vec3{5, 5, 5}},
+                                       {Vec3{10 + beyond, from, 5}, Vec3{14, from, 5}, Vec3{14, 9, 5}}});
+  horizon.kind = SurfaceKind::horizon;
+  ArrangementOptions options;
+  options.tolerance = 0.01;
+  const auto result = arrange({salt(), horizon}, {}, {}, options);
+  require_sound(result.soup);
+  CHECK(area_of(result.soup, 1) == Approx(0.5 * (4 - beyond)));
+  CHECK(result.merging.displacement.largest > 3);
+  CHECK(result.merging.displacement.largest < 4);
+}
+
 TEST_CASE("bodies: what was inside, or is still there, is not told as lost", "[arrangement]") {
   CHECK(arranged_within(0.01, -0.02).merging.displacement.largest == 0);
   CHECK(arranged_within(0.01, 0.02).merging.displacement.largest < 0.01);

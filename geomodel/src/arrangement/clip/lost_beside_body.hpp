@@ -14,10 +14,10 @@ struct CutOff {
   std::vector<Index> facets, left;  ///< rows of the arrangement: those that go, those that stay
 };
 
-/// How far the corners of `cut` that were outside of the body are from what is left of their surface, at most. Bringing
-/// together has moved the body and them by no more than `tolerance`; corners within a thousandth of it count as on the
-/// body. Where nothing is left it is the extent of what goes. O(n log n), and O(n) for each corner that is farther than
-/// all before it.
+/// How far points on edges of `cut` that were outside of the body are from what is left of their surface, at most.
+/// Bringing together has moved the body and them by no more than `tolerance`; points within a thousandth of it count as
+/// on the body. Where nothing is left it is the extent of what goes. Points are `tolerance` apart, or a 256th of their
+/// edge. O(n log n), and O(n) for each point that is farther than all before it.
 Displacement lost_beside_body(const Arranged& arranged, const CutOff& cut, const TriangulatedSurface& body,
                               const BodyShape& shape, double tolerance);
 
