@@ -235,6 +235,8 @@ class Arrangement {
   ArrangementResult run() {
     if (options_.tolerance > 0) apply_tolerance_to_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
+    if (!(options_.tolerance > 0) && join_ends_of_input(contacts))
+      contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, pairs_, ingested_.complex, contacts);
     result_.n_pairs = contacts.n_pairs;
     log_round(context_, 0, ingested_.complex, contacts);
@@ -299,6 +301,13 @@ class Arrangement {
         snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds_});
     take(outcome);
     return outcome.changed();
+  }
+
+  bool join_ends_of_input(const Contacts& contacts) {
+    std::vector<VertexIndex> now;
+    const auto joined = join_ends(ingested_.complex, contacts, joining_, now);
+    if (joined) take(*joined, now);
+    return joined.has_value();
   }
 
   void apply_tolerance_to_input() {

@@ -10,9 +10,9 @@ namespace {
 
 auto place(const SurfaceEnd& e) { return std::tie(e.a, e.b, e.surface); }
 
-/// Each edge of each facet once for each of its surfaces, ascending by edge, then by surface.
-std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
-  std::vector<SurfaceEnd> all;
+/// Calls visit(a, b, surface, facet) for each edge of each facet once for each of its surfaces, a < b.
+template <class Visit>
+void for_each_surface_edge(const Complex& complex, Visit visit) {
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
     Index last = no_index;  // origins of one surface follow each other
@@ -21,11 +21,26 @@ std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
       last = o.surface;
       for (std::size_t k = 0; k < 3; ++k) {
         const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-        all.push_back({a, b, o.surface, f});
+        visit(a, b, o.surface, f);
       }
     }
   }
-  std::sort(all.begin(), all.end(), [](const SurfaceEnd& x, const SurfaceEnd& y) { return place(x) < place(y); });
+}
+
+/// Those edges, ascending by edge, then by surface: in buckets by their lesser end, each bucket sorted.
+std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
+  std::vector<std::size_t> begin(complex.points.size() + 1, 0);
+  for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex, Index, Index) { ++begin[a + 1]; });
+  for (std::size_t v = 0; v < complex.points.size(); ++v) begin[v + 1] += begin[v];
+  std::vector<SurfaceEnd> all(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex b, Index surface, Index facet) {
+    all[next[a]++] = {a, b, surface, facet};
+  });
+  for (std::size_t v = 0; v < complex.points.size(); ++v)
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              all.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+              [](const SurfaceEnd& x, const SurfaceEnd& y) { return place(x) < place(y); });
   return all;
 }
 

@@ -61,15 +61,16 @@ void JoinRule::index_edges(const Complex& complex, const std::function<bool(Vert
     Index surface;
     auto operator<=>(const Side&) const = default;
   };
+  const auto is_asked = [this](VertexIndex v) { return asked_.empty() || v >= asked_.size() || asked_[v] != 0; };
   std::vector<Side> sides;
-  sides.reserve(3 * complex.facets.size());
+  if (asked_.empty()) sides.reserve(3 * complex.facets.size());
   for (Index f = 0; f < complex.facets.size(); ++f) {
     Index last = no_index;  // origins of one surface follow each other
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == std::exchange(last, o.surface)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const VertexIndex a = complex.facets[f][k], b = complex.facets[f][(k + 1) % 3];
-        if (a != b) sides.push_back({std::min(a, b), std::max(a, b), o.surface});
+        if (a != b && is_asked(a) && is_asked(b)) sides.push_back({std::min(a, b), std::max(a, b), o.surface});
       }
     }
   }
@@ -86,7 +87,9 @@ void JoinRule::index_edges(const Complex& complex, const std::function<bool(Vert
   }
 }
 
-void JoinRule::index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box) {
+void JoinRule::index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
+                     std::vector<std::uint8_t> asked) {
+  asked_ = std::move(asked);
   of_vertex_.assign(complex.points.size(), {});
   index_edges(complex, lies_on_box);
   for (const auto& [edge, thing] : of_edge_)

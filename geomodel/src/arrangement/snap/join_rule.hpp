@@ -65,8 +65,10 @@ class JoinRule {
 
   bool restricts() const { return restricts_; }
   /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
-  /// a side of the box.
-  void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
+  /// a side of the box. `asked`, where it is not empty, marks the vertices that will be asked for: what has another one
+  /// is left out.
+  void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
+             std::vector<std::uint8_t> asked = {});
   /// The edges alone: vertices stay what they were.
   void index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
 
@@ -85,6 +87,7 @@ class JoinRule {
   std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
   bool restricts_ = false, joins_all_ = false, needs_border_ = true;
+  std::vector<std::uint8_t> asked_;  ///< by vertex; empty: all may be asked for
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;

@@ -2,10 +2,98 @@
 #include "arrangement/snap/join_surfaces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
+#include "arrangement/model/surface_ends.hpp"
+#include "arrangement/search/bvh.hpp"
+#include "arrangement/snap/snap_search.hpp"
+#include "geomesh/core/predicates.hpp"
+
 namespace geomesh::geomodel::arrangement {
+namespace {
+
+Box3 box_of(const Complex& complex, std::initializer_list<VertexIndex> vertices, double margin) {
+  Box3 box;
+  for (const VertexIndex v : vertices) box.add(complex.points[v]);
+  return {box.min - Vec3{margin, margin, margin}, box.max + Vec3{margin, margin, margin}};
+}
+
+/// Ends of surfaces that may be joined.
+class Ends {
+ public:
+  Ends(const Complex& complex, const Joining& joining) : complex_(complex), joining_(joining), planes_(joining.box) {
+    for (const SurfaceEnd& e : surface_ends(complex)) {
+      if (e.surface >= joining.first_side || lies_on_or_beyond_box(e)) continue;
+      ends_.push_back(e);
+      boxes_.push_back(box_of(complex, {e.a, e.b}, joining.distance));
+    }
+  }
+
+  /// Facets with ends that come near to another surface, and the facets of that. Empty: there are none.
+  std::vector<std::uint8_t> facets_near() const {
+    std::vector<std::uint8_t> active;
+    if (ends_.empty()) return active;
+    const BoxTree tree(boxes_);
+    for (Index f = 0; f < complex_.facets.size(); ++f) {
+      const Triangle& t = complex_.facets[f];
+      tree.boxes_meeting(box_of(complex_, {t[0], t[1], t[2]}, 0), [&](Index k) {
+        if (!is_other(f, ends_[k].surface) || !comes_near(ends_[k], t)) return;
+        active.resize(complex_.facets.size(), 0);
+        active[f] = active[ends_[k].facet] = 1;
+      });
+    }
+    return active;
+  }
+
+ private:
+  bool lies_on_or_beyond_box(const SurfaceEnd& e) const {
+    if (!joining_.box) return false;
+    const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
+    if ((planes_.of(a) & planes_.of(b)) != 0) return true;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (std::max(a[i], b[i]) < joining_.box->min[i] || std::min(a[i], b[i]) > joining_.box->max[i]) return true;
+    return false;
+  }
+  bool is_other(Index f, Index surface) const {
+    const auto origins = complex_.origins.of(f);
+    return std::none_of(origins.begin(), origins.end(), [&](const Origin& o) { return o.surface == surface; });
+  }
+  /// An end of the edge is near to the plane of the facet, or rounding leaves that open, and not on it. What is on it
+  /// is crossed exactly. An edge that goes through a plane at both of its ends crosses it plainly.
+  bool comes_near(const SurfaceEnd& e, const Triangle& t) const {
+    constexpr double rounding = 0x1p-50;
+    const Vec3 &p = complex_.points[t[0]], &q = complex_.points[t[1]], &r = complex_.points[t[2]];
+    const Vec3 u = q - p, v = r - p, n = cross(u, v);
+    const double area = length(n), error = rounding * length(u) * length(v);
+    return std::ranges::any_of(std::array{e.a, e.b}, [&](VertexIndex end) {
+      const Vec3& x = complex_.points[end];
+      return std::fabs(dot(n, x - p)) < joining_.distance * area + error * length(x - p) &&
+             orient3d(p, q, r, x) != Sign::zero;
+    });
+  }
+
+  const Complex& complex_;
+  const Joining& joining_;
+  BoxPlanes planes_;
+  std::vector<SurfaceEnd> ends_;
+  std::vector<Box3> boxes_;
+};
+
+}  // namespace
+
+std::optional<SnapOutcome> join_ends(Complex& complex, const Contacts& contacts, const Joining& joining,
+                                     std::vector<VertexIndex>& vertex_now) {
+  const std::vector<std::uint8_t> active = Ends(complex, joining).facets_near();
+  if (active.empty()) return std::nullopt;
+  const Index first_fixed = joining.sides_are_fixed ? static_cast<Index>(joining.first_side) : no_index;
+  const SnapOptions options{joining.distance, joining.box, MoveToBox::none,
+                            JoinRule(surfaces_that_meet(complex, contacts), first_fixed)};
+  SnapOutcome outcome = snap_near(complex, active, options, &vertex_now);
+  if (!outcome.changed()) return std::nullopt;
+  return outcome;
+}
 
 std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
                                                         const Joining& joining) {

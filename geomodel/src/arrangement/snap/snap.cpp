@@ -242,7 +242,16 @@ class Snapper {
 
   void index_rule() {
     options_.rule.index(
-        complex_, [this](VertexIndex a, VertexIndex b) { return (planes_.of(point(a)) & planes_.of(point(b))) != 0; });
+        complex_, [this](VertexIndex a, VertexIndex b) { return (planes_.of(point(a)) & planes_.of(point(b))) != 0; },
+        marks_of_vertices());
+  }
+
+  /// Nothing where all facets are active.
+  std::vector<std::uint8_t> marks_of_vertices() const {
+    if (facets_.size() == complex_.facets.size()) return {};
+    std::vector<std::uint8_t> marks(complex_.points.size(), 0);
+    for (const VertexIndex v : vertices_) marks[v] = 1;
+    return marks;
   }
 
   void list_vertices() {
