@@ -206,6 +206,33 @@ void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
 
 constexpr unsigned most_snaps = 6;  // in one round
 
+/// Brings together what lies within the mending distance among the facets that still meet.
+SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
+                            const std::optional<Box3>& bounds) {
+  if (contacts.empty()) return {};
+  return snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds});
+}
+
+/// A soup that grows beyond these while it is mended will not end.
+class MendingBounds {
+ public:
+  MendingBounds(const Complex& complex, const Contacts& contacts, unsigned most_rounds)
+      : most_facets_(4 * complex.facets.size() + 1000),
+        fewest_contacts_(contacts.facets.size()),
+        most_rounds_(most_rounds) {}
+  bool grows(const Complex& complex) const { return complex.facets.size() > most_facets_; }
+  /// Of what is left after a round.
+  bool has_no_end(unsigned round, const Complex& complex, const Contacts& contacts) {
+    const std::size_t n = contacts.facets.size(), most = 4 * fewest_contacts_ + 1000;
+    fewest_contacts_ = std::min(fewest_contacts_, n);
+    return round > most_rounds_ || grows(complex) || n > most;
+  }
+
+ private:
+  std::size_t most_facets_, fewest_contacts_;
+  unsigned most_rounds_;
+};
+
 /// One arrangement: what is read in, and what its rounds have done so far.
 class Arrangement {
  public:
@@ -233,18 +260,17 @@ class Arrangement {
   }
 
   ArrangementResult run() {
-    if (options_.tolerance > 0) apply_tolerance_to_input();
+    if (options_.tolerance > 0)
+      apply_tolerance_to_input();
+    else
+      join_ends_of_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
-    if (!(options_.tolerance > 0) && join_ends_of_input(contacts))
-      contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, pairs_, ingested_.complex, contacts);
     result_.n_pairs = contacts.n_pairs;
     log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
     apply_tolerance(complex);
-    // A soup that grows beyond these while it is mended will not end.
-    const std::size_t most_facets = 4 * complex.facets.size() + 1000;
-    std::size_t fewest_contacts = contacts.facets.size();
+    MendingBounds bounds(complex, contacts, options_.max_rounding_rounds);
     for (unsigned round = 1;; ++round) {
       contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -254,13 +280,14 @@ class Arrangement {
         take(*joined);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
-      const auto grows = [&] { return complex.facets.size() > most_facets; };
-      for (unsigned k = 0; k < most_snaps && !grows() && snap_contacts(complex, contacts, round); ++k)
+      for (unsigned k = 0; k < most_snaps && !bounds.grows(complex); ++k) {
+        const SnapOutcome outcome = snap_what_meets(complex, contacts, round, bounds_);
+        if (!outcome.changed()) break;
+        take(outcome);
         contacts = find_contacts(complex, context_, result_.memory_bound);
+      }
       if (contacts.empty()) break;
-      if (round > options_.max_rounding_rounds || grows() || contacts.facets.size() > 4 * fewest_contacts + 1000)
-        refuse(surfaces_, complex, contacts);
-      fewest_contacts = std::min(fewest_contacts, contacts.facets.size());
+      if (bounds.has_no_end(round, complex, contacts)) refuse(surfaces_, complex, contacts);
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
@@ -293,21 +320,9 @@ class Arrangement {
     return take(round_to_doubles(arranged, complex, rounding));
   }
 
-  /// Brings together what lies within the mending distance among the facets that still meet.
-  /// False where nothing was near enough, or nothing meets any more.
-  bool snap_contacts(Complex& complex, const Contacts& contacts, unsigned round) {
-    if (contacts.empty()) return false;
-    const SnapOutcome outcome =
-        snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds_});
-    take(outcome);
-    return outcome.changed();
-  }
-
-  bool join_ends_of_input(const Contacts& contacts) {
+  void join_ends_of_input() {
     std::vector<VertexIndex> now;
-    const auto joined = join_ends(ingested_.complex, contacts, joining_, now);
-    if (joined) take(*joined, now);
-    return joined.has_value();
+    if (const auto joined = join_ends(ingested_.complex, joining_, now)) take(*joined, now);
   }
 
   void apply_tolerance_to_input() {

@@ -23,6 +23,11 @@ Box3 box_of(const Complex& complex, std::initializer_list<VertexIndex> vertices,
 /// Ends of surfaces that may be joined.
 class Ends {
  public:
+  struct Near {
+    std::vector<std::uint8_t> facets;  ///< empty: there are none
+    std::set<SurfacePair> surfaces;
+  };
+
   Ends(const Complex& complex, const Joining& joining) : complex_(complex), joining_(joining), planes_(joining.box) {
     for (const SurfaceEnd& e : surface_ends(complex)) {
       if (e.surface >= joining.first_side || lies_on_or_beyond_box(e)) continue;
@@ -31,20 +36,21 @@ class Ends {
     }
   }
 
-  /// Facets with ends that come near to another surface, and the facets of that. Empty: there are none.
-  std::vector<std::uint8_t> facets_near() const {
-    std::vector<std::uint8_t> active;
-    if (ends_.empty()) return active;
+  /// Marks facets with ends that come near to another surface, and the facets of that.
+  Near find_near() const {
+    Near near;
+    if (ends_.empty()) return near;
     const BoxTree tree(boxes_);
     for (Index f = 0; f < complex_.facets.size(); ++f) {
       const Triangle& t = complex_.facets[f];
       tree.boxes_meeting(box_of(complex_, {t[0], t[1], t[2]}, 0), [&](Index k) {
         if (!is_other(f, ends_[k].surface) || !comes_near(ends_[k], t)) return;
-        active.resize(complex_.facets.size(), 0);
-        active[f] = active[ends_[k].facet] = 1;
+        near.facets.resize(complex_.facets.size(), 0);
+        near.facets[f] = near.facets[ends_[k].facet] = 1;
+        for (const Origin& o : complex_.origins.of(f)) near.surfaces.insert(surface_pair(o.surface, ends_[k].surface));
       });
     }
-    return active;
+    return near;
   }
 
  private:
@@ -83,14 +89,13 @@ class Ends {
 
 }  // namespace
 
-std::optional<SnapOutcome> join_ends(Complex& complex, const Contacts& contacts, const Joining& joining,
-                                     std::vector<VertexIndex>& vertex_now) {
-  const std::vector<std::uint8_t> active = Ends(complex, joining).facets_near();
-  if (active.empty()) return std::nullopt;
-  const Index first_fixed = joining.sides_are_fixed ? static_cast<Index>(joining.first_side) : no_index;
-  const SnapOptions options{joining.distance, joining.box, MoveToBox::none,
-                            JoinRule(surfaces_that_meet(complex, contacts), first_fixed)};
-  SnapOutcome outcome = snap_near(complex, active, options, &vertex_now);
+std::optional<SnapOutcome> join_ends(Complex& complex, const Joining& joining, std::vector<VertexIndex>& vertex_now) {
+  const Ends::Near near = Ends(complex, joining).find_near();
+  if (near.facets.empty()) return std::nullopt;
+  JoinRule rule({}, joining.sides_are_fixed ? static_cast<Index>(joining.first_side) : no_index);
+  rule.join_ends_of(near.surfaces);
+  SnapOutcome outcome =
+      snap_near(complex, near.facets, {joining.distance, joining.box, MoveToBox::none, rule}, &vertex_now);
   if (!outcome.changed()) return std::nullopt;
   return outcome;
 }

@@ -26,11 +26,10 @@ struct Joining {
 std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
                                                         const Joining& joining);
 
-/// Surfaces that meet, of which one ends within the distance of the other: its end would be beside it here, and beyond
-/// it there. Ends take part, and the facets that they come near to; ends beyond the box, on its planes, and those of
-/// sides do not. `vertex_now` as snap_near() gives it. Nothing where nothing was near enough. O(n log n) in the number
-/// of ends, O(n) in that of facets, and the cost of snap_near for those that take part.
-std::optional<SnapOutcome> join_ends(Complex& complex, const Contacts& contacts, const Joining& joining,
-                                     std::vector<VertexIndex>& vertex_now);
+/// A surface that ends within the distance of another one is joined to it there: its end would be beside the other
+/// here, and beyond it there. Ends take part, and the facets that they come near to. Ends beyond the box, on its
+/// planes, and those of sides do not. `vertex_now` as snap_near() gives it. Nothing where nothing was near enough. O(n
+/// log n) in the number of ends, O(n) in that of facets, and the cost of snap_near for those that take part.
+std::optional<SnapOutcome> join_ends(Complex& complex, const Joining& joining, std::vector<VertexIndex>& vertex_now);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Distances between edges, facets and vertices to a few ulps of their coordinates, however small the angles are at
-/// which edges cross and however thin facets are. Rounded: nothing about validity rests on them.
+/// Distances between edges, facets and vertices to a few ulps of their coordinates. Angles at which edges cross may be
+/// small, and facets thin. Rounded: nothing about validity rests on them.
 #pragma once
 
 #include <array>
