@@ -139,22 +139,24 @@ class BodyCutter {
   /// `body_of` is asked of facets inside of one.
   template <typename BodyOf>
   void note_lost(const std::vector<std::uint8_t>& inside, BodyOf&& body_of) {
-    std::map<std::pair<Index, Index>, CutOff> cut_off;  // by surface and body
+    std::map<Index, std::map<Index, CutOff>> cut_off;  // by body and surface
     std::vector<std::vector<Index>> left(context_.surfaces.size());
     for (Index f = 0; f < arranged_.facets.size(); ++f)
       for (const Origin& o : arranged_.origins.of(f)) {
         if (!inside[f])
           left[o.surface].push_back(f);
         else if (is_cut(o.surface))
-          cut_off[{o.surface, body_of(f)}].facets.push_back(f);
+          cut_off[body_of(f)][o.surface].gone.push_back(f);
       }
-    for (auto& [key, cut] : cut_off) {
-      cut.left = left[key.first];
-      const auto shape = std::find_if(bodies_.begin(), bodies_.end(),
-                                      [&, body = key.second](const BodyShape& b) { return b.surface == body; });
-      const Displacement here =
-          lost_beside_body(arranged_, cut, context_.surfaces[key.second], *shape, context_.tolerance);
-      if (here.largest > lost_.largest) lost_ = here;
+    for (const BodyShape& shape : bodies_) {
+      const auto by_this = cut_off.find(shape.surface);
+      if (by_this == cut_off.end()) continue;
+      const BodyAsGiven body(context_.surfaces[shape.surface], shape, context_.tolerance);
+      for (auto& [surface, cut] : by_this->second) {
+        cut.left = left[surface];
+        const Displacement here = body.lost(arranged_, cut);
+        if (here.largest > lost_.largest) lost_ = here;
+      }
     }
   }
   void report_cuts() {

@@ -2,80 +2,83 @@
 #include "arrangement/clip/lost_beside_body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
-
-#include "geomesh/core/surface_distance.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The body's triangles where they were given, turned as its shape is.
-std::vector<Triangle> given_triangles(const TriangulatedSurface& body, const BodyShape& shape) {
+/// The body's triangles, turned as its shape is.
+std::vector<Triangle> turned_triangles(const TriangulatedSurface& body, const BodyShape& shape) {
   std::vector<Triangle> triangles = body.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (shape.orientation[t] < 0) std::swap(triangles[t][1], triangles[t][2]);
   return triangles;
 }
 
-/// Facets of the arrangement with their corners in doubles.
-struct Facets {
+SurfaceDistance distance_to(const Arranged& arranged, const std::vector<Index>& rows) {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
-};
-
-Facets facets_of(const Arranged& arranged, const std::vector<Index>& rows) {
-  Facets facets;
   for (const Index f : rows) {
-    const auto first = static_cast<VertexIndex>(facets.points.size());
-    for (const VertexIndex v : arranged.facets[f]) facets.points.push_back(arranged.vertices.rounded(v));
-    facets.triangles.push_back({first, first + 1, first + 2});
+    const auto first = static_cast<VertexIndex>(points.size());
+    for (const VertexIndex v : arranged.facets[f]) points.push_back(arranged.vertices.rounded(v));
+    triangles.push_back({first, first + 1, first + 2});
   }
-  return facets;
+  return {points, triangles};
 }
 
-/// Points on the edges of facets, no farther apart than `spacing` where edges are not very long.
-std::vector<Vec3> points_on_edges(const Arranged& arranged, const std::vector<Index>& rows, double spacing) {
-  constexpr double most_on_edge = 256;
+std::set<EdgeKey> edges_of_facets(const Arranged& arranged, const std::vector<Index>& rows) {
   std::set<EdgeKey> edges;
   for (const Index f : rows)
     for (const EdgeKey& e : edges_of(arranged.facets[f])) edges.insert(e);
-  std::vector<Vec3> points;
-  for (const EdgeKey& e : edges) {
-    const Vec3 a = arranged.vertices.rounded(e.first), b = arranged.vertices.rounded(e.second);
-    const double n = std::ceil(std::clamp(length(b - a) / spacing, 1.0, most_on_edge));
-    for (double k = 0; k <= n; ++k) points.push_back(a + (k / n) * (b - a));
-  }
-  return points;
+  return edges;
 }
 
-double extent_of(const std::vector<Vec3>& points) {
+double extent_of(const Arranged& arranged, const std::vector<Index>& rows) {
   Box3 box;
-  for (const Vec3& p : points) box.add(p);
+  for (const Index f : rows)
+    for (const VertexIndex v : arranged.facets[f]) box.add(arranged.vertices.rounded(v));
   return length(box.max - box.min);
 }
 
 }  // namespace
 
-Displacement lost_beside_body(const Arranged& arranged, const CutOff& cut, const TriangulatedSurface& body,
-                              const BodyShape& shape, double tolerance) {
+BodyAsGiven::BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape, double tolerance)
+    : triangles_(turned_triangles(body, shape)),
+      wall_(body.points, triangles_),
+      winding_(body.points, triangles_),
+      ray_(shape.closed ? RayDirection{} : *shape.open_direction),
+      tolerance_(tolerance) {}
+
+/// Points of an edge that are near to the body, and not on it. How far one is from it is how far the next may be.
+template <typename Visit>
+void BodyAsGiven::visit_beside(const Vec3& a, const Vec3& b, Visit&& visit) const {
   constexpr double on_body = 1e-3, most_moves = 2;  // of the tolerance: the body, and what is brought to it
-  const std::vector<Triangle> triangles = given_triangles(body, shape);
-  const SurfaceDistance wall(body.points, triangles);
-  const WindingNumber winding(body.points, triangles);
-  const RayDirection ray = shape.closed ? RayDirection{} : *shape.open_direction;
-  const std::vector<Vec3> gone = points_on_edges(arranged, cut.facets, tolerance);
-  const Facets left = facets_of(arranged, cut.left);
-  const SurfaceDistance rest(left.points, left.triangles);
-  Displacement lost;
-  for (const Vec3& p : gone) {
-    const double from_wall = length(p - wall.closest(p));
-    if (from_wall <= on_body * tolerance || from_wall > most_moves * tolerance) continue;
-    const double far = rest.empty() ? extent_of(gone) : length(p - rest.closest(p));
-    if (far <= lost.largest || winding(p, ray) != 0) continue;
-    lost = {far, 0, p, 0};
+  constexpr double most_on_edge = 256;
+  const double total = length(b - a), least_step = std::max(tolerance_, total / most_on_edge);
+  for (double at = 0;; at += least_step) {
+    at = std::min(at, total);
+    const Vec3 p = total > 0 ? a + (at / total) * (b - a) : a;
+    const double from_wall = length(p - wall_.closest(p));
+    if (from_wall > on_body * tolerance_ && from_wall <= most_moves * tolerance_) visit(p);
+    if (at >= total) return;
+    at += std::max(0.0, from_wall - most_moves * tolerance_ - least_step);
   }
+}
+
+Displacement BodyAsGiven::lost(const Arranged& arranged, const CutOff& cut) const {
+  std::optional<SurfaceDistance> left;  // once it is asked for
+  const auto distance_to_left = [&](const Vec3& p) {
+    if (cut.left.empty()) return extent_of(arranged, cut.gone);
+    if (!left) left.emplace(distance_to(arranged, cut.left));
+    return length(p - left->closest(p));
+  };
+  Displacement lost;
+  for (const EdgeKey& e : edges_of_facets(arranged, cut.gone))
+    visit_beside(arranged.vertices.rounded(e.first), arranged.vertices.rounded(e.second), [&](const Vec3& p) {
+      const double far = distance_to_left(p);
+      if (far > lost.largest && winding_(p, ray_) == 0) lost = {far, 0, p, 0};
+    });
   return lost;
 }
 

@@ -5,20 +5,36 @@
 
 #include "arrangement/clip/body_shape.hpp"
 #include "arrangement/clip/clip.hpp"
+#include "geomesh/core/surface_distance.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of one surface that a body cut off.
+/// Facets of one surface: rows of the arrangement.
 struct CutOff {
-  Index surface = no_index;
-  std::vector<Index> facets, left;  ///< rows of the arrangement: those that go, those that stay
+  std::vector<Index> gone, left;  ///< cut off by a body; those that stay
 };
 
-/// How far points on edges of `cut` that were outside of the body are from what is left of their surface, at most.
-/// Bringing together has moved the body and them by no more than `tolerance`; points within a thousandth of it count as
-/// on the body. Where nothing is left it is the extent of what goes. Points are `tolerance` apart, or a 256th of their
-/// edge. O(n log n), and O(n) for each point that is farther than all before it.
-Displacement lost_beside_body(const Arranged& arranged, const CutOff& cut, const TriangulatedSurface& body,
-                              const BodyShape& shape, double tolerance);
+/// A body where it was given, before anything was brought together within `tolerance`.
+class BodyAsGiven {
+ public:
+  /// `body` outlives this. O(n log n).
+  BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape, double tolerance);
+
+  /// How far points on edges of what is gone that were outside of the body are from what is left, at most. Points
+  /// within a thousandth of the tolerance of the body count as on it. Where nothing is left it is the extent of what is
+  /// gone. Points are no nearer to each other than the tolerance, or a 256th of their edge. O(n log n) for what is
+  /// left, O(log n) for each point, and O(n) for each that is farther than all before it.
+  Displacement lost(const Arranged& arranged, const CutOff& cut) const;
+
+ private:
+  template <typename Visit>
+  void visit_beside(const Vec3& a, const Vec3& b, Visit&& visit) const;
+
+  std::vector<Triangle> triangles_;
+  SurfaceDistance wall_;
+  WindingNumber winding_;
+  RayDirection ray_;
+  double tolerance_;
+};
 
 }  // namespace geomesh::geomodel::arrangement
