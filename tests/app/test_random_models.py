@@ -278,7 +278,8 @@ output: {directory: out, formats: [vtu]}
         self.assert_pass(970469, light=True)
 
     def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
-        self.assert_pass(821026, light=True)
+        """Needles between the borders of two parts, 1.2e-9 m apart, end on either of them (980464)."""
+        self.assert_pass(821026, 980464, light=True)
 
     def test_a_point_beside_a_facet_that_was_added_on_it_is_told_as_inside(self):
         """Two faults 0.5 mm apart in conforming mode (821076)."""

@@ -62,7 +62,8 @@ class CoverageJudge : public ClaimedFaces {
     return claim_.may_be_trimmed(surface) &&
            !(claim_.trims[surface].above.empty() && claim_.trims[surface].below.empty());
   }
-  bool runs_along_border(Index surface, const Vec3& a, const Vec3& b) const;
+  bool runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const;
+  double height_of(const Triangle& t) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces) const;
   /// A triangle of the input: row of its surface, its own row there.
   struct Source {
@@ -176,26 +177,43 @@ std::vector<Index> CoverageJudge::faces_on(const PlaneTriangle& triangle, Index 
 
 /// Whether both ends are at one edge that a triangle of the input has alone: there the surface ends by itself. Where
 /// its parts overlap by rounding, a neighbour's border lies in the triangle.
-bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& b) const {
+bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const {
   return std::ranges::any_of(borders_[surface], [&](const std::array<Vec3, 2>& border) {
     const Corners line{border[0], border[1], border[1]};
     const Vec3 da = nearest_on_triangle(a, line) - a, db = nearest_on_triangle(b, line) - b;
-    return std::max(dot(da, da), dot(db, db)) <= tolerance_ * tolerance_;
+    return std::max(dot(da, da), dot(db, db)) <= tolerance * tolerance;
   });
 }
 
+/// Above the longest side.
+double CoverageJudge::height_of(const Triangle& t) const {
+  const Vec3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = v - u, n = cross(u, v);
+  return std::sqrt(dot(n, n) / std::max({dot(u, u), dot(v, v), dot(w, w)}));
+}
+
+/// A needle between two borders that are apart by rounding has ends on either of them.
 bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
                                                const std::vector<Index>& pieces) const {
-  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+  constexpr double thin = 2;  // tolerances
+  struct Uses {
+    int n = 0;
+    Index piece = no_index;
+  };
+  std::map<std::pair<VertexIndex, VertexIndex>, Uses> uses;
   for (const Index f : pieces) {
     const Triangle& t = candidates_[f];
     if (triangle.outside(centroid(mesh_, t)) > tolerance_) continue;
-    for (int i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
+    for (int i = 0; i < 3; ++i) {
+      Uses& at = uses[edge(t[i], t[(i + 1) % 3])];
+      at = {at.n + 1, f};
+    }
   }
-  for (const auto& [e, n] : uses) {
+  for (const auto& [e, at] : uses) {
     const Vec3 &a = mesh_.point(e.first), &b = mesh_.point(e.second);
-    if (n != 1 || triangle.are_beyond_a_side(a, b, tolerance_)) continue;
-    if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e) && !runs_along_border(surface, a, b))
+    if (at.n != 1 || triangle.are_beyond_a_side(a, b, tolerance_)) continue;
+    const double height = height_of(candidates_[at.piece]);
+    const double near = height <= thin * tolerance_ ? tolerance_ + height : tolerance_;
+    if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e) && !runs_along_border(surface, a, b, near))
       return false;
   }
   return true;
@@ -218,7 +236,7 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source s
 std::function<bool(VertexIndex, VertexIndex)> CoverageJudge::runs_along_clip_or_border(Index surface) const {
   return [this, surface](VertexIndex a, VertexIndex b) {
     return std::binary_search(clip_edges_.begin(), clip_edges_.end(), edge(a, b)) ||
-           runs_along_border(surface, mesh_.point(a), mesh_.point(b));
+           runs_along_border(surface, mesh_.point(a), mesh_.point(b), tolerance_);
   };
 }
 
