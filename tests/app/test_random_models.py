@@ -272,11 +272,6 @@ output: {directory: out, formats: [vtu]}
         left the body by 3.3 m along 183 m of its border (941776)."""
         self.assert_pass(940137, 941776, light=True)
 
-    def test_a_strip_between_two_pockets_bridges_a_surface_from_one_to_the_other(self):
-        """Two pockets between twin faults closed, on either side of a third fault, each to another twin. The strip of 4 m on that fault kept one twin
-        alone, as the other ended along its 4 m (970469)."""
-        self.assert_pass(970469, light=True)
-
     def test_blocks_that_overlap_by_rounding_end_at_their_borders(self):
         """Needles between the borders of two parts, 1.2e-9 m apart, end on either of them (980464)."""
         self.assert_pass(821026, 980464, light=True)

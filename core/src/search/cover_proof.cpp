@@ -118,7 +118,15 @@ Cover CoverProver::judge(const Corners& item, Index group) {
   for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]),
                         0.5 * (item[2] + item[0]), middle_of(item)})
     look_at(p, distances_.at(p, [&](const auto&) { return set_.closest(p, group).distance; }));
-  if (cover_.farthest <= limit_) cover_.is_proven = is_over_sheet(item) || covers_large(item);
+  if (cover_.farthest > limit_) return cover_;
+  if (is_over_sheet(item)) {
+    cover_.is_proven = true;
+    return cover_;
+  }
+  std::size_t n_about = 0;
+  set_.for_each_row_in(box_about(item, limit_), group_, [&](Index) { ++n_about; });
+  halves_left_ = pieces_besides + pieces_per_item * n_about;
+  cover_.is_proven = covers_large(item);
   return cover_;
 }
 
@@ -133,11 +141,17 @@ bool CoverProver::is_over_sheet(const Corners& item) const {
 }
 
 bool CoverProver::covers_large(const Corners& item) {
+  const Vec3 centre = middle_of(item);
+  const double r = radius_about(centre, item);
+  double d = std::numeric_limits<double>::infinity();
   near_.clear();
-  set_.for_each_row_in(box_about(item, limit_), group_, [&](Index row) { near_.push_back(&set_.prepared(row)); });
+  set_.for_each_row_in(box_about(item, limit_), group_, [&](Index row) {
+    const PreparedTriangle& other = set_.prepared(row);
+    const double from_centre = distance_to(centre, &other);
+    d = std::min(d, from_centre);
+    if (from_centre <= limit_ + r) near_.push_back(&other);
+  });
   if (near_.size() > few) {
-    const Vec3 centre = middle_of(item);
-    const double d = set_.closest(centre, group_).distance, r = radius_about(centre, item);
     look_at(centre, d);
     if (d + r <= limit_) return true;
     if (d > limit_) return fails_at(centre, d);
@@ -148,6 +162,8 @@ bool CoverProver::covers_large(const Corners& item) {
     };
     if (std::any_of(near_.begin(), near_.end(), has_all)) return true;
     if (is_small) return fails_at(centre, d);
+    if (halves_left_ == 0) return fails_at(centre, d);
+    --halves_left_;
     const auto parts = halves(item);
     return covers_large(parts[0]) && covers_large(parts[1]);
   }

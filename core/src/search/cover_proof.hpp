@@ -45,7 +45,7 @@ class CoverProver {
  private:
   using Polygon = std::vector<Vec3>;
   bool is_over_sheet(const Corners& item) const;
-  /// Looks the set up anew for each half, until few of it are near.
+  /// Looks the set up anew for each half, until few of it are near. Undecided where that takes too many.
   bool covers_large(const Corners& item);
   /// `rows`: of near_.
   bool covers(const Polygon& piece, std::vector<Index> rows);
@@ -61,7 +61,7 @@ class CoverProver {
   Cover cover_;
   std::vector<const PreparedTriangle*> near_;
   RecentPlaces distances_;  // to the group
-  std::size_t pieces_left_ = 0;
+  std::size_t pieces_left_ = 0, halves_left_ = 0;
 };
 
 }  // namespace geomesh::search

@@ -182,3 +182,22 @@ TEST_CASE("A large triangle is proven on small ones in its plane, and a hole in 
     CHECK((cover.farthest > limit) == holed);
   }
 }
+
+TEST_CASE("A triangle over many long needles is proven, however small the limit", "[search]") {
+  // Their boxes overlap by far more than they do: about each piece are boxes of many.
+  constexpr unsigned n = 400;
+  const Vec3 along{100, 60, 7}, across{-30, 50, 11};
+  std::vector<search::ClosestPointTrees::Item> items;
+  for (unsigned k = 0; k < n; ++k) {
+    const double s = static_cast<double>(k) / n, t = static_cast<double>(k + 1) / n;
+    const Vec3 a = s * across, b = t * across;
+    items.push_back({{a, a + along, b + along}, 0, 2 * k});
+    items.push_back({{a, b + along, b}, 0, 2 * k + 1});
+  }
+  const search::ClosestPointTrees trees(items, 1);
+  const Corners item{0.05 * along + 0.1 * across, 0.9 * along + 0.3 * across, 0.3 * along + 0.9 * across};
+  for (const double limit : {1.0, 1e-2, 1e-4, 1e-6}) {
+    INFO("limit " << limit);
+    CHECK(search::CoverProver(trees, limit).judge(item, 0).is_proven);
+  }
+}

@@ -10,7 +10,6 @@
 
 #include "arrangement/model/surface_ends.hpp"
 #include "arrangement/pockets/pocket_walls.hpp"
-#include "common/union_find.hpp"
 #include "geomesh/core/surface_distance.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -107,76 +106,37 @@ void take_surface(Complex& complex, const std::map<Index, std::set<Index>>& take
   });
 }
 
-/// What pockets gave, in parts: facets that were given one surface, joined across edges.
-class GivenParts {
- public:
-  GivenParts(const Complex& complex, const GivenSurfaces& given)
-      : complex_(complex), given_(given), n_at_(facets_at_edges(complex)) {
-    for (Index f = 0; f < complex.facets.size(); ++f) {
-      const auto own = given.of_facet.find(sorted_corners(complex.facets[f]));
-      if (own == given.of_facet.end()) continue;
-      for (const Index surface : own->second) items_.emplace_back(f, surface);
-    }
-    std::map<SurfaceEdge, Index> first_at;
-    UnionFind joined(items_.size());
-    for (Index k = 0; k < items_.size(); ++k)
-      for_each_edge_of(k, [&](const SurfaceEdge& e) { joined.unite(first_at.try_emplace(e, k).first->second, k); });
-    for (Index k = 0; k < items_.size(); ++k) parts_[joined.find(k)].push_back(k);
-  }
-
-  /// A strip between two pockets is given a surface that lost its walls on either side of it, and ends nowhere. Parts
-  /// with which the surface ends at longer edges than without them, where it did not before, are to be given back. By
-  /// facet.
-  std::map<Index, std::set<Index>> fins() {
-    std::map<Index, std::set<Index>> fins;
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (auto part = parts_.begin(); part != parts_.end();) {
-        if (!is_fin(part->second)) {
-          ++part;
-          continue;
-        }
-        for (const Index k : part->second) {
-          fins[items_[k].first].insert(items_[k].second);
-          for_each_edge_of(k, [&](const SurfaceEdge& e) { --n_at_[e]; });
-        }
-        part = parts_.erase(part);
-        changed = true;
-      }
-    }
-    return fins;
-  }
-
- private:
-  template <class Visit>
-  void for_each_edge_of(Index item, const Visit& visit) const {
-    const auto& [facet, surface] = items_[item];
-    for (const EdgeKey& e : edges_of(complex_.facets[facet])) visit(SurfaceEdge{e.first, e.second, surface});
-  }
-
-  bool is_fin(const std::vector<Index>& part) const {
-    std::map<SurfaceEdge, Index> own;
-    for (const Index k : part) for_each_edge_of(k, [&](const SurfaceEdge& e) { ++own[e]; });
-    double with = 0, without = 0;
-    for (const auto& [e, n] : own) {
-      if (given_.borders.contains(e)) continue;
-      const double along = length(complex_.points[std::get<0>(e)] - complex_.points[std::get<1>(e)]);
-      if (n_at_.at(e) == 1) with += along;
-      if (n_at_.at(e) - n == 1) without += along;
-    }
-    return with > 0 && with >= without;
-  }
-
-  const Complex& complex_;
-  const GivenSurfaces& given_;
-  std::map<SurfaceEdge, Index> n_at_;           ///< facets of the surface
-  std::vector<std::pair<Index, Index>> items_;  ///< facets and surfaces
-  std::map<Index, std::vector<Index>> parts_;   ///< rows of items
-};
-
+/// A strip between two pockets is given a surface that lost its walls on either side of it, and ends nowhere. Facets
+/// that were given a surface, and at one of whose edges it ends where it did not, give it back, until there are none.
 void prune_fins(Complex& complex, const GivenSurfaces& given) {
-  const std::map<Index, std::set<Index>> fins = GivenParts(complex, given).fins();
-  if (!fins.empty()) take_surface(complex, fins);
+  std::map<SurfaceEdge, Index> n_at = facets_at_edges(complex);
+  std::map<SurfaceEdge, std::vector<Index>> given_at;
+  std::vector<std::pair<Index, Index>> open;  // facets and surfaces
+  for (Index f = 0; f < complex.facets.size(); ++f) {
+    const auto own = given.of_facet.find(sorted_corners(complex.facets[f]));
+    if (own == given.of_facet.end()) continue;
+    for_each_edge(complex, f, [&](const SurfaceEdge& e) {
+      if (own->second.contains(std::get<2>(e))) given_at[e].push_back(f);
+    });
+    for (const Index surface : own->second) open.emplace_back(f, surface);
+  }
+  std::map<Index, std::set<Index>> taken;
+  while (!open.empty()) {
+    const auto [f, surface] = open.back();
+    open.pop_back();
+    bool ends = false;
+    for_each_edge(complex, f, [&](const SurfaceEdge& e) {
+      ends = ends || (std::get<2>(e) == surface && n_at[e] == 1 && !given.borders.contains(e));
+    });
+    if (!ends || !taken[f].insert(surface).second) continue;
+    for_each_edge(complex, f, [&](const SurfaceEdge& e) {
+      if (std::get<2>(e) != surface) return;
+      --n_at[e];
+      for (const Index g : given_at[e])
+        if (g != f) open.emplace_back(g, surface);
+    });
+  }
+  if (!taken.empty()) take_surface(complex, taken);
 }
 
 /// One round: pockets that share no facet.
