@@ -204,7 +204,8 @@ void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
                 "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
 }
 
-constexpr unsigned most_snaps = 6;  // in one round
+constexpr unsigned most_snaps = 6;             // in one round
+constexpr unsigned most_passes_over_ends = 8;  // what one splits may be near to more; three do mostly
 
 /// Brings together what lies within the mending distance among the facets that still meet.
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
@@ -260,10 +261,7 @@ class Arrangement {
   }
 
   ArrangementResult run() {
-    if (options_.tolerance > 0)
-      apply_tolerance_to_input();
-    else
-      join_ends_of_input();
+    options_.tolerance > 0 ? apply_tolerance_to_input() : join_ends_of_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, pairs_, ingested_.complex, contacts);
     result_.n_pairs = contacts.n_pairs;
@@ -322,7 +320,9 @@ class Arrangement {
 
   void join_ends_of_input() {
     std::vector<VertexIndex> now;
-    if (const auto joined = join_ends(ingested_.complex, joining_, now)) take(*joined, now);
+    std::optional<SnapOutcome> joined = SnapOutcome();
+    for (unsigned pass = 0; pass < most_passes_over_ends && joined; ++pass)
+      if ((joined = join_ends(ingested_.complex, joining_, now))) take(*joined, now);
   }
 
   void apply_tolerance_to_input() {
