@@ -118,16 +118,15 @@ Cover CoverProver::judge(const Corners& item, Index group) {
   for (const Vec3& p : {item[0], item[1], item[2], 0.5 * (item[0] + item[1]), 0.5 * (item[1] + item[2]),
                         0.5 * (item[2] + item[0]), middle_of(item)})
     look_at(p, distances_.at(p, [&](const auto&) { return set_.closest(p, group).distance; }));
-  if (cover_.farthest > limit_) return cover_;
-  if (is_over_sheet(item)) {
-    cover_.is_proven = true;
-    return cover_;
-  }
+  if (cover_.farthest <= limit_) cover_.is_proven = is_over_sheet(item) || covers_all(item);
+  return cover_;
+}
+
+bool CoverProver::covers_all(const Corners& item) {
   std::size_t n_about = 0;
   set_.for_each_row_in(box_about(item, limit_), group_, [&](Index) { ++n_about; });
   halves_left_ = pieces_besides + pieces_per_item * n_about;
-  cover_.is_proven = covers_large(item);
-  return cover_;
+  return covers_large(item);
 }
 
 bool CoverProver::is_over_sheet(const Corners& item) const {

@@ -45,6 +45,7 @@ class CoverProver {
  private:
   using Polygon = std::vector<Vec3>;
   bool is_over_sheet(const Corners& item) const;
+  bool covers_all(const Corners& item);
   /// Looks the set up anew for each half, until few of it are near. Undecided where that takes too many.
   bool covers_large(const Corners& item);
   /// `rows`: of near_.

@@ -162,9 +162,17 @@ std::vector<std::uint8_t> all_facets(const Complex& complex) {
   return std::vector<std::uint8_t>(complex.facets.size(), 1);
 }
 
-Box3 bounds_of(const std::vector<TriangulatedSurface>& surfaces) {
+/// Of the box or the volume. Throws where the box is empty.
+std::vector<TriangulatedSurface> sides_of(const ArrangementOptions& options) {
+  if (!options.box) return options.volume;
+  check_box(*options.box);
+  return make_box_sides(*options.box);
+}
+
+std::optional<Box3> bounds_of(const ArrangementOptions& options) {
+  if (options.box || options.volume.empty()) return options.box;
   Box3 bounds;
-  for (const TriangulatedSurface& s : surfaces)
+  for (const TriangulatedSurface& s : options.volume)
     for (const Vec3& p : s.points) bounds.add(p);
   return bounds;
 }
@@ -244,14 +252,8 @@ class Arrangement {
         options_(options),
         context_(context),
         surfaces_{surfaces, result_.box_sides} {
-    if (options.box) {
-      check_box(*options.box);
-      result_.box_sides = make_box_sides(*options.box);
-      bounds_ = options.box;
-    } else if (!options.volume.empty()) {
-      result_.box_sides = options.volume;
-      bounds_ = bounds_of(options.volume);
-    }
+    result_.box_sides = sides_of(options);
+    bounds_ = bounds_of(options);
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
     joining_ = {joining_ulps * unit_in_the_last_place(ingested_.complex), bounds_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
@@ -261,7 +263,10 @@ class Arrangement {
   }
 
   ArrangementResult run() {
-    options_.tolerance > 0 ? apply_tolerance_to_input() : join_ends_of_input();
+    if (options_.tolerance > 0)
+      apply_tolerance_to_input();
+    else
+      join_ends_of_input();
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, pairs_, ingested_.complex, contacts);
     result_.n_pairs = contacts.n_pairs;
@@ -320,9 +325,11 @@ class Arrangement {
 
   void join_ends_of_input() {
     std::vector<VertexIndex> now;
-    std::optional<SnapOutcome> joined = SnapOutcome();
-    for (unsigned pass = 0; pass < most_passes_over_ends && joined; ++pass)
-      if ((joined = join_ends(ingested_.complex, joining_, now))) take(*joined, now);
+    for (unsigned pass = 0; pass < most_passes_over_ends; ++pass) {
+      const auto joined = join_ends(ingested_.complex, joining_, now);
+      if (!joined) return;
+      take(*joined, now);
+    }
   }
 
   void apply_tolerance_to_input() {

@@ -185,10 +185,10 @@ bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& 
   });
 }
 
-/// Above the longest side.
+/// Of a needle; two thirds of it of a regular triangle.
 double CoverageJudge::height_of(const Triangle& t) const {
-  const Vec3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = v - u, n = cross(u, v);
-  return std::sqrt(dot(n, n) / std::max({dot(u, u), dot(v, v), dot(w, w)}));
+  const PlaneTriangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
+  return 4 * triangle.area() / triangle.perimeter();
 }
 
 /// A needle between two borders that are apart by rounding has ends on either of them.

@@ -2,13 +2,12 @@
 // Surfaces that end within rounding of others.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <map>
 #include <random>
-#include <set>
 
 #include "arrangement/model/ingest.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement_inputs.hpp"
+#include "common_edges.hpp"
 #include "require_sound.hpp"
 
 using namespace geomesh;
@@ -33,17 +32,9 @@ TriangulatedSurface horizon(unsigned n, double dip, double wave, double side) {
   return surface;
 }
 
-/// Length of the edges that facets of the first two surfaces have.
 double common_length(const PolygonSoup& soup) {
-  std::map<std::pair<VertexIndex, VertexIndex>, std::set<Index>> surfaces_at;
-  for (Index f = 0; f < soup.facets.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k)
-      for (Index o = soup.origin_offsets[f]; o < soup.origin_offsets[f + 1]; ++o)
-        surfaces_at[std::minmax(soup.facets[f][k], soup.facets[f][(k + 1) % 3])].insert(soup.origins[o].surface);
   double sum = 0;
-  for (const auto& [edge, at] : surfaces_at)
-    if (at.contains(0) && at.contains(1))
-      sum += arrangement::length(soup.points[edge.first] - soup.points[edge.second]);
+  for (const auto& [a, b] : common_edges(soup, 0, 1)) sum += arrangement::length(soup.points[a] - soup.points[b]);
   return sum;
 }
 

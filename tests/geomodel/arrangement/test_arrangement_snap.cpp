@@ -7,6 +7,7 @@
 
 #include "arrangement/snap/snap.hpp"
 #include "arrangement_inputs.hpp"
+#include "common_edges.hpp"
 #include "geomesh/core/error.hpp"
 #include "require_sound.hpp"
 
@@ -24,28 +25,16 @@ ArrangementOptions within(double tolerance) {
 
 Vec3 unit(const Vec3& v) { return (1 / arrangement::length(v)) * v; }
 
-/// Edges at which facets of both surfaces lie.
-std::size_t n_common_edges(const PolygonSoup& soup, Index a, Index b) {
-  std::map<std::pair<VertexIndex, VertexIndex>, std::set<Index>> surfaces_at;
-  for (Index f = 0; f < soup.facets.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k)
-      for (Index o = soup.origin_offsets[f]; o < soup.origin_offsets[f + 1]; ++o)
-        surfaces_at[std::minmax(soup.facets[f][k], soup.facets[f][(k + 1) % 3])].insert(soup.origins[o].surface);
-  std::size_t n = 0;
-  for (const auto& [edge, at] : surfaces_at) n += at.contains(a) && at.contains(b);
-  return n;
-}
-
 }  // namespace
 
 TEST_CASE("tolerance: a wall that stops just above a floor stands on it", "[arrangement]") {
   const auto floor = grid_surface("floor", SurfaceKind::horizon, 5, 0, 10, 0, 10, [](double, double) { return 0; });
   const auto wall = triangles("wall", {{Vec3{1, 5.1, 0.004}, Vec3{9, 5.3, 0.002}, Vec3{9, 5.3, 4}},
                                        {Vec3{1, 5.1, 0.004}, Vec3{9, 5.3, 4}, Vec3{1, 5.1, 4}}});
-  CHECK(n_common_edges(arrange({floor, wall}, {}, {}, {}).soup, 0, 1) == 0);
+  CHECK(common_edges(arrange({floor, wall}, {}, {}, {}).soup, 0, 1).size() == 0);
   const auto result = arrange({floor, wall}, {}, {}, within(0.01));
   require_sound(result.soup);
-  CHECK(n_common_edges(result.soup, 0, 1) > 4);
+  CHECK(common_edges(result.soup, 0, 1).size() > 4);
   CHECK(result.merging.vertices_inserted > 4);
   CHECK(result.merging.displacement.largest > 0.001);
   CHECK(result.merging.displacement.largest < 0.05);
@@ -132,7 +121,7 @@ TEST_CASE("merging where surfaces meet: a wall that overshoots a floor by less t
   const auto result = arrange({floor, wall}, {}, {}, where_surfaces_meet_within(0.01));
   require_sound(result.soup);
   CHECK(shortest_edge(result.soup) > 0.01);
-  CHECK(n_common_edges(result.soup, 0, 1) > 4);
+  CHECK(common_edges(result.soup, 0, 1).size() > 4);
   CHECK(result.merging.displacement.largest < 0.03);
 }
 
@@ -169,7 +158,7 @@ TEST_CASE("tolerance: crossing surfaces and a well keep their curves", "[arrange
   const Polyline well{"well", "", {{5, 5, -4}, {5.1, 4.9, 4}}};
   const auto result = arrange({a, b}, {well}, {}, within(0.02));
   require_sound(result.soup);
-  CHECK(n_common_edges(result.soup, 0, 1) > 20);
+  CHECK(common_edges(result.soup, 0, 1).size() > 20);
   CHECK(result.soup.segments.size() >= 3);
   CHECK(area_of(result.soup, 0) == Approx(area_of(a)).epsilon(0.01));
   CHECK(result.rounding.largest < 1e-13);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "arrangement/model/complex.hpp"
+
 namespace geomesh::geomodel::arrangement {
 
 /// Edges that all but follow each other leave large errors in the parameters: what is between the two points is solved

@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "arrangement/model/complex.hpp"
+#include "geomesh/core/geometry.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
