@@ -228,6 +228,20 @@ output: {directory: out, formats: [vtu]}
         of 0.05 km3 for the mesher (881980)."""
         self.assert_pass(820328, 881980, light=True)
 
+    def test_a_horizon_on_both_sides_is_not_told_by_where_it_ends(self):
+        """205 m2 on the fault where it ends exchanged the names of two regions, in which it lies with 4 and 1.2 km2 (990086)."""
+        self.assert_pass(990086, light=True)
+
+    def test_recovery_is_tried_in_other_orders_with_all_doubles(self):
+        """13,944 facets at coordinates of 12,000 km. The first such attempt left two points without a double, the next none (912956)."""
+        project = RandomModel(912956, light=True).write(self.path("orders"))
+        status, printed = run(PROGRAM, [project, "--stop-after", "recover", "--quiet", "--threads", "1"], 120)
+        self.assertEqual(status, 0, printed)
+
+    def test_points_next_to_zero_are_no_finer_than_others(self):
+        """An intersection 7e-16 m above the bottom of the box, beside a corner on it, left a sliver whose sides crossed (983864)."""
+        self.assert_pass(983864, light=True)
+
     def test_lines_of_the_map_an_ulp_apart_are_halved_one_at_a_time(self):
         """Their middles rounded to one place, and both were opened there: a crash (824102)."""
         self.assert_pass(824102, light=True)

@@ -34,12 +34,16 @@ Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
 }
 
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
-                                     const recover::HardPartsFirst& hard_parts, bool near_is_hopeless) {
-  if (attempt.doubles == recover::DoublesTried::all_of_star) return std::nullopt;
-  if (!near_is_hopeless && attempt.number + 1 < most_attempts(options))
+                                     const recover::HardPartsFirst& hard_parts, const Hopeless& hopeless) {
+  const bool tried_all = attempt.doubles == recover::DoublesTried::all_of_star;
+  if (!tried_all && !hopeless.near_places && attempt.number + 1 < most_attempts(options))
     return attempt_of(attempt.number + 1, hard_parts);
   if (most_attempts(options) < recover::recovery_budget.attempts) return std::nullopt;  // the caller has another way
-  Attempt out = attempt_of(1, hard_parts);
+  if (tried_all && (hopeless.all_of_star || attempt.number >= recover::recovery_budget.attempts_all_of_star))
+    return std::nullopt;
+  Attempt out;
+  out.number = tried_all ? attempt.number + 1 : 1;
+  out.places = SteinerPlaces::exact;
   out.doubles = recover::DoublesTried::all_of_star;
   return out;
 }

@@ -35,10 +35,15 @@ struct Attempt {
 /// The attempt of that number, given what those before it have learned.
 Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts);
 
-/// The one after `attempt`; nothing after the last. That is the second one again, with all doubles of stars: it comes
-/// at the end, so what is meshed without it keeps its mesh. `near_is_hopeless`: too many points had no double near
-/// them, so it comes at once.
+/// Too many points had no double where doubles were looked for, over all attempts of that kind.
+struct Hopeless {
+  bool near_places = false;
+  bool all_of_star = false;
+};
+
+/// The one after `attempt`; nothing after the last. Attempts with all doubles of stars, in other orders, come at the
+/// end, so what is meshed without them keeps its mesh. They come at once where doubles near places are hopeless.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
-                                     const recover::HardPartsFirst& hard_parts, bool near_is_hopeless);
+                                     const recover::HardPartsFirst& hard_parts, const Hopeless& hopeless);
 
 }  // namespace geomesh

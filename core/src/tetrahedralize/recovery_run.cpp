@@ -129,7 +129,8 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   };
   const auto round_points = [&] {
     if (!recovery.has_exact_points) return;
-    n_without_double_ += round_steiner_points(recovery);
+    const bool all = attempt.doubles == recover::DoublesTried::all_of_star;
+    (all ? n_without_any_double_ : n_without_double_) += round_steiner_points(recovery);
     if (recovery.has_ended()) return;
     recover::remove_added_points(recovery, boundary);  // in places that rounding has moved
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
@@ -170,8 +171,9 @@ std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const 
   if (n_decided_ >= recover::recovery_budget.decisions_per_facet * plc_.n_facets() ||
       (dead_end.kind() == ErrorKind::invalid_input && recovery.has_crossings()))
     return std::nullopt;
+  const std::size_t most = recover::recovery_budget.points_without_double;
   return geomesh::attempt_after(attempt, options_.recover, hard_parts_,
-                                n_without_double_ >= recover::recovery_budget.points_without_double);
+                                {n_without_double_ >= most, n_without_any_double_ >= most});
 }
 
 }  // namespace geomesh

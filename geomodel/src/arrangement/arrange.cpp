@@ -255,7 +255,8 @@ class Arrangement {
     result_.box_sides = sides_of(options);
     bounds_ = bounds_of(options);
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
-    joining_ = {joining_ulps * unit_in_the_last_place(ingested_.complex), bounds_, surfaces.size(), !options.box};
+    first_rounding_ = unit_in_the_last_place(ingested_.complex);
+    joining_ = {joining_ulps * first_rounding_, bounds_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
@@ -313,7 +314,7 @@ class Arrangement {
     if (!options_.box && bounds_) clip_to_volume(clip, ingested_.complex, ingested_, polylines_, points_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex, {0, bounds_}));
+    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, bounds_}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
@@ -387,6 +388,7 @@ class Arrangement {
   PairsToJoin pairs_;
   JoinRule join_rule_;  ///< of `tolerance`
   Joining joining_;
+  double first_rounding_ = 0;  ///< finer doubles, next to zero, keep no points apart that others would not
 };
 
 }  // namespace

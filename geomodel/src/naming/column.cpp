@@ -86,9 +86,9 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
 
 namespace {
 
-/// Of a horizon's area with the component on both sides: less on one side is what rounding left where it ends, and
-/// says nothing.
-constexpr double least_share = 1e-6;
+/// Of a horizon's area with the component on both sides: less on one side is what rounding or the tolerance left where
+/// it ends, and says nothing.
+constexpr double least_share = 0.01;
 
 }  // namespace
 
@@ -102,17 +102,15 @@ UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column) {
     const auto at = areas.find(h);
     return at == areas.end() ? 0.0 : at->second;
   };
-  const auto is_rounding = [&](Index h, double area) {
-    return area < least_share * area_in(contacts.on_both_sides, h);
-  };
+  const auto is_remnant = [&](Index h, double area) { return area < least_share * area_in(contacts.on_both_sides, h); };
   for (const auto& [h, area] : contacts.lies_below) {
-    if (is_rounding(h, area)) continue;
+    if (is_remnant(h, area)) continue;
     if (area < area_in(contacts.lies_above, h)) continue;  // repeated by a fold or thrust: the larger side speaks
     first = std::max(first, h + 1);
     bounded_above = true;
   }
   for (const auto& [h, area] : contacts.lies_above) {
-    if (is_rounding(h, area) || area <= area_in(contacts.lies_below, h)) continue;
+    if (is_remnant(h, area) || area <= area_in(contacts.lies_below, h)) continue;
     last = std::min(last, h);
     bounded_below = true;
   }

@@ -57,7 +57,7 @@ struct UnitVerdict {
 };
 /// Rule: below horizon h means unit h + 1 or older, above it unit h or younger; where horizons converge on others
 /// (pinch-outs, erosion, onlap) the tightest bounds hold. A horizon with the component on both sides joins units only
-/// where those bounds leave both possible; elsewhere it is a flap that ends inside one unit. Less than a millionth of
+/// where those bounds leave both possible; elsewhere it is a flap that ends inside one unit. Less than a hundredth of
 /// the area on both sides bounds nothing.
 UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column);
 

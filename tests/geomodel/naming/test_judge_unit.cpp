@@ -16,7 +16,10 @@ TEST_CASE("what rounding leaves of a horizon that ends in a region bounds no uni
   contacts.on_both_sides = {{0, 4e6}, {1, 5e6}};
   contacts.lies_above = {{1, 4e-10}};
   CHECK(unit_name(judge_unit(contacts, column), column) == "u1+u2+u3");
-  contacts.lies_above = {{1, 100}};  // a contact
+  // Seed 990086, within a tolerance: 205 m2 at the fault where a horizon of 4 km2 ends named u2 what is u2 and u3.
+  contacts.lies_above = {{1, 205}};
+  CHECK(unit_name(judge_unit(contacts, column), column) == "u1+u2+u3");
+  contacts.lies_above = {{1, 1e5}};  // a contact
   CHECK(unit_name(judge_unit(contacts, column), column) == "u1+u2");
   contacts.on_both_sides.clear();
   contacts.lies_above = {{1, 4e-10}};  // all that there is

@@ -18,13 +18,13 @@ class Anchors {
   /// The nearest anchor closer than the snapping distance that keeps p on the box planes it lies on; else p, which
   /// becomes an anchor.
   Vec3 nearest_or_new(const Vec3& p, const std::optional<Box3>& box) {
-    const Vec3 centre = cell_of(p);
+    const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;
     double best_distance = snap_;
-    for (double dx = -1; dx <= 1; ++dx)
-      for (double dy = -1; dy <= 1; ++dy)
-        for (double dz = -1; dz <= 1; ++dz) {
-          const auto cell = cells_.find(centre + Vec3{dx, dy, dz});
+    for (double x = low.x; x <= high.x; ++x)
+      for (double y = low.y; y <= high.y; ++y)
+        for (double z = low.z; z <= high.z; ++z) {
+          const auto cell = cells_.find({x, y, z});
           if (cell == cells_.end()) continue;
           for (const Vec3& q : cell->second)
             if (length(p - q) < best_distance && keeps_sides(p, q, box)) {
@@ -50,6 +50,12 @@ class Anchors {
   double snap_;
   std::unordered_map<Vec3, std::vector<Vec3>, PointHash> cells_;
 };
+
+int sides_at(const Vec3& p, const Box3& box) {
+  int n = 0;
+  for (std::size_t i = 0; i < 3; ++i) n += p[i] == box.min[i] || p[i] == box.max[i] ? 1 : 0;
+  return n;
+}
 
 class Rounding {
  public:
@@ -83,8 +89,7 @@ class Rounding {
     std::unordered_map<Vec3, VertexIndex, PointHash> made_at;
     if (options_.snap > 0) add_anchors();
     std::vector<Vec3> placed(vertices.size() - vertices.n_given());
-    for (Index v = static_cast<Index>(vertices.n_given()); v < vertices.size(); ++v)
-      if (row_[v] == used) made_at.emplace(placed[v - vertices.n_given()] = place(v), no_vertex);
+    for (const Index v : order_of_placing()) made_at.emplace(placed[v - vertices.n_given()] = place(v), no_vertex);
     for (Index v = 0; v < vertices.n_given(); ++v) {
       if (row_[v] != used) continue;
       row_[v] = push_point(vertices.rounded(v), before_.input_point[v]);
@@ -103,6 +108,19 @@ class Rounding {
       if (merged || moved) moved_[row] = 1;
     }
     out.input_point.resize(out.points.size(), no_index);
+  }
+
+  /// Made vertices that are used. Where points may snap, those on the box's sides come first: they cannot leave a side,
+  /// and others can go to them.
+  std::vector<Index> order_of_placing() const {
+    const ExactVertices& vertices = arranged_.vertices;
+    std::vector<Index> order;
+    for (Index v = static_cast<Index>(vertices.n_given()); v < vertices.size(); ++v)
+      if (row_[v] == used) order.push_back(v);
+    if (options_.snap == 0 || !options_.box) return order;
+    const auto n_sides = [&](Index v) { return sides_at(vertices.rounded(v), *options_.box); };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return n_sides(a) > n_sides(b); });
+    return order;
   }
 
   VertexIndex push_point(const Vec3& p, Index input_point) {

@@ -16,7 +16,7 @@ namespace {
 /// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
 constexpr double close_share = 0.45;
 /// Less than this share of the area that a horizon shows to a region from both sides bounds no unit.
-constexpr double least_share = 1e-6;
+constexpr double least_share = 0.01;
 /// Cosine of the angle between a face and the triangle that it stands for, below which it shows neither side: where a
 /// horizon ends on a fault within the tolerance, faces of the fault bear it, too.
 constexpr double least_cosine = 0.1;
