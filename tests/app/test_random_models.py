@@ -238,6 +238,10 @@ output: {directory: out, formats: [vtu]}
         status, printed = run(PROGRAM, [project, "--stop-after", "recover", "--quiet", "--threads", "1"], 120)
         self.assertEqual(status, 0, printed)
 
+    def test_a_strip_up_to_the_border_has_the_fault_that_goes_on_beside_it(self):
+        """Twin faults were joined to a third one at lines up to 4 m apart. On the strip between one of them ended twice (970469)."""
+        self.assert_pass(970469, 982842, light=True)
+
     def test_points_next_to_zero_are_no_finer_than_others(self):
         """An intersection 7e-16 m above the bottom of the box, beside a corner on it, left a sliver whose sides crossed (983864)."""
         self.assert_pass(983864, light=True)

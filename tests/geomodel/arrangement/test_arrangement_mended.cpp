@@ -177,6 +177,26 @@ TEST_CASE("holes: a surface that goes on at an edge of the facet has no hole the
   CHECK(fill_holes(complex, 0.02) == 0);
 }
 
+TEST_CASE("holes: a surface with a thin notch before a facet of another has it too", "[arrangement]") {
+  // Found by seed 970469 of the random models (--light): a fault was joined to its twin, which ended on either side of
+  // a strip of a third fault, and went up to the border of both.
+  const auto notch = [](double mouth, bool turned) {
+    const Triangle middle = turned ? Triangle{0, 2, 1} : Triangle{0, 1, 2};
+    return complex_of({{0, 0, 0}, {1, 0, 0}, {1, mouth, 0}, {0.5, -1, 0}, {0.5, 1, 0}},
+                      {{middle, {1}}, {{1, 0, 3}, {0}}, {{0, 2, 4}, {0}}});
+  };
+  for (const bool turned : {false, true}) {
+    Complex thin = notch(0.03, turned);
+    CHECK(fill_holes(thin, 0.02) == 1);
+    CHECK(thin.origins.of(0).size() == 2);
+    CHECK(n_turned(thin, 0) == 0);
+    CHECK(surface_ends(thin).size() == 3 + 4 + 1);  // surface 1; surface 0 outside, and at the mouth
+    CHECK(fill_holes(thin, 0.02) == 0);
+    Complex wide = notch(0.05, turned);
+    CHECK(fill_holes(wide, 0.02) == 0);
+  }
+}
+
 TEST_CASE("pockets: the wall that stays names the triangle that lay on it, not the one whose middle is nearest",
           "[arrangement]") {
   // Of the facets over the large one, (3, 4, 0) has its middle nearest to the large one's, and (3, 2, 4) lies there.

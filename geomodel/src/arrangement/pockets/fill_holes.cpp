@@ -18,41 +18,70 @@ Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triang
   return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
-bool is_low(const Complex& complex, const Triangle& t, double height) {
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    longest = std::max(longest, length(complex.points[t[(k + 1) % 3]] - complex.points[t[k]]));
-  return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) <= height * longest;
-}
+/// Of the length of the two other edges: the third edge of a notch is shorter.
+constexpr double mouth_of_notch = 0.125;
 
-/// By facet the origins that fill holes.
-std::map<Index, std::vector<Origin>> find_holes(const Complex& complex, double distance) {
-  const std::vector<SurfaceEnd> ends = surface_ends(complex);
-  const auto ends_from = [&](VertexIndex a, VertexIndex b, Index surface) {
-    return std::lower_bound(ends.begin(), ends.end(), std::tuple(std::min(a, b), std::max(a, b), surface),
-                            [](const SurfaceEnd& e, const auto& key) { return std::tie(e.a, e.b, e.surface) < key; });
-  };
-  std::map<Index, std::vector<Origin>> found;
-  for (Index f = 0; f < complex.facets.size(); ++f) {
-    const Triangle& t = complex.facets[f];
-    const auto ends_at = [&](std::size_t k, const SurfaceEnd& first) {
-      const auto at = ends_from(t[k], t[(k + 1) % 3], first.surface);
-      const bool is_same = at != ends.end() && std::minmax(t[k], t[(k + 1) % 3]) == std::minmax(at->a, at->b) &&
-                           at->surface == first.surface;
-      return is_same && at->facet != f;
-    };
-    for (auto at = ends_from(t[0], t[1], 0); at != ends.end() && std::minmax(at->a, at->b) == std::minmax(t[0], t[1]);
-         ++at)
-      if (ends_at(0, *at) && ends_at(1, *at) && ends_at(2, *at) && is_low(complex, t, 2 * distance))
-        found[f].push_back(origin_beside(complex, *at, t));
+class Holes {
+ public:
+  Holes(const Complex& complex, double distance)
+      : complex_(complex), height_(2 * distance), ends_(surface_ends(complex)) {}
+
+  /// By facet the origins that fill holes.
+  std::map<Index, std::vector<Origin>> find() const {
+    std::map<Index, std::vector<Origin>> found;
+    for (Index f = 0; f < complex_.facets.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (auto at = first_end_at(f, k, 0); at != ends_.end() && is_at(*at, f, k); ++at)
+          if (is_low(f) && fills(f, k, *at)) add(found[f], origin_beside(complex_, *at, complex_.facets[f]));
+    return found;
   }
-  return found;
-}
+
+ private:
+  std::array<VertexIndex, 2> edge(Index f, std::size_t k) const {
+    const Triangle& t = complex_.facets[f];
+    const auto [a, b] = std::minmax(t[k % 3], t[(k + 1) % 3]);
+    return {a, b};
+  }
+  double edge_length(Index f, std::size_t k) const {
+    const auto [a, b] = edge(f, k);
+    return length(complex_.points[b] - complex_.points[a]);
+  }
+  bool is_at(const SurfaceEnd& end, Index f, std::size_t k) const { return edge(f, k) == std::array{end.a, end.b}; }
+  std::vector<SurfaceEnd>::const_iterator first_end_at(Index f, std::size_t k, Index surface) const {
+    const auto [a, b] = edge(f, k);
+    return std::lower_bound(ends_.begin(), ends_.end(), std::tuple(a, b, surface),
+                            [](const SurfaceEnd& e, const auto& key) { return std::tie(e.a, e.b, e.surface) < key; });
+  }
+  bool ends_at(Index f, std::size_t k, Index surface) const {
+    const auto at = first_end_at(f, k, surface);
+    return at != ends_.end() && is_at(*at, f, k) && at->surface == surface && at->facet != f;
+  }
+  bool is_low(Index f) const {
+    const auto& [a, b, c] = complex_.facets[f];
+    const double longest = std::max({edge_length(f, 0), edge_length(f, 1), edge_length(f, 2)});
+    return 2 * area(complex_.points[a], complex_.points[b], complex_.points[c]) <= height_ * longest;
+  }
+  /// The surface of `end`, which is at edge k, ends at the next edge too, and the third one is another end or short.
+  bool fills(Index f, std::size_t k, const SurfaceEnd& end) const {
+    if (end.facet == f || !ends_at(f, k + 1, end.surface)) return false;
+    if (ends_at(f, k + 2, end.surface)) return true;
+    const double mouth = edge_length(f, k + 2);
+    return mouth <= height_ && mouth < mouth_of_notch * (edge_length(f, k) + edge_length(f, k + 1));
+  }
+  static void add(std::vector<Origin>& origins, const Origin& origin) {
+    if (std::none_of(origins.begin(), origins.end(), [&](const Origin& o) { return o.surface == origin.surface; }))
+      origins.push_back(origin);
+  }
+
+  const Complex& complex_;
+  double height_;  ///< of facets that fill holes
+  std::vector<SurfaceEnd> ends_;
+};
 
 }  // namespace
 
 std::size_t fill_holes(Complex& complex, double distance) {
-  const std::map<Index, std::vector<Origin>> more = find_holes(complex, distance);
+  const std::map<Index, std::vector<Origin>> more = Holes(complex, distance).find();
   if (more.empty()) return 0;
   edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
     if (const auto at = more.find(f); at != more.end()) of.insert(of.end(), at->second.begin(), at->second.end());
