@@ -10,7 +10,7 @@ import shutil
 import subprocess
 
 from corruptions import CORRUPTIONS
-from geomesh_program import BAD_INPUT, DONE, PROGRAM, SOURCE, ProgramTest, main, plane_ts, triangles_ts
+from geomesh_program import BAD_INPUT, DONE, PROGRAM, SOURCE, ProgramTest, level, main, plane_ts, triangles_ts
 from judged_model import Model
 
 PROJECT = """name: m
@@ -90,11 +90,27 @@ class Judge(ProgramTest):
     def test_every_corruption_of_a_mesh_within_a_tolerance_is_named(self):
         self.see_all("within")
 
-    def write_pyramid_and_fault(self, folder, level, peak, top):
-        """Horizon h1 is flat at `level`, h2 below it rises to `peak`, and the fault f to `top`. Returns the project file."""
+    def test_a_region_that_touches_no_horizon_has_the_unit_of_its_vertical(self):
+        """Beyond a level fault: a horizon above it, one below it, or both."""
+        for heights, column, names in (((3,), ["sand", "h0", "shale"], ["sand__1", "sand__2", "shale"]), ((7,), ["sand", "h0", "shale"], ["sand", "shale__1", "shale__2"]),
+                                       ((8, 2), ["sand", "h0", "lime", "h1", "shale"], ["lime__1", "lime__2", "lime__3", "sand", "shale"])):
+            with self.subTest(heights=heights):
+                faults = {"f": 5} if len(heights) == 1 else {"f": 4, "g": 6}
+                entries = []
+                for kind, names_and_heights in (("horizon", {"h%d" % k: z for k, z in enumerate(heights)}), ("fault", faults)):
+                    for name, z in names_and_heights.items():
+                        self.write(name + ".ts", level(name, z))
+                        entries.append("{name: %s, kind: %s, file: %s.ts}" % (name, kind, name))
+                project = self.write("vertical.yaml", "name: v\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces: [%s]\ncolumn: [%s]\nrules: {stack: keep}\n"
+                                     "mesh: {mode: constrained, refine: none}\noutput: {directory: out, formats: [vtu]}\n" % (", ".join(entries), ", ".join(column)))
+                self.run_program(project)
+                self.assertEqual(self.region_names(self.check(self.path("out", "v.vtu"), "--project", project)), names)
+
+    def write_pyramid_and_fault(self, folder, height, peak, top):
+        """Horizon h1 is flat at `height`, h2 below it rises to `peak`, and the fault f to `top`. Returns the project file."""
         os.makedirs(self.path(folder), exist_ok=True)
         corners = [(-10, -10, 300), (1010, -10, 300), (1010, 1010, 300), (-10, 1010, 300)]
-        self.write(folder + "/h1.ts", triangles_ts("h1", [(x, y, level) for x, y, _ in corners], [(0, 1, 2), (0, 2, 3)]))
+        self.write(folder + "/h1.ts", triangles_ts("h1", [(x, y, height) for x, y, _ in corners], [(0, 1, 2), (0, 2, 3)]))
         self.write(folder + "/h2.ts", triangles_ts("h2", [*corners, (600, 400, peak)], [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]))
         self.write(folder + "/f.ts", triangles_ts("f", [(100, -10, -10), (100, 1010, -10), (100, 1010, top), (100, -10, top)], [(0, 1, 2), (0, 2, 3)]))
         return self.write(folder + "/project.yaml", """name: m

@@ -4,6 +4,7 @@
     GEOMESH_RANDOM_MODELS=1000 GEOMESH_RANDOM_SEED=5000 ctest ... -R app.random_models     another number, other seeds
 """
 import os
+import re
 import shutil
 import sys
 import unittest
@@ -241,6 +242,15 @@ output: {directory: out, formats: [vtu]}
     def test_a_strip_up_to_the_border_has_the_fault_that_goes_on_beside_it(self):
         """Twin faults were joined to a third one at lines up to 4 m apart. On the strip between one of them ended twice (970469)."""
         self.assert_pass(970469, 982842, light=True)
+
+    def test_strips_that_rounding_turned_over_tell_no_side(self):
+        """Of a horizon between twin faults 1e-9 m apart, at coordinates of 12,000 km. They exchanged the names of what lies above and below (1005689)."""
+        project = RandomModel(1005689, light=True).write(self.path("turned"))
+        with open(project) as file:
+            text = file.read()
+        self.write("turned/project.yaml", re.sub("(?m)^mesh: .*", "mesh: {mode: constrained, refine: none}", text))
+        self.run_program(project, "--quiet")
+        self.check(self.path("turned", "out", "model.vtu"), "--project", project)
 
     def test_points_next_to_zero_are_no_finer_than_others(self):
         """An intersection 7e-16 m above the bottom of the box, beside a corner on it, left a sliver whose sides crossed (983864)."""

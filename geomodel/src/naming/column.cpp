@@ -69,7 +69,9 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
       if (row == row_of_surface.end()) continue;
       const Index h = row->second;
       const Vec3& given = column.normals[h][o.triangle];
-      if (std::abs(dot(normal, given)) < least_cosine * norm(normal) * norm(given)) continue;
+      const double agreement = dot(normal, given);
+      if (std::abs(agreement) < least_cosine * norm(normal) * norm(given)) continue;
+      if ((agreement < 0) != o.reversed) continue;  // turned over by rounding
       const bool facet_normal_is_up = (column.sides[h].as_stored[o.triangle] != 0) != o.reversed;
       Index lower = component_of(mesh, face.tetrahedron_below), upper = component_of(mesh, face.tetrahedron_above);
       if (!facet_normal_is_up) std::swap(lower, upper);

@@ -27,7 +27,8 @@ Column make_column(const std::vector<std::string>& names, const std::vector<Tria
                    std::vector<std::string>& warnings);
 
 /// The faces of horizons about one component: areas by row of the column. A face at 84 degrees or more to the triangle
-/// that it stands for shows no side: a horizon that ends on a fault within the tolerance has such faces along it.
+/// that it stands for shows no side: a horizon that ends on a fault within the tolerance has such faces along it. So
+/// does a face that rounding turned over: between two faults an ulp apart a horizon has strips of these.
 struct HorizonContacts {
   std::map<Index, double> lies_below, lies_above;  ///< faces that part it from something else
   std::map<Index, double> on_both_sides;           ///< faces with this component on both sides
