@@ -252,6 +252,15 @@ output: {directory: out, formats: [vtu]}
         self.run_program(project, "--quiet")
         self.check(self.path("turned", "out", "model.vtu"), "--project", project)
 
+    def test_a_curve_that_touches_a_side_of_the_box_at_a_point_stays_there(self):
+        """A fault's border left the side on either side of the point. It moved along the border, and made a dent in the side (1002612, refused)."""
+        self.assert_pass(1002612, light=True)
+
+    def test_the_judge_leaves_small_parts_and_touching_ends_out(self):
+        """A small part of u2 had joined u3, whose name was judged by the part's upper horizon (1006825). Two horizons that end on either side of a
+        fault touched at a point, and a crossing was asked for (1006657)."""
+        self.assert_pass(1006825, 1006657, light=True)
+
     def test_points_next_to_zero_are_no_finer_than_others(self):
         """An intersection 7e-16 m above the bottom of the box, beside a corner on it, left a sliver whose sides crossed (983864)."""
         self.assert_pass(983864, light=True)

@@ -60,3 +60,33 @@ TEST_CASE("Where cells meet with the outside between, nothing changes that has c
     }
   }
 }
+
+TEST_CASE("A curve that touches a side at one vertex stays there", "[refine]") {
+  // Found by seed 1002612 of the random models (--light): the vertex moved along the curve, and made a dent in the
+  // side.
+  PiecewiseLinearComplex plc;
+  plc.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const std::vector<std::array<VertexIndex, 4>> sides{
+      {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  for (Index s = 0; s < sides.size(); ++s) {
+    plc.add_triangle({sides[s][0], sides[s][1], sides[s][2]}, s);
+    plc.add_triangle({sides[s][0], sides[s][2], sides[s][3]}, s);
+  }
+  const std::array<VertexIndex, 4> left{0, 4, 7, 3};
+  const VertexIndex touching = 8;
+  plc.points.push_back({0, 0.5, 0.5});
+  for (std::size_t k = 0; k < 4; ++k) plc.add_triangle({left[k], left[(k + 1) % 4], touching}, 5);
+  for (const Vec3& p : {Vec3{0.02, 0.3, 0.5}, Vec3{0.02, 0.7, 0.5}, Vec3{0.8, 0.5, 0.5}}) plc.points.push_back(p);
+  plc.add_triangle({9, touching, 11}, 6);
+  plc.add_triangle({touching, 10, 11}, 6);
+  Model model{plc, tetrahedralize(plc, {})};
+  Bench bench(std::move(model), 0.05);
+  for (VertexIndex v = 0; v < bench.mesh.n_vertices(); ++v)
+    if (bench.mesh.point(v) == plc.points[touching]) CHECK(bench.mesh.kind(v) == VertexKind::corner);
+  over_cells(bench, 1, [&](Bench& b, CellIndex c) {
+    bool moved = false;
+    for (const VertexIndex v : b.mesh.vertices(c)) moved = smooth_vertex(b.tools, v, {}) || moved;
+    return moved;
+  });
+  CHECK(bench.volume() == Approx(1).epsilon(1e-12));
+}

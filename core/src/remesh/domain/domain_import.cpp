@@ -50,7 +50,7 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Whether the faces about v join at edges: else two sheets touch there.
+/// Whether the faces about v join at edges: else two sheets touch there, or a curve touches a sheet.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -216,13 +216,14 @@ class Importer {
     const auto& curves = curve_ends_[v];
     const bool is_given = input_.input_vertex[v] != no_vertex;
     if (exact_ && is_given) return;
-    if (curves.size() == 2 && curves[0].second == curves[1].second && !turns_sharply(v)) {
+    const bool is_alone = faces.empty() || is_one_fan(v, faces, faces_);
+    if (curves.size() == 2 && curves[0].second == curves[1].second && is_alone && !turns_sharply(v)) {
       domain_.set_kind(v, VertexKind::curve, curves[0].second);
     } else if (curves.empty() && faces.empty()) {
       if (!is_given) domain_.set_kind(v, VertexKind::inside, no_index);
     } else if (curves.empty()) {
       const Index patch = domain_.patch_of_facet(facets_[faces[0]]);
-      if (patch != hull_patch && is_one_fan(v, faces, faces_)) domain_.set_kind(v, VertexKind::surface, patch);
+      if (patch != hull_patch && is_alone) domain_.set_kind(v, VertexKind::surface, patch);
     }
   }
 

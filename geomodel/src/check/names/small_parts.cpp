@@ -2,6 +2,7 @@
 #include "check/names/small_parts.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "check/exact/exact.hpp"
 #include "common/union_find.hpp"
@@ -23,12 +24,8 @@ UnionFind parts_of(const ClaimedFaces& claimed) {
   return parts;
 }
 
-}  // namespace
-
-std::vector<bool> faces_of_small_parts(const ClaimedFaces& claimed) {
-  std::vector<bool> small(claimed.candidates().size(), false);
-  const ClaimedNames& names = claimed.claim().names;
-  if (!names.merges_small || !(names.min_volume > 0)) return small;
+/// By cell: whether it is in a small part.
+std::vector<bool> cells_of_small_parts(const ClaimedFaces& claimed, double min_volume) {
   const JudgedMesh& mesh = claimed.mesh();
   UnionFind parts = parts_of(claimed);
   std::vector<double> volume(mesh.cells.size(), 0);  // of the part that the cell stands for
@@ -36,15 +33,38 @@ std::vector<bool> faces_of_small_parts(const ClaimedFaces& claimed) {
     const Tetrahedron& v = mesh.cells[c];
     volume[parts.find(c)] += six_volumes(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])) / 6;
   }
-  const FacesFile& faces = *claimed.faces();
-  for (Index f = 0; f < small.size(); ++f) {
-    if (faces.region_minus[f] != faces.region_plus[f]) continue;
-    const FacePair* const face = find_face(mesh, sorted(claimed.candidates()[f]));
-    if (!face || !is_inner(*face)) continue;
-    const Index even = parts.find(face->even), odd = parts.find(face->odd);
-    small[f] = even != odd && std::min(volume[even], volume[odd]) < names.min_volume;
+  std::map<std::int32_t, double> largest;  // by region
+  for (Index c = 0; c < mesh.cells.size(); ++c) {
+    double& most = largest[mesh.file.region[c]];
+    most = std::max(most, volume[c]);
+  }
+  std::vector<bool> small(mesh.cells.size());
+  for (Index c = 0; c < mesh.cells.size(); ++c) {
+    const double own = volume[parts.find(c)];
+    small[c] = own < min_volume && own < largest[mesh.file.region[c]];
   }
   return small;
+}
+
+}  // namespace
+
+std::vector<SmallSides> sides_in_small_parts(const ClaimedFaces& claimed) {
+  std::vector<SmallSides> sides(claimed.candidates().size());
+  const ClaimedNames& names = claimed.claim().names;
+  if (!names.merges_small || !(names.min_volume > 0)) return sides;
+  const JudgedMesh& mesh = claimed.mesh();
+  const std::vector<bool> small = cells_of_small_parts(claimed, names.min_volume);
+  const FacesFile& faces = *claimed.faces();
+  for (Index f = 0; f < sides.size(); ++f) {
+    const FacePair* const face = find_face(mesh, sorted(claimed.candidates()[f]));
+    if (!face || !is_inner(*face)) continue;
+    const auto is_small_in = [&](std::int32_t region) {
+      return (mesh.file.region[face->even] == region && small[face->even]) ||
+             (mesh.file.region[face->odd] == region && small[face->odd]);
+    };
+    sides[f] = {is_small_in(faces.region_minus[f]), is_small_in(faces.region_plus[f])};
+  }
+  return sides;
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -9,9 +9,14 @@
 
 namespace geomesh::geomodel::checking {
 
-/// By face of claimed.candidates(): whether the face has one region on both sides and bounds a part of it that is
-/// smaller than ClaimedNames::min_volume. Parts are joined across faces of no surface. All false where no small region
-/// joins another one. Precondition: claimed.faces(). O(n log n) in the tetrahedra.
-std::vector<bool> faces_of_small_parts(const ClaimedFaces& claimed);
+/// Whether the cell on that side of a face is in a small part of its region.
+struct SmallSides {
+  bool minus = false, plus = false;
+};
+
+/// By face of claimed.candidates(). A part is small that is smaller than ClaimedNames::min_volume and not the largest
+/// of its region. Parts are joined across faces of no surface. None where no small region joins another one.
+/// Precondition: claimed.faces(). O(n log n) in the tetrahedra.
+std::vector<SmallSides> sides_in_small_parts(const ClaimedFaces& claimed);
 
 }  // namespace geomesh::geomodel::checking

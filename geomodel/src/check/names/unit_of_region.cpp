@@ -43,10 +43,10 @@ UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claim
 }
 
 /// The side of a horizon that a face shows to each of its regions: by the input triangle nearest to the face. A small
-/// part that joined a region of another unit gives it no second one.
+/// part that joined a region of another unit tells nothing of it.
 void UnitJudge::add_faces(double reach) {
   const FacesFile& faces = *claimed_.faces();
-  const std::vector<bool> bounds_small_part = faces_of_small_parts(claimed_);
+  const std::vector<SmallSides> in_small_part = sides_in_small_parts(claimed_);
   for (Index f = 0; f < claimed_.candidates().size(); ++f) {
     const Corners c = corners_of(claimed_, f);
     const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]), middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
@@ -69,11 +69,13 @@ void UnitJudge::add_faces(double reach) {
       if (best < least_cosine) continue;  // off its surface is a fault of its own
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
+      const auto [minus_is_small, plus_is_small] = in_small_part[f];
       if (lower == upper) {
-        if (!bounds_small_part[f]) contacts_[lower].both[h] += area;
+        if (!minus_is_small && !plus_is_small) contacts_[lower].both[h] += area;
       } else {
-        contacts_[lower].below[h] += area;
-        contacts_[upper].above[h] += area;
+        const bool lower_is_minus = agreement > 0;
+        if (!(lower_is_minus ? minus_is_small : plus_is_small)) contacts_[lower].below[h] += area;
+        if (!(lower_is_minus ? plus_is_small : minus_is_small)) contacts_[upper].above[h] += area;
       }
       TriangulatedSurface& left = left_[h];
       const auto first = static_cast<VertexIndex>(left.points.size());

@@ -304,7 +304,8 @@ bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) 
 }
 
 /// Where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh nearby. That is
-/// not asked where they pass no deeper than what is allowed.
+/// not asked where they pass no deeper than what is allowed. Nor is it where they touch: horizons that end on either
+/// side of a fault do at a point, but for rounding.
 void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
   const FollowedSurface &a = followed_[i], &b = followed_[j];
   const TriangleSet meeting = meeting_of(i, j);
@@ -317,6 +318,7 @@ void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Place
       const auto crossing = crossing_of(s, b.triangles()[row]);
       if (!crossing) return;
       const auto& [from, to] = *crossing;
+      if (dot(to - from, to - from) <= allowed_.rounding * allowed_.rounding) return;  // a point, but for rounding
       for (const double at : between) {
         const Vec3 p = from + at * (to - from);
         ++places.looked_at;
