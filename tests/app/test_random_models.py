@@ -258,8 +258,8 @@ output: {directory: out, formats: [vtu]}
 
     def test_the_judge_leaves_small_parts_and_touching_ends_out(self):
         """A small part of u2 had joined u3, whose name was judged by the part's upper horizon (1006825). Two horizons that end on either side of a
-        fault touched at a point, and a crossing was asked for (1006657)."""
-        self.assert_pass(1006825, 1006657, light=True)
+        fault touched at a point, and a crossing was asked for (1006657, 1008045). A region of 5e-34 m3 has no side of a horizon (1007814)."""
+        self.assert_pass(1006825, 1006657, 1008045, 1007814, light=True)
 
     def test_points_next_to_zero_are_no_finer_than_others(self):
         """An intersection 7e-16 m above the bottom of the box, beside a corner on it, left a sliver whose sides crossed (983864)."""

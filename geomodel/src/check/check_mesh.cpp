@@ -129,7 +129,7 @@ void judge_contract(const CheckRequest& request, const JudgedFiles& files, const
     check_wells_and_points(claimed, *curves, reach, result);
   }
   check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
-  check_region_names(claimed, reach, result);
+  check_region_names(claimed, {claim.within, rounding}, result);
   check_unit_arrays(claimed, result);
 }
 

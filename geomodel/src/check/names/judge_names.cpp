@@ -27,8 +27,8 @@ bool runs_along_source(const ClaimedFaces& claimed, Index face) {
 
 class NameJudge {
  public:
-  NameJudge(const ClaimedFaces& claimed, double reach)
-      : claimed_(claimed), judge_(claimed, reach), labels_(judge_.labels()) {}
+  NameJudge(const ClaimedFaces& claimed, const Allowed& allowed)
+      : claimed_(claimed), judge_(claimed, allowed), labels_(judge_.labels()) {}
 
   void check(CheckResult& result);
 
@@ -234,9 +234,9 @@ void NameJudge::check(CheckResult& result) {
 
 }  // namespace
 
-void check_region_names(const ClaimedFaces& claimed, double reach, CheckResult& result) {
+void check_region_names(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
   if (!claimed.faces() || !claimed.claim().named || claimed.mesh().file.region.empty()) return;
-  NameJudge(claimed, reach).check(result);
+  NameJudge(claimed, allowed).check(result);
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -29,8 +29,12 @@ bool holds(const std::vector<Index>& rows, Index row) { return std::find(rows.be
 
 }  // namespace
 
-LabelJudge::LabelJudge(const ClaimedFaces& claimed, double reach)
-    : claimed_(claimed), reach_(reach), units_(claimed, reach), places_(region_places(claimed.mesh(), n_samples)) {}
+LabelJudge::LabelJudge(const ClaimedFaces& claimed, const Allowed& allowed)
+    : claimed_(claimed),
+      reach_(allowed.both()),
+      least_volume_(allowed.rounding * allowed.rounding * allowed.rounding),
+      units_(claimed, allowed.both()),
+      places_(region_places(claimed.mesh(), n_samples)) {}
 
 std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& place) const {
   std::vector<Index> about;
@@ -99,6 +103,8 @@ std::map<std::int32_t, AllowedLabels> LabelJudge::labels() const {
       allowed.push_back(*body);
     } else if (!units_.given()) {
       allowed.push_back({});
+    } else if (place.volume <= least_volume_) {
+      continue;
     } else {
       for (const UnitVerdict& verdict : units_.judge(region, place)) {
         if (verdict.close) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "check/names/unit_of_region.hpp"
+#include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -25,7 +26,7 @@ using AllowedLabels = std::vector<RegionLabel>;
 
 class LabelJudge {
  public:
-  LabelJudge(const ClaimedFaces& claimed, double reach);
+  LabelJudge(const ClaimedFaces& claimed, const Allowed& allowed);
   std::map<std::int32_t, AllowedLabels> labels() const;
   const UnitJudge& units() const { return units_; }
   const std::map<std::int32_t, RegionPlace>& places() const { return places_; }
@@ -39,6 +40,7 @@ class LabelJudge {
 
   const ClaimedFaces& claimed_;
   double reach_;
+  double least_volume_;  ///< of a region of which a horizon can tell something: rounding makes smaller ones
   UnitJudge units_;
   std::map<std::int32_t, RegionPlace> places_;
 };

@@ -19,7 +19,8 @@ std::map<std::int32_t, RegionPlace> region_places(const JudgedMesh& mesh, std::s
   }
   std::map<std::int32_t, RegionPlace> places;
   for (auto& [region, list] : cells) {
-    RegionPlace place{mesh.point(mesh.cells[list[0].second][0]), {}, {}};
+    RegionPlace place;
+    place.least = mesh.point(mesh.cells[list[0].second][0]);
     place.greatest = place.least;
     const Vec3 from = place.least;
     double total = 0;
@@ -32,6 +33,7 @@ std::map<std::int32_t, RegionPlace> region_places(const JudgedMesh& mesh, std::s
       total += volume;
       moment = moment + volume * (centroid(mesh, mesh.cells[cell]) - from);
     }
+    place.volume = total / 6;
     place.centroid = total > 0 ? from + (1 / total) * moment : from;
     const std::size_t n = std::min(n_samples, list.size());
     std::partial_sort(

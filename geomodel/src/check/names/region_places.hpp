@@ -13,8 +13,9 @@
 namespace geomesh::geomodel::checking {
 
 struct RegionPlace {
-  Vec3 least, greatest;         ///< of its vertices, by x, then y, then z
-  Vec3 centroid;                ///< of its volume
+  Vec3 least, greatest;  ///< of its vertices, by x, then y, then z
+  Vec3 centroid;         ///< of its volume
+  double volume = 0;
   std::vector<Vec3> samples{};  ///< centroids of its largest tetrahedra, the largest first
 };
 
