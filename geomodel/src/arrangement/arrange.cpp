@@ -314,7 +314,7 @@ class Arrangement {
     if (!options_.box && bounds_) clip_to_volume(clip, ingested_.complex, ingested_, polylines_, points_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, bounds_}));
+    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, bounds_, true}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
@@ -388,7 +388,7 @@ class Arrangement {
   PairsToJoin pairs_;
   JoinRule join_rule_;  ///< of `tolerance`
   Joining joining_;
-  double first_rounding_ = 0;  ///< finer doubles, next to zero, keep no points apart that others would not
+  double first_rounding_ = 0;  ///< finer doubles, next to zero, keep no points off the sides of the box
 };
 
 }  // namespace

@@ -133,7 +133,22 @@ class Rounding {
   Vec3 place(Index v) {
     const Vec3& nearest = arranged_.vertices.rounded(v);
     const Vec3 p{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
-    return options_.snap == 0 ? p : anchors_.nearest_or_new(p, options_.box);
+    if (options_.snap == 0) return p;
+    if (!options_.onto_sides_alone || is_beside_side(p)) return anchors_.nearest_or_new(p, options_.box);
+    add_anchor(p);
+    return p;
+  }
+
+  /// Nearer to a side than the snapping distance, and not on it.
+  bool is_beside_side(const Vec3& p) const {
+    for (std::size_t i = 0; options_.box && i < 3; ++i)
+      for (const double side : {options_.box->min[i], options_.box->max[i]})
+        if (p[i] != side && std::fabs(p[i] - side) < options_.snap) return true;
+    return false;
+  }
+
+  void add_anchor(const Vec3& p) {
+    if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) anchors_.add(p);
   }
 
   void add_anchors() {
@@ -141,7 +156,7 @@ class Rounding {
     for (std::size_t f = 0; f < arranged_.facets.size(); ++f) {
       if (!arranged_.changed[f]) continue;
       for (const VertexIndex v : arranged_.facets[f])
-        if (!arranged_.vertices.is_made(v) && !std::exchange(seen[v], 1)) anchors_.add(arranged_.vertices.rounded(v));
+        if (!arranged_.vertices.is_made(v) && !std::exchange(seen[v], 1)) add_anchor(arranged_.vertices.rounded(v));
     }
   }
 

@@ -12,7 +12,8 @@ struct RoundingOptions {
   /// constructed point where one is nearer than this: crossings then bend to vertices that are there instead of making
   /// ever more of them (as hot pixels do in snap rounding: Hobby 1999).
   double snap = 0;
-  std::optional<Box3> box;  ///< points on its planes stay on them
+  std::optional<Box3> box;        ///< points on its planes stay on them
+  bool onto_sides_alone = false;  ///< only points off a plane of the box, but nearer to it than `snap`, go elsewhere
 };
 
 struct Rounded {
