@@ -9,15 +9,33 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
+int sides_at(const Vec3& p, const Box3& box) {
+  int n = 0;
+  for (std::size_t i = 0; i < 3; ++i) n += p[i] == box.min[i] || p[i] == box.max[i] ? 1 : 0;
+  return n;
+}
+
 /// Places that constructed points may snap to, in cells twice the snapping distance wide.
 class Anchors {
  public:
-  explicit Anchors(double snap) : snap_(snap) {}
-  void add(const Vec3& p) { cells_[cell_of(p)].push_back(p); }
+  explicit Anchors(const RoundingOptions& options) : options_(options), snap_(options.snap) {}
 
-  /// The nearest anchor closer than the snapping distance that keeps p on the box planes it lies on; else p, which
-  /// becomes an anchor.
-  Vec3 nearest_or_new(const Vec3& p, const std::optional<Box3>& box) {
+  void add(const Vec3& p) {
+    if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) cells_[cell_of(p)].push_back(p);
+  }
+
+  /// Where a constructed point goes; it becomes an anchor where it stays.
+  Vec3 place(const Vec3& p) {
+    if (snap_ == 0) return p;
+    const Vec3* const anchor = !options_.onto_sides_alone || is_beside_side(p) ? nearest(p) : nullptr;
+    if (anchor) return *anchor;
+    add(p);
+    return p;
+  }
+
+ private:
+  /// The nearest anchor closer than the snapping distance that keeps p on the box planes it lies on, or null.
+  const Vec3* nearest(const Vec3& p) const {
     const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;
     double best_distance = snap_;
@@ -27,35 +45,35 @@ class Anchors {
           const auto cell = cells_.find({x, y, z});
           if (cell == cells_.end()) continue;
           for (const Vec3& q : cell->second)
-            if (length(p - q) < best_distance && keeps_sides(p, q, box)) {
+            if (length(p - q) < best_distance && keeps_sides(p, q)) {
               best = &q;
               best_distance = length(p - q);
             }
         }
-    if (best) return *best;
-    add(p);
-    return p;
+    return best;
   }
 
- private:
   Vec3 cell_of(const Vec3& p) const {
     const double width = 2 * snap_;
     return {std::floor(p.x / width) + 0.0, std::floor(p.y / width) + 0.0, std::floor(p.z / width) + 0.0};
   }
-  static bool keeps_sides(const Vec3& p, const Vec3& q, const std::optional<Box3>& box) {
-    for (std::size_t i = 0; box && i < 3; ++i)
-      if ((p[i] == box->min[i] || p[i] == box->max[i]) && p[i] != q[i]) return false;
+  bool keeps_sides(const Vec3& p, const Vec3& q) const {
+    for (std::size_t i = 0; options_.box && i < 3; ++i)
+      if ((p[i] == options_.box->min[i] || p[i] == options_.box->max[i]) && p[i] != q[i]) return false;
     return true;
   }
+  /// Nearer to a side than the snapping distance, and not on it.
+  bool is_beside_side(const Vec3& p) const {
+    for (std::size_t i = 0; options_.box && i < 3; ++i)
+      for (const double side : {options_.box->min[i], options_.box->max[i]})
+        if (p[i] != side && std::fabs(p[i] - side) < snap_) return true;
+    return false;
+  }
+
+  const RoundingOptions& options_;
   double snap_;
   std::unordered_map<Vec3, std::vector<Vec3>, PointHash> cells_;
 };
-
-int sides_at(const Vec3& p, const Box3& box) {
-  int n = 0;
-  for (std::size_t i = 0; i < 3; ++i) n += p[i] == box.min[i] || p[i] == box.max[i] ? 1 : 0;
-  return n;
-}
 
 class Rounding {
  public:
@@ -63,7 +81,7 @@ class Rounding {
       : arranged_(arranged),
         before_(before),
         options_(options),
-        anchors_(options.snap),
+        anchors_(options),
         row_(arranged.vertices.size(), no_vertex) {}
 
   Rounded run() {
@@ -132,23 +150,7 @@ class Rounding {
 
   Vec3 place(Index v) {
     const Vec3& nearest = arranged_.vertices.rounded(v);
-    const Vec3 p{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
-    if (options_.snap == 0) return p;
-    if (!options_.onto_sides_alone || is_beside_side(p)) return anchors_.nearest_or_new(p, options_.box);
-    add_anchor(p);
-    return p;
-  }
-
-  /// Nearer to a side than the snapping distance, and not on it.
-  bool is_beside_side(const Vec3& p) const {
-    for (std::size_t i = 0; options_.box && i < 3; ++i)
-      for (const double side : {options_.box->min[i], options_.box->max[i]})
-        if (p[i] != side && std::fabs(p[i] - side) < options_.snap) return true;
-    return false;
-  }
-
-  void add_anchor(const Vec3& p) {
-    if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) anchors_.add(p);
+    return anchors_.place({nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0});
   }
 
   void add_anchors() {
@@ -156,7 +158,7 @@ class Rounding {
     for (std::size_t f = 0; f < arranged_.facets.size(); ++f) {
       if (!arranged_.changed[f]) continue;
       for (const VertexIndex v : arranged_.facets[f])
-        if (!arranged_.vertices.is_made(v) && !std::exchange(seen[v], 1)) add_anchor(arranged_.vertices.rounded(v));
+        if (!arranged_.vertices.is_made(v) && !std::exchange(seen[v], 1)) anchors_.add(arranged_.vertices.rounded(v));
     }
   }
 
