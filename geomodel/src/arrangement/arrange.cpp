@@ -314,7 +314,8 @@ class Arrangement {
     if (!options_.box && bounds_) clip_to_volume(clip, ingested_.complex, ingested_, polylines_, points_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, bounds_, true}));
+    return take(round_to_doubles(arranged, ingested_.complex,
+                                 {.snap = first_rounding_, .box = bounds_, .onto_sides_alone = true}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {

@@ -18,7 +18,7 @@ Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triang
   return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
-/// Of the length of the two other edges: the third edge of a notch is shorter.
+/// Of the length of the two other edges together: the third edge of a notch is shorter.
 constexpr double mouth_of_notch = 0.125;
 
 class Holes {

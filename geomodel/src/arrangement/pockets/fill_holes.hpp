@@ -10,7 +10,7 @@ namespace geomesh::geomodel::arrangement {
 /// Where three surfaces meet within the distance, a facet of one of them may vanish that stood before a facet of the
 /// two others. A surface that ends at all three edges of a facet lower than twice the distance has that facet too. So
 /// does one that ends at its two long edges: the third edge is no longer than twice the distance, and shorter than an
-/// eighth of them. Returns how many facets. Nothing moves. O(n log n).
+/// eighth of both together. Returns how many facets. Nothing moves. O(n log n).
 std::size_t fill_holes(Complex& complex, double distance);
 
 }  // namespace geomesh::geomodel::arrangement
