@@ -3,6 +3,7 @@
 import itertools
 import math
 
+from vtk_files import VtkArray
 
 CORRUPTIONS = {}
 
@@ -195,6 +196,36 @@ def an_attribute_of_another_value(m):
 @corruption("wrong_attributes")
 def an_attribute_lost(m):
     m.vtu.remove("CellData", "porosity")
+
+
+@corruption("wrong_cell_arrays")
+def shapes_of_two_cells_exchanged(m):
+    values = m.vtu["CellData", "min_dihedral"].values
+    exchange(values, 7, next(i for i, v in enumerate(values) if abs(v - values[7]) > 1e-3))
+
+
+@corruption("wrong_cell_arrays")
+def ratios_a_millionth_too_large(m):
+    values = m.vtu["CellData", "mean_ratio"].values
+    values[:] = [1.000001 * v for v in values]
+
+
+@corruption("wrong_cell_arrays")
+def an_aspect_that_is_no_number(m):
+    m.vtu["CellData", "aspect"].values[3] = math.nan
+
+
+@corruption("wrong_cell_arrays")
+def a_size_three_times_too_large(m):
+    """The plain mesh has no sizes: there they are zeros."""
+    if not m.vtu.has("CellData", "size"):
+        m.vtu.arrays.append(VtkArray("CellData", "size", "Float64", 1, [0.0] * len(m.region())))
+    m.vtu["CellData", "size"].values[11] *= 3
+
+
+@corruption("missing_cell_arrays")
+def an_array_of_shapes_lost(m):
+    m.vtu.remove("CellData", "radius_ratio")
 
 
 # ---- the face set
@@ -498,3 +529,34 @@ def a_volume_of_the_report_alone(m):
 @corruption("report_differs")
 def a_length_of_the_report_alone(m):
     m.report["curves"][0]["length"] *= 1.001
+
+
+@corruption("report_differs")
+def a_least_angle_of_the_report_alone(m):
+    m.report["quality"]["min_dihedral"] += 0.001
+
+
+@corruption("report_differs")
+def a_greatest_angle_of_a_region_in_the_report(m):
+    m.report["quality"]["regions"][1]["max_dihedral"]["max"] -= 0.001
+
+
+@corruption("report_differs")
+def a_histogram_of_the_report_with_one_element_more(m):
+    m.report["quality"]["whole"]["radius_ratio_histogram"][10] += 1
+
+
+@corruption("report_differs")
+def sharp_elements_not_counted(m):
+    m.report["quality"]["below_8_degrees"]["tetrahedra"] += 2
+
+
+@corruption("report_differs")
+def a_worst_element_elsewhere(m):
+    m.report["quality"]["worst"][4]["place"][1] += 1
+
+
+@corruption("report_differs")
+def the_worst_elements_are_others(m):
+    worst = m.report["quality"]["worst"]
+    worst[0]["tetrahedron"] = worst[1]["tetrahedron"]

@@ -3,6 +3,7 @@
 import os
 
 from geomesh_program import BAD_INPUT, CANNOT_MESH, USAGE, ProgramTest, box_surface, level, main, plane_ts, triangles_ts
+from vtk_files import VtkFile
 
 PROJECT = """name: model
 box: {min: [0, 0, 0], max: [10, 10, 10]}
@@ -194,6 +195,11 @@ class NoRoomForRecovery(ProgramTest):
             self.assertIn(name, printed)
             self.assertTrue(os.path.getsize(self.path(name)) > 500)
         self.assertFalse(os.path.exists(self.path("prism.vtu")))
+        place = VtkFile.read(self.path("prism.failed.vtp"))
+        n = [len(place[what, "offsets"].values) for what in ("Verts", "Lines", "Polys")]
+        self.assertTrue(n[1] > 0 and n[2] > 0)
+        self.assertEqual(place["CellData", "what"].values, [0] * n[0] + [1] * n[1] + [2] * n[2])
+        self.assertEqual(place["CellData", "surface"].values, [-1] * (n[0] + n[1]) + [0] * n[2], "vertices and edges are of no one surface")
 
 
 if __name__ == "__main__":

@@ -31,8 +31,10 @@ rules: {stack: keep}  # where the stack is settled small regions join others, an
 mesh: %s
 output: {directory: out, formats: [vtu]}
 """
-MESHES = {"plain": "{mode: constrained, refine: none}", "refined": "{size: 900, honour: exact, quality: fast}",
-          "within": "{size: 900, honour: tolerance, tolerance: 2, quality: fast}"}
+SHAPES = "min_dihedral, max_dihedral, radius_ratio, mean_ratio, aspect"
+MESHES = {"plain": "{mode: constrained, refine: none, cell_arrays: [%s]}" % SHAPES,
+          "refined": "{size: 900, honour: exact, quality: fast, cell_arrays: [size, %s]}" % SHAPES,
+          "within": "{size: 900, honour: tolerance, tolerance: 2, quality: fast, cell_arrays: [size, %s]}" % SHAPES}
 
 
 class Judge(ProgramTest):

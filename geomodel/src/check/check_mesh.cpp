@@ -131,6 +131,9 @@ void judge_contract(const CheckRequest& request, const JudgedFiles& files, const
   check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
   check_region_names(claimed, {claim.within, rounding}, result);
   check_unit_arrays(claimed, result);
+  const double ulp = unit_in_last_place(files.mesh.file);
+  check_cell_arrays(claimed, ulp, result);
+  if (const auto report = report_beside(request.mesh)) check_report_quality(files.mesh, *report, ulp, result);
 }
 
 /// Nine tenths of the model's volume are in tetrahedra whose longest edges are shorter. Where sizes are graded, few

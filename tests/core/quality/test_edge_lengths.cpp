@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edges of a mesh and their lengths, against a set of all of them.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -68,5 +69,42 @@ TEST_CASE("edges are measured once each, in the whole and in each group", "[qual
       for (Index g = 0; g < n_groups; ++g)
         CHECK(measured[1 + g].length == lengths_of(cells, [&](std::size_t t) { return cells.group[t] == g; }));
     }
+  }
+}
+
+TEST_CASE("edges are counted by length over the least size that their cells ask for", "[quality]") {
+  constexpr Index n_groups = 2, n_components = 3;
+  const Cells cells = random_cells(2, 60, 200, n_groups);
+  std::vector<Index> component;
+  for (std::size_t t = 0; t < cells.tetrahedra.size(); ++t) component.push_back(static_cast<Index>(t % n_components));
+  SizeField::Limits limits;
+  limits.component_size = {0.2, 0.7, 3};
+  const SizeField size({}, limits);
+
+  const auto counts_of = [&](const auto& asked) {
+    std::map<std::array<VertexIndex, 2>, double> least;  // by edge
+    for (std::size_t t = 0; t < cells.tetrahedra.size(); ++t)
+      for (std::size_t i = 0; i < 4 && asked(t); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const VertexIndex v = cells.tetrahedra[t][i], w = cells.tetrahedra[t][j];
+          double& here = least.try_emplace({std::min(v, w), std::max(v, w)}, 1e300).first->second;
+          here = std::min(here, limits.component_size[component[t]]);
+        }
+    std::array<std::size_t, 8> counts{};
+    for (const auto& [edge, asked_size] : least) {
+      const Vec3 d = cells.points[edge[1]] - cells.points[edge[0]];
+      const double ratio = std::sqrt(dot(d, d)) / asked_size;
+      const double bounds[] = {0.25, 0.5, std::sqrt(0.5), 1, std::sqrt(2.0), 2, 4};
+      ++counts[static_cast<std::size_t>(
+          std::count_if(std::begin(bounds), std::end(bounds), [&](double bound) { return ratio >= bound; }))];
+    }
+    return counts;
+  };
+  for (const unsigned threads : {1u, 2u}) {
+    const std::vector<EdgeLengths> measured =
+        measure_edges(cells.points, cells.tetrahedra, {component, cells.group, n_groups}, &size, threads);
+    CHECK(measured[0].by_size == counts_of([](std::size_t) { return true; }));
+    for (Index g = 0; g < n_groups; ++g)
+      CHECK(measured[1 + g].by_size == counts_of([&](std::size_t t) { return cells.group[t] == g; }));
   }
 }

@@ -48,3 +48,20 @@ TEST_CASE("The checker's orientation is exact to the last bit", "[check]") {
   const Vec3 u{0.1, 0.1, 0.1}, v{0.3, 0.3, 0.3}, w{0.7, 0.7, 0.7};  // a line, and so any fourth point
   CHECK(orientation(u, v, w, {5, -1, 2}) == Sign::zero);
 }
+
+TEST_CASE("The checker's orientation does not take three points in a plane along the axes for four", "[check]") {
+  // a, b and c have one coordinate in common, and lie on a line but for the last bit of one number.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int way : {-1, 0, 1}) {
+      const auto place = [&](double along, double u, double v) {
+        Vec3 p;
+        p[axis] = along;
+        p[(axis + 1) % 3] = u;
+        p[(axis + 2) % 3] = v;
+        return p;
+      };
+      const double last = way == 0 ? 0.7 : next(0.7, way);
+      const Sign due = way == 0 ? Sign::zero : way > 0 ? Sign::positive : Sign::negative;
+      CHECK(orientation(place(1, 0.1, 0.1), place(1, 0.3, 0.3), place(1, 0.7, last), place(2, 5, 5)) == due);
+    }
+}

@@ -9,6 +9,7 @@
 #include "rules/fault_ends.hpp"
 #include "rules/smeared_throw.hpp"
 #include "rules/throw/fault_crossings.hpp"
+#include "rules/throw/throw_ramp.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -256,4 +257,23 @@ TEST_CASE("a horizon whose sides tell another throw than its ramp keeps it, with
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("is not restored, and the ramps stay: what lies beside it gives a throw of") !=
         std::string::npos);
+}
+
+TEST_CASE("A ramp is as wide as the widest of a stretch and its neighbours, else as the nearest stretch",
+          "[smeared_throw]") {
+  Ramp ramp;
+  ramp.at = {{3, {1, 4}}, {4, {2, 2}}, {10, {5, 1}}};
+  const auto is = [&](long stretch, double below, double above) {
+    const RampWidth width = ramp.width(stretch);
+    CHECK(width.below == below);
+    CHECK(width.above == above);
+  };
+  is(2, 1, 4);
+  is(3, 2, 4);
+  is(4, 2, 4);
+  is(5, 2, 2);
+  is(6, 2, 2);  // beyond the neighbours
+  is(8, 5, 1);
+  is(11, 5, 1);
+  is(-100, 1, 4);
 }

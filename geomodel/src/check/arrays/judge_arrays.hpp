@@ -29,6 +29,15 @@ void check_patches(const ClaimedFaces& claimed, CheckResult& result);
 /// Groups and attributes of regions are those that the project gives (`wrong_groups`, `wrong_attributes`).
 void check_unit_arrays(const ClaimedFaces& claimed, CheckResult& result);
 
+/// Arrays of `mesh.cell_arrays` are there (`missing_cell_arrays`). Those of shapes, asked for or not, hold what the
+/// judge measures; sizes are lengths that do not jump inside a region (`wrong_cell_arrays`). `ulp`: the distance
+/// between neighbouring numbers at the mesh's largest coordinate.
+void check_cell_arrays(const ClaimedFaces& claimed, double ulp, CheckResult& result);
+
+/// What the report tells of the elements' shapes, of the whole and of each region, is what the judge measures
+/// (`report_differs`): extremes, histograms, counts of sharp elements, and the worst ones with their places.
+void check_report_quality(const JudgedMesh& mesh, const nlohmann::json& report, double ulp, CheckResult& result);
+
 /// What the report beside the mesh tells of regions, surfaces, curves and of displacement by rounding agrees with the
 /// mesh (`report_differs`). Nothing else is taken from it. `tolerance`: what rounding may have moved.
 void check_report(const ClaimedFaces& claimed, const JudgedCurves* curves, const nlohmann::json& report,

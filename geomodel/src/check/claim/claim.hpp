@@ -49,8 +49,10 @@ struct Claim {
   double merging = 0;            ///< what is nearer than this was brought together (the project's `tolerance`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
-  bool named = false;    ///< surfaces bear the names under which the faces file knows them
-  bool refined = false;  ///< points may have been added for sizes and shapes
+  bool named = false;                    ///< surfaces bear the names under which the faces file knows them
+  bool refined = false;                  ///< points may have been added for sizes and shapes
+  std::vector<std::string> cell_arrays;  ///< of sizes and shapes, as the project asks for them
+  double size_growth = 0;  ///< sizes asked in one region grow by no more per unit of distance; 0: not known
 
   std::vector<FaultZone> zones;  ///< opened once the rest was meshed
 

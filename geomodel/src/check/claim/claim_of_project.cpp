@@ -97,6 +97,13 @@ ClaimedNames names_of(const Project& project, const ProjectInputs& inputs) {
   return names;
 }
 
+/// The most that sizes asked in one region may grow per unit of distance; 0: they follow a grid or depth.
+double size_growth(const NamedSizes& sizes) {
+  constexpr double most_of_searches = 1;  // where a number of elements is asked for
+  if (!sizes.background.empty() || !sizes.by_depth.empty()) return 0;
+  return std::max(most_of_searches, sizes.base.gradation);
+}
+
 /// Of a regular tetrahedron with edges of this length.
 double volume_of_element(double edge) { return edge * edge * edge / (6 * std::sqrt(2.0)); }
 
@@ -141,6 +148,8 @@ Claim claim_of_project(const std::filesystem::path& file) {
   claim.merging = project.tolerance;
   claim.zones = project.output.options.fault_zones;
   claim.refined = refinement.refine;
+  claim.cell_arrays = refinement.cell_arrays;
+  claim.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
     claim.within = refinement.tolerance;  // not together with crs.z_scale
   claim.within_by_count =

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shapes for the judge, declared in check/arrays/judged_shape.hpp.
+#include "check/arrays/judged_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace geomesh::geomodel::checking {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+/// Ulps by which sums of products of coordinates may be off, here and in the mesher.
+constexpr double ulps_of_products = 64;
+/// What double arithmetic costs besides.
+constexpr double agreement = 1e-9;
+
+double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
+
+/// Corners of an edge, then the other two.
+constexpr std::array<std::array<int, 4>, 6> edges{
+    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+
+/// Between what is left of the ways to `k` and to `l` once the part along the edge is taken out, in degrees.
+double angle_at_edge(const Vec3& along, const Vec3& k, const Vec3& l) {
+  const double square = dot(along, along);
+  const Vec3 u = k - (dot(k, along) / square) * along, v = l - (dot(l, along) / square) * along;
+  return std::atan2(length_of(cross(u, v)), dot(u, v)) * degrees;
+}
+
+/// The circumcentre solves (p - a) . (c - a) = |p - a|^2 / 2 for the other three corners.
+double circumradius(const Vec3& u, const Vec3& v, const Vec3& w, double six_volumes) {
+  const Vec3 sum = dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
+  return length_of((0.5 / six_volumes) * sum);
+}
+
+}  // namespace
+
+double JudgedShape::slack_of_angles() const { return agreement * 180 + turn * degrees; }
+double JudgedShape::slack_of_ratios() const { return agreement + 4 * turn; }
+double JudgedShape::slack_of_lengths() const { return agreement * longest_edge + 4 * ulp; }
+
+JudgedShape judged_shape(const std::array<Vec3, 4>& p, double ulp) {
+  JudgedShape s{};
+  s.ulp = ulp;
+  s.min_dihedral = 180;
+  s.shortest_edge = std::numeric_limits<double>::infinity();
+  double squares = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto [i, j, k, l] = edges[e];
+    const Vec3 along = p[j] - p[i];
+    s.dihedral[e] = angle_at_edge(along, p[k] - p[i], p[l] - p[i]);
+    s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);
+    s.max_dihedral = std::max(s.max_dihedral, s.dihedral[e]);
+    s.shortest_edge = std::min(s.shortest_edge, length_of(along));
+    s.longest_edge = std::max(s.longest_edge, length_of(along));
+    squares += dot(along, along);
+  }
+  const Vec3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
+  const double six_volumes = std::abs(dot(u, cross(v, w)));
+  if (!(six_volumes > 0)) {  // in floats
+    s.turn = std::numeric_limits<double>::infinity();
+    return s;
+  }
+  double area = 0, largest = 0;
+  for (const double twice : {length_of(cross(u, v)), length_of(cross(v, w)), length_of(cross(w, u)),
+                             length_of(cross(p[2] - p[1], p[3] - p[1]))}) {
+    area += twice / 2;
+    largest = std::max(largest, twice / 2);
+  }
+  const double least_height = six_volumes / (2 * largest);
+  s.turn = ulps_of_products * ulp / least_height;
+  s.radius_ratio = 3 * (six_volumes / (2 * area)) / circumradius(u, v, w, six_volumes);
+  s.aspect = least_height / (std::sqrt(2.0 / 3) * s.longest_edge);
+  s.mean_ratio = 12 * std::cbrt(six_volumes * six_volumes / 4) / squares;
+  return s;
+}
+
+JudgedShape judged_shape(const JudgedMesh& mesh, const Tetrahedron& cell, double ulp) {
+  return judged_shape({mesh.point(cell[0]), mesh.point(cell[1]), mesh.point(cell[2]), mesh.point(cell[3])}, ulp);
+}
+
+}  // namespace geomesh::geomodel::checking
