@@ -11,8 +11,11 @@ namespace geomesh::geomodel::checking {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-/// Ulps by which sums of products of coordinates may be off, here and in the mesher.
-constexpr double ulps_of_products = 64;
+/// Ulps of coordinates by which corners may be off for others.
+constexpr double ulps_of_corners = 64;
+/// By which sums of products of edges may be off, here and in the mesher, relative to products of the longest edge. It
+/// counts for needles, whose faces and volumes are much smaller than these.
+constexpr double epsilons_of_products = 32;
 /// What double arithmetic costs besides.
 constexpr double agreement = 1e-9;
 
@@ -59,18 +62,21 @@ JudgedShape judged_shape(const std::array<Vec3, 4>& p, double ulp) {
   }
   const Vec3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
   const double six_volumes = std::abs(dot(u, cross(v, w)));
-  if (!(six_volumes > 0)) {  // in floats
-    s.turn = std::numeric_limits<double>::infinity();
-    return s;
-  }
-  double area = 0, largest = 0;
+  double area = 0, largest = 0, smallest = std::numeric_limits<double>::infinity();
   for (const double twice : {length_of(cross(u, v)), length_of(cross(v, w)), length_of(cross(w, u)),
                              length_of(cross(p[2] - p[1], p[3] - p[1]))}) {
     area += twice / 2;
     largest = std::max(largest, twice / 2);
+    smallest = std::min(smallest, twice / 2);
+  }
+  const double of_products =
+      epsilons_of_products * std::numeric_limits<double>::epsilon() * s.longest_edge * s.longest_edge;
+  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // floats tell nothing
+    s.turn = std::numeric_limits<double>::infinity();
+    return s;
   }
   const double least_height = six_volumes / (2 * largest);
-  s.turn = ulps_of_products * ulp / least_height;
+  s.turn = ulps_of_corners * ulp / least_height + of_products * s.longest_edge / six_volumes + of_products / smallest;
   s.radius_ratio = 3 * (six_volumes / (2 * area)) / circumradius(u, v, w, six_volumes);
   s.aspect = least_height / (std::sqrt(2.0 / 3) * s.longest_edge);
   s.mean_ratio = 12 * std::cbrt(six_volumes * six_volumes / 4) / squares;
