@@ -542,6 +542,11 @@ def a_greatest_angle_of_a_region_in_the_report(m):
 
 
 @corruption("report_differs")
+def a_mean_of_the_report_alone(m):
+    m.report["quality"]["regions"][0]["mean_ratio"]["mean"] *= 1.00001
+
+
+@corruption("report_differs")
 def a_histogram_of_the_report_with_one_element_more(m):
     m.report["quality"]["whole"]["radius_ratio_histogram"][10] += 1
 

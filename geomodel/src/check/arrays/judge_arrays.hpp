@@ -35,7 +35,7 @@ void check_unit_arrays(const ClaimedFaces& claimed, CheckResult& result);
 void check_cell_arrays(const ClaimedFaces& claimed, double ulp, CheckResult& result);
 
 /// What the report tells of the elements' shapes, of the whole and of each region, is what the judge measures
-/// (`report_differs`): extremes, histograms, counts of sharp elements, and the worst ones with their places.
+/// (`report_differs`): extremes, means, histograms, counts of sharp elements, and the worst ones with their places.
 void check_report_quality(const JudgedMesh& mesh, const nlohmann::json& report, double ulp, CheckResult& result);
 
 /// What the report beside the mesh tells of regions, surfaces, curves and of displacement by rounding agrees with the

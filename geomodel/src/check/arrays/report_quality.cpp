@@ -64,6 +64,25 @@ class Bins {
   double width_;
 };
 
+/// A mean of values that are each uncertain, by no more than the range that they come from.
+class Mean {
+ public:
+  explicit Mean(double range) : range_(range) {}
+  void add(double value, double slack) {
+    sum_ += value;
+    slack_ += std::min(slack, range_);
+    ++n_;
+  }
+  Between between() const {
+    const double n = static_cast<double>(n_);
+    return {(sum_ - slack_) / n, (sum_ + slack_) / n};
+  }
+
+ private:
+  double range_, sum_ = 0, slack_ = 0;
+  std::size_t n_ = 0;
+};
+
 /// Below so many degrees elements are counted and listed.
 constexpr double sharp = 8;
 
@@ -72,6 +91,7 @@ struct Shapes {
   std::size_t n = 0, n_sharp = 0, n_sharp_at_most = 0;
   Between min_dihedral = above_all, max_dihedral = below_all, min_radius_ratio = above_all, shortest = above_all,
           longest = below_all;
+  Mean mean_min_dihedral{180}, mean_max_dihedral{180}, mean_radius_ratio{1}, mean_mean_ratio{1}, mean_aspect{1};
   Bins least_angles{18, 5}, angles{36, 5}, radius_ratios{20, 0.05};
 
   void add(const JudgedShape& s) {
@@ -82,6 +102,11 @@ struct Shapes {
     min_dihedral.make_least(s.min_dihedral, of_angles);
     max_dihedral.make_greatest(s.max_dihedral, of_angles);
     min_radius_ratio.make_least(s.radius_ratio, of_ratios);
+    mean_min_dihedral.add(s.min_dihedral, of_angles);
+    mean_max_dihedral.add(s.max_dihedral, of_angles);
+    mean_radius_ratio.add(s.radius_ratio, of_ratios);
+    mean_mean_ratio.add(s.mean_ratio, of_ratios);
+    mean_aspect.add(s.aspect, of_ratios);
     shortest.make_least(s.shortest_edge, s.slack_of_lengths());
     longest.make_greatest(s.longest_edge, s.slack_of_lengths());
     least_angles.add(s.min_dihedral, of_angles);
@@ -104,6 +129,11 @@ bool agree(const json& told, const Shapes& due) {
   return is_count(at(told, "/tetrahedra"), due.n, due.n) && is_in(at(told, "/min_dihedral/min"), due.min_dihedral) &&
          is_in(at(told, "/max_dihedral/max"), due.max_dihedral) &&
          is_in(at(told, "/radius_ratio/min"), due.min_radius_ratio) &&
+         is_in(at(told, "/min_dihedral/mean"), due.mean_min_dihedral.between()) &&
+         is_in(at(told, "/max_dihedral/mean"), due.mean_max_dihedral.between()) &&
+         is_in(at(told, "/radius_ratio/mean"), due.mean_radius_ratio.between()) &&
+         is_in(at(told, "/mean_ratio/mean"), due.mean_mean_ratio.between()) &&
+         is_in(at(told, "/aspect/mean"), due.mean_aspect.between()) &&
          is_in(at(told, "/edge_length/min"), due.shortest) && is_in(at(told, "/edge_length/max"), due.longest) &&
          due.least_angles.agrees(at(told, "/min_dihedral_histogram")) &&
          due.angles.agrees(at(told, "/dihedral_histogram")) &&
@@ -119,6 +149,16 @@ bool agree_on_whole(const json& quality, const Shapes& due) {
          due.angles.agrees(at(quality, "/dihedral_histogram")) &&
          due.radius_ratios.agrees(at(quality, "/radius_ratio_histogram")) &&
          is_count(at(quality, "/below_8_degrees/tetrahedra"), due.n_sharp, due.n_sharp_at_most);
+}
+
+/// Of a mesh made on ranks: docs/ranks-report.schema.json.
+bool agree_on_parts(const json& quality, const Shapes& due) {
+  return is_in(at(quality, "/min_dihedral/min"), due.min_dihedral) &&
+         is_in(at(quality, "/min_dihedral/mean"), due.mean_min_dihedral.between()) &&
+         is_in(at(quality, "/max_dihedral"), due.max_dihedral) &&
+         is_in(at(quality, "/radius_ratio/min"), due.min_radius_ratio) &&
+         is_in(at(quality, "/radius_ratio/mean"), due.mean_radius_ratio.between()) &&
+         is_in(at(quality, "/mean_ratio"), due.mean_mean_ratio.between());
 }
 
 /// An element of the list of the worst: its row, angles, place and region.
@@ -138,6 +178,26 @@ bool agree_on_element(const JudgedMesh& mesh, const json& told, double ulp) {
          at(told, "/region") == json(mesh.file.region[c]);
 }
 
+struct MeasuredShapes {
+  const Shapes& whole;
+  const std::map<std::int32_t, Shapes>& regions;
+  double ulp;
+};
+
+/// Of a mesh made in one process: docs/report.schema.json.
+void compare(const JudgedMesh& mesh, const json& quality, const MeasuredShapes& due, FaultCollector& differs) {
+  if (!agree_on_whole(quality, due.whole)) differs.add(0, {});
+  const json& told = at(quality, "/regions");
+  for (const auto& [id, shapes] : due.regions) {
+    const auto is_of_region = [id = id](const json& entry) { return at(entry, "/region") == json(id); };
+    const auto entry = told.is_array() ? std::find_if(told.begin(), told.end(), is_of_region) : told.end();
+    if (entry == told.end() || !agree(*entry, shapes)) differs.add(static_cast<std::size_t>(id), {});
+  }
+  if (const json& worst = at(quality, "/worst"); worst.is_array())
+    for (const json& element : worst)
+      if (!agree_on_element(mesh, element, due.ulp)) differs.add(0, {});
+}
+
 }  // namespace
 
 void check_report_quality(const JudgedMesh& mesh, const json& report, double ulp, CheckResult& result) {
@@ -151,16 +211,11 @@ void check_report_quality(const JudgedMesh& mesh, const json& report, double ulp
     regions[mesh.file.region[c]].add(shape);
   }
   FaultCollector differs("report_differs");
-  if (!agree_on_whole(quality, whole)) differs.add(0, {});
-  const json& told = at(quality, "/regions");
-  for (const auto& [id, shapes] : regions) {
-    const auto is_of_region = [id = id](const json& entry) { return at(entry, "/region") == json(id); };
-    const auto entry = told.is_array() ? std::find_if(told.begin(), told.end(), is_of_region) : told.end();
-    if (entry == told.end() || !agree(*entry, shapes)) differs.add(static_cast<std::size_t>(id), {});
+  if (at(quality, "/min_dihedral").is_object()) {
+    if (!agree_on_parts(quality, whole)) differs.add(0, {});
+  } else {
+    compare(mesh, quality, {whole, regions, ulp}, differs);
   }
-  if (const json& worst = at(quality, "/worst"); worst.is_array())
-    for (const json& element : worst)
-      if (!agree_on_element(mesh, element, ulp)) differs.add(0, {});
   differs.report(result, "entries of the report's quality are not what the elements of the mesh are");
   result.checks_done.emplace_back("the report's shapes of elements are those of the mesh");
 }
