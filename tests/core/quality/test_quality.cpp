@@ -301,3 +301,45 @@ TEST_CASE("A gap between two segments is as wide as between these, however they 
   m.mesh.points[4].y = 0.3, m.mesh.points[9].y = -0.3;
   CHECK(explained(m, options).cause == ShapeCause::free);
 }
+
+TEST_CASE("The shape of a needle is told from its short edges", "[quality]") {
+  // Three corners as near to each other as doubles are, and one 100 m away: seen from that one rounding is all there
+  // is.
+  const double delta = std::ldexp(1.0, -42);
+  const Vec3 o{1000.25, 2000.5, -500};
+  const std::array<Vec3, 4> p{o, o + Vec3{delta, 0, 0}, o + Vec3{0, delta, 0}, o + Vec3{0, 0, 100}};
+  constexpr std::array<std::array<unsigned, 4>, 4> orders{{{0, 1, 2, 3}, {3, 1, 0, 2}, {1, 3, 0, 2}, {2, 3, 1, 0}}};
+  for (const auto& at : orders) {
+    std::array<Vec3, 4> q{p[at[0]], p[at[1]], p[at[2]], p[at[3]]};
+    if (orient3d(q[0], q[1], q[2], q[3]) != Sign::positive) std::swap(q[2], q[3]);
+    const TetrahedronShape s = tetrahedron_shape(q[0], q[1], q[2], q[3]);
+    CHECK(s.volume == Approx(delta * delta * 100 / 6).epsilon(1e-9));
+    CHECK(s.min_dihedral == Approx(45).epsilon(1e-9));
+    CHECK(s.max_dihedral == Approx(90).epsilon(1e-9));
+    // Inscribed in a prism about the triangle, in a circle about the length.
+    CHECK(s.radius_ratio == Approx(3 * delta * (1 - std::sqrt(0.5)) / 50).epsilon(1e-6));
+    for (unsigned e = 0; e < 6; ++e) {
+      const auto [i, j] = edge_vertices[e];
+      const Vec3 way = q[j] - q[i];
+      const bool is_long = dot(way, way) > 1;
+      CHECK((is_long || std::abs(s.dihedral[e] - 90) < 1e-6));
+    }
+  }
+}
+
+TEST_CASE("Ratios of needles are never above 1", "[quality]") {
+  std::mt19937 random(7);
+  const auto ulps = [&] { return std::ldexp(static_cast<double>(random() % 5), -43); };
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3 o{362, 629, -102}, far{318 + random() / 4e9, 640 + random() / 4e9, -141 + random() / 4e9};
+    std::array<Vec3, 4> q{far, o, o, o};
+    for (unsigned i = 1; i < 4; ++i) q[i] = o + Vec3{ulps(), ulps(), ulps()};
+    if (orient3d(q[0], q[1], q[2], q[3]) == Sign::negative) std::swap(q[2], q[3]);
+    if (orient3d(q[0], q[1], q[2], q[3]) != Sign::positive) continue;
+    const TetrahedronShape s = tetrahedron_shape(q[0], q[1], q[2], q[3]);
+    CHECK(s.volume > 0);
+    CHECK((s.radius_ratio >= 0 && s.radius_ratio < 1e-6));
+    CHECK((s.mean_ratio >= 0 && s.mean_ratio < 1e-3));
+    CHECK(s.min_dihedral < 75);
+  }
+}

@@ -38,7 +38,7 @@ struct DihedralRange {
   double least = 0, greatest = 0;  ///< degrees
 };
 
-/// The least and greatest of tetrahedron_shape's dihedral angles, in about a third of its time. O(1).
+/// As tetrahedron_shape's angles, in a third of its time; 0 and 180 for a needle whose volume rounding hides. O(1).
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 struct Distribution {

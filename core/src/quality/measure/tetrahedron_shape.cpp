@@ -37,11 +37,16 @@ std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
 
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = dot(cross(b - a, c - a), d - a);
-  if (!(det > 0)) {
-    const TetrahedronShape s = tetrahedron_shape(a, b, c, d);
-    return {s.min_dihedral, s.max_dihedral};
-  }
   const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
+  if (!(det > 0)) {               // flat
+    DihedralRange range{180, 0};  // least, greatest
+    for (unsigned e = 0; e < 6; ++e) {
+      const auto [k, l] = edge_vertices[5 - e];
+      const double angle = dot(n[k], n[l]) > 0 ? 180.0 : 0.0;
+      range = {std::min(range.least, angle), std::max(range.greatest, angle)};
+    }
+    return range;
+  }
   Turned least, greatest;
   for (unsigned e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertices[e];
@@ -53,9 +58,12 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
   return {least.degrees(), greatest.degrees()};
 }
 
-TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+namespace {
+
+/// `n`: inward_normals(p), or more careful ones. The volume is that seen from the first corner.
+TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& n) {
   TetrahedronShape s{};
-  const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
+  const Vec3 &a = p[0], &b = p[1], &c = p[2], &d = p[3];
   const double det = dot(cross(b - a, c - a), d - a);
   s.volume = det / 6;
   double area = 0, largest = 0;
@@ -89,10 +97,70 @@ TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, 
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double circumradius =
       length(dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v)) / (2 * det);
-  s.radius_ratio = 3 * (3 * s.volume / area) / circumradius;
+  s.radius_ratio = std::min(1.0, 3 * (3 * s.volume / area) / circumradius);
   s.aspect = (3 * s.volume / largest) / (s.longest_edge * std::sqrt(2.0 / 3.0));
   s.mean_ratio = 12 * std::cbrt(9 * s.volume * s.volume) / squares;
   return s;
+}
+
+/// The edge between two corners, by its row.
+unsigned edge_between(unsigned i, unsigned j) {
+  unsigned e = 0;
+  while (!(edge_vertices[e][0] == std::min(i, j) && edge_vertices[e][1] == std::max(i, j))) ++e;
+  return e;
+}
+
+/// As inward_normals, each by the two shorter edges of its face: products of long edges would hide the area of a
+/// needle.
+std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
+  std::array<Vec3, 4> n;
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto& f = face_vertices[i];
+    unsigned first = 0;  // opposite to the longest edge
+    double longest = 0;
+    for (unsigned k = 0; k < 3; ++k)
+      if (const double edge = distance(p[f[(k + 1) % 3]], p[f[(k + 2) % 3]]); edge > longest) {
+        longest = edge;
+        first = k;
+      }
+    const Vec3 &o = p[f[first]], &q = p[f[(first + 1) % 3]], &r = p[f[(first + 2) % 3]];
+    n[i] = cross(q - o, r - o);
+  }
+  return n;
+}
+
+/// Of corners of which some are much nearer to each other than to the rest: seen from the one with the shortest edges.
+TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
+  constexpr std::array<std::array<unsigned, 4>, 4> even_orders{
+      {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
+  const auto reach = [&](unsigned i) {
+    double sum = 0;
+    for (const Vec3& q : p) sum += distance(p[i], q);
+    return sum;
+  };
+  unsigned nearest = 0;
+  for (unsigned i = 1; i < 4; ++i)
+    if (reach(i) < reach(nearest)) nearest = i;
+  const std::array<unsigned, 4>& order = even_orders[nearest];
+  const std::array<Vec3, 4> turned{p[order[0]], p[order[1]], p[order[2]], p[order[3]]};
+  const TetrahedronShape seen = shape_of(turned, careful_normals(turned));
+  TetrahedronShape s = seen;
+  for (unsigned e = 0; e < 6; ++e)
+    s.dihedral[edge_between(order[edge_vertices[e][0]], order[edge_vertices[e][1]])] = seen.dihedral[e];
+  for (unsigned i = 0; i < 4; ++i) s.solid_angle[order[i]] = seen.solid_angle[i];
+  return s;
+}
+
+/// Of the cube of the longest edge: below it rounding could decide six volumes that are seen from any corner.
+constexpr double needle_share = 1e-9;
+
+}  // namespace
+
+TetrahedronShape tetrahedron_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const std::array<Vec3, 4> p{a, b, c, d};
+  const TetrahedronShape s = shape_of(p, inward_normals(p));
+  const double cube = s.longest_edge * s.longest_edge * s.longest_edge;
+  return std::abs(6 * s.volume) > needle_share * cube ? s : shape_of_needle(p);
 }
 
 }  // namespace geomesh
