@@ -9,7 +9,9 @@ import os
 import shutil
 import subprocess
 
-from corruptions import CORRUPTIONS
+import corruptions_of_geometry  # noqa: F401  they register themselves
+import corruptions_of_values  # noqa: F401
+from corruption import CORRUPTIONS
 from geomesh_program import BAD_INPUT, DONE, PROGRAM, SOURCE, ProgramTest, level, main, plane_ts, triangles_ts
 from judged_model import Model
 

@@ -33,33 +33,6 @@ std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-}  // namespace
-
-DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const double det = dot(cross(b - a, c - a), d - a);
-  const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
-  if (!(det > 0)) {               // flat
-    DihedralRange range{180, 0};  // least, greatest
-    for (unsigned e = 0; e < 6; ++e) {
-      const auto [k, l] = edge_vertices[5 - e];
-      const double angle = dot(n[k], n[l]) > 0 ? 180.0 : 0.0;
-      range = {std::min(range.least, angle), std::max(range.greatest, angle)};
-    }
-    return range;
-  }
-  Turned least, greatest;
-  for (unsigned e = 0; e < 6; ++e) {
-    const auto [i, j] = edge_vertices[e];
-    const auto [k, l] = edge_vertices[5 - e];
-    const Turned angle{det * distance(p[i], p[j]), -dot(n[k], n[l])};
-    if (e == 0 || angle.is_less_than(least)) least = angle;
-    if (e == 0 || greatest.is_less_than(angle)) greatest = angle;
-  }
-  return {least.degrees(), greatest.degrees()};
-}
-
-namespace {
-
 /// `n`: inward_normals(p), or more careful ones. The volume is that seen from the first corner.
 TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& n) {
   TetrahedronShape s{};
@@ -102,6 +75,28 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
   s.mean_ratio = 12 * std::cbrt(9 * s.volume * s.volume) / squares;
   return s;
 }
+
+}  // namespace
+
+DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double det = dot(cross(b - a, c - a), d - a);
+  const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
+  if (!(det > 0)) {  // flat, or a needle
+    const TetrahedronShape s = shape_of(p, n);
+    return {s.min_dihedral, s.max_dihedral};
+  }
+  Turned least, greatest;
+  for (unsigned e = 0; e < 6; ++e) {
+    const auto [i, j] = edge_vertices[e];
+    const auto [k, l] = edge_vertices[5 - e];
+    const Turned angle{det * distance(p[i], p[j]), -dot(n[k], n[l])};
+    if (e == 0 || angle.is_less_than(least)) least = angle;
+    if (e == 0 || greatest.is_less_than(angle)) greatest = angle;
+  }
+  return {least.degrees(), greatest.degrees()};
+}
+
+namespace {
 
 /// The edge between two corners, by its row.
 unsigned edge_between(unsigned i, unsigned j) {

@@ -125,6 +125,12 @@ bool is_in(const json& told, const Between& due) {
   return told.is_number() && told.get<double>() >= due.low && told.get<double>() <= due.high;
 }
 
+bool histograms_agree(const json& told, const Shapes& due) {
+  return due.least_angles.agrees(at(told, "/min_dihedral_histogram")) &&
+         due.angles.agrees(at(told, "/dihedral_histogram")) &&
+         due.radius_ratios.agrees(at(told, "/radius_ratio_histogram"));
+}
+
 bool agree(const json& told, const Shapes& due) {
   return is_count(at(told, "/tetrahedra"), due.n, due.n) && is_in(at(told, "/min_dihedral/min"), due.min_dihedral) &&
          is_in(at(told, "/max_dihedral/max"), due.max_dihedral) &&
@@ -135,19 +141,14 @@ bool agree(const json& told, const Shapes& due) {
          is_in(at(told, "/mean_ratio/mean"), due.mean_mean_ratio.between()) &&
          is_in(at(told, "/aspect/mean"), due.mean_aspect.between()) &&
          is_in(at(told, "/edge_length/min"), due.shortest) && is_in(at(told, "/edge_length/max"), due.longest) &&
-         due.least_angles.agrees(at(told, "/min_dihedral_histogram")) &&
-         due.angles.agrees(at(told, "/dihedral_histogram")) &&
-         due.radius_ratios.agrees(at(told, "/radius_ratio_histogram"));
+         histograms_agree(told, due);
 }
 
 /// What the report tells of the whole besides its statistics.
 bool agree_on_whole(const json& quality, const Shapes& due) {
   return agree(at(quality, "/whole"), due) && is_in(at(quality, "/min_dihedral"), due.min_dihedral) &&
          is_in(at(quality, "/max_dihedral"), due.max_dihedral) &&
-         is_in(at(quality, "/min_radius_ratio"), due.min_radius_ratio) &&
-         due.least_angles.agrees(at(quality, "/min_dihedral_histogram")) &&
-         due.angles.agrees(at(quality, "/dihedral_histogram")) &&
-         due.radius_ratios.agrees(at(quality, "/radius_ratio_histogram")) &&
+         is_in(at(quality, "/min_radius_ratio"), due.min_radius_ratio) && histograms_agree(quality, due) &&
          is_count(at(quality, "/below_8_degrees/tetrahedra"), due.n_sharp, due.n_sharp_at_most);
 }
 
