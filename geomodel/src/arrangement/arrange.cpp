@@ -2,16 +2,16 @@
 // The driver of the arrangement, declared in geomesh/geomodel/arrangement.hpp.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
-#include "arrangement/diagnosis/near_surfaces.hpp"
+#include "arrangement/join_input.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
 #include "arrangement/pockets/cut_flaps.hpp"
 #include "arrangement/pockets/fill_holes.hpp"
 #include "arrangement/snap/flatten_slivers.hpp"
-#include "arrangement/snap/join_patches.hpp"
 #include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
@@ -30,32 +30,13 @@ void check_box(const Box3& box) {
       throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
 }
 
-double unit_in_the_last_place(const Complex& complex) {
-  double largest = 0;
-  for (const Vec3& p : complex.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
-}
-
 /// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
 double mending_distance(const Complex& complex, unsigned round) {
   return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
 
-/// Of `tolerance`: surfaces that follow each other as near are one surface given twice.
-constexpr double twin_share = 0.01;
 /// Surfaces that lie in each other are a few ulps apart.
 constexpr double joining_ulps = 32;
-
-/// A point may move once a step: the sum of the largest bounds it.
-void add(const Displacement& more, Displacement& total) {
-  if (more.largest > total.largest) total.where = more.where;
-  total.largest += more.largest;
-  const auto n = static_cast<double>(total.points_moved + more.points_moved);
-  if (n > 0)
-    total.mean =
-        (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
-  total.points_moved += more.points_moved;
-}
 
 void close_thin_pockets(Complex& complex, const ArrangementOptions& options, const SurfaceList& surfaces,
                         ArrangementResult::Merging& merging) {
@@ -140,24 +121,6 @@ PolygonSoup soup_of(Complex&& complex) {
   return soup;
 }
 
-/// What joins besides surfaces that meet where one of them ends.
-struct PairsToJoin {
-  std::set<SurfacePair> wherever_near;  ///< given twice
-  std::set<SurfacePair> where_they_end;
-};
-
-/// What was given twice is told.
-PairsToJoin pairs_to_join(const std::vector<TriangulatedSurface>& surfaces, double tolerance,
-                          std::vector<std::string>& warnings) {
-  const double nearest = twin_share * tolerance;
-  const NearSurfaces near = near_surfaces(surfaces, nearest, tolerance);
-  const auto words = [&](Index s) { return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name; };
-  for (const auto& [a, b] : near.twins)
-    warnings.push_back(words(a) + " and " + words(b) + " follow each other nearer than " + short_words(nearest) +
-                       ": they are meshed as one where they do (honour: exact keeps them apart)");
-  return {{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}};
-}
-
 std::vector<std::uint8_t> all_facets(const Complex& complex) {
   return std::vector<std::uint8_t>(complex.facets.size(), 1);
 }
@@ -177,21 +140,22 @@ std::optional<Box3> bounds_of(const ArrangementOptions& options) {
   return bounds;
 }
 
-std::vector<std::uint8_t> are_faults(const std::vector<TriangulatedSurface>& surfaces) {
-  std::vector<std::uint8_t> are;
-  for (const TriangulatedSurface& s : surfaces) are.push_back(s.kind == SurfaceKind::fault);
-  return are;
-}
-
-/// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
-JoinRule join_rule_of(const SurfaceList& surfaces, const ArrangementOptions& options, const PairsToJoin& pairs,
-                      const Complex& complex, const Contacts& contacts) {
-  const Index first_fixed = options.box ? no_index : static_cast<Index>(surfaces.given.size());
-  if (options.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
-  JoinRule rule(surfaces_that_meet(complex, contacts), first_fixed);
-  rule.join_all_of(pairs.wherever_near);
-  rule.join_ends_of(pairs.where_they_end);
-  return rule;
+/// The planes of the bounds in which triangles of sides lie; others are as far away as can be. The creases of a turned
+/// box touch its bounds.
+std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, const std::optional<Box3>& bounds) {
+  if (!bounds) return std::nullopt;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Box3 planes{{-far, -far, -far}, {far, far, far}};
+  for (const TriangulatedSurface& s : sides)
+    for (const Triangle& t : s.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto lies_at = [&](double x) {
+          return std::ranges::all_of(t, [&](VertexIndex v) { return s.points[v][i] == x; });
+        };
+        if (lies_at(bounds->min[i])) planes.min[i] = bounds->min[i];
+        if (lies_at(bounds->max[i])) planes.max[i] = bounds->max[i];
+      }
+  return planes;
 }
 
 /// Facets that meet others.
@@ -205,15 +169,7 @@ std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& comp
   return marks;
 }
 
-void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
-  const double least = 1024 * unit_in_the_last_place(complex);
-  if (tolerance < least)
-    throw Error(ErrorKind::usage,
-                "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
-}
-
-constexpr unsigned most_snaps = 6;             // in one round
-constexpr unsigned most_passes_over_ends = 8;  // what one splits may be near to more; three do mostly
+constexpr unsigned most_snaps = 6;  // in one round
 
 /// Brings together what lies within the mending distance among the facets that still meet.
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
@@ -256,7 +212,8 @@ class Arrangement {
     bounds_ = bounds_of(options);
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
     first_rounding_ = unit_in_the_last_place(ingested_.complex);
-    joining_ = {joining_ulps * first_rounding_, bounds_, surfaces.size(), !options.box};
+    planes_ = planes_of(result_.box_sides, bounds_);
+    joining_ = {joining_ulps * first_rounding_, planes_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
@@ -264,12 +221,10 @@ class Arrangement {
   }
 
   ArrangementResult run() {
-    if (options_.tolerance > 0)
-      apply_tolerance_to_input();
-    else
-      join_ends_of_input();
+    InputJoiner joiner(ingested_, surfaces_, options_, joining_, context_);
+    joiner.join(book_, result_.warnings, result_.memory_bound);
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
-    if (join_rule_.restricts()) join_rule_ = join_rule_of(surfaces_, options_, pairs_, ingested_.complex, contacts);
+    join_rule_ = joiner.rule(contacts);
     result_.n_pairs = contacts.n_pairs;
     log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
@@ -281,13 +236,13 @@ class Arrangement {
       log_round(context_, round, complex, contacts);
       result_.n_rounding_rounds = round;
       if (const auto joined = join_what_lies_in_each_other(complex, contacts, joining_)) {
-        take(*joined);
+        book_.take(*joined);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
       for (unsigned k = 0; k < most_snaps && !bounds.grows(complex); ++k) {
-        const SnapOutcome outcome = snap_what_meets(complex, contacts, round, bounds_);
+        const SnapOutcome outcome = snap_what_meets(complex, contacts, round, planes_);
         if (!outcome.changed()) break;
-        take(outcome);
+        book_.take(outcome);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
       if (contacts.empty()) break;
@@ -295,11 +250,11 @@ class Arrangement {
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
-    if (options_.tolerance > 0) take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
+    if (options_.tolerance > 0) book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
-    mend_surfaces(complex, options_.tolerance, joining_.distance, result_, vanished_);
+    mend_surfaces(complex, options_.tolerance, joining_.distance, result_, book_.vanished);
     result_.soup = soup_of(std::move(complex));
-    diagnose_soup(surfaces_, vanished_, result_);
+    diagnose_soup(surfaces_, book_.vanished, result_);
     return std::move(result_);
   }
 
@@ -315,65 +270,24 @@ class Arrangement {
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
     return take(round_to_doubles(arranged, ingested_.complex,
-                                 {.snap = first_rounding_, .box = bounds_, .onto_sides_alone = true}));
+                                 {.snap = first_rounding_, .box = planes_, .onto_sides_alone = true}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_, result_.memory_bound);
-    RoundingOptions rounding{0, bounds_};
+    RoundingOptions rounding{0, planes_};
     rounding.snap = mending_distance(complex, round);
     return take(round_to_doubles(arranged, complex, rounding));
   }
 
-  void join_ends_of_input() {
-    std::vector<VertexIndex> now;
-    for (unsigned pass = 0; pass < most_passes_over_ends; ++pass) {
-      const auto joined = join_ends(ingested_.complex, joining_, now);
-      if (!joined) return;
-      take(*joined, now);
-    }
-  }
-
-  void apply_tolerance_to_input() {
-    Complex& complex = ingested_.complex;
-    refuse_tolerance_of_rounding(options_.tolerance, complex);
-    const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
-    std::vector<VertexIndex> now;
-    if (!joins_all) take(join_patches(complex, are_faults(surfaces_.given), options_.tolerance, bounds_, now), now);
-    SnapOptions snapping{options_.tolerance, bounds_};
-    if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
-    if (!joins_all || !options_.volume.empty()) {
-      const Contacts contacts = find_contacts(complex, context_, result_.memory_bound);
-      if (!joins_all) pairs_ = pairs_to_join(surfaces_.given, options_.tolerance, result_.warnings);
-      snapping.rule = join_rule_ = join_rule_of(surfaces_, options_, pairs_, complex, contacts);
-    }
-    take(snap_near(complex, all_facets(complex), snapping, &now), now);
-  }
-
-  /// `now`: by vertex the one that stands for it.
-  void take(const SnapOutcome& outcome, const std::vector<VertexIndex>& now) {
-    take(outcome);
-    for (auto& vertices : ingested_.vertex_of_point)
-      for (VertexIndex& v : vertices) v = now[v];
-  }
-
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
-      take(snap_near(complex, all_facets(complex), {options_.tolerance, bounds_, MoveToBox::none, join_rule_}));
-  }
-
-  void take(const SnapOutcome& outcome) {
-    add(outcome.moved, result_.merging.displacement);
-    result_.merging.vertices_merged += outcome.n_vertices_merged;
-    result_.merging.vertices_inserted += outcome.n_vertices_inserted;
-    result_.merging.facets_merged += outcome.n_facets_merged;
-    result_.merging.facets_collapsed += outcome.vanished.size();
-    vanished_.insert(vanished_.end(), outcome.vanished.begin(), outcome.vanished.end());
+      book_.take(snap_near(complex, all_facets(complex), {options_.tolerance, planes_, MoveToBox::none, join_rule_}));
   }
 
   Complex take(Rounded&& rounded) {
     add(rounded.displacement, result_.rounding);
-    vanished_.insert(vanished_.end(), rounded.vanished.begin(), rounded.vanished.end());
+    book_.vanished.insert(book_.vanished.end(), rounded.vanished.begin(), rounded.vanished.end());
     return std::move(rounded.complex);
   }
 
@@ -382,12 +296,12 @@ class Arrangement {
   const ArrangementOptions& options_;
   const RunContext& context_;
   ArrangementResult result_;
+  MergingBook book_{result_.merging};
   SurfaceList surfaces_;
   Ingested ingested_;
   std::optional<Box3> bounds_;  ///< of the box or the volume
-  std::vector<VanishedFacet> vanished_;
-  PairsToJoin pairs_;
-  JoinRule join_rule_;  ///< of `tolerance`
+  std::optional<Box3> planes_;  ///< those of them that are sides
+  JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
   double first_rounding_ = 0;  ///< finer doubles, next to zero, keep no points off the sides of the box
 };

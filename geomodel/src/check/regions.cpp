@@ -90,13 +90,20 @@ bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
 void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result) {
   const ModelVolume& volume = *claim.volume;
   const Box3& box = volume.bounds;
-  double ulp = 0, side_area = 0;  // of sides that are not along the axes: their points are rounded off them
+  // Sides that are not along the axes are rounded, and surfaces that lie on them but for rounding are joined to them.
+  constexpr double ulps_off_a_side = 32;
+  double ulp = 0, side_area = 0;
   for (const TriangulatedSurface& side : volume.sides)
     for (const Triangle& t : side.triangles)
       side_area += 0.5 * norm(cross(side.points[t[1]] - side.points[t[0]], side.points[t[2]] - side.points[t[0]]));
-  for (const Vec3& p : {box.min, box.max})
+  Box3 all = box;
+  for (const TriangulatedSurface& s : claim.surfaces)
+    for (const Vec3& p : s.points) all.add(p);
+  for (const Vec3& p : {all.min, all.max})
     for (std::size_t i = 0; i < 3; ++i) ulp = std::max(ulp, std::nextafter(std::abs(p[i]), INFINITY) - std::abs(p[i]));
-  const double error = result.volume / volume.volume - 1, tolerance = 1e-12 + 2 * ulp * side_area / volume.volume;
+  const double room = ulps_off_a_side * ulp;
+  const double error = result.volume / volume.volume - 1;
+  const double tolerance = 1e-12 + (volume.box ? 2 * ulp : room) * side_area / volume.volume;
   char text[200];
   if (!(error <= tolerance && (claim.ends_inside || error >= -tolerance))) {
     std::snprintf(text, sizeof text,
@@ -109,7 +116,7 @@ void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& resul
     const Vec3& p = mesh.point(v);
     const bool in_bounds = !(p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x ||
                              p.y > box.max.y || p.z > box.max.z);
-    if (volume.box ? !in_bounds : !is_within(volume, p, 2 * ulp)) outside.add(v, p);
+    if (volume.box ? !in_bounds : !is_within(volume, p, room)) outside.add(v, p);
   }
   outside.report(result, "points lie outside the box");
   if (claim.ends_inside) {

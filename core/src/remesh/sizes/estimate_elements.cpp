@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The number of elements before the work, declared in geomesh/core/refine.hpp and remesh/sizes/sizes.hpp.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -205,6 +207,12 @@ double estimate_elements(const DomainMesh& mesh, const SizeField& size, const Re
 
 namespace {
 
+std::string with_three_digits(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", x);
+  return text.data();
+}
+
 std::string in_words(double count) { return std::to_string(static_cast<long long>(count)); }
 
 void check_estimate(double estimate, std::size_t limit) {
@@ -214,22 +222,41 @@ void check_estimate(double estimate, std::size_t limit) {
                                           "; ask for larger sizes, a steeper gradation, or raise the limit");
 }
 
-/// The size of the whole model may be met by far fewer elements than the edges of the input ask for. The user is told
-/// before the work.
+/// Of the edges of the input, half are longer.
+double middle_edge(const PiecewiseLinearComplex& plc) {
+  std::vector<double> lengths;
+  for (Index l = 0; l + 1 < plc.loop_offsets.size(); ++l) {
+    const auto loop = plc.loop(l);
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      lengths.push_back(length(plc.points[loop[(k + 1) % loop.size()]] - plc.points[loop[k]]));
+  }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+/// Far fewer elements may meet what is asked of the whole model, or where nothing is asked, what most edges of the
+/// input ask for. The user is told before the work.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
                          const RunContext& context, RefineResult& result) {
-  constexpr double many = 250'000, most = 2;
+  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // of the middle one
   const double estimate = result.statistics.estimated_elements;
-  if (!(options.size.global > 0) || !options.size.from_input_edges || !sizes_surfaces(options) || estimate < many)
-    return;
-  options.size.from_input_edges = false;
+  if (!options.size.from_input_edges || !sizes_surfaces(options) || estimate < many) return;
+  const bool has_size = options.size.global > 0;
+  const double least = short_edge * middle_edge(plc);
+  if (has_size)
+    options.size.from_input_edges = false;
+  else
+    options.size.min_size = std::max(options.size.min_size, least);
   const double without = estimate_elements(mesh, build_size_field(plc, mesh, options).all, options);
   if (estimate < most * without) return;
   result.warnings.push_back(
-      "short edges of the input ask for most of the " + in_words(estimate) +
-      " elements or more to come; the sizes asked for about " + in_words(without) +
-      ": for fewer, ask for a least size, take no sizes from the input's edges, ask for sizes inside only, or allow "
-      "surfaces a tolerance");
+      "short edges of the input ask for most of the " + in_words(estimate) + " elements or more to come; " +
+      (has_size ? "the sizes asked for" : "a least size of " + with_three_digits(least) + " asks for") + " about " +
+      in_words(without) +
+      ": for fewer, ask for a least size, take no sizes from the input's edges, ask for sizes "
+      "inside only, or allow surfaces a tolerance");
   context.note(LogLevel::warning, result.warnings.back());
 }
 

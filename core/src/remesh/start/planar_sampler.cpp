@@ -75,7 +75,7 @@ void PlanarSampler::add(const Vec2& p, double size) {
   auto level =
       std::lower_bound(levels_.begin(), levels_.end(), number, [](const Level& l, int n) { return l.number < n; });
   if (level == levels_.end() || level->number != number)
-    level = levels_.insert(level, {number, std::ldexp(1.0, number), {}});
+    level = levels_.insert(level, {number, std::ldexp(1.0, number + 1), {}});
   level->cells[key(std::floor(p.x / level->cell), std::floor(p.y / level->cell))].push_back(p);
 }
 

@@ -55,7 +55,7 @@ class PlanarSampler {
   std::vector<Edge> edges_, inner_edges_;
   std::vector<std::vector<Index>> rows_, inner_rows_;  // edges by strip in y
   double low_ = 0, strip_ = 1;
-  /// Points of sizes from one power of two up to the next, in cells as large as that.
+  /// Points of sizes from one power of two up to the next, in cells as large as the next: smaller ones would be many.
   struct Level {
     int number;
     double cell;

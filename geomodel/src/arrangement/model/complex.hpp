@@ -95,6 +95,9 @@ inline Vec2 project(const Vec3& p, const Projection& frame) { return {p[frame.i]
 /// sign is zero only where a, b, c are exactly collinear.
 Projection projection_of(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Of the largest coordinate.
+double unit_in_the_last_place(const Complex& complex);
+
 double area(const Vec3& a, const Vec3& b, const Vec3& c);
 double length(const Vec3& a);
 

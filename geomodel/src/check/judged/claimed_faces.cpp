@@ -63,8 +63,11 @@ Index ClaimedFaces::surface_of(std::int32_t id) const {
 
 bool ClaimedFaces::is_box_side(std::int32_t id) const {
   const auto name = faces_->surface_names.find(id);
-  return surface_of(id) == no_index && name != faces_->surface_names.end() &&
-         std::find(std::begin(box_side_names), std::end(box_side_names), name->second) != std::end(box_side_names);
+  if (surface_of(id) != no_index || name == faces_->surface_names.end()) return false;
+  if (claim_.volume && !claim_.volume->box)
+    return std::ranges::any_of(claim_.volume->sides,
+                               [&](const TriangulatedSurface& side) { return side.name == name->second; });
+  return std::find(std::begin(box_side_names), std::end(box_side_names), name->second) != std::end(box_side_names);
 }
 
 bool ClaimedFaces::is_side_alone(Index face) const {

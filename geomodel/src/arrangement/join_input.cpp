@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement/join_input.hpp"
+
+#include "arrangement/diagnosis/near_surfaces.hpp"
+#include "arrangement/sides/join_to_sides.hpp"
+#include "arrangement/snap/join_patches.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/words.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+namespace {
+
+constexpr double twin_share = 0.01;  // of the tolerance: surfaces that follow each other as near are one given twice
+constexpr unsigned most_passes = 8;  // what one splits may be near to more; three do mostly
+constexpr double least_ulps = 1024;  // of a tolerance: rounding may undo less
+
+std::vector<std::uint8_t> are_faults(const std::vector<TriangulatedSurface>& surfaces) {
+  std::vector<std::uint8_t> are;
+  for (const TriangulatedSurface& s : surfaces) are.push_back(s.kind == SurfaceKind::fault);
+  return are;
+}
+
+void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
+  const double least = least_ulps * unit_in_the_last_place(complex);
+  if (tolerance < least)
+    throw Error(ErrorKind::usage,
+                "the tolerance must be at least " + short_words(least) + " for coordinates of this size, or 0");
+}
+
+}  // namespace
+
+void add(const Displacement& more, Displacement& total) {
+  if (more.largest > total.largest) total.where = more.where;
+  total.largest += more.largest;
+  const auto n = static_cast<double>(total.points_moved + more.points_moved);
+  if (n > 0)
+    total.mean =
+        (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
+  total.points_moved += more.points_moved;
+}
+
+void MergingBook::take(const SnapOutcome& outcome) {
+  add(outcome.moved, merging.displacement);
+  merging.vertices_merged += outcome.n_vertices_merged;
+  merging.vertices_inserted += outcome.n_vertices_inserted;
+  merging.facets_merged += outcome.n_facets_merged;
+  merging.facets_collapsed += outcome.vanished.size();
+  vanished.insert(vanished.end(), outcome.vanished.begin(), outcome.vanished.end());
+}
+
+void InputJoiner::join(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound) {
+  if (options_.tolerance > 0) apply_tolerance(book, warnings, memory_bound);
+  join_ends_and_sides(book);
+}
+
+JoinRule InputJoiner::rule(const Contacts& contacts) const {
+  return rule_restricts_ ? join_rule(contacts) : JoinRule();
+}
+
+/// What was given twice is told.
+InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warnings) const {
+  const std::vector<TriangulatedSurface>& surfaces = surfaces_.given;
+  const double nearest = twin_share * options_.tolerance;
+  const NearSurfaces near = near_surfaces(surfaces, nearest, options_.tolerance);
+  const auto words = [&](Index s) { return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name; };
+  for (const auto& [a, b] : near.twins)
+    warnings.push_back(words(a) + " and " + words(b) + " follow each other nearer than " + short_words(nearest) +
+                       ": they are meshed as one where they do (honour: exact keeps them apart)");
+  return {{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}};
+}
+
+/// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
+JoinRule InputJoiner::join_rule(const Contacts& contacts) const {
+  const Index first_fixed = options_.box ? no_index : static_cast<Index>(surfaces_.given.size());
+  if (options_.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
+  JoinRule rule(surfaces_that_meet(ingested_.complex, contacts), first_fixed);
+  rule.join_all_of(pairs_.wherever_near);
+  rule.join_ends_of(pairs_.where_they_end);
+  return rule;
+}
+
+void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound) {
+  Complex& complex = ingested_.complex;
+  refuse_tolerance_of_rounding(options_.tolerance, complex);
+  const bool joins_all = options_.merging == ArrangementOptions::MergingOf::everything;
+  std::vector<VertexIndex> now;
+  if (!joins_all) {
+    const SnapOutcome joined =
+        join_patches(complex, are_faults(surfaces_.given), options_.tolerance, joining_.box, now);
+    take(book, joined, now);
+  }
+  add(move_to_sides(complex, joining_, options_.tolerance), book.merging.displacement);
+  SnapOptions snapping{options_.tolerance, joining_.box};
+  if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
+  if (!joins_all || !options_.volume.empty()) {
+    const Contacts contacts = find_contacts(complex, context_, memory_bound);
+    if (!joins_all) pairs_ = find_pairs(warnings);
+    snapping.rule = join_rule(contacts);
+    rule_restricts_ = true;
+  }
+  const SnapOutcome joined = snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now);
+  take(book, joined, now);
+}
+
+/// Each is done until nothing changes.
+void InputJoiner::join_ends_and_sides(MergingBook& book) {
+  std::vector<VertexIndex> now;
+  const auto repeat = [&](auto join) {
+    for (unsigned pass = 0; pass < most_passes; ++pass) {
+      const auto joined = join(ingested_.complex, joining_, now);
+      if (!joined) return;
+      take(book, *joined, now);
+    }
+  };
+  if (!(options_.tolerance > 0)) repeat(join_ends);
+  repeat(join_to_sides);
+}
+
+/// `now`: by vertex the one that stands for it.
+void InputJoiner::take(MergingBook& book, const SnapOutcome& outcome, const std::vector<VertexIndex>& now) {
+  book.take(outcome);
+  for (auto& vertices : ingested_.vertex_of_point)
+    for (VertexIndex& v : vertices) v = now[v];
+}
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices that go to sides, declared in arrangement/sides/join_to_sides.hpp.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_set>
+#include <utility>
+
+#include "arrangement/model/surface_ends.hpp"
+#include "arrangement/sides/join_to_sides.hpp"
+#include "arrangement/sides/side_facets.hpp"
+#include "arrangement/snap/nearness.hpp"
+#include "arrangement/snap/snap_search.hpp"
+#include "geomesh/core/surface_distance.hpp"
+
+namespace geomesh::geomodel::arrangement {
+namespace {
+
+Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
+
+/// The places of the sides: corners, edges between two sides, and facets.
+class SidePlaces {
+ public:
+  SidePlaces(const Complex& complex, const Joining& joining, const SideFacets& sides)
+      : complex_(complex), joining_(joining), sides_(sides), planes_(joining.box), creases_(find_creases()) {}
+
+  /// Nearest place nearer than the distance: of a corner, else of an edge between two sides, else of a side.
+  std::optional<Vec3> nearest(const Vec3& p, double distance) const {
+    Nearest corner{distance}, edge{distance}, side{distance};
+    sides_.visit_near(std::array{p}, distance, [&](Index f) {
+      const Triangle& t = complex_.facets[f];
+      side.see(p, on_facet(p, t));
+      for (const EdgeKey& e : edges_of(t)) {
+        if (!creases_.contains(e)) continue;
+        edge.see(p, on_edge(p, e));
+        for (const VertexIndex v : {e.first, e.second}) corner.see(p, complex_.points[v]);
+      }
+    });
+    return corner.place ? corner.place : edge.place ? edge.place : side.place;
+  }
+
+  /// A facet that the edge (a, b) passes nearer than the distance. Both ends are as near to its plane, wherever they
+  /// are along it. no_index: there is none.
+  Index followed_by(const Vec3& a, const Vec3& b, double distance) const {
+    Index found = no_index;
+    sides_.visit_near(std::array{a, b}, distance, [&](Index f) {
+      if (found == no_index && is_near_plane(a, f, distance) && is_near_plane(b, f, distance) &&
+          passes(a, b, f, distance))
+        found = f;
+    });
+    return found;
+  }
+  Vec3 on_plane(const Vec3& p, Index f) const {
+    const Triangle& t = complex_.facets[f];
+    const Vec3 &a = complex_.points[t[0]], &b = complex_.points[t[1]], &c = complex_.points[t[2]],
+               n = area_vector(a, b, c);
+    return planes_.onto(p - (dot(n, p - a) / dot(n, n)) * n, planes_.of(a) & planes_.of(b) & planes_.of(c));
+  }
+
+ private:
+  bool is_near_plane(const Vec3& p, Index f, double distance) const { return length(p - on_plane(p, f)) < distance; }
+  bool passes(const Vec3& a, const Vec3& b, Index f, double distance) const {
+    const Triangle& t = complex_.facets[f];
+    if (length(a - on_facet(a, t)) < distance || length(b - on_facet(b, t)) < distance) return true;
+    for (const EdgeKey& e : edges_of(t)) {
+      const auto nearest = nearest_of_edges(a, b, complex_.points[e.first], complex_.points[e.second]);
+      if (nearest && length((*nearest)[0] - (*nearest)[1]) < distance) return true;
+    }
+    return false;
+  }
+
+  struct Nearest {
+    double distance;
+    std::optional<Vec3> place{};
+    void see(const Vec3& p, const Vec3& at) {
+      if (!(length(p - at) < distance)) return;
+      distance = length(p - at);
+      place = at;
+    }
+  };
+
+  /// Planes along the axes, such as top and bottom, are kept.
+  Vec3 on_facet(const Vec3& p, const Triangle& t) const {
+    const Vec3 &a = complex_.points[t[0]], &b = complex_.points[t[1]], &c = complex_.points[t[2]];
+    return planes_.onto(closest_on_triangle(p, {a, b, c}), planes_.of(a) & planes_.of(b) & planes_.of(c));
+  }
+  Vec3 on_edge(const Vec3& p, const EdgeKey& e) const {
+    const Vec3 &a = complex_.points[e.first], &b = complex_.points[e.second];
+    return planes_.onto(closest_on_triangle(p, {a, b, b}), planes_.of(a) & planes_.of(b));
+  }
+
+  /// Edges with facets of two sides.
+  std::set<EdgeKey> find_creases() const {
+    std::map<EdgeKey, Index> side_at;
+    std::set<EdgeKey> creases;
+    for (const Index f : sides_.all())
+      for (const Origin& o : complex_.origins.of(f)) {
+        if (o.surface < joining_.first_side) continue;
+        for (const EdgeKey& e : edges_of(complex_.facets[f]))
+          if (side_at.try_emplace(e, o.surface).first->second != o.surface) creases.insert(e);
+      }
+    return creases;
+  }
+
+  const Complex& complex_;
+  const Joining& joining_;
+  const SideFacets& sides_;
+  BoxPlanes planes_;
+  std::set<EdgeKey> creases_;
+};
+
+/// Moves of vertices, less those that would turn a facet over.
+class Moves {
+ public:
+  Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {
+    for (const Vec3& p : points_) taken_.insert(p);
+  }
+
+  /// Places stay distinct: beside one that is taken goes another, some ulps off.
+  void add(VertexIndex v, Vec3 to) {
+    if (to == points_[v]) return;
+    constexpr unsigned most_tries = 8;
+    for (unsigned k = 0; k < most_tries; ++k, to.z += unit_)
+      if (taken_.insert(to).second) {
+        points_[v] = to;
+        return;
+      }
+  }
+
+  void take_back_where_facets_turn() {
+    for (bool turns = true; turns;) {
+      turns = false;
+      for (const Triangle& t : complex_.facets) turns |= take_back(t);
+    }
+  }
+
+  const std::vector<Vec3>& points() const { return points_; }
+
+ private:
+  bool take_back(const Triangle& t) {
+    const std::vector<Vec3>& old = complex_.points;
+    if (std::ranges::all_of(t, [&](VertexIndex v) { return points_[v] == old[v]; })) return false;
+    const Vec3 before = area_vector(old[t[0]], old[t[1]], old[t[2]]);
+    if (dot(before, area_vector(points_[t[0]], points_[t[1]], points_[t[2]])) > least_share * dot(before, before))
+      return false;
+    for (const VertexIndex v : t) points_[v] = old[v];
+    return true;
+  }
+
+  static constexpr double least_share = 0.1;  // of the facet's area
+
+  const Complex& complex_;
+  double unit_;
+  std::vector<Vec3> points_;
+  std::unordered_set<Vec3, PointHash> taken_;
+};
+
+/// Vertices of surfaces that are on no side, by what may be done with them.
+class VerticesToMove {
+ public:
+  VerticesToMove(const Complex& complex, const SideFacets& sides, const std::vector<SurfaceEnd>& ends)
+      : kinds_(complex.points.size(), Kind::other) {
+    std::vector<std::uint8_t> is_used(complex.points.size(), 0);
+    for (const Triangle& t : complex.facets)
+      for (const VertexIndex v : t) is_used[v] = 1;
+    for (const SurfaceEnd& e : ends) kinds_[e.a] = kinds_[e.b] = Kind::end;
+    for (const Index f : sides.all())
+      for (const VertexIndex v : complex.facets[f]) kinds_[v] = Kind::fixed;
+    for (VertexIndex v = 0; v < kinds_.size(); ++v)
+      if (!is_used[v]) kinds_[v] = Kind::fixed;
+  }
+  bool is_fixed(VertexIndex v) const { return kinds_[v] == Kind::fixed; }
+  bool is_end(VertexIndex v) const { return kinds_[v] == Kind::end; }
+
+ private:
+  enum class Kind : std::uint8_t { fixed, end, other };
+  std::vector<Kind> kinds_;
+};
+
+Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
+  Displacement moved;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const double distance = length(points[v] - complex.points[v]);
+    if (!(distance > 0)) continue;
+    ++moved.points_moved;
+    moved.mean += distance;
+    if (distance > moved.largest) {
+      moved.largest = distance;
+      moved.where = points[v];
+    }
+    complex.points[v] = points[v];
+  }
+  if (moved.points_moved > 0) moved.mean /= static_cast<double>(moved.points_moved);
+  return moved;
+}
+
+}  // namespace
+
+Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
+  if (!joining.sides_are_fixed) return {};
+  const SideFacets sides(complex, joining);
+  if (sides.all().empty()) return {};
+  constexpr double share_of_others = 0.05, moves_a_distance = 16;  // of those by which surfaces are joined
+  const SidePlaces places(complex, joining, sides);
+  std::vector<SurfaceEnd> ends = surface_ends(complex);
+  std::erase_if(ends, [&](const SurfaceEnd& e) { return e.surface >= joining.first_side; });
+  const VerticesToMove vertices(complex, sides, ends);
+  Moves moves(complex, joining.distance / moves_a_distance);
+  std::vector<std::uint8_t> is_placed(complex.points.size(), 0);
+  for (VertexIndex v = 0; v < complex.points.size(); ++v) {
+    if (vertices.is_fixed(v)) continue;
+    const double distance = vertices.is_end(v) ? tolerance : share_of_others * tolerance;
+    const auto to = places.nearest(complex.points[v], distance);
+    if (!to) continue;
+    moves.add(v, *to);
+    is_placed[v] = 1;
+  }
+  for (const SurfaceEnd& e : ends) {
+    const Index side = places.followed_by(complex.points[e.a], complex.points[e.b], tolerance);
+    for (const VertexIndex v : {e.a, e.b})
+      if (side != no_index && vertices.is_end(v) && !std::exchange(is_placed[v], 1))
+        moves.add(v, places.on_plane(complex.points[v], side));
+  }
+  moves.take_back_where_facets_turn();
+  return take_over(complex, moves.points());
+}
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The facets of a complex that are sides of the volume, searched by boxes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "arrangement/model/complex.hpp"
+#include "arrangement/search/bvh.hpp"
+#include "arrangement/snap/join_surfaces.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Of a complex that outlives it and keeps its facets. For any number of threads.
+class SideFacets {
+ public:
+  SideFacets(const Complex& complex, const Joining& joining)
+      : is_of_side_(complex.facets.size(), 0),
+        facets_(list(complex, joining, is_of_side_)),
+        tree_(boxes_of(complex, facets_)) {}
+
+  bool is_of_side(Index facet) const { return is_of_side_[facet] != 0; }
+  const std::vector<Index>& all() const { return facets_; }
+
+  /// Calls visit(facet) for those whose box comes within the distance of the points' box.
+  template <class Points, class Visit>
+  void visit_near(const Points& points, double distance, Visit&& visit) const {
+    Box3 box;
+    for (const Vec3& p : points) box.add(p);
+    const Vec3 margin{distance, distance, distance};
+    tree_.boxes_meeting({box.min - margin, box.max + margin}, [&](Index k) { visit(facets_[k]); });
+  }
+
+ private:
+  static std::vector<Index> list(const Complex& complex, const Joining& joining,
+                                 std::vector<std::uint8_t>& is_of_side) {
+    std::vector<Index> facets;
+    for (Index f = 0; f < complex.facets.size(); ++f)
+      for (const Origin& o : complex.origins.of(f))
+        if (o.surface >= joining.first_side && !is_of_side[f]) {
+          is_of_side[f] = 1;
+          facets.push_back(f);
+        }
+    return facets;
+  }
+  static std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& facets) {
+    std::vector<Box3> boxes;
+    for (const Index f : facets) {
+      Box3& box = boxes.emplace_back();
+      for (const VertexIndex v : complex.facets[f]) box.add(complex.points[v]);
+    }
+    return boxes;
+  }
+
+  std::vector<std::uint8_t> is_of_side_;
+  std::vector<Index> facets_;
+  BoxTree tree_;
+};
+
+}  // namespace geomesh::geomodel::arrangement

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grids in a volume whose sides run along their rows: a turned box, a polygon of the map, a box along the axes.
+
+The sides and the grid are computed apart from each other, as users do. So the rows are on the sides but for rounding. Each model must be
+meshed in the time that its number of elements asks for, pass the judge, and have no element too flat that nothing forces.
+
+    GEOMESH_TURNED_GRIDS=300 ctest ... -R app.turned_grids     another number of models
+"""
+import math
+import os
+import random
+import resource
+
+from geomesh_program import NIGHTLY, SLOWNESS, ProgramTest, main, triangles_ts
+
+COUNT = int(os.environ.get("GEOMESH_TURNED_GRIDS", "200" if NIGHTLY else "12"))
+MOST_SECONDS = 60 * SLOWNESS  # of CPU; without the joining to sides such models took more than ten minutes
+
+
+class Model:
+    """Two horizons on one grid, at times a fault along one of its rows; the grid ends at the sides or some cells beyond them."""
+
+    def __init__(self, seed, decimals=None):
+        dice = self.dice = random.Random(seed)
+        self.shape = dice.choice(("box", "box", "polygon", "aligned"))
+        self.azimuth = 0 if self.shape == "aligned" else dice.choice((30, 45, dice.uniform(-90, 90), dice.randint(-90, 90)))
+        self.step = dice.choice((50.0, 33.3, 25.1, dice.uniform(20, 60)))
+        self.origin = dice.choice(((1000.1, 5000.7), (0, 0), (500123.45, 6712345.6), (dice.uniform(0, 1e4), dice.uniform(0, 1e4))))
+        self.cells = dice.randint(10, 40), dice.randint(8, 20)
+        self.beyond = dice.choice((0, 1, 2))
+        self.decimals = decimals
+        self.east, self.north = (self.step * n for n in self.cells)
+        self.unit = self.east / 20
+        self.surfaces = [("top", "horizon", *self.horizon(0)), ("base", "horizon", *self.horizon(1))]
+        if dice.random() < 0.4:
+            self.surfaces.append(("f", "fault", *self.fault()))
+
+    def place(self, x, y):
+        c, s = math.cos(math.radians(self.azimuth)), math.sin(math.radians(self.azimuth))
+        return self.origin[0] + c * x - s * y, self.origin[1] + s * x + c * y
+
+    def given(self, point):
+        return point if self.decimals is None else tuple(round(x, self.decimals) for x in point)
+
+    def horizon(self, k):
+        phase, cut = self.dice.uniform(0, 6), self.dice.random() < 0.5
+        xs, ys = (range(-self.beyond, n + self.beyond + 1) for n in self.cells)
+        height = lambda i, j: 0.6 * self.unit * math.sin(6 * i / self.cells[0] + phase) * math.cos(9 * j / self.cells[1])  # noqa: E731
+        points = [self.given((*self.place(self.step * i, self.step * j), -(8 + 6 * k) * self.unit + height(i, j))) for j in ys for i in xs]
+        n = len(xs)
+        corners = [(a, a + 1, a + 1 + n, a + n) for j in range(len(ys) - 1) for a in range(j * n, j * n + n - 1)]
+        return points, [t for a, b, c, d in corners for t in (((a, b, c), (a, c, d)) if cut else ((a, b, d), (b, c, d)))]
+
+    def fault(self):
+        """Through a row of the grid at half depth; it dips along the rows across."""
+        x, more, off = self.step * (self.cells[0] // 3), self.step * self.beyond, 3 * self.unit
+        corners = ((x - off, -more, 1), (x - off, self.north + more, 1), (x + off, self.north + more, -21), (x + off, -more, -21))
+        return [self.given((*self.place(x, y), z * self.unit)) for x, y, z in corners], [(0, 1, 2), (0, 2, 3)]
+
+    def box(self):
+        bottom = f"bottom: {-20 * self.unit!r}, top: 0"
+        if self.shape == "aligned":
+            (x, y), low = self.origin, -20 * self.unit
+            return f"{{min: [{x!r}, {y!r}, {low!r}], max: [{x + self.east!r}, {y + self.north!r}, 0]}}"
+        if self.shape == "box":
+            x, y = self.given(self.place(self.east / 2, self.north / 2))
+            return f"{{center: [{x!r}, {y!r}], size: [{self.east!r}, {self.north!r}], azimuth: {-self.azimuth!r}, {bottom}}}"
+        corners = ((0, 0), (self.east, 0), (self.east, self.north), (0.5 * self.east, 0.7 * self.north), (0, self.north))
+        return "{polygon: [" + ", ".join("[%r, %r]" % self.given(self.place(x, y)) for x, y in corners) + f"], {bottom}}}"
+
+    def project(self, mesh):
+        listed = "".join(f"  - {{name: {name}, kind: {kind}, file: {name}.ts}}\n" for name, kind, _, _ in self.surfaces)
+        return (f"name: m\nbox: {self.box()}\nsurfaces:\n{listed}column: [a, top, b, base, c]\nmesh: {mesh}\n"
+                "output: {directory: out, formats: [vtu]}\n")
+
+
+class TurnedGrids(ProgramTest):
+    timeout = 4 * MOST_SECONDS
+
+    def mesh_and_judge(self, model, mesh):
+        for name, _, points, triangles in model.surfaces:
+            self.write(name + ".ts", triangles_ts(name, points, triangles))
+        project = self.write("m.yaml", model.project(mesh))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.run_program(project)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, MOST_SECONDS)
+        self.check(self.path("out", "m.vtu"), "--project", project)
+        report = self.report(self.path("out", "m.report.json"))
+        flat = report["quality"]["below_8_degrees"]
+        self.assertEqual(flat["tetrahedra"], flat["forced"], report["quality"]["worst"])
+        self.assertFalse([w for w in report["warnings"] if "stops short" in w])
+
+    def test_rows_on_the_sides_but_for_rounding(self):
+        for seed in range(COUNT):
+            model = Model(seed)
+            mesh = random.Random(seed).choice(("{}", "{honour: exact}", f"{{size: {2 * model.step:g}}}", f"{{tolerance: 2, size: {3 * model.step:g}}}"))
+            with self.subTest(seed=seed, mesh=mesh):
+                self.mesh_and_judge(model, mesh)
+
+    def test_rows_on_the_sides_but_for_what_files_round_to(self):
+        """Horizons that end there reach the sides within the tolerance, as those in a box along the axes do."""
+        for seed in range(COUNT):
+            for decimals in (2, 6):
+                with self.subTest(seed=seed, decimals=decimals):
+                    self.mesh_and_judge(Model(seed, decimals), "{}")
+
+
+if __name__ == "__main__":
+    main()

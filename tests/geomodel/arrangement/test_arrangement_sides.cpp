@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces on the sides of a volume that is no box along the axes, but for rounding or for a tolerance.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "arrangement/model/ingest.hpp"
+#include "arrangement/sides/join_to_sides.hpp"
+#include "arrangement_inputs.hpp"
+#include "common_edges.hpp"
+#include "dice.hpp"
+#include "geomesh/geomodel/model_volume.hpp"
+#include "require_sound.hpp"
+
+using namespace geomesh;
+using namespace geomesh::geomodel;
+using namespace geomesh::geomodel::testing;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846, step = 50;
+constexpr unsigned n = 12;                     // cells a row inside the volume
+constexpr double width = n * step, top = 300;  // of the volume, from 0 on
+
+/// A frame in the map, turned about its first corner.
+struct Turned {
+  double degrees, east, north;
+  Vec3 place(double x, double y, double z) const {
+    const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+    return {east + c * x - s * y, north + s * x + c * y, z};
+  }
+};
+
+/// A square with its first corner in the frame's; sides are computed apart from the grid.
+std::vector<TriangulatedSurface> sides_of(const Turned& frame) {
+  VolumeSpec spec;
+  spec.shape = VolumeSpec::Shape::turned;
+  const Vec3 middle = frame.place(width / 2, width / 2, 0);
+  spec.center = {middle.x, middle.y};
+  spec.size = {width, width};
+  spec.azimuth = -frame.degrees;
+  spec.bottom = 0;
+  spec.top = top;
+  return make_volume(spec, {}, {}).sides;
+}
+
+/// A horizon on a grid whose rows are the sides, and that goes on over `beyond` cells; each point is moved across.
+TriangulatedSurface horizon(
+    const Turned& frame, unsigned beyond, const std::function<double()>& off = [] { return 0; }) {
+  const double low = -step * beyond, high = width + step * beyond;
+  auto grid = grid_surface("h", SurfaceKind::horizon, n + 2 * beyond, low, high, low, high,
+                           [](double x, double y) { return 150 + 40 * std::sin(x / 90) * std::cos(y / 70); });
+  for (Vec3& p : grid.points)
+    p = frame.place(step * std::round(p.x / step) + off(), step * std::round(p.y / step) + off(), p.z);
+  return grid;
+}
+
+double least_height(const PolygonSoup& soup) {
+  double least = 1e300;
+  for (const Triangle& t : soup.facets) {
+    const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
+    const double longest =
+        std::max({arrangement::length(b - a), arrangement::length(c - b), arrangement::length(a - c)});
+    least = std::min(least, 2 * arrangement::area(a, b, c) / longest);
+  }
+  return least;
+}
+
+/// In the map, of edges that the first surface shares with sides.
+double length_on_sides(const PolygonSoup& soup, std::size_t n_surfaces, std::size_t n_sides) {
+  double sum = 0;
+  for (Index side = 0; side < n_sides; ++side)
+    for (const auto& [a, b] : common_edges(soup, 0, static_cast<Index>(n_surfaces) + side))
+      sum += std::hypot(soup.points[a].x - soup.points[b].x, soup.points[a].y - soup.points[b].y);
+  return sum;
+}
+
+Turned any_frame(Dice& dice) { return {dice.between(-90, 90), dice.between(0, 5e5), dice.between(0, 6e6)}; }
+
+}  // namespace
+
+TEST_CASE("sides: rows of a grid along a turned side are on it", "[arrangement]") {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    INFO("seed " << seed);
+    Dice dice(seed);
+    const Turned frame = any_frame(dice);
+    ArrangementOptions options;
+    options.volume = sides_of(frame);
+    options.tolerance = seed % 2 == 0 ? 0 : 0.5;
+    const auto result = arrange({horizon(frame, seed % 3)}, {}, {}, options);
+    require_sound(result.soup);
+    CHECK(least_height(result.soup) > 1);
+    CHECK(length_on_sides(result.soup, 1, options.volume.size()) == Approx(4 * width).epsilon(1e-9));
+    CHECK(result.merging.displacement.largest < 2 * 32 * 0x1p-30);
+  }
+}
+
+TEST_CASE("sides: ends nearer than the tolerance go to a turned side, others stay", "[arrangement]") {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    INFO("seed " << seed);
+    Dice dice(seed);
+    const Turned frame = any_frame(dice);
+    ArrangementOptions options;
+    options.volume = sides_of(frame);
+    options.tolerance = 0.5;
+    const bool is_near = seed % 2 == 0;
+    const double off = is_near ? 0.01 : 2;
+    const auto inwards = [&](double x) { return x < 1 ? x + off : x > width - 1 ? x - off : x; };
+    TriangulatedSurface given = grid_surface("h", SurfaceKind::horizon, n, 0, width, 0, width,
+                                             [](double x, double y) { return 150 + 0.1 * x - 0.05 * y; });
+    for (Vec3& p : given.points) p = frame.place(inwards(p.x), inwards(p.y), p.z);
+    const auto result = arrange({given}, {}, {}, options);
+    require_sound(result.soup);
+    CHECK(length_on_sides(result.soup, 1, options.volume.size()) == Approx(is_near ? 4 * width : 0).epsilon(1e-9));
+    if (is_near) CHECK(least_height(result.soup) > 1);
+  }
+}
+
+TEST_CASE("sides: a fault that ends beside a side reaches it, with corners beyond the volume", "[arrangement]") {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    INFO("seed " << seed);
+    Dice dice(seed);
+    const Turned frame = any_frame(dice);
+    ArrangementOptions options;
+    options.volume = sides_of(frame);
+    options.tolerance = 0.5;
+    const double x = dice.between(0.3, 0.7) * width, dip = dice.between(-100, 100), off = dice.between(-0.02, 0.02);
+    TriangulatedSurface fault{"f", SurfaceKind::fault, {}, {}};
+    fault.triangles = {{0, 1, 2}, {0, 2, 3}};
+    for (const double y : {off, width - off}) {
+      fault.points.push_back(frame.place(x + (y < 1 ? -dip : dip), y, y < 1 ? -80 : top + 80));
+      fault.points.push_back(frame.place(x + (y < 1 ? dip : -dip), y, y < 1 ? top + 80 : -80));
+    }
+    const auto result = arrange({fault}, {}, {}, options);
+    require_sound(result.soup);
+    for (const auto& spot : result.spots) CHECK(spot.what != "free border");
+    const double on_sides = length_on_sides(result.soup, 1, options.volume.size());
+    const double slope = 2 * dip / (top + 160);
+    CHECK(on_sides == Approx(2 * width + 2 * std::fabs(slope) * top).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("sides: what lies on a side exactly, or crosses it plainly, is left to the intersection", "[arrangement]") {
+  // A square turned by 45 degrees: doubles lie on its sides.
+  VolumeSpec spec;
+  spec.shape = VolumeSpec::Shape::polygon;
+  spec.polygon = {{0, 0}, {8, 8}, {0, 16}, {-8, 8}};
+  spec.bottom = 0;
+  spec.top = 8;
+  const auto sides = make_volume(spec, {}, {}).sides;
+  const auto floor = triangles(
+      "floor", {{Vec3{2, 2, 3}, Vec3{6, 6, 3}, Vec3{0, 8, 3}}, {Vec3{6, 6, 3}, Vec3{2, 2, 3}, Vec3{6, 1, 3}}});
+  const std::vector<TriangulatedSurface> given{floor};
+  auto ingested = arrangement::ingest({given, sides}, {}, {}, std::nullopt);
+  std::vector<VertexIndex> now;
+  CHECK_FALSE(arrangement::join_to_sides(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, now));
+  CHECK_FALSE(arrangement::move_to_sides(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5).points_moved);
+}
+
+TEST_CASE("sides: an end stays where a triangle would turn over", "[arrangement]") {
+  VolumeSpec spec;
+  spec.shape = VolumeSpec::Shape::polygon;
+  spec.polygon = {{0, 0}, {8, 8}, {0, 16}, {-8, 8}};
+  spec.bottom = 0;
+  spec.top = 8;
+  const auto sides = make_volume(spec, {}, {}).sides;
+  // Ends 0.1 beyond the side, with a corner 0.05 beyond it.
+  const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0}, outwards{std::sqrt(0.5), -std::sqrt(0.5), 0}, z{0, 0, 3};
+  const std::vector<TriangulatedSurface> given{triangles(
+      "floor",
+      {{z + 4 * along + 0.1 * outwards, z + 4.2 * along + 0.1 * outwards, z + 4.1 * along + 0.05 * outwards}})};
+  auto ingested = arrangement::ingest({given, sides}, {}, {}, std::nullopt);
+  const auto before = ingested.complex.points;
+  arrangement::move_to_sides(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5);
+  CHECK(ingested.complex.points == before);
+}
