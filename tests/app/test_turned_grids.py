@@ -11,7 +11,7 @@ import os
 import random
 import resource
 
-from geomesh_program import NIGHTLY, SLOWNESS, ProgramTest, main, triangles_ts
+from geomesh_program import CANNOT_MESH, NIGHTLY, SLOWNESS, ProgramTest, main, triangles_ts
 
 COUNT = int(os.environ.get("GEOMESH_TURNED_GRIDS", "200" if NIGHTLY else "12"))
 MOST_SECONDS = 60 * SLOWNESS  # of CPU; without the joining to sides such models took more than ten minutes
@@ -77,10 +77,13 @@ class Model:
 class TurnedGrids(ProgramTest):
     timeout = 4 * MOST_SECONDS
 
-    def mesh_and_judge(self, model, mesh):
+    def write_model(self, model, mesh):
         for name, _, points, triangles in model.surfaces:
             self.write(name + ".ts", triangles_ts(name, points, triangles))
-        project = self.write("m.yaml", model.project(mesh))
+        return self.write("m.yaml", model.project(mesh))
+
+    def mesh_and_judge(self, model, mesh):
+        project = self.write_model(model, mesh)
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         self.run_program(project)
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, MOST_SECONDS)
@@ -103,6 +106,16 @@ class TurnedGrids(ProgramTest):
             for decimals in (2, 6):
                 with self.subTest(seed=seed, decimals=decimals):
                     self.mesh_and_judge(Model(seed, decimals), "{}")
+
+    def test_needles_that_ask_for_most_elements_are_told_before_the_work(self):
+        """In exact mode rows some millimetres off the sides stay there. Rows on the sides leave no needle to tell of."""
+        words = "short edges of the input ask for most"
+        for decimals in (3, None):
+            with self.subTest(decimals=decimals):
+                project = self.write_model(Model(2, decimals), "{honour: exact, max_elements: 1000}")
+                told = self.run_program(project, status=CANNOT_MESH)
+                self.assertEqual(words in told, decimals == 3, told)
+                self.assertEqual("a least size of" in told, decimals == 3, told)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
 #include "arrangement/join_input.hpp"
+#include "arrangement/model/displacement.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
 #include "arrangement/pockets/cut_flaps.hpp"

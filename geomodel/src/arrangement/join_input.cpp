@@ -2,6 +2,7 @@
 #include "arrangement/join_input.hpp"
 
 #include "arrangement/diagnosis/near_surfaces.hpp"
+#include "arrangement/model/displacement.hpp"
 #include "arrangement/sides/join_to_sides.hpp"
 #include "arrangement/snap/join_patches.hpp"
 #include "geomesh/core/error.hpp"
@@ -29,16 +30,6 @@ void refuse_tolerance_of_rounding(double tolerance, const Complex& complex) {
 }
 
 }  // namespace
-
-void add(const Displacement& more, Displacement& total) {
-  if (more.largest > total.largest) total.where = more.where;
-  total.largest += more.largest;
-  const auto n = static_cast<double>(total.points_moved + more.points_moved);
-  if (n > 0)
-    total.mean =
-        (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
-  total.points_moved += more.points_moved;
-}
 
 void MergingBook::take(const SnapOutcome& outcome) {
   add(outcome.moved, merging.displacement);

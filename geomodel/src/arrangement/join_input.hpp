@@ -13,9 +13,6 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A point may move once a step: the sum of the largest bounds it.
-void add(const Displacement& more, Displacement& total);
-
 /// The merging of a result, and facets that vanished.
 struct MergingBook {
   ArrangementResult::Merging& merging;

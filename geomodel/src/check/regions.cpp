@@ -92,7 +92,7 @@ void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& resul
   const Box3& box = volume.bounds;
   // Sides that are not along the axes are rounded, and surfaces that lie on them but for rounding are joined to them.
   constexpr double ulps_off_a_side = 32;
-  double ulp = 0, side_area = 0;
+  double ulp = 0, side_area = 0;  // of such sides
   for (const TriangulatedSurface& side : volume.sides)
     for (const Triangle& t : side.triangles)
       side_area += 0.5 * norm(cross(side.points[t[1]] - side.points[t[0]], side.points[t[2]] - side.points[t[0]]));
@@ -102,8 +102,7 @@ void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& resul
   for (const Vec3& p : {all.min, all.max})
     for (std::size_t i = 0; i < 3; ++i) ulp = std::max(ulp, std::nextafter(std::abs(p[i]), INFINITY) - std::abs(p[i]));
   const double room = ulps_off_a_side * ulp;
-  const double error = result.volume / volume.volume - 1;
-  const double tolerance = 1e-12 + (volume.box ? 2 * ulp : room) * side_area / volume.volume;
+  const double error = result.volume / volume.volume - 1, tolerance = 1e-12 + room * side_area / volume.volume;
   char text[200];
   if (!(error <= tolerance && (claim.ends_inside || error >= -tolerance))) {
     std::snprintf(text, sizeof text,

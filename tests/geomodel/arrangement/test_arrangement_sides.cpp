@@ -43,14 +43,12 @@ std::vector<TriangulatedSurface> sides_of(const Turned& frame) {
   return make_volume(spec, {}, {}).sides;
 }
 
-/// A horizon on a grid whose rows are the sides, and that goes on over `beyond` cells; each point is moved across.
-TriangulatedSurface horizon(
-    const Turned& frame, unsigned beyond, const std::function<double()>& off = [] { return 0; }) {
+/// A horizon on a grid whose rows are the sides, and that goes on over `beyond` cells.
+TriangulatedSurface horizon(const Turned& frame, unsigned beyond) {
   const double low = -step * beyond, high = width + step * beyond;
   auto grid = grid_surface("h", SurfaceKind::horizon, n + 2 * beyond, low, high, low, high,
                            [](double x, double y) { return 150 + 40 * std::sin(x / 90) * std::cos(y / 70); });
-  for (Vec3& p : grid.points)
-    p = frame.place(step * std::round(p.x / step) + off(), step * std::round(p.y / step) + off(), p.z);
+  for (Vec3& p : grid.points) p = frame.place(step * std::round(p.x / step), step * std::round(p.y / step), p.z);
   return grid;
 }
 
@@ -65,31 +63,51 @@ double least_height(const PolygonSoup& soup) {
   return least;
 }
 
-/// In the map, of edges that the first surface shares with sides.
-double length_on_sides(const PolygonSoup& soup, std::size_t n_surfaces, std::size_t n_sides) {
-  double sum = 0;
-  for (Index side = 0; side < n_sides; ++side)
-    for (const auto& [a, b] : common_edges(soup, 0, static_cast<Index>(n_surfaces) + side))
-      sum += std::hypot(soup.points[a].x - soup.points[b].x, soup.points[a].y - soup.points[b].y);
-  return sum;
-}
+/// Of a volume in a frame that the seed turns and places.
+struct Case {
+  Dice dice;
+  Turned frame;
+  ArrangementOptions options;
 
-Turned any_frame(Dice& dice) { return {dice.between(-90, 90), dice.between(0, 5e5), dice.between(0, 6e6)}; }
+  Case(unsigned seed, double tolerance) : dice(seed) {
+    frame = {dice.between(-90, 90), dice.between(0, 5e5), dice.between(0, 6e6)};
+    options.volume = sides_of(frame);
+    options.tolerance = tolerance;
+  }
+  ArrangementResult arrange(const TriangulatedSurface& surface) const {
+    ArrangementResult result = geomodel::arrange({surface}, {}, {}, options);
+    require_sound(result.soup);
+    return result;
+  }
+  /// In the map, of edges that the surface shares with sides.
+  double length_on_sides(const PolygonSoup& soup) const {
+    double sum = 0;
+    for (Index side = 1; side <= options.volume.size(); ++side)
+      for (const auto& [a, b] : common_edges(soup, 0, side))
+        sum += std::hypot(soup.points[a].x - soup.points[b].x, soup.points[a].y - soup.points[b].y);
+    return sum;
+  }
+};
+
+/// A square of which doubles lie on the sides, turned by 45 degrees.
+std::vector<TriangulatedSurface> sides_of_diamond() {
+  VolumeSpec spec;
+  spec.shape = VolumeSpec::Shape::polygon;
+  spec.polygon = {{0, 0}, {8, 8}, {0, 16}, {-8, 8}};
+  spec.bottom = 0;
+  spec.top = 8;
+  return make_volume(spec, {}, {}).sides;
+}
 
 }  // namespace
 
 TEST_CASE("sides: rows of a grid along a turned side are on it", "[arrangement]") {
   for (unsigned seed = 0; seed < 60; ++seed) {
     INFO("seed " << seed);
-    Dice dice(seed);
-    const Turned frame = any_frame(dice);
-    ArrangementOptions options;
-    options.volume = sides_of(frame);
-    options.tolerance = seed % 2 == 0 ? 0 : 0.5;
-    const auto result = arrange({horizon(frame, seed % 3)}, {}, {}, options);
-    require_sound(result.soup);
+    const Case c(seed, seed % 2 == 0 ? 0 : 0.5);
+    const auto result = c.arrange(horizon(c.frame, seed % 3));
     CHECK(least_height(result.soup) > 1);
-    CHECK(length_on_sides(result.soup, 1, options.volume.size()) == Approx(4 * width).epsilon(1e-9));
+    CHECK(c.length_on_sides(result.soup) == Approx(4 * width).epsilon(1e-9));
     CHECK(result.merging.displacement.largest < 2 * 32 * 0x1p-30);
   }
 }
@@ -97,20 +115,15 @@ TEST_CASE("sides: rows of a grid along a turned side are on it", "[arrangement]"
 TEST_CASE("sides: ends nearer than the tolerance go to a turned side, others stay", "[arrangement]") {
   for (unsigned seed = 0; seed < 40; ++seed) {
     INFO("seed " << seed);
-    Dice dice(seed);
-    const Turned frame = any_frame(dice);
-    ArrangementOptions options;
-    options.volume = sides_of(frame);
-    options.tolerance = 0.5;
+    const Case c(seed, 0.5);
     const bool is_near = seed % 2 == 0;
     const double off = is_near ? 0.01 : 2;
     const auto inwards = [&](double x) { return x < 1 ? x + off : x > width - 1 ? x - off : x; };
     TriangulatedSurface given = grid_surface("h", SurfaceKind::horizon, n, 0, width, 0, width,
                                              [](double x, double y) { return 150 + 0.1 * x - 0.05 * y; });
-    for (Vec3& p : given.points) p = frame.place(inwards(p.x), inwards(p.y), p.z);
-    const auto result = arrange({given}, {}, {}, options);
-    require_sound(result.soup);
-    CHECK(length_on_sides(result.soup, 1, options.volume.size()) == Approx(is_near ? 4 * width : 0).epsilon(1e-9));
+    for (Vec3& p : given.points) p = c.frame.place(inwards(p.x), inwards(p.y), p.z);
+    const auto result = c.arrange(given);
+    CHECK(c.length_on_sides(result.soup) == Approx(is_near ? 4 * width : 0).epsilon(1e-9));
     if (is_near) CHECK(least_height(result.soup) > 1);
   }
 }
@@ -118,35 +131,27 @@ TEST_CASE("sides: ends nearer than the tolerance go to a turned side, others sta
 TEST_CASE("sides: a fault that ends beside a side reaches it, with corners beyond the volume", "[arrangement]") {
   for (unsigned seed = 0; seed < 40; ++seed) {
     INFO("seed " << seed);
-    Dice dice(seed);
-    const Turned frame = any_frame(dice);
-    ArrangementOptions options;
-    options.volume = sides_of(frame);
-    options.tolerance = 0.5;
+    Case c(seed, 0.5);
+    Dice& dice = c.dice;
     const double x = dice.between(0.3, 0.7) * width, dip = dice.between(-100, 100), off = dice.between(-0.02, 0.02);
-    TriangulatedSurface fault{"f", SurfaceKind::fault, {}, {}};
+    TriangulatedSurface fault;
+    fault.name = "f";
+    fault.kind = SurfaceKind::fault;
     fault.triangles = {{0, 1, 2}, {0, 2, 3}};
     for (const double y : {off, width - off}) {
-      fault.points.push_back(frame.place(x + (y < 1 ? -dip : dip), y, y < 1 ? -80 : top + 80));
-      fault.points.push_back(frame.place(x + (y < 1 ? dip : -dip), y, y < 1 ? top + 80 : -80));
+      fault.points.push_back(c.frame.place(x + (y < 1 ? -dip : dip), y, y < 1 ? -80 : top + 80));
+      fault.points.push_back(c.frame.place(x + (y < 1 ? dip : -dip), y, y < 1 ? top + 80 : -80));
     }
-    const auto result = arrange({fault}, {}, {}, options);
-    require_sound(result.soup);
+    const auto result = c.arrange(fault);
     for (const auto& spot : result.spots) CHECK(spot.what != "free border");
-    const double on_sides = length_on_sides(result.soup, 1, options.volume.size());
+    const double on_sides = c.length_on_sides(result.soup);
     const double slope = 2 * dip / (top + 160);
     CHECK(on_sides == Approx(2 * width + 2 * std::fabs(slope) * top).epsilon(1e-3));
   }
 }
 
 TEST_CASE("sides: what lies on a side exactly, or crosses it plainly, is left to the intersection", "[arrangement]") {
-  // A square turned by 45 degrees: doubles lie on its sides.
-  VolumeSpec spec;
-  spec.shape = VolumeSpec::Shape::polygon;
-  spec.polygon = {{0, 0}, {8, 8}, {0, 16}, {-8, 8}};
-  spec.bottom = 0;
-  spec.top = 8;
-  const auto sides = make_volume(spec, {}, {}).sides;
+  const auto sides = sides_of_diamond();
   const auto floor = triangles(
       "floor", {{Vec3{2, 2, 3}, Vec3{6, 6, 3}, Vec3{0, 8, 3}}, {Vec3{6, 6, 3}, Vec3{2, 2, 3}, Vec3{6, 1, 3}}});
   const std::vector<TriangulatedSurface> given{floor};
@@ -157,12 +162,7 @@ TEST_CASE("sides: what lies on a side exactly, or crosses it plainly, is left to
 }
 
 TEST_CASE("sides: an end stays where a triangle would turn over", "[arrangement]") {
-  VolumeSpec spec;
-  spec.shape = VolumeSpec::Shape::polygon;
-  spec.polygon = {{0, 0}, {8, 8}, {0, 16}, {-8, 8}};
-  spec.bottom = 0;
-  spec.top = 8;
-  const auto sides = make_volume(spec, {}, {}).sides;
+  const auto sides = sides_of_diamond();
   // Ends 0.1 beyond the side, with a corner 0.05 beyond it.
   const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0}, outwards{std::sqrt(0.5), -std::sqrt(0.5), 0}, z{0, 0, 3};
   const std::vector<TriangulatedSurface> given{triangles(

@@ -152,13 +152,13 @@ void drop_unused_points(Complex& complex) {
   for (auto& p : complex.isolated_points) p.v = row[p.v];
 }
 
-double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 double unit_in_the_last_place(const Complex& complex) {
   double largest = 0;
   for (const Vec3& p : complex.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-300)) - 52);
 }
 
+double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 double area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * length(cross(b - a, c - a)); }
 
 }  // namespace geomesh::geomodel::arrangement

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 
 #include "arrangement/sides/side_facets.hpp"
@@ -23,16 +22,9 @@ Corners corners_of(const Complex& complex, Index f) {
 
 /// All corners of t are farther from the plane than the distance, and on one side of it.
 bool is_apart(const Corners& plane, const Corners& t, double distance) {
-  constexpr double rounding = 0x1p-50;
-  const Vec3 u = plane[1] - plane[0], v = plane[2] - plane[0], n = cross(u, v);
-  const double area = length(n), error = rounding * length(u) * length(v);
-  bool above = true, below = true;
-  for (const Vec3& p : t) {
-    const double d = dot(n, p - plane[0]), least = distance * area + error * length(p - plane[0]);
-    above &= d > least;
-    below &= d < -least;
-  }
-  return above || below;
+  const PlaneWithin near(plane, distance);
+  const int side = near.side(t[0]);
+  return side != 0 && near.side(t[1]) == side && near.side(t[2]) == side;
 }
 
 /// A corner of t is within the distance of the triangle `of`, and not exactly in its plane.

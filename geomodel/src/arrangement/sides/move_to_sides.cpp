@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "arrangement/model/displacement.hpp"
 #include "arrangement/model/surface_ends.hpp"
 #include "arrangement/sides/join_to_sides.hpp"
 #include "arrangement/sides/side_facets.hpp"
@@ -112,13 +113,12 @@ class SidePlaces {
 /// Moves of vertices, less those that would turn a facet over.
 class Moves {
  public:
-  Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {
-    for (const Vec3& p : points_) taken_.insert(p);
-  }
+  Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}
 
   /// Places stay distinct: beside one that is taken goes another, some ulps off.
   void add(VertexIndex v, Vec3 to) {
     if (to == points_[v]) return;
+    if (taken_.empty()) taken_.insert(complex_.points.begin(), complex_.points.end());
     constexpr unsigned most_tries = 8;
     for (unsigned k = 0; k < most_tries; ++k, to.z += unit_)
       if (taken_.insert(to).second) {
@@ -128,7 +128,7 @@ class Moves {
   }
 
   void take_back_where_facets_turn() {
-    for (bool turns = true; turns;) {
+    for (bool turns = !taken_.empty(); turns;) {
       turns = false;
       for (const Triangle& t : complex_.facets) turns |= take_back(t);
     }
@@ -178,20 +178,11 @@ class VerticesToMove {
 };
 
 Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
-  Displacement moved;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const double distance = length(points[v] - complex.points[v]);
-    if (!(distance > 0)) continue;
-    ++moved.points_moved;
-    moved.mean += distance;
-    if (distance > moved.largest) {
-      moved.largest = distance;
-      moved.where = points[v];
-    }
-    complex.points[v] = points[v];
-  }
-  if (moved.points_moved > 0) moved.mean /= static_cast<double>(moved.points_moved);
-  return moved;
+  MovesOfStep moves;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (const double distance = length(points[v] - complex.points[v]); distance > 0) moves.note(distance, points[v]);
+  complex.points = points;
+  return moves.displacement();
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 #include "arrangement/snap/join_surfaces.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
 #include "arrangement/model/surface_ends.hpp"
 #include "arrangement/search/bvh.hpp"
+#include "arrangement/snap/nearness.hpp"
 #include "arrangement/snap/snap_search.hpp"
 #include "geomesh/core/predicates.hpp"
 
@@ -69,14 +69,11 @@ class Ends {
   /// An end of the edge is near to the plane of the facet, or rounding leaves that open, and not on it. What is on it
   /// is crossed exactly. An edge that goes through a plane at both of its ends crosses it plainly.
   bool comes_near(const SurfaceEnd& e, const Triangle& t) const {
-    constexpr double rounding = 0x1p-50;
     const Vec3 &p = complex_.points[t[0]], &q = complex_.points[t[1]], &r = complex_.points[t[2]];
-    const Vec3 u = q - p, v = r - p, n = cross(u, v);
-    const double area = length(n), error = rounding * length(u) * length(v);
+    const PlaneWithin plane({p, q, r}, joining_.distance);
     return std::ranges::any_of(std::array{e.a, e.b}, [&](VertexIndex end) {
       const Vec3& x = complex_.points[end];
-      return std::fabs(dot(n, x - p)) < joining_.distance * area + error * length(x - p) &&
-             orient3d(p, q, r, x) != Sign::zero;
+      return plane.side(x) == 0 && orient3d(p, q, r, x) != Sign::zero;
     });
   }
 

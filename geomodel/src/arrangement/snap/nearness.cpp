@@ -2,6 +2,7 @@
 #include "arrangement/snap/nearness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "arrangement/model/complex.hpp"
 
@@ -26,6 +27,21 @@ std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b
   }
   if (!(s > 0 && s < 1 && t > 0 && t < 1)) return std::nullopt;
   return std::array{p, q};
+}
+
+PlaneWithin::PlaneWithin(const std::array<Vec3, 3>& triangle, double distance) : at_(triangle[0]) {
+  constexpr double rounding = 0x1p-50;
+  const Vec3 u = triangle[1] - at_, v = triangle[2] - at_;
+  normal_ = cross(u, v);
+  distance_ = distance * length(normal_);
+  error_ = rounding * length(u) * length(v);
+}
+
+int PlaneWithin::side(const Vec3& p) const {
+  const Vec3 off = p - at_;
+  const double height = dot(normal_, off);
+  if (std::fabs(height) < distance_ + error_ * length(off)) return 0;
+  return height > 0 ? 1 : -1;
 }
 
 /// All is measured across the longest edge: there a thin triangle is as short as it is thin, and so are the errors.

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "arrangement/model/displacement.hpp"
+
 namespace geomesh::geomodel::arrangement {
 namespace {
 
@@ -93,8 +95,7 @@ class Rounding {
     take_facets();
     take_segments();
     for (const auto& p : arranged_.isolated_points) result_.complex.isolated_points.push_back({row_[p.v], p.point});
-    if (result_.displacement.points_moved > 0)
-      result_.displacement.mean /= static_cast<double>(result_.displacement.points_moved);
+    result_.displacement = moves_.displacement();
     return std::move(result_);
   }
 
@@ -176,13 +177,7 @@ class Rounding {
       squared += d * d;
     }
     if (!moved) return false;
-    const double d = std::sqrt(squared);
-    result_.displacement.mean += d;
-    ++result_.displacement.points_moved;
-    if (d > result_.displacement.largest) {
-      result_.displacement.largest = d;
-      result_.displacement.where = p;
-    }
+    moves_.note(std::sqrt(squared), p);
     return true;
   }
 
@@ -222,6 +217,7 @@ class Rounding {
   std::vector<VertexIndex> row_;
   std::vector<std::uint8_t> moved_;
   Rounded result_;
+  MovesOfStep moves_;
 };
 
 }  // namespace

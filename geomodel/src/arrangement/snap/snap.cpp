@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "arrangement/model/displacement.hpp"
 #include "arrangement/snap/snap_search.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -231,7 +232,7 @@ class Snapper {
     rebuilding.rebuild_facets();
     rebuilding.rebuild_segments();
     for (auto& p : complex_.isolated_points) p.v = now_[p.v];
-    if (outcome_.moved.points_moved > 0) outcome_.moved.mean /= static_cast<double>(outcome_.moved.points_moved);
+    outcome_.moved = moves_.displacement();
     return outcome_;
   }
 
@@ -263,15 +264,6 @@ class Snapper {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  void note_move(double distance, const Vec3& where) {
-    Displacement& d = outcome_.moved;
-    ++d.points_moved;
-    d.mean += distance;
-    if (distance <= d.largest) return;
-    d.largest = distance;
-    d.where = where;
-  }
-
   /// Places must stay distinct: a vertex that would come to another's place merges with it afterwards, being nearer
   /// than the distance.
   void move_to_box() {
@@ -281,7 +273,7 @@ class Snapper {
       if (options_.move_to_box == MoveToBox::of_free_borders && !options_.rule.of_vertex(v).is_border) continue;
       const Vec3 p = planes_.onto_near(point(v), options_.distance);
       if (p == point(v) || !taken.insert({p.x, p.y, p.z}).second) continue;
-      note_move(length(p - point(v)), p);
+      moves_.note(length(p - point(v)), p);
       complex_.points[v] = p;
     }
   }
@@ -304,7 +296,7 @@ class Snapper {
       options_.rule.set_vertex(stands,
                                options_.rule.united(options_.rule.of_vertex(stands), options_.rule.of_vertex(v)));
       ++outcome_.n_vertices_merged;
-      note_move(length(point(v) - point(stands)), point(stands));
+      moves_.note(length(point(v) - point(stands)), point(stands));
     }
     for (Index f = 0; f < complex_.facets.size(); ++f)
       for (VertexIndex& v : complex_.facets[f]) {
@@ -333,7 +325,7 @@ class Snapper {
   void note_insertions(const EdgeKey& edge, const std::vector<VertexIndex>& on) {
     outcome_.n_vertices_inserted += on.size();
     const Vec3 d = point(edge.second) - point(edge.first);
-    for (const VertexIndex v : on) note_move(length(cross(point(v) - point(edge.first), d)) / length(d), point(v));
+    for (const VertexIndex v : on) moves_.note(length(cross(point(v) - point(edge.first), d)) / length(d), point(v));
   }
 
   Complex& complex_;
@@ -345,6 +337,7 @@ class Snapper {
   std::vector<EdgeKey> edges_;
   std::set<Index> touched_;  ///< facets of which a corner merged
   SnapOutcome outcome_;
+  MovesOfStep moves_;
 };
 
 }  // namespace

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// How far points moved, added up.
+#pragma once
+
+#include "geomesh/geomodel/arrangement.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// The moves of one step.
+class MovesOfStep {
+ public:
+  /// To `where`, over the distance.
+  void note(double distance, const Vec3& where) {
+    ++moved_.points_moved;
+    sum_ += distance;
+    if (distance <= moved_.largest) return;
+    moved_.largest = distance;
+    moved_.where = where;
+  }
+  Displacement displacement() const {
+    Displacement moved = moved_;
+    if (moved.points_moved > 0) moved.mean = sum_ / static_cast<double>(moved.points_moved);
+    return moved;
+  }
+
+ private:
+  Displacement moved_;
+  double sum_ = 0;
+};
+
+/// A point may move once a step: the sum of the largest bounds it.
+inline void add(const Displacement& more, Displacement& total) {
+  if (more.largest > total.largest) total.where = more.where;
+  total.largest += more.largest;
+  const auto n = static_cast<double>(total.points_moved + more.points_moved);
+  if (n > 0)
+    total.mean =
+        (total.mean * static_cast<double>(total.points_moved) + more.mean * static_cast<double>(more.points_moved)) / n;
+  total.points_moved += more.points_moved;
+}
+
+}  // namespace geomesh::geomodel::arrangement
