@@ -4,6 +4,8 @@
 The sides and the grid are computed apart from each other, as users do. So the rows are on the sides but for rounding. Each model must be
 meshed in the time that its number of elements asks for, pass the judge, and have no element too flat that nothing forces.
 
+So must be models with a fault past an upright edge of the volume.
+
     GEOMESH_TURNED_GRIDS=300 ctest ... -R app.turned_grids     another number of models
 """
 import math
@@ -57,6 +59,23 @@ class Model:
         corners = ((x - off, -more, 1), (x - off, self.north + more, 1), (x + off, self.north + more, -21), (x + off, -more, -21))
         return [self.given((*self.place(x, y), z * self.unit)) for x, y, z in corners], [(0, 1, 2), (0, 2, 3)]
 
+    def take_fault_by_corner(self):
+        """An upright fault past the first upright edge of the volume, by nothing to 30 mm, to the edge across or to a place inside."""
+        dice, diagonal = self.dice, math.degrees(math.atan2(self.north, self.east))
+        across = self.shape != "polygon" and 15 < diagonal < 75 and dice.random() < 0.5
+        angle = math.radians(diagonal if across else dice.uniform(15, 75))
+        length = math.hypot(self.east, self.north) if across else 0.6 * min(self.east, self.north)
+        off, cells, before = dice.choice((0, 0, 1, -1)) * 10 ** dice.uniform(-6, -1.5), dice.choice((1, 1, 2, 5, 9)), dice.choice((0, 0.03, 0.1))
+        low, high = -before * length, length * (1 + before if across else 1)
+        points, c, s = [], math.cos(angle), math.sin(angle)
+        for z in (1 - 22 * j / cells for j in range(cells + 1)):
+            for x in (low + (high - low) * i / cells for i in range(cells + 1)):
+                points.append(self.given((*self.place(x * c - off * s, x * s + off * c), z * self.unit)))
+        n = cells + 1
+        corners = [(a, a + 1, a + 1 + n, a + n) for j in range(cells) for a in range(j * n, j * n + cells)]
+        triangles = [t for a, b, c, d in corners for t in ((a, b, c), (a, c, d))]
+        self.surfaces = [f for f in self.surfaces if f[1] != "fault"] + [("f", "fault", points, triangles)]
+
     def box(self):
         bottom = f"bottom: {-20 * self.unit!r}, top: 0"
         if self.shape == "aligned":
@@ -92,6 +111,7 @@ class TurnedGrids(ProgramTest):
         flat = report["quality"]["below_8_degrees"]
         self.assertEqual(flat["tetrahedra"], flat["forced"], report["quality"]["worst"])
         self.assertFalse([w for w in report["warnings"] if "stops short" in w])
+        return report
 
     def test_rows_on_the_sides_but_for_rounding(self):
         for seed in range(COUNT):
@@ -106,6 +126,16 @@ class TurnedGrids(ProgramTest):
             for decimals in (2, 6):
                 with self.subTest(seed=seed, decimals=decimals):
                     self.mesh_and_judge(Model(seed, decimals), "{}")
+
+    def test_faults_past_an_upright_edge_are_drawn_to_it(self):
+        """Beside the edge such a fault leaves no room for an element, so none may be flat, and nothing is left to tell of."""
+        for seed in range(COUNT):
+            model = Model(1000 + seed, random.Random(seed).choice((None, 6, 3, 2)))
+            model.take_fault_by_corner()
+            with self.subTest(seed=seed, decimals=model.decimals):
+                report = self.mesh_and_judge(model, "{}")
+                self.assertEqual(report["quality"]["below_8_degrees"]["tetrahedra"], 0, report["quality"]["worst"])
+                self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
 
     def test_needles_that_ask_for_most_elements_are_told_before_the_work(self):
         """In exact mode rows some millimetres off the sides stay there. Rows on the sides leave no needle to tell of."""

@@ -2,9 +2,9 @@
 #include "arrangement/join_input.hpp"
 
 #include "arrangement/diagnosis/near_surfaces.hpp"
+#include "arrangement/join/join_patches.hpp"
 #include "arrangement/model/displacement.hpp"
 #include "arrangement/sides/join_to_sides.hpp"
-#include "arrangement/snap/join_patches.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/words.hpp"
 
@@ -82,6 +82,11 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
     take(book, joined, now);
   }
   add(move_to_sides(complex, joining_, options_.tolerance), book.merging.displacement);
+  for (unsigned pass = 0; pass < most_passes; ++pass) {
+    const auto drawn = draw_to_creases(complex, joining_, options_.tolerance);
+    if (!drawn) break;
+    book.take(*drawn);
+  }
   SnapOptions snapping{options_.tolerance, joining_.box};
   if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
   if (!joins_all || !options_.volume.empty()) {
@@ -90,6 +95,7 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
     snapping.rule = join_rule(contacts);
     rule_restricts_ = true;
   }
+  snapping.sides_of = sides_of_vertices(complex, joining_);
   const SnapOutcome joined = snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &now);
   take(book, joined, now);
 }

@@ -6,10 +6,10 @@
 #include <set>
 #include <vector>
 
+#include "arrangement/join/join_surfaces.hpp"
 #include "arrangement/model/contacts.hpp"
 #include "arrangement/model/ingest.hpp"
 #include "arrangement/snap/join_rule.hpp"
-#include "arrangement/snap/join_surfaces.hpp"
 
 namespace geomesh::geomodel::arrangement {
 

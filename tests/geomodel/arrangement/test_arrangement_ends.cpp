@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "arrangement/join/join_surfaces.hpp"
 #include "arrangement/model/ingest.hpp"
-#include "arrangement/snap/join_surfaces.hpp"
 #include "arrangement_inputs.hpp"
 #include "common_edges.hpp"
 #include "require_sound.hpp"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "arrangement/pockets/shells.hpp"
-#include "arrangement/snap/flatten_slivers.hpp"
+#include "arrangement/join/flatten_slivers.hpp"
 #include "arrangement/snap/slits.hpp"
 #include "arrangement_inputs.hpp"
 #include "dice.hpp"

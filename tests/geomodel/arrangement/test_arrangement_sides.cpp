@@ -2,6 +2,7 @@
 // Surfaces on the sides of a volume that is no box along the axes, but for rounding or for a tolerance.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 
 #include "arrangement/model/ingest.hpp"
 #include "arrangement/sides/join_to_sides.hpp"
@@ -70,14 +71,25 @@ struct Case {
   ArrangementOptions options;
 
   Case(unsigned seed, double tolerance) : dice(seed) {
-    frame = {dice.between(-90, 90), dice.between(0, 5e5), dice.between(0, 6e6)};
-    options.volume = sides_of(frame);
+    take_frame({dice.between(-90, 90), dice.between(0, 5e5), dice.between(0, 6e6)});
     options.tolerance = tolerance;
   }
-  ArrangementResult arrange(const TriangulatedSurface& surface) const {
-    ArrangementResult result = geomodel::arrange({surface}, {}, {}, options);
+  void take_frame(const Turned& turned) {
+    frame = turned;
+    options.volume = sides_of(frame);
+  }
+  ArrangementResult arrange(const TriangulatedSurface& surface) const { return arrange_all({surface}); }
+  ArrangementResult arrange_all(const std::vector<TriangulatedSurface>& surfaces) const {
+    ArrangementResult result = geomodel::arrange(surfaces, {}, {}, options);
     require_sound(result.soup);
     return result;
+  }
+  /// The same volume as a box, where the frame is not turned.
+  void take_box() {
+    frame.degrees = 0;
+    options.volume.clear();
+    const Vec3 far = frame.place(width, width, top);
+    options.box = Box3{{frame.east, frame.north, 0}, far};
   }
   /// In the map, of edges that the surface shares with sides.
   double length_on_sides(const PolygonSoup& soup) const {
@@ -88,6 +100,27 @@ struct Case {
     return sum;
   }
 };
+
+/// Of edges that the surface shares with two sides.
+double length_on_creases(const PolygonSoup& soup, Index surface, Index first_side, Index n_sides) {
+  std::map<std::pair<VertexIndex, VertexIndex>, unsigned> n_sides_at;
+  for (Index side = first_side; side < first_side + n_sides; ++side)
+    for (const auto& e : common_edges(soup, surface, side)) ++n_sides_at[e];
+  double sum = 0;
+  for (const auto& [e, n_at] : n_sides_at)
+    if (n_at > 1) sum += arrangement::length(soup.points[e.first] - soup.points[e.second]);
+  return sum;
+}
+
+/// Upright, through the first corner of the volume but for `off`, at an angle to the side that is south there. It
+/// begins before the corner and ends above and below the volume.
+TriangulatedSurface fault_by_corner(const Turned& frame, double degrees, double off, unsigned cells) {
+  const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+  TriangulatedSurface fault = grid_surface("f", SurfaceKind::fault, cells, -0.1 * width, 0.8 * width, -20, top + 20,
+                                           [](double, double) { return 0; });
+  for (Vec3& p : fault.points) p = frame.place(p.x * c - off * s, p.x * s + off * c, p.y);
+  return fault;
+}
 
 /// A square of which doubles lie on the sides, turned by 45 degrees.
 std::vector<TriangulatedSurface> sides_of_diamond() {
@@ -172,4 +205,72 @@ TEST_CASE("sides: an end stays where a triangle would turn over", "[arrangement]
   const auto before = ingested.complex.points;
   arrangement::move_to_sides(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5);
   CHECK(ingested.complex.points == before);
+}
+
+TEST_CASE("sides: a fault that passes beside an upright edge is drawn to it", "[arrangement]") {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    INFO("seed " << seed);
+    Case c(seed, 0.5);
+    if (seed % 3 == 0) c.take_box();
+    if (seed % 3 == 1) c.take_frame({45, 0, 0});  // of which the upright edges have doubles on them
+    c.options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
+    const double off = seed % 6 == 4 ? 0 : (seed % 2 == 0 ? 1 : -1) * std::pow(10, c.dice.between(-9, -0.5));
+    const auto fault = fault_by_corner(c.frame, c.dice.between(20, 70), off, 1 + seed % 7);
+    const auto result = c.arrange_all({horizon(c.frame, seed % 2), fault});
+    CHECK(length_on_creases(result.soup, 1, 2, 6) == Approx(top).epsilon(1e-9));
+    // In a box the end inside joins the side's own edges, too.
+    if (!c.options.box) CHECK(c.arrange(fault).merging.displacement.largest <= std::fabs(off) + 1e-6);
+    for (const auto& spot : result.spots) CHECK(spot.what != "self-crossing");
+  }
+}
+
+TEST_CASE("sides: a fault farther from an upright edge than the tolerance stays", "[arrangement]") {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    INFO("seed " << seed);
+    Case c(seed, 0.5);
+    if (seed % 3 == 0) c.take_box();
+    c.options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
+    const auto result = c.arrange(fault_by_corner(c.frame, 45, 2, 1 + seed % 4));
+    CHECK(length_on_creases(result.soup, 0, 1, 6) == 0);
+    if (!c.options.box) CHECK(result.merging.displacement.largest < 1e-6);
+  }
+}
+
+TEST_CASE("sides: facets on an upright edge exactly are left to the intersection", "[arrangement]") {
+  const auto sides = sides_of_diamond();
+  const std::vector<TriangulatedSurface> given{triangles(
+      "f", {{Vec3{0, -2, -2}, Vec3{0, 18, -2}, Vec3{0, 18, 10}}, {Vec3{0, -2, -2}, Vec3{0, 18, 10}, Vec3{0, -2, 10}}})};
+  auto ingested = arrangement::ingest({given, sides}, {}, {}, std::nullopt);
+  CHECK_FALSE(arrangement::draw_to_creases(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5));
+  auto beside = given;
+  for (Vec3& p : beside[0].points) p.x = 0x1p-10;
+  auto other = arrangement::ingest({beside, sides}, {}, {}, std::nullopt);
+  CHECK(arrangement::draw_to_creases(other.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5));
+}
+
+TEST_CASE("sides: an end on a turned side stays there where a fault's edge passes it", "[arrangement]") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    INFO("seed " << seed);
+    Case c(seed, 0.5);
+    const auto ending = horizon(c.frame, 0);
+    // Its long edge crosses the side's plane above the middle of an end of the horizon, by less than the tolerance.
+    const double x = (1 + seed % (n - 2) + 0.5) * step,
+                 height = 0.5 * (ending.points[seed % (n - 2) + 1].z + ending.points[seed % (n - 2) + 2].z);
+    const double above = c.dice.between(0.1, 0.4), slope = c.dice.between(-0.5, 0.5);
+    const auto place = [&](double along, double up) {
+      return c.frame.place(x + slope * along, along, height + above + up);
+    };
+    TriangulatedSurface fault;
+    fault.name = "f";
+    fault.kind = SurfaceKind::fault;
+    fault.points = {place(-100, 0), place(400, 0), place(400, 400), place(-100, -400), place(400, -400)};
+    fault.triangles = {{0, 1, 2}, {0, 3, 4}, {0, 4, 1}};
+    const auto result = c.arrange_all({ending, fault});
+    double on_sides = 0;
+    for (Index side = 2; side < 8; ++side)
+      for (const auto& [a, b] : common_edges(result.soup, 0, side))
+        on_sides += std::hypot(result.soup.points[a].x - result.soup.points[b].x,
+                               result.soup.points[a].y - result.soup.points[b].y);
+    CHECK(on_sides == Approx(4 * width).epsilon(1e-9));
+  }
 }

@@ -2,7 +2,7 @@
 // Facets as thin as rounding.
 #include <catch2/catch.hpp>
 
-#include "arrangement/snap/flatten_slivers.hpp"
+#include "arrangement/join/flatten_slivers.hpp"
 #include "dice.hpp"
 #include "require_sound.hpp"
 

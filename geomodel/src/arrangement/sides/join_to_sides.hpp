@@ -1,27 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sides of a volume that is no box along the axes: of a turned box, of a polygon of the map. Hardly any double lies on
-/// such a plane, so what was given on it is beside it by rounding.
+/// What lies on sides of the volume, or passes edges between them, but for rounding or for a tolerance. Hardly any
+/// double lies on a side of a turned box or of a polygon of the map, so what was given on it is beside it by rounding.
 #pragma once
 
 #include <optional>
 
-#include "arrangement/snap/join_surfaces.hpp"
+#include "arrangement/join/join_surfaces.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
-/// Surfaces are joined to such sides wherever they are nearer than `joining.distance`, some ulps. Rows of a grid that
-/// lie along a side would wind through it else, and leave needles an ulp wide. Sides are split at vertices of surfaces,
-/// and leave their planes by no more than that. What lies on a side exactly is left to the exact intersection, and so
-/// is what crosses it plainly. `vertex_now` as snap_near() gives it. Nothing where sides are planes of a box, or where
-/// nothing is near enough. O(n log s) for n facets and s facets of sides, where each facet's box meets few of these.
+/// Surfaces are joined to sides that are no planes of a box wherever they are nearer than `joining.distance`, some
+/// ulps. Rows of a grid that lie along a side would wind through it else, and leave needles an ulp wide. Sides are
+/// split at vertices of surfaces, and leave their planes by no more than that. What crosses a side plainly is left to
+/// the exact intersection. So is what lies on sides exactly, where all does. `vertex_now` as snap_near() gives it.
+/// Nothing where sides are planes of a box, or where nothing is near enough. O(n log s) for n facets and s facets of
+/// sides, where each facet's box meets few of these.
 std::optional<SnapOutcome> join_to_sides(Complex& complex, const Joining& joining,
                                          std::vector<VertexIndex>& vertex_now);
 
-/// Ends of surfaces nearer than `tolerance` to such a side, on either side of it, go to it, but for rounding: to a
-/// corner of the volume that is as near, else to an edge between two sides, else to the side. Ends of an edge that
-/// follows a side go to its plane, also where they are beyond the volume. Other vertices go from nearer than a
-/// hundredth of the tolerance. join_to_sides() does the rest. What would turn a triangle over stays. Cost as above.
+/// Vertices within reach of an edge between two sides go to it, or to a corner of the volume (Reach). Where sides are
+/// no planes of a box, vertices within reach of a side alone go to that, on either side of it, but for rounding. Ends
+/// of an edge of a surface that is as near to a side's plane go to it, also where they are beyond the volume.
+/// join_to_sides() does the rest. What would turn a triangle over stays. Cost as above.
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance);
+
+/// Facets that pass an edge between two sides within reach are drawn to it. They are split at its ends, where these are
+/// as near, and where their own edges pass it. Such facets would part from the edge at so small an angle that no
+/// element fits between. The edges of sides keep their places, but for rounding. Nothing where all that is near lies on
+/// these edges exactly. Vertices that are near are to be on them: move_to_sides() comes first. O(n log c) for n facets
+/// and c such edges, where each facet's box meets few of these.
+std::optional<SnapOutcome> draw_to_creases(Complex& complex, const Joining& joining, double tolerance);
+
+/// For SnapOptions::sides_of, of a volume that is no box along the axes; else empty. O(n log s).
+std::vector<std::uint64_t> sides_of_vertices(const Complex& complex, const Joining& joining);
 
 }  // namespace geomesh::geomodel::arrangement

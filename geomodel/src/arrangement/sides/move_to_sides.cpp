@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices that go to sides, declared in arrangement/sides/join_to_sides.hpp.
 #include <algorithm>
-#include <map>
-#include <set>
+#include <limits>
 #include <unordered_set>
 #include <utility>
 
 #include "arrangement/model/displacement.hpp"
 #include "arrangement/model/surface_ends.hpp"
 #include "arrangement/sides/join_to_sides.hpp"
-#include "arrangement/sides/side_facets.hpp"
+#include "arrangement/sides/reach.hpp"
 #include "arrangement/snap/nearness.hpp"
 #include "arrangement/snap/snap_search.hpp"
 #include "geomesh/core/surface_distance.hpp"
@@ -22,29 +21,37 @@ Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b -
 /// The places of the sides: corners, edges between two sides, and facets.
 class SidePlaces {
  public:
-  SidePlaces(const Complex& complex, const Joining& joining, const SideFacets& sides)
-      : complex_(complex), joining_(joining), sides_(sides), planes_(joining.box), creases_(find_creases()) {}
+  SidePlaces(const Complex& complex, const Joining& joining, const SideFacets& sides, double tolerance)
+      : complex_(complex),
+        sides_(sides),
+        planes_(joining.box),
+        tolerance_(tolerance),
+        reach_(complex, joining, sides, tolerance) {}
 
-  /// Nearest place nearer than the distance: of a corner, else of an edge between two sides, else of a side.
-  std::optional<Vec3> nearest(const Vec3& p, double distance) const {
-    Nearest corner{distance}, edge{distance}, side{distance};
-    sides_.visit_near(std::array{p}, distance, [&](Index f) {
+  /// Where the vertex goes: to a corner of the volume, else to an edge between two sides, else to a side.
+  std::optional<Vec3> nearest(VertexIndex v) const {
+    const Vec3& p = complex_.points[v];
+    Nearest corner, edge, side;
+    sides_.visit_near(std::array{p}, tolerance_, [&](Index f) {
       const Triangle& t = complex_.facets[f];
-      side.see(p, on_facet(p, t));
+      side.see(p, on_facet(p, t), [&] { return reach_.of_vertex(v, f); });
       for (const EdgeKey& e : edges_of(t)) {
-        if (!creases_.contains(e)) continue;
-        edge.see(p, on_edge(p, e));
-        for (const VertexIndex v : {e.first, e.second}) corner.see(p, complex_.points[v]);
+        if (!reach_.is_crease(e)) continue;
+        edge.see(p, on_edge(p, e), [&] { return reach_.of_vertex(v, e); });
+        for (const VertexIndex c : {e.first, e.second})
+          corner.see(p, complex_.points[c], [&] { return reach_.of_vertex_to_corner(v, c); });
       }
     });
     return corner.place ? corner.place : edge.place ? edge.place : side.place;
   }
 
-  /// A facet that the edge (a, b) passes nearer than the distance. Both ends are as near to its plane, wherever they
-  /// are along it. no_index: there is none.
-  Index followed_by(const Vec3& a, const Vec3& b, double distance) const {
+  /// A facet of a side that the edge passes within reach. Both ends are as near to its plane, wherever they are along
+  /// it. no_index: there is none.
+  Index followed_by(const SurfaceEnd& e) const {
+    const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
     Index found = no_index;
-    sides_.visit_near(std::array{a, b}, distance, [&](Index f) {
+    sides_.visit_near(std::array{a, b}, tolerance_, [&](Index f) {
+      const double distance = std::min(reach_.of_vertex(e.a, f), reach_.of_vertex(e.b, f));
       if (found == no_index && is_near_plane(a, f, distance) && is_near_plane(b, f, distance) &&
           passes(a, b, f, distance))
         found = f;
@@ -71,11 +78,13 @@ class SidePlaces {
   }
 
   struct Nearest {
-    double distance;
+    double distance = std::numeric_limits<double>::infinity();
     std::optional<Vec3> place{};
-    void see(const Vec3& p, const Vec3& at) {
-      if (!(length(p - at) < distance)) return;
-      distance = length(p - at);
+    /// `reach()`: from how far the place may be taken.
+    void see(const Vec3& p, const Vec3& at, auto reach) {
+      const double d = length(p - at);
+      if (!(d < distance) || !(d < reach())) return;
+      distance = d;
       place = at;
     }
   };
@@ -90,24 +99,11 @@ class SidePlaces {
     return planes_.onto(closest_on_triangle(p, {a, b, b}), planes_.of(a) & planes_.of(b));
   }
 
-  /// Edges with facets of two sides.
-  std::set<EdgeKey> find_creases() const {
-    std::map<EdgeKey, Index> side_at;
-    std::set<EdgeKey> creases;
-    for (const Index f : sides_.all())
-      for (const Origin& o : complex_.origins.of(f)) {
-        if (o.surface < joining_.first_side) continue;
-        for (const EdgeKey& e : edges_of(complex_.facets[f]))
-          if (side_at.try_emplace(e, o.surface).first->second != o.surface) creases.insert(e);
-      }
-    return creases;
-  }
-
   const Complex& complex_;
-  const Joining& joining_;
   const SideFacets& sides_;
   BoxPlanes planes_;
-  std::set<EdgeKey> creases_;
+  double tolerance_;
+  Reach reach_;
 };
 
 /// Moves of vertices, less those that would turn a facet over.
@@ -188,11 +184,10 @@ Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
 }  // namespace
 
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
-  if (!joining.sides_are_fixed) return {};
   const SideFacets sides(complex, joining);
   if (sides.all().empty()) return {};
-  constexpr double share_of_others = 0.05, moves_a_distance = 16;  // of those by which surfaces are joined
-  const SidePlaces places(complex, joining, sides);
+  constexpr double moves_a_distance = 16;  // of those by which surfaces are joined
+  const SidePlaces places(complex, joining, sides, tolerance);
   std::vector<SurfaceEnd> ends = surface_ends(complex);
   std::erase_if(ends, [&](const SurfaceEnd& e) { return e.surface >= joining.first_side; });
   const VerticesToMove vertices(complex, sides, ends);
@@ -200,14 +195,13 @@ Displacement move_to_sides(Complex& complex, const Joining& joining, double tole
   std::vector<std::uint8_t> is_placed(complex.points.size(), 0);
   for (VertexIndex v = 0; v < complex.points.size(); ++v) {
     if (vertices.is_fixed(v)) continue;
-    const double distance = vertices.is_end(v) ? tolerance : share_of_others * tolerance;
-    const auto to = places.nearest(complex.points[v], distance);
+    const auto to = places.nearest(v);
     if (!to) continue;
     moves.add(v, *to);
     is_placed[v] = 1;
   }
   for (const SurfaceEnd& e : ends) {
-    const Index side = places.followed_by(complex.points[e.a], complex.points[e.b], tolerance);
+    const Index side = places.followed_by(e);
     for (const VertexIndex v : {e.a, e.b})
       if (side != no_index && vertices.is_end(v) && !std::exchange(is_placed[v], 1))
         moves.add(v, places.on_plane(complex.points[v], side));

@@ -4,11 +4,12 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
+#include "arrangement/join/join_surfaces.hpp"
 #include "arrangement/model/complex.hpp"
 #include "arrangement/search/bvh.hpp"
-#include "arrangement/snap/join_surfaces.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
@@ -16,12 +17,31 @@ namespace geomesh::geomodel::arrangement {
 class SideFacets {
  public:
   SideFacets(const Complex& complex, const Joining& joining)
-      : is_of_side_(complex.facets.size(), 0),
+      : complex_(complex),
+        is_of_side_(complex.facets.size(), 0),
         facets_(list(complex, joining, is_of_side_)),
         tree_(boxes_of(complex, facets_)) {}
 
   bool is_of_side(Index facet) const { return is_of_side_[facet] != 0; }
   const std::vector<Index>& all() const { return facets_; }
+
+  /// Edges between two sides, with a facet of each.
+  std::map<EdgeKey, std::array<Index, 2>> creases(const Joining& joining) const {
+    struct Side {
+      Index surface, facet;
+    };
+    std::map<EdgeKey, Side> side_at;
+    std::map<EdgeKey, std::array<Index, 2>> creases;
+    for (const Index f : facets_)
+      for (const Origin& o : complex_.origins.of(f)) {
+        if (o.surface < joining.first_side) continue;
+        for (const EdgeKey& e : edges_of(complex_.facets[f])) {
+          const Side& first = side_at.try_emplace(e, Side{o.surface, f}).first->second;
+          if (first.surface != o.surface) creases.try_emplace(e, std::array{first.facet, f});
+        }
+      }
+    return creases;
+  }
 
   /// Calls visit(facet) for those whose box comes within the distance of the points' box.
   template <class Points, class Visit>
@@ -53,6 +73,7 @@ class SideFacets {
     return boxes;
   }
 
+  const Complex& complex_;
   std::vector<std::uint8_t> is_of_side_;
   std::vector<Index> facets_;
   BoxTree tree_;

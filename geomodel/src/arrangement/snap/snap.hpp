@@ -22,6 +22,9 @@ struct SnapOptions {
   std::optional<Box3> box;  ///< what lies on its planes stays there
   MoveToBox move_to_box = MoveToBox::none;
   JoinRule rule{};
+  /// By vertex: sides of a volume that is no box on which it lies but for rounding, as bits, modulo 64. What lies along
+  /// a side stays there. Empty: there are none.
+  std::vector<std::uint64_t> sides_of{};
 };
 
 struct SnapOutcome {

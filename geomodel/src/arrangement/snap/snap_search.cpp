@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <unordered_map>
 
 #include "arrangement/search/bvh.hpp"
 #include "arrangement/snap/nearness.hpp"
+#include "arrangement/snap/vertices_on_edges.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -17,54 +17,10 @@ Box3 wider(Box3 box, double by) {
   return {box.min - margin, box.max + margin};
 }
 
-/// Vertices inserted on edges, by edge.
-class VerticesOnEdges {
- public:
-  VerticesOnEdges(const Complex& complex, double distance) : complex_(complex), distance_(distance) {}
-
-  /// Parameter of the point of the edge's line nearest to p.
-  double parameter(const EdgeKey& e, const Vec3& p) const {
-    const Vec3 d = point(e.second) - point(e.first);
-    return dot(p - point(e.first), d) / dot(d, d);
-  }
-  Vec3 at(const EdgeKey& e, double t) const { return point(e.first) + t * (point(e.second) - point(e.first)); }
-
-  /// The edge's ends are on it.
-  bool is_on(const EdgeKey& e, VertexIndex v) const {
-    if (v == e.first || v == e.second) return true;
-    const auto on = on_edge_.find(e);
-    return on != on_edge_.end() && std::find(on->second.begin(), on->second.end(), v) != on->second.end();
-  }
-  void insert(const EdgeKey& e, VertexIndex v) { on_edge_[e].push_back(v); }
-
-  /// A vertex of the edge, inserted ones included, nearer to p than the distance.
-  VertexIndex nearer(const EdgeKey& e, const Vec3& p) const {
-    const auto on = on_edge_.find(e);
-    if (on != on_edge_.end())
-      for (const VertexIndex v : on->second)
-        if (length(point(v) - p) < distance_) return v;
-    for (const VertexIndex v : {e.first, e.second})
-      if (length(point(v) - p) < distance_) return v;
-    return no_vertex;
-  }
-
-  /// In order along each edge.
-  decltype(Insertions::on_edge) take_sorted() {
-    for (auto& [edge, on] : on_edge_)
-      std::sort(on.begin(), on.end(), [&, &e = edge](VertexIndex a, VertexIndex b) {
-        const double s = parameter(e, point(a)), t = parameter(e, point(b));
-        return s != t ? s < t : a < b;
-      });
-    return std::move(on_edge_);
-  }
-
- private:
-  const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
-
-  const Complex& complex_;
-  double distance_;
-  decltype(Insertions::on_edge) on_edge_;
-};
+/// Vertices that are made while things are sought have no entry: edges are between older ones.
+bool lies_along_side(const std::vector<std::uint64_t>& sides_of, const EdgeKey& e) {
+  return e.second < sides_of.size() && (sides_of[e.first] & sides_of[e.second]) != 0;
+}
 
 class Search {
  public:
@@ -78,7 +34,9 @@ class Search {
         distance_(options.distance),
         planes_(options.box),
         rule_(options.rule),
-        on_edges_(complex, options.distance) {}
+        sides_of_(options.sides_of),
+        on_edges_(complex, options.distance),
+        places_(complex) {}
 
   Insertions run() {
     rule_.index_edges(complex_, [this](VertexIndex a, VertexIndex b) { return planes_of({a, b}) != 0; });
@@ -138,8 +96,8 @@ class Search {
     if (on_e != no_vertex && on_f != no_vertex) return;
     if (on_e != no_vertex) return insert(f, on_e);
     if (on_f != no_vertex) return insert(e, on_f);
-    const VertexIndex x =
-        vertex_at(0.5 * (p + q), planes_of(e) | planes_of(f), rule_.united(things_[row_e], things_[row_f]));
+    const Vec3 between = lies_along_side(sides_of_, e) ? p : lies_along_side(sides_of_, f) ? q : 0.5 * (p + q);
+    const VertexIndex x = vertex_at(between, planes_of(e) | planes_of(f), rule_.united(things_[row_e], things_[row_f]));
     if (x == no_vertex) return;
     insert(e, x);
     insert(f, x);
@@ -152,16 +110,8 @@ class Search {
     const auto may_take = [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); };
     const VertexIndex there = grid_.nearest(p, planes, planes_, may_take);
     if (there != no_vertex) return there;
-    for (; n_placed_ < complex_.points.size(); ++n_placed_)
-      placed_.emplace(complex_.points[n_placed_], static_cast<VertexIndex>(n_placed_));
-    const auto [at, is_new] = placed_.emplace(p, static_cast<VertexIndex>(complex_.points.size()));
-    const VertexIndex v = at->second;
-    if (is_new) {
-      complex_.points.push_back(p);
-      complex_.input_point.push_back(no_index);
-    } else if (!may_take(v)) {
-      return no_vertex;
-    }
+    const auto [v, is_new] = places_.at(p);
+    if (!is_new && !may_take(v)) return no_vertex;
     rule_.set_vertex(v, is_new ? thing : rule_.united(rule_.of_vertex(v), thing));
     grid_.add(v);
     vertices_.push_back(v);
@@ -191,7 +141,17 @@ class Search {
       planes &= planes_.of(point(corner(f, k)));
     }
     if (!lies_on(v, planes)) return false;
-    return is_near_inside(point(v), {point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_);
+    return is_near_inside(point(v), {point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_) &&
+           !is_by_edge_that_stays(v, f);
+  }
+  /// An edge that may not have the vertex would be left with a needle beside it.
+  bool is_by_edge_that_stays(VertexIndex v, Index f) const {
+    constexpr double needle = 0.05;  // of the distance
+    for (const EdgeKey& e : edges_of(complex_.facets[f]))
+      if (length(point(v) - on_edges_.at(e, on_edges_.parameter(e, point(v)))) < needle * distance_ &&
+          !rule_.allows(rule_.of_vertex(v), rule_.of_edge(e.first, e.second)))
+        return true;
+    return false;
   }
 
   Complex& complex_;
@@ -202,10 +162,10 @@ class Search {
   double distance_;
   BoxPlanes planes_;
   JoinRule& rule_;
+  const std::vector<std::uint64_t>& sides_of_;
   VerticesOnEdges on_edges_;
-  std::vector<JoinRule::Thing> things_;                      ///< of edges
-  std::unordered_map<Vec3, VertexIndex, PointHash> placed_;  ///< the first n_placed_ points of the complex
-  std::size_t n_placed_ = 0;
+  VerticesByPlace places_;
+  std::vector<JoinRule::Thing> things_;  ///< of edges
   Insertions result_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "arrangement/snap/flatten_slivers.hpp"
+#include "arrangement/join/flatten_slivers.hpp"
 
 #include <algorithm>
 #include <set>

@@ -3,7 +3,7 @@
 /// Facets as thin as rounding, taken out of what is arranged.
 #pragma once
 
-#include "arrangement/snap/join_surfaces.hpp"
+#include "arrangement/join/join_surfaces.hpp"
 
 namespace geomesh::geomodel::arrangement {
 

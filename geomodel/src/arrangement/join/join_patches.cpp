@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "arrangement/snap/join_patches.hpp"
+#include "arrangement/join/join_patches.hpp"
 
 #include <algorithm>
 #include <numeric>

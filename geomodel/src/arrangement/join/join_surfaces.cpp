@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "arrangement/snap/join_surfaces.hpp"
+#include "arrangement/join/join_surfaces.hpp"
 
 #include <algorithm>
 #include <set>

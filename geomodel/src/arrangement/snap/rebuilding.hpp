@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The facets and segments of a complex with vertices inserted in them.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "arrangement/model/displacement.hpp"
+#include "arrangement/snap/snap.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// Splits facets and segments at what is inserted in them and in their edges. Pieces of `edges`, sorted, become edges
+/// of a facet that has their vertices. Where a facet cannot be split its edges stay whole: what was inserted there is
+/// taken out of `insertions`. `touched`: facets of which a corner was replaced. Facets without area go, equal ones
+/// merge. Counts go to `outcome`, distances of edges from what is inserted in them to `moves`. O(n log n) in the number
+/// of edges and facets.
+void rebuild_with(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
+                  const std::set<Index>& touched, SnapOutcome& outcome, MovesOfStep& moves);
+
+}  // namespace geomesh::geomodel::arrangement
