@@ -6,6 +6,7 @@
 
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/diagnosis/diagnosis.hpp"
+#include "arrangement/join/flatten_slivers.hpp"
 #include "arrangement/join/join_surfaces.hpp"
 #include "arrangement/join_input.hpp"
 #include "arrangement/model/displacement.hpp"
@@ -13,7 +14,6 @@
 #include "arrangement/pockets/close_pockets.hpp"
 #include "arrangement/pockets/cut_flaps.hpp"
 #include "arrangement/pockets/fill_holes.hpp"
-#include "arrangement/join/flatten_slivers.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
 #include "common/thread_limit.hpp"

@@ -2,8 +2,8 @@
 // Pockets that are thinner than the tolerance, and what stops just short of another surface.
 #include <catch2/catch.hpp>
 
-#include "arrangement/pockets/shells.hpp"
 #include "arrangement/join/flatten_slivers.hpp"
+#include "arrangement/pockets/shells.hpp"
 #include "arrangement/snap/slits.hpp"
 #include "arrangement_inputs.hpp"
 #include "dice.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// What lies on sides of the volume, or passes edges between them, but for rounding or for a tolerance. Hardly any
-/// double lies on a side of a turned box or of a polygon of the map, so what was given on it is beside it by rounding.
+/// double lies on a side of a turned box or of a polygon of the map. What was given on it is beside it by rounding.
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ namespace geomesh::geomodel::arrangement {
 std::optional<SnapOutcome> join_to_sides(Complex& complex, const Joining& joining,
                                          std::vector<VertexIndex>& vertex_now);
 
-/// Vertices within reach of an edge between two sides go to it, or to a corner of the volume (Reach). Where sides are
-/// no planes of a box, vertices within reach of a side alone go to that, on either side of it, but for rounding. Ends
-/// of an edge of a surface that is as near to a side's plane go to it, also where they are beyond the volume.
-/// join_to_sides() does the rest. What would turn a triangle over stays. Cost as above.
+/// Vertices within reach of a corner of the volume go to it, else to an edge between two sides, else to a side (Reach).
+/// They do so from either side of it, but for rounding. Ends of an edge of a surface that is as near to a side's plane
+/// go to it, also where they are beyond the volume. join_to_sides() does the rest. What would turn a triangle over
+/// stays. Cost as above.
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance);
 
 /// Facets that pass an edge between two sides within reach are drawn to it. They are split at its ends, where these are
