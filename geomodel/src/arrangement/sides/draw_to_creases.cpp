@@ -129,8 +129,9 @@ std::optional<SnapOutcome> draw_to_creases(Complex& complex, const Joining& join
   Drawing drawing(complex, joining, tolerance);
   for (Index f = 0; f < complex.facets.size(); ++f)
     if (!sides.is_of_side(f))
-      tree.boxes_meeting(box_about(complex, complex.facets[f], 0),
-                         [&](Index c) { drawing.see(creases[c], f, reach.of_facet(f, creases[c])); });
+      tree.boxes_meeting(box_about(complex, complex.facets[f], 0), [&](Index c) {
+        if (reach.runs_along(f, creases[c])) drawing.see(creases[c], f, reach.of_facet(f, creases[c]));
+      });
   return drawing.rebuild();
 }
 

@@ -25,11 +25,11 @@ std::optional<SnapOutcome> join_to_sides(Complex& complex, const Joining& joinin
 /// stays. Cost as above.
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance);
 
-/// Facets that pass an edge between two sides within reach are drawn to it. They are split at its ends, where these are
-/// as near, and where their own edges pass it. Such facets would part from the edge at so small an angle that no
-/// element fits between. The edges of sides keep their places, but for rounding. Nothing where all that is near lies on
-/// these edges exactly. Vertices that are near are to be on them: move_to_sides() comes first. O(n log c) for n facets
-/// and c such edges, where each facet's box meets few of these.
+/// Facets that run along an edge between two sides within reach are drawn to it. They are split at its ends, where
+/// these are as near, and where their own edges pass it. Such facets would part from the edge at so small an angle that
+/// no element fits between. The edges of sides keep their places, but for rounding. Nothing where all that is near lies
+/// on these edges exactly. Vertices that are near are to be on them: move_to_sides() comes first. O(n log c) for n
+/// facets and c such edges, where each facet's box meets few of these.
 std::optional<SnapOutcome> draw_to_creases(Complex& complex, const Joining& joining, double tolerance);
 
 /// For SnapOptions::sides_of, of a volume that is no box along the axes; else empty. O(n log s).

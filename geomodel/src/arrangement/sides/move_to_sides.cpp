@@ -25,16 +25,18 @@ class SidePlaces {
       : complex_(complex),
         sides_(sides),
         planes_(joining.box),
+        is_box_(!joining.sides_are_fixed),
         tolerance_(tolerance),
         reach_(complex, joining, sides, tolerance) {}
 
-  /// Where the vertex goes: to a corner of the volume, else to an edge between two sides, else to a side.
-  std::optional<Vec3> nearest(VertexIndex v) const {
+  /// Where the vertex goes: to a corner of the volume, else to an edge between two sides, else to a side. Ends go to
+  /// planes of a box later, in snap_near().
+  std::optional<Vec3> nearest(VertexIndex v, bool is_end) const {
     const Vec3& p = complex_.points[v];
     Nearest corner, edge, side;
     sides_.visit_near(std::array{p}, tolerance_, [&](Index f) {
       const Triangle& t = complex_.facets[f];
-      side.see(p, on_facet(p, t), [&] { return reach_.of_vertex(v, f); });
+      if (!is_box_ || !is_end) side.see(p, on_facet(p, t), [&] { return reach_.of_vertex(v, f, is_end); });
       for (const EdgeKey& e : edges_of(t)) {
         if (!reach_.is_crease(e)) continue;
         edge.see(p, on_edge(p, e), [&] { return reach_.of_vertex(v, e); });
@@ -51,7 +53,7 @@ class SidePlaces {
     const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
     Index found = no_index;
     sides_.visit_near(std::array{a, b}, tolerance_, [&](Index f) {
-      const double distance = std::min(reach_.of_vertex(e.a, f), reach_.of_vertex(e.b, f));
+      const double distance = std::min(reach_.of_vertex(e.a, f, true), reach_.of_vertex(e.b, f, true));
       if (found == no_index && is_near_plane(a, f, distance) && is_near_plane(b, f, distance) &&
           passes(a, b, f, distance))
         found = f;
@@ -102,6 +104,7 @@ class SidePlaces {
   const Complex& complex_;
   const SideFacets& sides_;
   BoxPlanes planes_;
+  bool is_box_;
   double tolerance_;
   Reach reach_;
 };
@@ -192,11 +195,12 @@ Displacement move_to_sides(Complex& complex, const Joining& joining, double tole
   std::erase_if(ends, [&](const SurfaceEnd& e) { return e.surface >= joining.first_side; });
   const VerticesToMove vertices(complex, sides, ends);
   Moves moves(complex, joining.distance / moves_a_distance);
+  const bool is_box = !joining.sides_are_fixed;  // rounding brings what is as near to its planes
   std::vector<std::uint8_t> is_placed(complex.points.size(), 0);
   for (VertexIndex v = 0; v < complex.points.size(); ++v) {
     if (vertices.is_fixed(v)) continue;
-    const auto to = places.nearest(v);
-    if (!to) continue;
+    const auto to = places.nearest(v, vertices.is_end(v));
+    if (!to || (is_box && length(*to - complex.points[v]) < joining.distance)) continue;
     moves.add(v, *to);
     is_placed[v] = 1;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -13,15 +14,12 @@
 namespace geomesh::geomodel::arrangement {
 
 /// A surface that follows a side within the tolerance bounds a thin unit: it stays apart. So it goes to a side that it
-/// follows, and to its edges, from a twentieth of the tolerance alone. What meets a side at an angle goes from nearer
-/// than the tolerance. Of a complex that outlives it and keeps its facets.
+/// follows, and to its edges, from a twentieth of the tolerance alone. So does what is near a side and does not end.
+/// All else goes from nearer than the tolerance. Of a complex that outlives it and keeps its facets.
 class Reach {
  public:
   Reach(const Complex& complex, const Joining& joining, const SideFacets& sides, double tolerance)
-      : complex_(complex),
-        tolerance_(tolerance),
-        of_followed_(share_of_followed * tolerance),
-        sides_at_(sides.creases(joining)) {
+      : complex_(complex), tolerance_(tolerance), least_(least_share * tolerance), sides_at_(sides.creases(joining)) {
     for (const auto& [crease, at] : sides_at_)
       for (const VertexIndex corner : {crease.first, crease.second}) creases_at_[corner].push_back(crease);
     list_facets_of_vertices(sides);
@@ -31,13 +29,18 @@ class Reach {
   const std::map<EdgeKey, std::array<Index, 2>>& creases() const { return sides_at_; }
 
   /// `side`: a facet of one.
-  double of_facet(Index facet, Index side) const { return follows(facet, side) ? of_followed_ : tolerance_; }
+  double of_facet(Index facet, Index side) const { return follows(facet, side) ? least_ : tolerance_; }
   double of_facet(Index facet, const EdgeKey& crease) const {
     const auto& [s, t] = sides_at_.at(crease);
     return std::min(of_facet(facet, s), of_facet(facet, t));
   }
-  double of_vertex(VertexIndex v, Index side) const {
-    return least(v, [&](Index f) { return of_facet(f, side); });
+  /// The facet's plane has the crease's direction, but for a small angle. What crosses a crease plainly does not.
+  bool runs_along(Index facet, const EdgeKey& crease) const {
+    const Vec3 n = normal(facet), d = complex_.points[crease.second] - complex_.points[crease.first];
+    return std::fabs(dot(n, d)) < sine_of_followed * length(n) * length(d);
+  }
+  double of_vertex(VertexIndex v, Index side, bool is_end) const {
+    return is_end ? least(v, [&](Index f) { return of_facet(f, side); }) : least_;
   }
   double of_vertex(VertexIndex v, const EdgeKey& crease) const {
     return least(v, [&](Index f) { return of_facet(f, crease); });
@@ -49,8 +52,8 @@ class Reach {
   }
 
  private:
-  static constexpr double share_of_followed = 0.05;  // of the tolerance
-  static constexpr double sine_of_followed = 0.1;    // of the angle between a facet and a side that it follows
+  static constexpr double least_share = 0.05;      // of the tolerance
+  static constexpr double sine_of_followed = 0.1;  // of the angle between a facet and a side that it follows
 
   Vec3 normal(Index f) const {
     const Triangle& t = complex_.facets[f];
@@ -84,7 +87,7 @@ class Reach {
   }
 
   const Complex& complex_;
-  double tolerance_, of_followed_;
+  double tolerance_, least_;
   std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< a facet of each of the two sides
   std::map<VertexIndex, std::vector<EdgeKey>> creases_at_;
   std::vector<Index> first_facet_, facets_;  ///< by vertex
