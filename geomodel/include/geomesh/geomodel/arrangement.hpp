@@ -89,10 +89,10 @@ struct ArrangementOptions {
   /// crossings all the same. At least 1024 ulps of the largest coordinate where it is not 0.
   double tolerance = 0;
   /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces that
-  /// meet somewhere are near, and one ends. Faults that end beside another surface count as meeting it. What is near to
-  /// a side, and does not follow it, goes there. Surfaces that follow each other within a hundredth of it join wherever
-  /// they are near, with a warning. So do parts of one fault. Others keep their detail. Both close pockets that are
-  /// thinner than it.
+  /// meet somewhere are near, and one ends. Faults that end beside another surface count as meeting it. Borders that
+  /// end near a side go to it. Surfaces that follow each other within a hundredth of it join wherever they are near,
+  /// with a warning. So do parts of one fault. Both draw faults to edges of the volume that they run along, and close
+  /// pockets that are thinner than it.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// Per surface the part of each triangle; a surface without an entry, or with an empty one, is one part. Parts of one
   /// surface may be taken away later, one without the other: a facet that comes to stand for several names them all.
