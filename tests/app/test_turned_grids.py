@@ -137,6 +137,16 @@ class TurnedGrids(ProgramTest):
                 self.assertEqual(report["quality"]["below_8_degrees"]["tetrahedra"], 0, report["quality"]["worst"])
                 self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
 
+    def test_a_fault_and_horizons_at_an_upright_edge_exactly(self):
+        """Turned by 45 degrees about zero, doubles lie on the edges. The fault takes these, horizons end there, and it must not cross itself."""
+        model = Model(8)
+        self.assertEqual((model.azimuth, model.origin, model.beyond), (45, (0, 0), 0))
+        east, north = 0.1 * model.east, 0.1 * model.north
+        ends = ((-east, -north, 1), (model.east + east, model.north + north, 1), (model.east + east, model.north + north, -21), (-east, -north, -21))
+        model.surfaces[2:] = [("f", "fault", [(*model.place(x, y), z * model.unit) for x, y, z in ends], [(0, 1, 2), (0, 2, 3)])]
+        report = self.mesh_and_judge(model, "{}")
+        self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
+
     def test_needles_that_ask_for_most_elements_are_told_before_the_work(self):
         """In exact mode rows some millimetres off the sides stay there. Rows on the sides leave no needle to tell of."""
         words = "short edges of the input ask for most"

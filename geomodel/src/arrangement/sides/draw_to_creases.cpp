@@ -22,6 +22,7 @@ class Drawing {
  public:
   Drawing(Complex& complex, const Joining& joining, double tolerance)
       : complex_(complex),
+        n_points_(complex.points.size()),
         rounding_(joining.distance),
         planes_(joining.box),
         on_edges_(complex, tolerance),
@@ -38,9 +39,14 @@ class Drawing {
     edges_.insert(crease);
   }
 
+  /// Nothing where nothing is beside a crease: the complex is then as it was.
   std::optional<SnapOutcome> rebuild() {
     Insertions insertions{on_edges_.take_sorted(), std::move(in_facet_)};
-    if (!is_any_beside_) return std::nullopt;
+    if (!is_any_beside_) {
+      complex_.points.resize(n_points_);
+      complex_.input_point.resize(n_points_);
+      return std::nullopt;
+    }
     SnapOutcome outcome;
     MovesOfStep moves;
     rebuild_with(complex_, insertions, {edges_.begin(), edges_.end()}, {}, outcome, moves);
@@ -98,6 +104,7 @@ class Drawing {
   unsigned planes_of(const EdgeKey& e) const { return planes_.of(point(e.first)) & planes_.of(point(e.second)); }
 
   Complex& complex_;
+  std::size_t n_points_;  ///< that there were
   double rounding_;
   bool is_any_beside_ = false;  ///< what lies on creases exactly is left to the exact intersection where all does
   BoxPlanes planes_;
