@@ -174,6 +174,41 @@ output: {directory: out, formats: [vtu]}
             self.assertGreater(max(between), 80 * 100 * 30)
         self.assert_pass(823132, light=True)
 
+    def test_a_horizon_over_another_across_a_reverse_fault_is_not_above_it(self):
+        """Found by seed 1300759: most of the upper block of h2 went. It lies over the lower block of h1, and its own h1 is above the volume."""
+        def strip(*line, first=0):
+            points = [(x, y, z) for x, z in line for y in (-10, 110)]
+            ends = range(first, first + 2 * len(line) - 2, 2)
+            return points, [t for k in ends for t in ((k, k + 2, k + 3), (k, k + 3, k + 1))]
+        for name, near, far in (("h1", 60, ((70, 120), (150, 120), (160, 80), (170, 120), (310, 120))), ("h2", 30, ((100, 90), (310, 90)))):
+            points, triangles = strip((-10, near), (190 - near, near))
+            more_points, more_triangles = strip(*far, first=4)
+            self.write(name + ".ts", triangles_ts(name, points + more_points, triangles + more_triangles))
+        leaning = [(190 - z, y, z) for y, z in ((-10, -10), (110, -10), (110, 130), (-10, 130))]
+        self.write("f.ts", triangles_ts("f", leaning, [(0, 1, 2), (0, 2, 3)]))
+        for rule in ("clip_younger", "clip_older"):
+            project = self.write("project.yaml", """name: m
+box: {min: [0, 0, 0], max: [300, 100, 110]}
+surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
+column: [u1, h1, u2, h2, u3]
+rules: {stack: keep, on_crossing: %s}
+mesh: {mode: constrained, refine: none}
+output: {directory: out, formats: [vtu]}
+""" % rule)
+            self.run_program(project)
+            self.check(self.path("out", "m.vtu"), "--project", project)
+            volumes = [r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"] if r["name"].split("__")[0] == "u2"]
+            self.assertEqual(len(volumes), 3)  # the lower block, and the upper one on both sides of the dip
+        # A mesh without most of the upper block of h2, as it was made before. Only what is above h1 may be away.
+        points, triangles = strip((-10, 30), (160, 30))
+        more_points, more_triangles = strip((157.5, 90), (310, 90), first=4)
+        self.write("short.ts", triangles_ts("h2", points + more_points, triangles + more_triangles))
+        with open(project, encoding="utf-8") as file:
+            short = self.write("short.yaml", file.read().replace("file: h2.ts", "file: short.ts"))
+        self.run_program(short, "-o", self.path("short"))
+        self.assertIn("uncovered_triangles", self.run_program("check", self.path("short", "m.vtu"), "--project", project, status=None))
+        self.assert_pass(1300759, light=True)
+
     def test_a_piece_that_a_rule_takes_is_judged_as_a_whole(self):
         """h1 dives below h2, and rises again where h2 has ended. clip_younger takes all of h1 beyond the edge where both meet (810236, 881594)."""
         def strip(name, *line):

@@ -4,7 +4,7 @@
 The sides and the grid are computed apart from each other, as users do. So the rows are on the sides but for rounding. Each model must be
 meshed in the time that its number of elements asks for, pass the judge, and have no element too flat that nothing forces.
 
-So must be models with a fault past an upright edge of the volume.
+So must be models with a fault past an upright edge of the volume, or with two that cross where both have vertices.
 
     GEOMESH_TURNED_GRIDS=300 ctest ... -R app.turned_grids     another number of models
 """
@@ -59,6 +59,28 @@ class Model:
         corners = ((x - off, -more, 1), (x - off, self.north + more, 1), (x + off, self.north + more, -21), (x + off, -more, -21))
         return [self.given((*self.place(x, y), z * self.unit)) for x, y, z in corners], [(0, 1, 2), (0, 2, 3)]
 
+    def upright(self, name, ends, off, cells):
+        """A fault from end to end (along the grid), beside them by `off`, from above the volume to below it, in so many cells each way."""
+        (ax, ay), (bx, by) = ends
+        length = math.hypot(bx - ax, by - ay)
+        nx, ny = -off * (by - ay) / length, off * (bx - ax) / length
+        places = [(ax + (bx - ax) * i / cells + nx, ay + (by - ay) * i / cells + ny) for i in range(cells + 1)]
+        points = [self.given((*self.place(x, y), (1 - 22 * j / cells) * self.unit)) for j in range(cells + 1) for x, y in places]
+        n = cells + 1
+        corners = [(a, a + 1, a + 1 + n, a + n) for j in range(cells) for a in range(j * n, j * n + cells)]
+        return name, "fault", points, [t for a, b, c, d in corners for t in ((a, b, c), (a, c, d))]
+
+    def without_faults(self):
+        return [s for s in self.surfaces if s[1] != "fault"]
+
+    def take_crossing_faults(self):
+        """From corner to corner, so that both have vertices at the middle, apart by nothing to 30 mm. Each is cut into cells of its own number."""
+        dice, before = self.dice, self.dice.choice((0, 0.03, 0.1))
+        low, (e, n) = -before, ((1 + before) * x for x in (self.east, self.north))
+        off = dice.choice((0, 1, 1, -1)) * 10 ** dice.uniform(-6, -1.5)
+        ends = ((low * self.east, low * self.north), (e, n)), ((e, low * self.north), (low * self.east, n))
+        self.surfaces = self.without_faults() + [self.upright(name, at, by, dice.choice((2, 4, 6))) for name, at, by in (("f", ends[0], off), ("g", ends[1], -off))]
+
     def take_fault_by_corner(self):
         """An upright fault past the first upright edge of the volume, by nothing to 30 mm, to the edge across or to a place inside."""
         dice, diagonal = self.dice, math.degrees(math.atan2(self.north, self.east))
@@ -66,15 +88,8 @@ class Model:
         angle = math.radians(diagonal if across else dice.uniform(15, 75))
         length = math.hypot(self.east, self.north) if across else 0.6 * min(self.east, self.north)
         off, cells, before = dice.choice((0, 0, 1, -1)) * 10 ** dice.uniform(-6, -1.5), dice.choice((1, 1, 2, 5, 9)), dice.choice((0, 0.03, 0.1))
-        low, high = -before * length, length * (1 + before if across else 1)
-        points, c, s = [], math.cos(angle), math.sin(angle)
-        for z in (1 - 22 * j / cells for j in range(cells + 1)):
-            for x in (low + (high - low) * i / cells for i in range(cells + 1)):
-                points.append(self.given((*self.place(x * c - off * s, x * s + off * c), z * self.unit)))
-        n = cells + 1
-        corners = [(a, a + 1, a + 1 + n, a + n) for j in range(cells) for a in range(j * n, j * n + cells)]
-        triangles = [t for a, b, c, d in corners for t in ((a, b, c), (a, c, d))]
-        self.surfaces = [f for f in self.surfaces if f[1] != "fault"] + [("f", "fault", points, triangles)]
+        ends = [(x * math.cos(angle), x * math.sin(angle)) for x in (-before * length, length * (1 + before if across else 1))]
+        self.surfaces = self.without_faults() + [self.upright("f", ends, off, cells)]
 
     def box(self):
         bottom = f"bottom: {-20 * self.unit!r}, top: 0"
@@ -135,6 +150,15 @@ class TurnedGrids(ProgramTest):
             with self.subTest(seed=seed, decimals=model.decimals):
                 report = self.mesh_and_judge(model, "{}")
                 self.assertEqual(report["quality"]["below_8_degrees"]["tetrahedra"], 0, report["quality"]["worst"])
+                self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
+
+    def test_faults_that_cross_where_both_have_vertices(self):
+        """Needles stand along the curve where they cross, on both. No place there is a gap, so all is remeshed within the tolerance."""
+        for seed in range(COUNT):
+            model = Model(2000 + seed, random.Random(seed).choice((None, 6, 3, 2)))
+            model.take_crossing_faults()
+            with self.subTest(seed=seed, decimals=model.decimals):
+                report = self.mesh_and_judge(model, "{}")
                 self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
 
     def test_a_fault_and_horizons_at_an_upright_edge_exactly(self):

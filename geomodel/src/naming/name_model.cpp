@@ -43,7 +43,8 @@ void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t
 /// Points with those of kind input first, otherwise as the core orders them. Returns the new row of each point of the
 /// core.
 std::vector<VertexIndex> fill_points(const MeshedModel& meshed, unsigned threads, ModelMesh& model) {
-  const auto& [mesh, soup, plc, surfaces, moved] = meshed;
+  const ConstrainedTetrahedralization& mesh = meshed.mesh;
+  const PolygonSoup& soup = meshed.soup;
   const std::size_t n = mesh.points.size();
   std::vector<std::uint8_t> kinds(n);
   const Chunks chunks(n);

@@ -57,7 +57,7 @@ struct Trimming {
     const bool are_horizons = surfaces[x].kind == SurfaceKind::horizon && surfaces[y].kind == SurfaceKind::horizon;
     const BeyondEnd beyond = are_horizons ? BeyondEnd::has_none : BeyondEnd::has_a_side;
     std::optional<HeightVote> heights;
-    if (are_horizons) heights.emplace(working, y);
+    if (are_horizons) heights.emplace(working, y, surfaces);
     for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond)) {
       const int by_height = heights ? heights->side_of(piece) : 0;
       if ((by_height != 0 ? by_height : side_of(working, piece, y, sides)) == side) gone.push_back(std::move(piece));
@@ -139,7 +139,7 @@ void refuse_crossing(Trimming& work, Index younger, Index older) {
   double area = 0;
   Vec3 place;
   const UpwardSides& sides = work.sides_of(older);
-  const HeightVote heights(work.working, older);
+  const HeightVote heights(work.working, older, work.surfaces);
   for (const Piece& piece : pieces_of(work.working, younger, {older}, &sides, BeyondEnd::has_none)) {
     const int by_height = heights.side_of(piece);
     if (piece.contact > 0 && (by_height < 0 || (by_height == 0 && piece.below > piece.above))) {

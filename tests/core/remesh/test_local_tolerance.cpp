@@ -43,6 +43,23 @@ Model box_with_layer(double thickness = 0.25) {
       .model();
 }
 
+/// The unit cube, sheared, in four regions about two planes that cross at 45 degrees, with edges of both `beside` the
+/// curve where they do.
+Model crossing_planes(double beside) {
+  const auto squeezed = [=](double x) {
+    return x <= 0.25   ? x / 0.25 * (0.5 - beside)
+           : x <= 0.75 ? 0.5 + (x - 0.5) / 0.25 * beside
+                       : 0.5 + beside + (x - 0.75) / 0.25 * (0.5 - beside);
+  };
+  return GridModel(
+             4, {1, 1, 1}, [](const Vec3& p) { return (p.x < 0.5 ? 0u : 1u) + (p.z < 0.5 ? 0u : 2u); },
+             [](const Vec3& p) { return side_of_cube(p, 6 + (p.z == 0.5)); },
+             [=](const Vec3& p) {
+               return Vec3{squeezed(p.x) + squeezed(p.z), p.y, squeezed(p.z)};
+             })
+      .model();
+}
+
 double allowed_at(const LocalTolerance& tolerance, const Vec3& p) { return tolerance.least_at({&p, 1}); }
 
 }  // namespace
@@ -65,6 +82,24 @@ TEST_CASE("A tolerance is at most half of the gap to the surface that is faced",
   const LocalTolerance tolerance = allowed_tolerance(model.plc, import_domain(model.plc, model.mesh, options), options);
   CHECK(allowed_at(tolerance, {0.25, 0.5, 0.5}) <= 0.5 * gap * (1 + 1e-9));
   CHECK(allowed_at(tolerance, {0.25, 0.5, 0.5}) >= 0.4 * gap);
+}
+
+TEST_CASE("Needles beside the curve where surfaces meet are no gap", "[remesh][tolerance]") {
+  const Model model = crossing_planes(1e-4);
+  const RefineOptions options = following(0.4);
+  const LocalTolerance tolerance = allowed_tolerance(model.plc, import_domain(model.plc, model.mesh, options), options);
+  for (const double off : {0.0, 5e-5, 1e-4, 1e-3}) {
+    CAPTURE(off);
+    CHECK(allowed_at(tolerance, {1 + off, 0.5, 0.5}) == 0.01);
+    CHECK(allowed_at(tolerance, {1 + off, 0.5, 0.5 + off}) == 0.01);
+  }
+}
+
+TEST_CASE("Surfaces that meet farther away than the tolerance have a gap between them", "[remesh][tolerance]") {
+  const Model model = crossing_planes(0.015);
+  const RefineOptions options = following(0.4);
+  const LocalTolerance tolerance = allowed_tolerance(model.plc, import_domain(model.plc, model.mesh, options), options);
+  CHECK(allowed_at(tolerance, {1, 0.5, 0.5}) < 0.009);
 }
 
 TEST_CASE("Without a share the tolerance is the same everywhere", "[remesh][tolerance]") {

@@ -56,6 +56,11 @@ std::string place_words(const Vec3& p) {
   return text;
 }
 
+std::string breach_words(const Breach& b) {
+  return std::string(b.on_curve ? "a curve" : "a triangle") + (b.of_input ? " of the input" : " of the result") +
+         " is not proven to be within the tolerance, " + place_words(b.place);
+}
+
 /// Fans of the facets' outer loops, by facet.
 search::ClosestPointTrees facet_triangles(const PiecewiseLinearComplex& plc) {
   std::vector<Item> items;
@@ -126,7 +131,7 @@ void tell_what_is_off(const Attempt& attempt, const RunContext& context) {
                                    std::to_string(attempt.breaches.size() + attempt.crossings.size()) +
                                    " places: held more closely and refined again");
   for (std::size_t i = 0; i < std::min(most, attempt.breaches.size()); ++i)
-    context.note(LogLevel::debug, "not proven to be within the tolerance at " + place_words(attempt.breaches[i].place));
+    context.note(LogLevel::debug, breach_words(attempt.breaches[i]));
   for (std::size_t i = 0; i < std::min(most, attempt.crossings.size()); ++i)
     context.note(LogLevel::debug,
                  "surfaces cross through the outside at " + place_words(centre(attempt.crossings[i].box)));

@@ -141,7 +141,11 @@ struct Mending {
 /// What the repair has left is mended by sequences of operations, and points that it put near others in vain are taken
 /// out.
 void mend_what_is_left(const Mending& mending) {
-  const auto& [tools, schedule, passes, context, out_of_time] = mending;
+  Toolbox& tools = mending.tools;
+  const ImproveSchedule& schedule = mending.schedule;
+  const PassRunner& passes = mending.passes;
+  const RunContext& context = mending.context;
+  const OutOfTime& out_of_time = mending.out_of_time;
   DomainMesh& mesh = tools.mesh;
   const CellQuality& measure = mesh.measure();
   const bool rescues_bad = mends_bad_cells(tools, schedule);

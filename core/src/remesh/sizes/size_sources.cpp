@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/sizes/size_sources.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace geomesh::remesh {
@@ -39,11 +40,14 @@ struct Exit {
   Vec3 normal;
 };
 
-Exit leave(const DomainMesh& mesh, FaceRef entered, const Vec3& origin, const Vec3& direction) {
+constexpr unsigned no_face = 4;
+
+/// `entered`: the cell's face through which the ray comes, or no_face.
+Exit leave(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3& origin, const Vec3& direction) {
   Exit first;
   for (unsigned k = 0; k < 4; ++k) {
-    const FaceRef f(entered.cell(), k);
-    if (f == entered) continue;
+    if (k == entered) continue;
+    const FaceRef f(cell, k);
     const Triangle t = mesh.face(f);
     const Vec3 m = mesh.normal(t);
     const double speed = -dot(m, direction);
@@ -54,25 +58,69 @@ Exit leave(const DomainMesh& mesh, FaceRef entered, const Vec3& origin, const Ve
   return first;
 }
 
+/// The next constrained face on a ray that starts in the cell, or on its face `entered`; none where many cells do not
+/// reach one. `visit` is told each cell, and where the ray leaves it.
+template <class Visit>
+Exit next_surface(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3& origin, const Vec3& direction,
+                  const Visit& visit) {
+  constexpr unsigned most_steps = 500;
+  for (unsigned step = 0; step < most_steps; ++step) {
+    const Exit out = leave(mesh, cell, entered, origin, direction);
+    if (!out.face.valid()) return {};
+    visit(cell, out.at);
+    if (mesh.tag(out.face).constrained()) return out;
+    const FaceRef beyond = mesh.cells().mirror(out.face);
+    cell = beyond.cell();
+    entered = beyond.face();
+  }
+  return {};
+}
+
+void pass(CellIndex, double) {}
+
+/// A face, and another one that it faces at one of its points.
+struct Facing {
+  FaceRef face;
+  Vec3 origin, normal;   ///< of length one, into the cell
+  double width;          ///< from the origin along the normal to the other
+  Vec3 normal_of_other;  ///< of length one, away from the face
+};
+
+/// Whether the surfaces meet where the faces' planes do, and that is within `reach`. Where needles stand along the
+/// curve, faces behind them share no vertex.
+bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
+  constexpr double share = 0.5;  // of the way to where the planes meet, by which surfaces may meet sooner or later
+  const Vec3 &n = facing.normal, m = facing.normal_of_other;
+  const Vec3 down = m - dot(m, n) * n;  // along the face, to where the other is nearer
+  const double slope = length(down) / dot(m, n);
+  if (!(facing.width > 0 && slope * reach >= facing.width)) return false;
+  const Vec3 meeting = facing.origin + (facing.width / slope) * unit(down);
+  const Vec3 halfway = facing.origin + (0.5 * facing.width) * n;
+  CellIndex cell = no_cell;  // at halfway
+  next_surface(mesh, facing.face.cell(), facing.face.face(), facing.origin, n, [&](CellIndex c, double at) {
+    if (cell == no_cell && at >= 0.5 * facing.width) cell = c;
+  });
+  if (cell == no_cell) return false;
+  const double way = distance(halfway, meeting);
+  const Exit end = next_surface(mesh, cell, no_face, halfway, (1 / way) * (meeting - halfway), pass);
+  return std::abs(end.at - way) <= share * way;
+}
+
 }  // namespace
 
-double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin) {
-  constexpr unsigned most_steps = 500;
+double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin, double corner_reach) {
   constexpr double least_cosine = 0.5;
   const Triangle from = mesh.face(face);
-  const Vec3 direction = unit(mesh.normal(from));
-  for (unsigned step = 0; step < most_steps; ++step) {
-    const Exit out = leave(mesh, face, origin, direction);
-    if (!out.face.valid()) return infinity;
-    if (mesh.tag(out.face).constrained()) {
-      const Triangle to = mesh.face(out.face);
-      const bool is_corner = std::ranges::any_of(to, [&](VertexIndex v) { return std::ranges::count(from, v) > 0; });
-      const bool is_facing = -dot(out.normal, direction) > least_cosine * length(out.normal);
-      return is_facing && !is_corner ? std::max(out.at, 0.0) : infinity;
-    }
-    face = mesh.cells().mirror(out.face);
-  }
-  return infinity;
+  const Vec3 normal = unit(mesh.normal(from));
+  const Exit out = next_surface(mesh, face.cell(), face.face(), origin, normal, pass);
+  if (!out.face.valid()) return infinity;
+  const Triangle to = mesh.face(out.face);
+  const Vec3 normal_of_other = -1.0 * unit(out.normal);
+  const bool is_corner = std::ranges::any_of(to, [&](VertexIndex v) { return std::ranges::count(from, v) > 0; });
+  const bool is_facing = dot(normal_of_other, normal) > least_cosine;
+  const double width = std::max(out.at, 0.0);
+  if (is_corner || !is_facing) return infinity;
+  return meet_within(mesh, {face, origin, normal, width, normal_of_other}, corner_reach) ? infinity : width;
 }
 
 }  // namespace geomesh::remesh

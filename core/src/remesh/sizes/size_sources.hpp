@@ -41,8 +41,9 @@ void for_each_side_of_surfaces(const DomainMesh& mesh, const Visit& visit) {
 }
 
 /// Distance from `origin`, a point of the constrained face, along its normal into the cell to the next constrained face
-/// that faces back. Infinite where that face stands at more than 60 degrees to this one or shares a vertex with it (a
-/// corner, not a gap). Infinite too where 500 cells do not reach one.
-double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin);
+/// that faces back. Infinite where that face stands at more than 60 degrees to this one. Infinite at a corner, which is
+/// no gap: where both share a vertex, or the surfaces meet within `corner_reach`. Infinite too where 500 cells do not
+/// reach one.
+double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin, double corner_reach);
 
 }  // namespace geomesh::remesh

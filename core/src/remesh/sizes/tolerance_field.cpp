@@ -38,7 +38,7 @@ SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh
   // Half of the gap, at places of a face two sizes apart, or more on a large one.
   for_each_side_of_surfaces(mesh, [&](FaceRef f) {
     visit_pieces(mesh.places(mesh.face(f)), options.tolerance / share, [&](const Vec3& p, double radius) {
-      const double half = 0.5 * gap_width(mesh, f, p);
+      const double half = 0.5 * gap_width(mesh, f, p, options.tolerance);
       if (half > 0 && half < options.tolerance) sources.push_back({p, half, radius});
     });
   });

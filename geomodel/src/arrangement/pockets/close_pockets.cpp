@@ -122,7 +122,7 @@ void prune_fins(Complex& complex, const GivenSurfaces& given) {
   }
   std::map<Index, std::set<Index>> taken;
   while (!open.empty()) {
-    const auto [f, surface] = open.back();
+    const Index f = open.back().first, surface = open.back().second;
     open.pop_back();
     bool ends = false;
     for_each_edge(complex, f, [&](const SurfaceEdge& e) {

@@ -209,11 +209,11 @@ CutFlaps cut_flaps(Complex& complex, double distance) {
   edit_origins(complex, [&](Index f, std::vector<Origin>& of) {
     const auto found = changes.find(f);
     if (found == changes.end()) return;
-    const auto& [surface, instead] = found->second;
+    const Change& change = found->second;
     const bool was_alone = of.size() == 1, reversed = of[0].reversed;
-    std::erase_if(of, [&](const Origin& o) { return o.surface == surface; });
-    if (!was_alone || !instead) return;
-    of.push_back(*instead);
+    std::erase_if(of, [&](const Origin& o) { return o.surface == change.surface; });
+    if (!was_alone || !change.instead) return;
+    of.push_back(*change.instead);
     of[0].reversed = of[0].reversed != reversed;
   });
   return done;

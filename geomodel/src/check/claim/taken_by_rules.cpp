@@ -32,18 +32,32 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   return !inside;
 }
 
+/// Whether a fault of the input passes between p and height z over it by more than the room.
+bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
+  bool is_between = false;
+  for (Index s = 0; s < claim_.surfaces.size() && !is_between; ++s) {
+    if (claim_.surfaces[s].kind != SurfaceKind::fault) continue;
+    for_each_height(claim_.surfaces[s], trees_[s], p, 0, [&](Index, double at) {
+      is_between = is_between || (at > std::min(p.z, z) + room_ && at < std::max(p.z, z) - room_);
+    });
+  }
+  return is_between;
+}
+
 /// Above (below) the other surface on the vertical; where it is not over p, against its nearest point.
-bool TakenByRules::is_beyond(Index other, const Vec3& p, bool above) const {
-  const TriangulatedSurface& surface = claim_.surfaces[other];
+bool TakenByRules::is_beyond(Index surface, Index other, const Vec3& p, bool above) const {
+  const TriangulatedSurface& cutter = claim_.surfaces[other];
+  const bool are_horizons =
+      claim_.surfaces[surface].kind == SurfaceKind::horizon && cutter.kind == SurfaceKind::horizon;
   bool any = false, beyond = false;
-  for_each_height(surface, trees_[other], p, room_, [&](Index, double z) {
+  for_each_height(cutter, trees_[other], p, room_, [&](Index, double z) {
     any = true;
-    beyond = beyond || (above ? p.z >= z - room_ : p.z <= z + room_);
+    beyond = beyond || ((above ? p.z >= z - room_ : p.z <= z + room_) && !(are_horizons && is_fault_between(p, z)));
   });
   if (any) return beyond;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : surface.triangles) {
-    const Vec3 q = nearest_on_triangle(p, {surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+  for (const Triangle& t : cutter.triangles) {
+    const Vec3 q = nearest_on_triangle(p, {cutter.points[t[0]], cutter.points[t[1]], cutter.points[t[2]]});
     const double distance = dot(q - p, q - p);
     if (distance >= nearest) continue;
     nearest = distance;
@@ -70,7 +84,7 @@ bool TakenByRules::is_near_another(Index surface, const Vec3& p, double distance
 bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p) const {
   if (!claim_.may_be_trimmed(surface)) return false;
   const auto beyond = [&](const std::vector<Index>& rows, bool above) {
-    return std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_beyond(row, p, above); });
+    return std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_beyond(surface, row, p, above); });
   };
   return beyond(claim_.trims[surface].above, true) || beyond(claim_.trims[surface].below, false);
 }

@@ -18,13 +18,15 @@ class TakenByRules {
 
   /// Whether p, a point of triangle `triangle` of the surface, may be away: outside the volume, or by a rule.
   bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
-  /// Whether p, a point of the surface, is beyond one of the surfaces that cut it by rule.
+  /// Whether p, a point of the surface, is beyond one of the surfaces that cut it by rule. A horizon that another one
+  /// cuts is not beyond what lies across a fault on the vertical: that is another block, which was thrown.
   bool is_beyond_cutters(Index surface, const Vec3& p) const;
   /// Whether p is outside the volume (which need not be a box) or within the room of its sides.
   bool is_outside(const Vec3& p) const;
 
  private:
-  bool is_beyond(Index other, const Vec3& p, bool above) const;
+  bool is_beyond(Index surface, Index other, const Vec3& p, bool above) const;
+  bool is_fault_between(const Vec3& p, double z) const;
   bool is_near_another(Index surface, const Vec3& p, double distance) const;
 
   const Claim& claim_;

@@ -293,14 +293,14 @@ TriangleSet TopologyJudge::meeting_of(Index i, Index j) const {
 /// about it in the mesh. Both may have been moved: where they are no farther than what is allowed from each other,
 /// their curve may be anywhere across.
 bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) const {
-  const auto& [i, j, s, t, place, along] = passage;
+  const Vec3 &place = passage.place, &along = passage.along;
   bool is_met = false;
   const auto passes = [&](Index surface, Index triangle, Index other) {
     const AlongLine line{[&](const Vec3& p) { return !is_in_box(p, 0) || claimed_.is_removed(surface, p, {}, other); },
                          [&](const Vec3& p) { is_met = is_met || !meeting.near(p, allowed_.both()).empty(); }};
     return passes_through(followed_[surface], triangle, {place, along}, followed_[other], allowed_.both(), line);
   };
-  return passes(i, s, j) && passes(j, t, i) && !is_met;
+  return passes(passage.i, passage.s, passage.j) && passes(passage.j, passage.t, passage.i) && !is_met;
 }
 
 /// Where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh nearby. That is

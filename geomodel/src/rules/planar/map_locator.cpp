@@ -34,9 +34,8 @@ std::size_t MapLocator::cell_of(double x, double min, double max) const {
   return std::min(n_ - 1, static_cast<std::size_t>(std::max(0.0, at)));
 }
 
-MapLocator::Hit MapLocator::find(Vec2 p) const {
-  Hit hit;
-  if (!(p.x >= bounds_.min.x && p.x <= bounds_.max.x && p.y >= bounds_.min.y && p.y <= bounds_.max.y)) return hit;
+void MapLocator::for_each(Vec2 p, const std::function<void(Index, bool)>& found) const {
+  if (!(p.x >= bounds_.min.x && p.x <= bounds_.max.x && p.y >= bounds_.min.y && p.y <= bounds_.max.y)) return;
   for (const Index t :
        cells_[cell_of(p.y, bounds_.min.y, bounds_.max.y) * n_ + cell_of(p.x, bounds_.min.x, bounds_.max.x)]) {
     const Triangle& v = surface_.triangles[t];
@@ -45,9 +44,16 @@ MapLocator::Hit MapLocator::find(Vec2 p) const {
     if (turn == Sign::zero) continue;
     const Sign s0 = orient2d(a, b, p) * turn, s1 = orient2d(b, c, p) * turn, s2 = orient2d(c, a, p) * turn;
     if (s0 == Sign::negative || s1 == Sign::negative || s2 == Sign::negative) continue;
-    if (hit.count++ == 0) hit.triangle = t;
-    hit.strictly = s0 == Sign::positive && s1 == Sign::positive && s2 == Sign::positive;
+    found(t, s0 == Sign::positive && s1 == Sign::positive && s2 == Sign::positive);
   }
+}
+
+MapLocator::Hit MapLocator::find(Vec2 p) const {
+  Hit hit;
+  for_each(p, [&](Index t, bool strictly) {
+    if (hit.count++ == 0) hit.triangle = t;
+    hit.strictly = strictly;
+  });
   return hit;
 }
 

@@ -3,6 +3,7 @@
 /// Heights of a surface over points of the map.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -24,6 +25,8 @@ class MapLocator {
     bool strictly = false;  ///< inside the triangle, on none of its edges
   };
   Hit find(Vec2 p) const;
+  /// `found` is given each triangle over or under p, and whether p is strictly inside it.
+  void for_each(Vec2 p, const std::function<void(Index triangle, bool strictly)>& found) const;
   /// Height of the triangle's plane; at one of its corners exactly that corner's.
   double height(Index triangle, Vec2 p) const;
   /// Height over p, nothing beside the surface.
