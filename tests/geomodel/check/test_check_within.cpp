@@ -331,3 +331,21 @@ TEST_CASE("check within a tolerance: a patch that ends beside another one of its
     CHECK_FALSE(border.faces_border(e, 0.5 * (a + b)));
   }
 }
+
+TEST_CASE("check within a tolerance: a crack faces itself farther from its tip than the tolerance", "[check][within]") {
+  geomesh::geomodel::TriangulatedSurface sheet;  // two blocks that part along y, from (0, 0, 0) on
+  sheet.points = {{-1, 0, 0}, {0, 0, 0}, {0, 2, 0}, {-1, 2, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 1e-3}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 6}};
+  geomesh::geomodel::checking::Allowed allowed;
+  allowed.surfaces = within;
+  const geomesh::geomodel::checking::InputBorder border(sheet, allowed);
+  std::size_t n_of_crack = 0;
+  for (geomesh::Index e = 0; e < border.edges().size(); ++e) {
+    const auto& [a, b, same] = border.edges()[e];
+    if (a.x != 0 || b.x != 0) continue;
+    ++n_of_crack;
+    for (const double tolerances : {0.9, 1.1, 1.9, 2.1, 5.0})
+      CHECK(border.faces_border(e, {0, tolerances * within, 0}) == (tolerances > 1));
+  }
+  CHECK(n_of_crack == 2);
+}

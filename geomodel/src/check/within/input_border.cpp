@@ -81,7 +81,6 @@ bool InputBorder::faces_border(Index row, const Vec3& p) const {
     const Vec3 d = edges_[e][1] - edges_[e][0];
     return std::sqrt(dot(d, d));
   };
-  std::set<Index> reached{row};
   std::map<VertexIndex, double> along;  // to vertices within twice the length, the shortest seen
   std::vector<std::pair<VertexIndex, double>> open;
   for (std::size_t k = 0; k < 2; ++k) open.emplace_back(ends_[row][k], distance_to(edges_[row][k]));
@@ -92,13 +91,19 @@ bool InputBorder::faces_border(Index row, const Vec3& p) const {
     const auto known = along.find(v);
     if (known != along.end() && known->second <= distance) continue;
     along[v] = distance;
-    for (const Index e : at_.at(v)) {
-      reached.insert(e);
+    for (const Index e : at_.at(v))
       open.emplace_back(ends_[e][0] == v ? ends_[e][1] : ends_[e][0], distance + length(e));
-    }
   }
-  return std::any_of(near.begin(), near.end(),
-                     [&](const TriangleSet::Near& n) { return !reached.contains(n.triangle); });
+  const auto is_reached = [&](Index e) {
+    const Vec3 q = nearest_on_triangle(p, edges_[e]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto at = along.find(ends_[e][k]);
+      const Vec3 d = q - edges_[e][k];
+      if (at != along.end() && at->second + std::sqrt(dot(d, d)) <= 2 * length_) return true;
+    }
+    return e == row;
+  };
+  return std::any_of(near.begin(), near.end(), [&](const TriangleSet::Near& n) { return !is_reached(n.triangle); });
 }
 
 bool InputBorder::faces_other_piece(Index row, const Vec3& p) const {
