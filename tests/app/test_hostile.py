@@ -307,7 +307,8 @@ class DamagedMeshes(ProgramTest):
             self.assertIn("VTK cannot read it: ", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
         field = "FIELD FieldData 2\ncell_ids 1 2 int\n1 2\nMETADATA\nINFORMATION 0\n\ncells 1 2 string\na b\nc\n"
         self.run_program("check", self.write("good.vtk", whole.replace("POINTS", field + "POINTS")))
-        for text in (whole.replace("Version 3.0", "Version 5.1"), whole.replace("Version 3.0", "Version x"), whole[2:]):
+        for text in (whole.replace("Version 3.0", "Version 5.1"), whole.replace("Version 3.0", "Version x"), whole.replace("Version 3.0", "Version 3"),
+                     whole.replace("Version 3.0", "Version 3.x"), whole[2:]):
             self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT)
         for name in ("mesh_fields_42.vtk", "mesh_fields_binary_51.vtk"):
             self.assertEqual(self.check(os.path.join(SOURCE, "tests", "corpus", "bytes", name))["volume"], 1 / 3)

@@ -282,8 +282,11 @@ std::string fault_of_legacy_cells(std::string_view content) {
   if (!content.starts_with(head)) return "does not begin as a VTK file";
   const std::string_view version =
       content.substr(head.size(), std::min(content.find('\n'), content.size()) - head.size());
-  const auto first = integer(version.substr(0, version.find('.')));
-  if (!first || *first < 1) return "says no version of the format that is known";
+  const std::size_t point = std::min(version.find('.'), version.size());
+  const auto first = integer(version.substr(0, point));
+  // Where one of the two numbers is none VTK reads the cells as those of the oldest version.
+  const bool has_second = point + 1 < version.size() && std::isdigit(static_cast<unsigned char>(version[point + 1]));
+  if (!first || *first < 1 || !has_second) return "says no version of the format that is known";
   for (int line = 0; line < 2; ++line) {  // the version, and a title that may hold any word
     const std::size_t end = content.find('\n');
     content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);

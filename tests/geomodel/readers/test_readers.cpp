@@ -12,6 +12,7 @@
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "plane_files.hpp"
+#include "readers/vtk/vtk_xml_guard.hpp"
 #include "scratch.hpp"
 
 using namespace geomesh;
@@ -173,6 +174,18 @@ TEST_CASE("no damage to a file ends otherwise, at length", "[.][nightly][readers
 namespace {
 
 /// A VTK XML file of four points with the given cells; `types` empty for PolyData.
+/// A triangle with the word as its value, and no point data: VTK reports it by way of a null pointer.
+std::string with_cell_data(const std::string& word) {
+  return "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+         "NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 "
+         "0 0 "
+         "1 0</DataArray></Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 "
+         "2</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3</DataArray><DataArray "
+         "type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells><CellData><DataArray type=\"Int32\" "
+         "Name=\"a\" format=\"ascii\">" +
+         word + "</DataArray></CellData></Piece></UnstructuredGrid></VTKFile>";
+}
+
 std::string vtk_file(const std::string& kind, const std::string& count, const std::string& element,
                      const std::string& connectivity, const std::string& offsets, const std::string& types) {
   const auto array = [](const std::string& name, const std::string& type, const std::string& values) {
@@ -285,6 +298,7 @@ TEST_CASE("broken surface files are refused with the place and what was expected
        "of type 10 has 3 corners"},
       {"a.vtu", vtk_file("UnstructuredGrid", "NumberOfCells=\"1\"", "Cells", "0 1 2", "3", "22"),
        "is of VTK's type 22, which is not read"},
+      {"a.vtu", with_cell_data("q"), "VTK cannot read it: Cannot read cell data array"},
       {"a.xyzzy", "what is this\n", "its format is not known"},
   };
   for (const Case& c : cases) {
@@ -295,6 +309,18 @@ TEST_CASE("broken surface files are refused with the place and what was expected
     CHECK(error->first == ErrorKind::invalid_input);
     CHECK(error->second.find(c.words) != std::string::npos);
   }
+}
+
+TEST_CASE("pieces of a VTK file without point data get an empty element for them", "[readers]") {
+  const std::string with = "<VTKFile><Piece a='>'><PointData></PointData></Piece></VTKFile>";
+  CHECK_FALSE(with_point_data(with));
+  CHECK_FALSE(with_point_data("<VTKFile><Piece/><Pieces></Pieces></VTKFile><AppendedData><Piece a='>'></Piece>"));
+  CHECK(with_point_data("<VTKFile><Piece a='>'></Piece></VTKFile>") == with);
+  CHECK(with_point_data("<Piece><PointData/></Piece><Piece></Piece><Piece></Piece>") ==
+        "<Piece><PointData/></Piece><Piece><PointData></PointData></Piece><Piece><PointData></PointData></Piece>");
+  CHECK(with_point_data("<Piece>") == "<Piece><PointData></PointData>");
+  for (const char* cut : {"<Piece", "<Piece a=", "<Piece a='", "<"}) CHECK_FALSE(with_point_data(cut));
+  CHECK_FALSE(error_of("a.vtu", with_cell_data("1")));
 }
 
 TEST_CASE("a missing file and a folder are errors of usage", "[readers]") {

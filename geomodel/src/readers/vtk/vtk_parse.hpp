@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "readers/text/input_file.hpp"
@@ -37,7 +38,8 @@ vtkSmartPointer<Data> parse_vtk(const InputFile& file) {
   const VtkMessages messages;
   vtkNew<Reader> reader;
   reader->ReadFromInputStringOn();
-  reader->SetInputString(file.bytes);
+  const std::optional<std::string> whole = with_point_data(file.text());
+  reader->SetInputString(whole ? *whole : file.bytes);
   if (!survives_sizes([&] { reader->Update(); })) file.fail("sizes in it are not those of what follows: it is damaged");
   if (const std::string reason = messages.first_reason(); !reason.empty()) file.fail("VTK cannot read it: " + reason);
   return reader->GetOutput();

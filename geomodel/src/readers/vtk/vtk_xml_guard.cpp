@@ -84,4 +84,22 @@ std::string fault_of_vtk_elements(std::string_view head, std::size_t file_size) 
   return "";
 }
 
+std::optional<std::string> with_point_data(std::string_view text) {
+  constexpr std::string_view element = "<PointData></PointData>";
+  const std::string_view head = text.substr(0, std::min(text.find("<AppendedData"), text.size()));
+  std::string out;
+  std::size_t copied = 0;  // of the text
+  for (std::size_t at = head.find("<Piece"); at != std::string_view::npos; at = head.find("<Piece", at + 1)) {
+    std::string_view rest = head.substr(at + 1);
+    const Tag tag(rest);
+    const std::size_t end = head.size() - rest.size() + 1;  // behind the tag
+    if (tag.name() != "Piece" || !rest.starts_with('>') || head[end - 2] == '/') continue;
+    if (head.substr(end, head.find("</Piece", end) - end).find("<PointData") != std::string_view::npos) continue;
+    out.append(text.substr(copied, end - copied)).append(element);
+    copied = end;
+  }
+  if (copied == 0) return std::nullopt;
+  return out.append(text.substr(copied));
+}
+
 }  // namespace geomesh::geomodel
