@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 
 extern char** environ;
@@ -86,6 +87,13 @@ fs::path mesh_of_project(const fs::path& project, const fs::path& folder, const 
   return geomodel::run_project(request, context).files.front();
 }
 
+/// Throws as the readers do where the mesh, or the faces beside it, are damaged: VTK alone would crash.
+void require_sound(const fs::path& mesh) {
+  const fs::path faces = mesh.parent_path() / (mesh.stem().string() + ".faces.vtp");
+  for (const fs::path& file : {mesh, faces})
+    if (fs::is_regular_file(file)) geomodel::describe_file(file);
+}
+
 }  // namespace
 
 int draw_picture(const PictureCommand& command, const RunContext& context) {
@@ -96,7 +104,11 @@ int draw_picture(const PictureCommand& command, const RunContext& context) {
     words.insert(words.begin(), prefix.begin(), prefix.end());
     const fs::path extension = command.input.extension();
     const bool is_project = extension == ".yaml" || extension == ".yml";
-    if (is_project) folder.emplace();
+    if (is_project) {
+      folder.emplace();
+    } else {
+      require_sound(command.input);
+    }
     words.push_back(is_project ? mesh_of_project(command.input, folder->path(), context).string()
                                : command.input.string());
   }

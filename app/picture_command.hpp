@@ -9,7 +9,8 @@
 
 namespace geomesh::app {
 
-/// Returns the drawing program's exit status. Throws Error{usage} where that program or a display is missing.
+/// Returns the drawing program's exit status. Throws Error{usage} where that program or a display is missing, and as
+/// the readers do where the mesh is damaged.
 int draw_picture(const PictureCommand& command, const RunContext& context);
 
 }  // namespace geomesh::app

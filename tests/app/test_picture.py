@@ -2,12 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`geomesh picture` draws what it is asked for. Skipped, saying so, where the drawing program or a display is absent."""
 import os
+import re
 import shutil
 import struct
 import unittest
 import zlib
 
-from geomesh_program import PROGRAM, USAGE, ProgramTest
+from geomesh_program import BAD_INPUT, PROGRAM, SOURCE, USAGE, ProgramTest
+
+
+def kept_mesh():
+    with open(os.path.join(SOURCE, "tests", "corpus", "bytes", "mesh_two_tetrahedra.vtu")) as file:
+        return file.read()
 
 
 def pixels(path):
@@ -87,9 +93,22 @@ class Picture(ProgramTest):
 
     def test_a_wrong_view_and_a_missing_mesh_are_refused_by_name(self):
         self.needs_display()
-        self.write("empty.vtu", "")
-        self.assertIn("--view", self.run_program("picture", "empty.vtu", "-o", "x.png", "--view", "inside", status=USAGE))
+        self.write("good.vtu", kept_mesh())
+        self.assertIn("--view", self.run_program("picture", "good.vtu", "-o", "x.png", "--view", "inside", status=USAGE))
         self.assertIn("no such file", self.run_program("picture", "nothing.vtu", "-o", "x.png", status=USAGE))
+
+    def test_damaged_files_are_refused_before_anything_is_drawn(self):
+        """VTK followed a null pointer, or the rows of points that are not there."""
+        self.needs_display()
+        whole = kept_mesh()
+        cells = '<CellData><DataArray type="Int32" Name="a" format="ascii">%s</DataArray></CellData></Piece>'
+        self.run_program("picture", self.write("good.vtu", whole), "-o", "x.png", "--size=100x100")
+        for bad in (whole.replace("0 1 2 3", "0 1 2 99"), re.sub("<CellData>.*</CellData>", "", whole, flags=re.S).replace("</Piece>", cells % "q 1"), ""):
+            self.assertNotEqual(bad, whole)
+            self.run_program("picture", self.write("bad.vtu", bad), "-o", "bad.png", status=BAD_INPUT)
+        self.write("good.faces.vtp", "<VTKFile")
+        self.run_program("picture", "good.vtu", "-o", "bad.png", status=BAD_INPUT)
+        self.assertFalse(os.path.exists(self.path("bad.png")))
 
     def test_help_needs_no_display(self):
         self.assertIn("exploded", self.run_program("picture", "--help"))
