@@ -304,7 +304,10 @@ class DamagedMeshes(ProgramTest):
             whole = file.read()
         for text in (whole.replace("0 0 -1", "0 0 x"), whole.replace("1 1\n", "1 x\n"), whole.rstrip()[:-1]):
             self.assertNotEqual(text, whole)
-            self.assertIn("VTK cannot read it: ", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
+            self.assertRegex(self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT), "VTK cannot read it: |damaged")
+        # VTK took what follows the last number that it can read for a keyword, and followed a null pointer.
+        early = whole[:whole.index("0 0 -1")] + "0FieldData 2\nkind 1 5 int\n"
+        self.assertIn("has points that do not fill", self.run_program("check", self.write("bad.vtk", early), status=BAD_INPUT))
         field = "FIELD FieldData 2\ncell_ids 1 2 int\n1 2\nMETADATA\nINFORMATION 0\n\ncells 1 2 string\na b\nc\n"
         self.run_program("check", self.write("good.vtk", whole.replace("POINTS", field + "POINTS")))
         for text in (whole.replace("Version 3.0", "Version 5.1"), whole.replace("Version 3.0", "Version x"), whole.replace("Version 3.0", "Version 3"),

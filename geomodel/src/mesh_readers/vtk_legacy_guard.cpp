@@ -223,12 +223,12 @@ class CellBlocks {
       if (!is_number(words_.next(), type, *width)) return false;
     return true;
   }
-  /// Bytes that might look like keywords are passed over; numbers in text cannot.
+  /// Bytes might look like keywords. In text VTK takes what follows the last number that it can read for one.
   std::string fault_of_points() {
     const auto n = words_.number();
     const std::string type = lower(words_.next());
     if (!n || *n < 0 || static_cast<std::size_t>(*n) > content_.size() ||
-        (binary_ && !holds_array(type, 3 * static_cast<std::size_t>(*n))))
+        !holds_array(type, 3 * static_cast<std::size_t>(*n)))
       return "has points that do not fill their block of numbers (damaged)";
     return "";
   }
@@ -237,10 +237,9 @@ class CellBlocks {
     n_types_ = words_.number();
     if (!n_types_ || *n_types_ < 0 || static_cast<std::size_t>(*n_types_) > content_.size() || !counts_agree())
       return "says another number of CELL_TYPES than of CELLS (damaged)";
-    return binary_ && !holds_array("int", static_cast<std::size_t>(*n_types_)) ? "ends within its CELL_TYPES (damaged)"
-                                                                               : "";
+    return holds_array("int", static_cast<std::size_t>(*n_types_)) ? "" : "ends within its CELL_TYPES (damaged)";
   }
-  /// In binary files of version 5: the offsets, then the rows of points.
+  /// In files of version 5: the offsets, then the rows of points.
   bool holds_arrays_of_cells(std::size_t n_offsets, std::size_t n_rows) {
     for (const std::size_t n : {n_offsets, n_rows}) {
       words_.next();
@@ -260,8 +259,7 @@ class CellBlocks {
     const auto block =
         is_version_5 ? std::nullopt : block_of(words_.behind_line(), static_cast<std::size_t>(*size), binary_);
     if (!is_version_5 && (!block || !fills(*block, *n))) return fault;
-    if (binary_ && is_version_5 &&
-        !holds_arrays_of_cells(static_cast<std::size_t>(*n), static_cast<std::size_t>(*size)))
+    if (is_version_5 && !holds_arrays_of_cells(static_cast<std::size_t>(*n), static_cast<std::size_t>(*size)))
       return fault;
     if (binary_ && !is_version_5 && !holds_array("int", static_cast<std::size_t>(*size))) return fault;
     return counts_agree() ? "" : "says another number of CELL_TYPES than of CELLS (damaged)";

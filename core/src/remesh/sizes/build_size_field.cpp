@@ -153,13 +153,12 @@ class SizeFieldBuilder {
     }
   }
 
-  /// Surfaces that meet within `corner_reach` make no gap.
-  SizeFields build(double corner_reach) {
+  SizeFields build() {
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
       if (at_vertex_[v] < infinity) sources_.push_back({mesh_.point(v), at_vertex_[v], 0});
     SizeFields fields;
     fields.without_gaps = SizeField(sources_, limits());
-    if (options_.gap_layers > 0 || !options_.component_layers.empty()) add_gaps(corner_reach);
+    if (options_.gap_layers > 0 || !options_.component_layers.empty()) add_gaps();
     fields.all = SizeField(std::move(sources_), limits());
     return fields;
   }
@@ -200,7 +199,7 @@ class SizeFieldBuilder {
     return options_.gap_layers > 0 ? std::max(width / options_.gap_layers, options_.gap_floor * asked) : infinity;
   }
 
-  void add_gaps(double corner_reach) {
+  void add_gaps() {
     std::vector<SizeSource> found;
     const double global = options_.global > 0 ? options_.global : infinity;
     const SizeField others(sources_, {global, 0, infinity, options_.gradation, {}, {}});
@@ -208,7 +207,7 @@ class SizeFieldBuilder {
       const Index c = mesh_.component(f.cell());
       const double layers = c < options_.component_layers.size() ? options_.component_layers[c] : 0;
       const auto look_from = [&](const Vec3& place, double radius) {
-        const double width = gap_width(mesh_, f, place, corner_reach);
+        const double width = gap_width(mesh_, f, place);
         if (!(width < infinity)) return;
         const double asked = others.at(place), size = size_across(width, layers, asked);
         if (size < asked) found.push_back({place, size, radius});
@@ -237,7 +236,7 @@ SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh&
   builder.add_input_edges(options.honour == Honour::exact && !options.size_surfaces);
   builder.add_patches_and_curves();
   builder.add_curvature(tolerance);
-  return builder.build(tolerance.greatest());
+  return builder.build();
 }
 
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {

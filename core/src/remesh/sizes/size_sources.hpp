@@ -44,6 +44,6 @@ void for_each_side_of_surfaces(const DomainMesh& mesh, const Visit& visit) {
 /// that faces back. Infinite where that face stands at more than 60 degrees to this one. Infinite at a corner, which is
 /// no gap: where both share a vertex, or the surfaces meet within `corner_reach`. Infinite too where 500 cells do not
 /// reach one.
-double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin, double corner_reach);
+double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin, double corner_reach = 0);
 
 }  // namespace geomesh::remesh

@@ -29,6 +29,10 @@ void cover_surfaces(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, c
   });
 }
 
+/// Of the tolerance: a curve where surfaces meet is as near behind needles. What is farther from it faces a gap, since
+/// a unit that thins out there would be lost.
+constexpr double needle_share = 0.05;
+
 SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {
   const double share = options.tolerance_share;
   std::vector<SizeSource> sources = options.size.sources;
@@ -38,7 +42,7 @@ SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh
   // Half of the gap, at places of a face two sizes apart, or more on a large one.
   for_each_side_of_surfaces(mesh, [&](FaceRef f) {
     visit_pieces(mesh.places(mesh.face(f)), options.tolerance / share, [&](const Vec3& p, double radius) {
-      const double half = 0.5 * gap_width(mesh, f, p, options.tolerance);
+      const double half = 0.5 * gap_width(mesh, f, p, needle_share * options.tolerance);
       if (half > 0 && half < options.tolerance) sources.push_back({p, half, radius});
     });
   });
