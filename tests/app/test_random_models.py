@@ -180,7 +180,7 @@ output: {directory: out, formats: [vtu]}
             points = [(x, y, z) for x, z in line for y in (-10, 110)]
             ends = range(first, first + 2 * len(line) - 2, 2)
             return points, [t for k in ends for t in ((k, k + 2, k + 3), (k, k + 3, k + 1))]
-        for name, near, far in (("h1", 60, ((70, 120), (150, 120), (160, 80), (170, 120), (310, 120))), ("h2", 30, ((100, 90), (310, 90)))):
+        for name, near, far in (("h1", 40, ((70, 120), (170, 120), (180, 80), (190, 120), (310, 120))), ("h2", 20, ((100, 90), (320, 90)))):
             points, triangles = strip((-10, near), (190 - near, near))
             more_points, more_triangles = strip(*far, first=4)
             self.write(name + ".ts", triangles_ts(name, points + more_points, triangles + more_triangles))
@@ -200,8 +200,8 @@ output: {directory: out, formats: [vtu]}
             volumes = [r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"] if r["name"].split("__")[0] == "u2"]
             self.assertEqual(len(volumes), 3)  # the lower block, and the upper one on both sides of the dip
         # A mesh without most of the upper block of h2, as it was made before. Only what is above h1 may be away.
-        points, triangles = strip((-10, 30), (160, 30))
-        more_points, more_triangles = strip((157.5, 90), (310, 90), first=4)
+        points, triangles = strip((-10, 20), (170, 20))
+        more_points, more_triangles = strip((177.5, 90), (320, 90), first=4)
         self.write("short.ts", triangles_ts("h2", points + more_points, triangles + more_triangles))
         with open(project, encoding="utf-8") as file:
             short = self.write("short.yaml", file.read().replace("file: h2.ts", "file: short.ts"))

@@ -44,16 +44,19 @@ class Words {
     at_ = are_there ? at_ + n_bytes : text_.size();
     return are_there;
   }
-  /// Each begins with its length in 1, 2, 4 or 8 bytes; the two highest bits tell which.
-  void pass_over_strings(std::size_t n) {
-    for (; n > 0 && at_ < text_.size(); --n) {
+  /// Each begins with its length in 1, 2, 4 or 8 bytes; the two highest bits tell which. False where they are not
+  /// there: VTK asks for as much memory before it reads them.
+  bool pass_over_strings(std::size_t n) {
+    for (; n > 0; --n) {
+      if (at_ >= text_.size()) return false;
       const auto head = static_cast<unsigned char>(text_[at_]);
       std::size_t length = head & 63u;
       for (std::size_t k = 1; k < std::size_t{8} >> (head >> 6u) && at_ + 1 < text_.size(); ++k)
         length = length << 8 | static_cast<unsigned char>(text_[++at_]);
       ++at_;
-      pass_over(length);
+      if (!pass_over(length)) return false;
     }
+    return true;
   }
   void pass_over_lines(std::size_t n) {
     for (; n > 0 && at_ < text_.size(); --n) at_ = std::min(text_.find('\n', at_), text_.size() - 1) + 1;
@@ -210,7 +213,8 @@ class CellBlocks {
   bool holds_array(const std::string& type, std::size_t n) {
     if (type.starts_with("string")) {
       words_.rest_of_line();
-      binary_ ? words_.pass_over_strings(n) : words_.pass_over_lines(n);
+      if (binary_) return words_.pass_over_strings(n);
+      words_.pass_over_lines(n);
       return true;
     }
     const auto width = width_of(type);

@@ -45,14 +45,13 @@ bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
 }
 
 /// Above (below) the other surface on the vertical; where it is not over p, against its nearest point.
-bool TakenByRules::is_beyond(Index surface, Index other, const Vec3& p, bool above) const {
+bool TakenByRules::is_beyond(Index other, const Vec3& p, bool above, Heights heights) const {
   const TriangulatedSurface& cutter = claim_.surfaces[other];
-  const bool are_horizons =
-      claim_.surfaces[surface].kind == SurfaceKind::horizon && cutter.kind == SurfaceKind::horizon;
   bool any = false, beyond = false;
   for_each_height(cutter, trees_[other], p, room_, [&](Index, double z) {
     any = true;
-    beyond = beyond || ((above ? p.z >= z - room_ : p.z <= z + room_) && !(are_horizons && is_fault_between(p, z)));
+    beyond = beyond || ((above ? p.z >= z - room_ : p.z <= z + room_) &&
+                        !(heights == Heights::of_one_block && is_fault_between(p, z)));
   });
   if (any) return beyond;
   double nearest = std::numeric_limits<double>::infinity();
@@ -81,12 +80,20 @@ bool TakenByRules::is_near_another(Index surface, const Vec3& p, double distance
   return false;
 }
 
-bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p) const {
+bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p, Heights heights) const {
   if (!claim_.may_be_trimmed(surface)) return false;
   const auto beyond = [&](const std::vector<Index>& rows, bool above) {
-    return std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_beyond(surface, row, p, above); });
+    return std::any_of(rows.begin(), rows.end(), [&](Index row) {
+      const bool are_horizons =
+          claim_.surfaces[surface].kind == SurfaceKind::horizon && claim_.surfaces[row].kind == SurfaceKind::horizon;
+      return is_beyond(row, p, above, are_horizons ? heights : Heights::of_all_blocks);
+    });
   };
   return beyond(claim_.trims[surface].above, true) || beyond(claim_.trims[surface].below, false);
+}
+
+bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p) const {
+  return is_beyond_cutters(surface, p, Heights::of_one_block);
 }
 
 bool TakenByRules::may_be_away(Index surface, Index triangle, const Vec3& p) const {
@@ -94,7 +101,7 @@ bool TakenByRules::may_be_away(Index surface, Index triangle, const Vec3& p) con
   if (!claim_.may_be_trimmed(surface)) return false;
   const TrimRules& trim = claim_.trims[surface];
   if (trim.given_beyond_faults || (trim.continuation && triangle >= trim.n_given_triangles)) return true;
-  return is_beyond_cutters(surface, p) ||
+  return is_beyond_cutters(surface, p, Heights::of_all_blocks) ||
          (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_));
 }
 

@@ -4,6 +4,7 @@
 /// surfaces: heights on the vertical, distances, the outside of the volume. No report of the run is asked.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "check/claim/claim.hpp"
@@ -16,16 +17,19 @@ class TakenByRules {
   /// `room`: within this of the limit of a rule a point may have been taken.
   TakenByRules(const Claim& claim, double room);
 
-  /// Whether p, a point of triangle `triangle` of the surface, may be away: outside the volume, or by a rule.
+  /// Whether p, a point of triangle `triangle` of the surface, may be away: outside the volume, or by a rule. Pieces go
+  /// as wholes, and may reach over another block: heights across faults count.
   bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
-  /// Whether p, a point of the surface, is beyond one of the surfaces that cut it by rule. A horizon that another one
-  /// cuts is not beyond what lies across a fault on the vertical: that is another block, which was thrown.
+  /// Whether p, a point of the surface, is beyond one of the surfaces that cut it by rule, so that it tells of its
+  /// piece. A horizon is not beyond one that lies across a fault on the vertical: that is of another block.
   bool is_beyond_cutters(Index surface, const Vec3& p) const;
   /// Whether p is outside the volume (which need not be a box) or within the room of its sides.
   bool is_outside(const Vec3& p) const;
 
  private:
-  bool is_beyond(Index surface, Index other, const Vec3& p, bool above) const;
+  enum class Heights : std::uint8_t { of_all_blocks, of_one_block };
+  bool is_beyond_cutters(Index surface, const Vec3& p, Heights heights) const;
+  bool is_beyond(Index other, const Vec3& p, bool above, Heights heights) const;
   bool is_fault_between(const Vec3& p, double z) const;
   bool is_near_another(Index surface, const Vec3& p, double distance) const;
 
