@@ -119,6 +119,12 @@ def plane_ts(name, corners):
     return "\n".join(lines + ["TRGL 1 2 3", "TRGL 1 3 4", "END", ""])
 
 
+def off(points, faces):
+    """The text of an OFF file."""
+    lines = ["OFF", "%d %d 0" % (len(points), len(faces))] + ["%s %s %s" % p for p in points]
+    return "\n".join(lines + ["%d " % len(f) + " ".join(map(str, f)) for f in faces] + [""])
+
+
 def triangles_ts(name, points, triangles):
     lines = ["GOCAD TSurf 1", "HEADER {", "name:" + name, "}", "TFACE"]
     lines += ["VRTX %d %.17g %.17g %.17g" % (i + 1, *p) for i, p in enumerate(points)]

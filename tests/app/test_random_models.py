@@ -37,6 +37,18 @@ class RandomModels(ProgramTest):
             with self.subTest(seed=seed):
                 self.assertEqual(outcome_of(seed, self.path(str(seed)), PROGRAM, limit, light=light), ("passes", ""))
 
+    def crossing_horizons(self, top, rule, fault=True):
+        """A project of h1.ts over h2.ts, and of f.ts, in the box from zero to `top`."""
+        with_fault = ", {name: f, kind: fault, file: f.ts}" if fault else ""
+        return self.write("project.yaml", f"""name: m
+box: {{min: [0, 0, 0], max: {top}}}
+surfaces: [{{name: h1, kind: horizon, file: h1.ts}}, {{name: h2, kind: horizon, file: h2.ts}}{with_fault}]
+column: [u1, h1, u2, h2, u3]
+rules: {{stack: keep, on_crossing: {rule}}}
+mesh: {{mode: constrained, refine: none}}
+output: {{directory: out, formats: [vtu]}}
+""")
+
     def assert_within_estimate(self, seed, limit):
         """A light model passes, with at most a tenth more elements than were estimated."""
         self.assert_pass(seed, limit=limit, light=True)
@@ -136,14 +148,7 @@ class RandomModels(ProgramTest):
             self.write(name + ".ts", triangles_ts(name, *blocks(near, far)))
         self.write("f.ts", triangles_ts("f", [(100, -10, -10), (100, 110, -10), (100, 110, 160), (100, -10, 160)], [(0, 1, 2), (0, 2, 3)]))
         for rule in ("clip_older", "clip_younger", "error"):
-            project = self.write("project.yaml", """name: m
-box: {min: [0, 0, 0], max: [200, 100, 150]}
-surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
-column: [u1, h1, u2, h2, u3]
-rules: {stack: keep, on_crossing: %s}
-mesh: {mode: constrained, refine: none}
-output: {directory: out, formats: [vtu]}
-""" % rule)
+            project = self.crossing_horizons([200, 100, 150], rule)
             self.run_program(project)
             self.check(self.path("out", "m.vtu"), "--project", project)
             volumes = {r["name"]: r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"]}
@@ -160,14 +165,7 @@ output: {directory: out, formats: [vtu]}
         leaning = [(95 + (60 - z) / 3, y, z) for y, z in ((-10, -10), (110, -10), (110, 160), (-10, 160))]
         self.write("f.ts", triangles_ts("f", leaning, [(0, 1, 2), (0, 2, 3)]))
         for rule in ("clip_younger", "error"):
-            project = self.write("project.yaml", """name: m
-box: {min: [0, 0, 0], max: [200, 100, 150]}
-surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
-column: [u1, h1, u2, h2, u3]
-rules: {stack: keep, on_crossing: %s}
-mesh: {mode: constrained, refine: none}
-output: {directory: out, formats: [vtu]}
-""" % rule)
+            project = self.crossing_horizons([200, 100, 150], rule)
             self.run_program(project)
             self.check(self.path("out", "m.vtu"), "--project", project)
             between = [r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"] if r["name"].split("__")[0] == "u2"]
@@ -187,14 +185,7 @@ output: {directory: out, formats: [vtu]}
         leaning = [(190 - z, y, z) for y, z in ((-10, -10), (110, -10), (110, 130), (-10, 130))]
         self.write("f.ts", triangles_ts("f", leaning, [(0, 1, 2), (0, 2, 3)]))
         for rule in ("clip_younger", "clip_older"):
-            project = self.write("project.yaml", """name: m
-box: {min: [0, 0, 0], max: [300, 100, 110]}
-surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}, {name: f, kind: fault, file: f.ts}]
-column: [u1, h1, u2, h2, u3]
-rules: {stack: keep, on_crossing: %s}
-mesh: {mode: constrained, refine: none}
-output: {directory: out, formats: [vtu]}
-""" % rule)
+            project = self.crossing_horizons([300, 100, 110], rule)
             self.run_program(project)
             self.check(self.path("out", "m.vtu"), "--project", project)
             volumes = [r["volume"] for r in self.report(self.path("out", "m.report.json"))["regions"] if r["name"].split("__")[0] == "u2"]
@@ -216,14 +207,7 @@ output: {directory: out, formats: [vtu]}
             ends = range(0, 2 * len(line) - 2, 2)
             self.write(name + ".ts", triangles_ts(name, points, [t for k in ends for t in ((k, k + 2, k + 3), (k, k + 3, k + 1))]))
         strip("h2", (-10, 30), (100, 30))
-        project = self.write("project.yaml", """name: m
-box: {min: [0, 0, 0], max: [140, 100, 150]}
-surfaces: [{name: h1, kind: horizon, file: h1.ts}, {name: h2, kind: horizon, file: h2.ts}]
-column: [u1, h1, u2, h2, u3]
-rules: {stack: keep, on_crossing: clip_younger}
-mesh: {mode: constrained, refine: none}
-output: {directory: out, formats: [vtu]}
-""")
+        project = self.crossing_horizons([140, 100, 150], "clip_younger", fault=False)
         for end in ((100, 10), (110, 40), (150, 40)), ((30, 50 - 40 / 110 * 40),):  # the second is short of the edge where they meet
             strip("h1", (-10, 50), *end)
             self.run_program(project)
