@@ -88,6 +88,17 @@ column: [upper, h, lower]
         report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
         self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 240, "upper__3": 120, "lower__1": 180, "lower__2": 160, "lower__3": 180})
 
+    def test_faults_that_end_on_the_sides_of_the_box(self):
+        """Nothing inside goes round their ends, though the one that leans is continued to part the blocks."""
+        self.write("f.ts", triangles_ts("f", *strip([(5, -1), (5, 11)], 0, 10)))
+        self.write("g.ts", triangles_ts("g", *strip([(5, -1), (5, 11)], 0, 10)))
+        lattice = [(x, y, z) for z, columns in ((6, (0, 2, 5)), (4, (5, 7, 10))) for y in (0, 3, 6, 10) for x in columns]
+        cells = [12 * block + 3 * j + i for block in (0, 1) for j in range(3) for i in range(2)]
+        self.write("h.ts", triangles_ts("h", lattice, [t for c in cells for t in ((c, c + 1, c + 4), (c, c + 4, c + 3))]))
+        report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts, extent: to_horizon h}\ncolumn"))
+        self.assert_volumes(volumes, {"upper__1": 200, "upper__2": 300, "lower__1": 300, "lower__2": 200})
+        self.assertFalse(any("not applied" in text or "stops short" in text for text in report["warnings"]), report["warnings"])
+
     def test_a_fault_that_does_not_divide_is_told(self):
         self.fault(low=4.5, high=5.5)
         self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
@@ -334,6 +345,61 @@ rules: {topography: relief}
         self.assertAlmostEqual(volumes["upper"], upper, delta=1e-9)
         self.told(report, "notes", "nothing is kept above the topography", "pieces of h above relief")
         self.told(report, "notes", "pieces of salt above relief")
+
+    SCARP = """surfaces:
+  - {name: relief, kind: horizon, file: relief.ts}
+  - {name: f, kind: fault, file: f.ts}
+  - {name: g, kind: fault, file: g.ts}
+rules: {topography: relief}
+"""
+
+    def scarp(self, low, high, end):
+        """The relief at `low` west of f up to `end`, at `high` east of it from 10 - end on; g crosses f."""
+        self.surface("f", [(5, -1), (5, 11)])
+        self.write("g.ts", triangles_ts("g", [(-1, 4, -1), (11, 4, -1), (11, 4, 11), (-1, 4, 11)], [(0, 1, 2), (0, 2, 3)]))
+        self.surface("relief", [(-1, low), (end, low)], [(10 - end, high), (11, high)])
+
+    def assert_all_is_kept(self, text):
+        report, volumes = self.mesh(text)
+        self.assertAlmostEqual(sum(volumes.values()), 700, delta=1e-8)
+        self.assertFalse(any("hole" in text or "stops short" in text for text in report["warnings"]), report["warnings"])
+
+    def test_a_scarp_of_the_topography_along_a_fault_keeps_what_is_below(self):
+        for low, high in ((8, 6), (6, 8)):
+            self.scarp(low, high, 5)
+            self.assert_all_is_kept(self.SCARP)
+
+    def test_a_scarp_whose_foot_is_longer_than_its_edge(self):
+        """West of f the relief goes up and down along it, by half a metre each 3 m."""
+        self.scarp(6, 8, 5)
+        ridges = [(x, y, 6 + 0.5 * (k % 2)) for k, y in enumerate((-1, 2, 5, 8, 11)) for x in (-1, 5)]
+        block = [(5, -1, 8), (11, -1, 8), (5, 11, 8), (11, 11, 8)]
+        self.write("relief.ts", triangles_ts("relief", ridges + block, [t for k in (0, 2, 4, 6, 10) for t in ((k, k + 1, k + 3), (k, k + 3, k + 2))]))
+        report, volumes = self.mesh(self.SCARP)
+        west = 5 * (12 * 6.25 - 2 * (6 + 0.5 / 6))
+        self.assertAlmostEqual(sum(volumes.values()), west + 400, delta=1e-8)
+        self.assertFalse(any("hole" in text or "stops short" in text for text in report["warnings"]), report["warnings"])
+
+    def test_a_topography_given_in_blocks_that_overshoot_a_fault(self):
+        for low, high in ((8, 6), (6, 8)):
+            self.scarp(low, high, 6)
+            self.assert_all_is_kept(self.SCARP.replace("relief.ts}", "relief.ts, throw_at: [f]}"))
+
+    def test_a_bottom_that_stops_short_leaves_nothing_out(self):
+        """Most of the model lies about the bottom, which ends inside; under the salt that passes it, it parts the rest from the salt."""
+        points, triangles = strip([(1, 4), (9, 4)], 1, 9)
+        self.write("base.ts", triangles_ts("base", points, triangles))
+        self.write("salt.ts", triangles_ts("salt", *box_surface((4, 4, 2), (6, 6, 9))))
+        text = """surfaces:
+  - {name: base, kind: horizon, file: base.ts}
+  - {name: salt, kind: body, file: salt.ts}
+"""
+        self.project = self.write("model.yaml", "name: model\nbox: {min: [0, 0, 0], max: [10, 10, 10], bottom: base}\n".replace("min: [0, 0, 0], max: [10, 10, 10]", "center: [5, 5], size: [10, 10], top: 10") + text + "output: {directory: out}\n")
+        self.run_program(self.project)
+        report = self.report(self.path("out", "model.report.json"))
+        self.told(report, "warnings", "bottom base has a hole or stops short")
+        check = self.check(self.path("out", "model.vtu"), "--project", self.project)
+        self.assertEqual(len(check["regions"]), 2)
 
     def test_polygon_between_two_horizons(self):
         self.write("roof.ts", plane_ts("roof", [(-1, -1, 8), (11, -1, 8), (11, 11, 8), (-1, 11, 8)]))

@@ -8,8 +8,10 @@
     tests/fuzz/run_random_models.py --seed 4711 --count 1 --folder here --keep      one of them
     tests/fuzz/run_random_models.py --count 10000 --light --jobs 4  four at a time, each on one thread
 
+    tests/fuzz/run_random_models.py --count 1000 --light --options  with random keys of the project file
+
 Outcomes: `passes`, `refused` (status 3 or 4 with a message), `wrong` (the check finds faults), `bug` (status 1, a signal, or a refusal
-without a message), `slow` (beyond --limit seconds of CPU). The exit status is 1 where anything is wrong, a bug or slow.
+without a message), `slow` (beyond --limit seconds of CPU), `declined` (with --options: a combination that the program tells as a mistake). The exit status is 1 where anything is wrong, a bug or slow.
 What is not in order is told at once, in the order of the seeds; every hundred models a line tells the counts so far and the CPU time.
 """
 import argparse
@@ -24,6 +26,9 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 from random_models import RandomModel  # noqa: E402
+from random_options import RandomOptions  # noqa: E402
+
+FINE = ("passes", "refused", "declined")
 
 
 def run(program, arguments, limit):
@@ -38,17 +43,22 @@ def run(program, arguments, limit):
     return process.returncode, printed
 
 
-def outcome_of(seed, folder, program, limit, as_default=False, light=False):
-    project = RandomModel(seed, as_default, light).write(folder)
+def outcome_of(seed, folder, program, limit, as_default=False, light=False, options=False):
+    project = (RandomOptions if options else RandomModel)(seed, as_default, light).write(folder)
     status, printed = run(program, [project, "--quiet", "--threads", "1"], limit)
     if status in (-24, -9):  # SIGXCPU, or the harder bound behind it
         return "slow", "meshing took more than %d s" % limit
     if status in (3, 4) and "error: " in printed:
         return "refused", printed[printed.index("error: "):][:300]
+    if status == 2 and options and "error: " in printed:
+        return "declined", printed[printed.index("error: "):][:300]
     if status != 0:
         return "bug", "status %d: %s" % (status, printed[-300:])
     report = os.path.join(folder, "check.json")
-    status, printed = run(program, ["check", os.path.join(folder, "out", "model.vtu"), "--project", project, "--report", report], limit)
+    mesh = os.path.join(folder, "out", "model.vtu")
+    if not os.path.exists(mesh):
+        mesh = os.path.join(folder, "out", "model.pvtu")
+    status, printed = run(program, ["check", mesh, "--project", project, "--report", report], limit)
     if status == 0:
         return "passes", ""
     if status == 3 and os.path.exists(report):
@@ -84,24 +94,25 @@ def main():
     options.add_argument("--keep", action="store_true", help="keep models that pass, too")
     options.add_argument("--as-default", action="store_true", help="with `mesh: {size: L}` in place of the modes")
     options.add_argument("--light", action="store_true", help="with fewer triangles and larger sizes: many more in the same time")
+    options.add_argument("--options", action="store_true", help="with random keys of the project file (random_options.py)")
     options.add_argument("--jobs", type=int, default=1, help="models at a time")
     options = options.parse_args()
     counts = {}
     last = options.seed + options.count - 1
 
     def one(seed):
-        return outcome_of(seed, os.path.join(options.folder, str(seed)), options.program, options.limit, options.as_default, options.light)
+        return outcome_of(seed, os.path.join(options.folder, str(seed)), options.program, options.limit, options.as_default, options.light, options.options)
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for seed, (outcome, why) in in_order(pool, one, range(options.seed, last + 1), 2 * options.jobs):
             counts[outcome] = counts.get(outcome, 0) + 1
             if outcome != "passes":
                 print("%d %s: %s" % (seed, outcome, why.replace("\n", " ")), flush=True)
-            if outcome in ("passes", "refused") and not options.keep:
+            if outcome in FINE and not options.keep:
                 shutil.rmtree(os.path.join(options.folder, str(seed)))
             if seed == last or (seed + 1 - options.seed) % 100 == 0:
                 print(tally(options.seed, seed, counts), flush=True)
-    return 1 if any(outcome not in ("passes", "refused") for outcome in counts) else 0
+    return 1 if any(outcome not in FINE for outcome in counts) else 0
 
 
 if __name__ == "__main__":

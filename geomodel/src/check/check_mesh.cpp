@@ -13,6 +13,7 @@
 #include "check/curves/judge_curves.hpp"
 #include "check/judged/judged_mesh.hpp"
 #include "check/names/judge_names.hpp"
+#include "check/splits/judge_splits.hpp"
 #include "check/within/within_tolerance.hpp"
 #include "check/zones/judge_zones.hpp"
 #include "common/foreign_json.hpp"
@@ -109,7 +110,7 @@ void judge_files(const CheckRequest& request, const JudgedFiles& files, const Cl
   if (files.curves) {
     check_mesh_points(files.mesh, files.curves->points, files.curves->mesh_point, "the curves", result);
     curves.emplace(check_curve_cells(files.mesh, *files.curves, files.faces, result));
-  } else {
+  } else if (claim.output.curves) {
     result.faults.push_back({"missing_curves", "1 file is missing: the curves that belong to the face set", 1, {}, {}});
   }
   if (const auto report = report_beside(request.mesh))
@@ -193,9 +194,9 @@ void judge_closed(const CheckRequest& request, const ClosedFiles& closed, const 
 }
 
 void judge_with_zones(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
-  const auto closed = close_zones(files.mesh, files.faces, files.curves, claim.zones, result);
+  const auto closed = close_zones(files.mesh, files.faces, files.curves, claim.output.fault_zones, result);
   if (!closed) return;
-  check_zones(files.mesh, files.faces, claim.zones, result);
+  check_zones(files.mesh, files.faces, claim.output.fault_zones, result);
   CheckResult rest;
   judge_closed(request, *closed, claim, rest);
   for (CheckFault& fault : rest.faults) {
@@ -205,32 +206,62 @@ void judge_with_zones(const CheckRequest& request, const JudgedFiles& files, con
   for (const std::string& text : rest.checks_done) result.checks_done.push_back("with zones closed: " + text);
 }
 
-void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const FacesFile* faces,
-                 const std::vector<Triangle>& set_faces, CheckResult& result) {
-  if (!request.project.empty()) {
-    Claim claim = claim_of_project(request.project);
-    if (claim.within_by_count) adopt_told_tolerance(request, mesh, claim, result);
-    if (claim.volume) check_volume(mesh, claim, result);
-    const std::filesystem::path curves_path = faces ? beside(request.mesh, ".curves.vtp") : std::filesystem::path{};
-    std::optional<CurvesFile> curves;
-    if (!curves_path.empty()) curves = read_curves_file(curves_path);
-    if (claim.zones.empty()) {
-      judge_surfaces(request, mesh, claim, faces, set_faces, result);
-    } else if (!faces) {
-      result.checks_done.emplace_back(
-          "surfaces were not judged: the project has fault zones, which are closed for that by the files of a .vtu");
-    }
-    if (faces) {
-      const JudgedFiles files{mesh, *faces, set_faces, curves ? &*curves : nullptr};
-      if (request.contract == CheckRequest::Contract::judged && can_judge_contract(files)) {
-        judge_files(request, files, claim, result);
-        if (claim.zones.empty()) judge_contract(request, files, claim, result);
-      }
-      if (!claim.zones.empty()) judge_with_zones(request, files, claim, result);
+/// The files of a mesh: surfaces and curves stand beside it, or in its own grid.
+struct GivenFiles {
+  MeshFile mesh;
+  std::optional<FacesFile> faces;
+  std::optional<CurvesFile> curves;
+};
+
+GivenFiles read_files(const std::filesystem::path& mesh) {
+  GivenFiles given{read_mesh_file(mesh), std::nullopt, std::nullopt};
+  if (mesh.extension() != ".vtu" && mesh.extension() != ".pvtu") return given;
+  const std::filesystem::path faces = beside(mesh, ".faces.vtp"), curves = beside(mesh, ".curves.vtp");
+  if (!faces.empty()) {
+    given.faces = read_faces_file(faces);
+    if (!curves.empty()) given.curves = read_curves_file(curves);
+  } else if (mesh.extension() == ".vtu" && !given.mesh.triangles.empty()) {
+    if (auto of_grid = read_surfaces_of_grid(mesh)) {
+      given.faces = std::move(of_grid->faces);
+      if (!of_grid->curves.edges.empty() || !of_grid->curves.vertices.empty())
+        given.curves = std::move(of_grid->curves);
     }
   }
-  if (!request.surfaces.empty())
-    judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
+  return given;
+}
+
+/// With both sides of split surfaces joined, where the files tell them apart.
+void join_sides(const Claim& claim, GivenFiles& given, CheckResult& result) {
+  if (claim.output.split.empty()) return;
+  if (!given.faces) {
+    result.checks_done.emplace_back(
+        "the project splits surfaces: the files of a .vtu are needed to join them again, and the mesh is judged as it "
+        "stands");
+    return;
+  }
+  auto joined =
+      join_splits(given.mesh, *given.faces, given.curves, {claim.output.split, claim.output.cohesive}, result);
+  if (joined) given = {std::move(joined->mesh), std::move(joined->faces), std::move(joined->curves)};
+}
+
+void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const GivenFiles& given, Claim& claim,
+                 const std::vector<Triangle>& set_faces, CheckResult& result) {
+  const FacesFile* const faces = given.faces && given.faces->missing_arrays.empty() ? &*given.faces : nullptr;
+  if (claim.within_by_count) adopt_told_tolerance(request, mesh, claim, result);
+  if (claim.volume) check_volume(mesh, claim, result);
+  if (claim.output.fault_zones.empty()) {
+    judge_surfaces(request, mesh, claim, faces, set_faces, result);
+  } else if (!faces) {
+    result.checks_done.emplace_back(
+        "surfaces were not judged: the project has fault zones, which are closed for that by the files of a .vtu");
+  }
+  if (!faces) return;
+  const JudgedFiles files{mesh, *faces, set_faces, given.curves ? &*given.curves : nullptr};
+  if (request.contract == CheckRequest::Contract::judged && can_judge_contract(files)) {
+    judge_files(request, files, claim, result);
+    if (claim.output.fault_zones.empty()) judge_contract(request, files, claim, result);
+  }
+  if (!claim.output.fault_zones.empty()) judge_with_zones(request, files, claim, result);
 }
 
 /// As the project's attributes say.
@@ -246,31 +277,30 @@ Velocities velocities_of(const CheckRequest& request) {
 
 CheckResult check_mesh(const CheckRequest& request) {
   CheckResult result;
-  const MeshFile file = read_mesh_file(request.mesh);
-  JudgedMesh mesh{file, file.tetrahedra, {}, true};
-  result.checks_done.push_back("read as " + file.format +
-                               (file.single_precision ? " (coordinates in single precision)" : ""));
+  GivenFiles given = read_files(request.mesh);
+  result.checks_done.push_back("read as " + given.mesh.format +
+                               (given.mesh.single_precision ? " (coordinates in single precision)" : ""));
+  std::optional<Claim> claim;
+  if (!request.project.empty()) claim = claim_of_project(request.project);
+  if (claim) join_sides(*claim, given, result);
+  JudgedMesh mesh{given.mesh, given.mesh.tetrahedra, {}, true};
   if (!check_cells(mesh, result)) return result;
   check_faces(mesh, result);
   check_boundary(mesh, result);
   check_second_order(mesh, result);
 
-  const auto kind = request.mesh.extension();
-  const std::filesystem::path faces_path = kind == ".vtu" || kind == ".pvtu" ? beside(request.mesh, ".faces.vtp") : "";
-  const bool contract = !faces_path.empty() || file.region_array == "region";
-  check_regions(mesh, contract, result);
-  if (!faces_path.empty()) check_point_arrays(mesh, result);
-  FacesFile faces;
+  check_regions(mesh, given.faces || given.mesh.region_array == "region", result);
+  if (given.faces) check_point_arrays(mesh, result);
   std::vector<Triangle> set_faces;
-  const FacesFile* set = nullptr;
-  if (!faces_path.empty()) {
-    faces = read_faces_file(faces_path);
-    set_faces = check_face_set(mesh, faces, result);
-    if (faces.missing_arrays.empty()) set = &faces;
+  if (given.faces) set_faces = check_face_set(mesh, *given.faces, result);
+  if (given.faces && !given.faces->missing_arrays.empty()) set_faces.clear();
+  if (claim) judge_claim(request, mesh, given, *claim, set_faces, result);
+  if (!request.surfaces.empty()) {
+    const FacesFile* const faces = given.faces && given.faces->missing_arrays.empty() ? &*given.faces : nullptr;
+    judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
   }
-  judge_claim(request, mesh, set, set ? set_faces : std::vector<Triangle>{}, result);
-  if (request.solver) check_for_solvers(file, velocities_of(request), result);
-  if (request.delaunay) check_delaunay(mesh, faces_path.empty() ? nullptr : &faces, result);
+  if (request.solver) check_for_solvers(given.mesh, velocities_of(request), result);
+  if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
   return result;
 }
 

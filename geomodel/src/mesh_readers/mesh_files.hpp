@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct MeshFile {
   std::vector<VertexIndex> midpoints;  ///< six a tetrahedron (01 12 20 03 13 23); empty where any is of first order
   std::vector<std::size_t> cell;       ///< per tetrahedron: its number among all cells of the file, for messages
   std::size_t n_other_solids = 0;      ///< hexahedra, prisms ...
-  std::size_t n_lower_cells = 0;       ///< triangles, lines, points beside the solids
-  std::vector<std::int32_t> region;    ///< per tetrahedron; empty where the file has no such array
-  std::string region_array;            ///< its name
+  std::vector<std::array<VertexIndex, 6>> prisms;  ///< those of the other solids, in VTK's order (VTK files only)
+  std::size_t n_lower_cells = 0;                   ///< triangles, lines, points beside the solids
+  std::vector<std::int32_t> region;                ///< per tetrahedron; empty where the file has no such array
+  std::string region_array;                        ///< its name
   std::map<std::int32_t, std::string> region_names;
   std::vector<std::string> arrays;  ///< of points and cells, with their type (VTK files only)
   std::vector<Triangle> triangles;  ///< beside the solids (VTU files only), with their ids and names
@@ -80,5 +82,13 @@ MeshFile read_pvtu_mesh(const std::filesystem::path& path);
 
 FacesFile read_faces_file(const std::filesystem::path& path);
 CurvesFile read_curves_file(const std::filesystem::path& path);
+
+/// What both files hold, from a .vtu with one grid for all cells (`output.single_grid`).
+struct SurfacesOfGrid {
+  FacesFile faces;
+  CurvesFile curves;
+};
+/// Nothing where the grid has no face with the arrays of the output contract.
+std::optional<SurfacesOfGrid> read_surfaces_of_grid(const std::filesystem::path& path);
 
 }  // namespace geomesh::geomodel::checking

@@ -82,6 +82,13 @@ bool holds(const ConstrainedTetrahedralization& mesh, const Tetrahedron& t, cons
   return true;
 }
 
+/// Whether more of the end has the component on both sides than parts it from something else: it goes round the end.
+bool lies_mostly_about(const HorizonContacts& contacts, const ModelEnd& end) {
+  const auto& parting = end.above ? contacts.lies_above : contacts.lies_below;
+  const auto both = contacts.on_both_sides.find(0), one = parting.find(0);
+  return both != contacts.on_both_sides.end() && (one == parting.end() || both->second > one->second);
+}
+
 }  // namespace
 
 ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
@@ -94,8 +101,10 @@ ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& 
   std::vector<bool> keep(mesh.n_components, true);
   for (std::size_t c = 0; c < keep.size(); ++c) {
     const UnitVerdict verdict = judge_unit(contacts[c], column);
-    keep[c] = !(verdict.kind == UnitVerdict::Kind::unit && verdict.first == left_out);
-    if (verdict.kind == UnitVerdict::Kind::joined)
+    const bool is_beyond = verdict.kind == UnitVerdict::Kind::unit && verdict.first == left_out;
+    const bool goes_round = is_beyond && lies_mostly_about(contacts[c], end);
+    keep[c] = !is_beyond || goes_round;
+    if (verdict.kind == UnitVerdict::Kind::joined || goes_round)
       warnings.push_back(std::string(end.above ? "topography " : "bottom ") + end.horizon +
                          " has a hole or stops short: what lies " + (end.above ? "above" : "below") +
                          " it there joins the model and is kept");

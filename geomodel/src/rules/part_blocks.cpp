@@ -173,10 +173,14 @@ void remove_continuation(const Parting& p, Index fault) {
 
 }  // namespace
 
-void part_blocks(const Parting& parting) {
+void part_blocks(const Parting& parting, Index horizon) {
   const BuiltRows& built = parting.built;
-  for (Index s = 0; s < built.block_of_triangle.size(); ++s)
-    if (!built.block_of_triangle[s].empty()) HorizonParting(parting, s).run();
+  if (horizon < built.block_of_triangle.size() && !built.block_of_triangle[horizon].empty())
+    HorizonParting(parting, horizon).run();
+}
+
+void remove_continuations(const Parting& parting) {
+  const BuiltRows& built = parting.built;
   for (Index s = 0; s < built.first_only_parting.size(); ++s)
     if (built.first_only_parting[s] < parting.surfaces[s].triangles.size()) remove_continuation(parting, s);
 }

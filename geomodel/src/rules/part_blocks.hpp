@@ -23,8 +23,11 @@ struct Parting {
 };
 
 /// Of each block's sheets and their continuation, what its faults part from most of what was given goes. Triangles of
-/// every block stay where one block keeps them. Continuations of faults that only served to part blocks go last; where
-/// blocks do not meet across them, a warning tells the length and the place.
-void part_blocks(const Parting& parting);
+/// every block stay where one block keeps them. Nothing happens to a horizon without blocks.
+void part_blocks(const Parting& parting, Index horizon);
+
+/// Continuations of faults that only served to part blocks go, once all horizons are parted. Where blocks do not meet
+/// across them, a warning tells the length and the place.
+void remove_continuations(const Parting& parting);
 
 }  // namespace geomesh::geomodel

@@ -83,10 +83,11 @@ SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vec
 /// The horizon's sheets as the faults that end inside part them.
 class Ends {
  public:
-  Ends(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults)
+  Ends(const TriangulatedSurface& horizon, const BlockFaults& parting)
       : horizon_(horizon),
         neighbours_(neighbours_in(horizon)),
-        crossing_(find_crossings(horizon, 0, faults, everywhere)) {
+        crossing_(find_crossings(horizon, 0, parting.faults, everywhere)),
+        in_box_(find_crossings(horizon, 0, parting.faults, parting.box)) {
     const std::size_t n = horizon.triangles.size();
     whole_ = sheets_of(n, neighbours_, [](Index, Index) { return true; });
     part_ = sheets_of(n, neighbours_, [this](Index a, Index b) { return is_free(a) && is_free(b); });
@@ -95,7 +96,8 @@ class Ends {
   const std::vector<Index>& parts() const { return part_; }
   /// In a part that counts: the largest of its sheet, and those that go round a fault's end.
   bool is_kept(Index t) const { return is_free(t) && kept_.at(part_[t]); }
-  bool goes_round(Index t) const { return crossing_[t] == Crossing::continuation; }
+  /// Beyond the box nothing goes round an end: blocks are continued there.
+  bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
 
  private:
   bool is_free(Index t) const { return crossing_[t] == Crossing::none; }
@@ -118,7 +120,7 @@ class Ends {
 
   const TriangulatedSurface& horizon_;
   std::vector<std::pair<Index, Index>> neighbours_;
-  std::vector<Crossing> crossing_;
+  std::vector<Crossing> crossing_, in_box_;
   std::vector<Index> whole_, part_;
   std::map<Index, bool> kept_;
 };
@@ -230,7 +232,7 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
     const std::vector<Index> joined = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
     return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
   } else {
-    const Ends ends(horizon, faults);
+    const Ends ends(horizon, parting);
     sorted = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
     joint.triangles.clear();
     for (Index t = 0; t < block.size(); ++t) {

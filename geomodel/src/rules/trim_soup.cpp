@@ -18,6 +18,14 @@ namespace geomesh::geomodel {
 
 namespace {
 
+/// Whether a fault's piece lies between two blocks of the horizon: above the one and below the other, along lengths
+/// that are nearly the same. Without it what is above the horizon and what is below it would join there.
+bool is_step(const Piece& piece) {
+  constexpr double least_share = 0.5;
+  return piece.above > 0 && piece.below > 0 &&
+         std::min(piece.above, piece.below) >= least_share * std::max(piece.above, piece.below);
+}
+
 /// A soup being trimmed, what it is trimmed by, and what has been done.
 struct Trimming {
   WorkingSoup working;
@@ -59,6 +67,7 @@ struct Trimming {
     std::optional<HeightVote> heights;
     if (are_horizons) heights.emplace(working, y, surfaces);
     for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond)) {
+      if (surfaces[x].kind == SurfaceKind::fault && is_step(piece)) continue;
       const int by_height = heights ? heights->side_of(piece) : 0;
       if ((by_height != 0 ? by_height : side_of(working, piece, y, sides)) == side) gone.push_back(std::move(piece));
     }
@@ -238,10 +247,16 @@ void trim_overshoots(Trimming& work) {
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules) {
   Trimming work{WorkingSoup(soup), surfaces, built, rules, std::vector<double>(surfaces.size(), 0)};
+  const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings};
+  const auto is_end = [&](Index s) { return surfaces[s].name == rules.topography || surfaces[s].name == rules.floor; };
+  for (Index s = 0; s < work.n_given(); ++s)
+    if (is_end(s)) part_blocks(parting, s);  // what ends at it ends at what is left of its blocks
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
-  part_blocks({work.working, surfaces, built, rules, work.removed, work.notes, work.warnings});
+  for (Index s = 0; s < work.n_given(); ++s)
+    if (!is_end(s)) part_blocks(parting, s);
+  remove_continuations(parting);
   order_horizons(work);
   for (Index s = 0; s < work.n_given(); ++s) cut_units_alone(work, s);
   if (rules.trim_overshoot > 0) trim_overshoots(work);

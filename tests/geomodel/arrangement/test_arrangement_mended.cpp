@@ -82,6 +82,18 @@ TEST_CASE("flaps: what reaches farther than the distance stays", "[arrangement]"
   CHECK(complex.facets.size() == 5);
 }
 
+TEST_CASE("flaps: a wide sheet between two hinges stays, though all of its corners are on these", "[arrangement]") {
+  // Two tetrahedra three apart, and a sheet from an edge of the one to an edge of the other.
+  std::vector<Vec3> points = tetrahedron_and_points_beside(0.01);
+  for (const Vec3& p : {Vec3{0, -3, 0}, Vec3{1, -3, 0}, Vec3{0, -4, 0.5}, Vec3{0, -3.5, 1}}) points.push_back(p);
+  const std::vector<Part> other{{{6, 8, 7}, {0}}, {{6, 7, 9}, {0}}, {{7, 8, 9}, {0}}, {{6, 9, 8}, {0}}},
+      sheet{{{0, 1, 7}, {0}}, {{0, 7, 6}, {0}}};
+  Complex complex = complex_of(points, with(with(sides, other), sheet));
+  REQUIRE(surface_ends(complex).size() == 2);
+  CHECK(cut_flaps(complex, 0.02).n_flaps == 0);
+  CHECK(complex.facets.size() == 10);
+}
+
 TEST_CASE("flaps: the end of a surface is none, however thin", "[arrangement]") {
   Complex open = complex_of(tetrahedron_and_points_beside(0.01), {{{0, 2, 1}, {0}}, {{0, 1, 4}, {0}}});
   CHECK(cut_flaps(open, 0.02).n_flaps == 0);

@@ -23,6 +23,31 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length(p - (a + t * along));
 }
 
+constexpr int most_halvings = 24;  ///< of a facet, until each piece is near one edge of the hinge
+
+/// Whether all of the triangle is within the distance of the edges: what is that near to one of them is convex.
+bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 2>>& edges, double distance,
+               int halvings = most_halvings) {
+  for (const auto& e : edges) {
+    std::size_t n = 0;
+    for (const Vec3& p : t) n += distance_to_segment(p, e[0], e[1]) <= distance ? 1 : 0;
+    if (n == 3) return true;
+  }
+  const bool corners_near = std::all_of(t.begin(), t.end(), [&](const Vec3& p) {
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](const auto& e) { return distance_to_segment(p, e[0], e[1]) <= distance; });
+  });
+  if (!corners_near || halvings == 0) return false;
+  std::size_t longest = 0;
+  const auto side = [&](std::size_t k) { return length(t[(k + 1) % 3] - t[k]); };
+  for (std::size_t k = 1; k < 3; ++k)
+    if (side(k) > side(longest)) longest = k;
+  if (side(longest) <= distance / 16) return true;  // off by no more than that
+  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3], middle = 0.5 * (a + b);
+  return is_within({a, middle, c}, edges, distance, halvings - 1) &&
+         is_within({middle, b, c}, edges, distance, halvings - 1);
+}
+
 struct Flap {
   std::vector<Index> facets;
   std::vector<EdgeKey> hinge;
@@ -45,7 +70,7 @@ class SurfaceFacets {
       flap.hinge = hinge_of(flap.facets);
       if (flap.hinge.empty()) continue;
       flap.way = way_to(flap.hinge, flap.facets);
-      if (flap.way.largest > distance) continue;
+      if (flap.way.largest > distance || !lies_along(flap, distance)) continue;
       for (const Index f : flap.facets)
         for (const EdgeKey& e : edges_of(complex_.facets[f])) std::erase(at_[e], f);
       flaps.push_back(std::move(flap));
@@ -90,6 +115,15 @@ class SurfaceFacets {
       hinge.push_back(e);
     }
     return hinge;
+  }
+  /// All of it is within the distance of its hinge, and not its corners alone.
+  bool lies_along(const Flap& flap, double distance) const {
+    std::vector<std::array<Vec3, 2>> hinge;
+    for (const EdgeKey& e : flap.hinge) hinge.push_back({complex_.points[e.first], complex_.points[e.second]});
+    return std::all_of(flap.facets.begin(), flap.facets.end(), [&](Index f) {
+      const Triangle& t = complex_.facets[f];
+      return is_within({complex_.points[t[0]], complex_.points[t[1]], complex_.points[t[2]]}, hinge, distance);
+    });
   }
   Displacement way_to(const std::vector<EdgeKey>& hinge, const std::vector<Index>& piece) const {
     Displacement way;

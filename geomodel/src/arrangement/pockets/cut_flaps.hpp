@@ -15,8 +15,8 @@ struct CutFlaps {
 };
 
 /// A flap is a piece of one surface between its hinge and edges at which it ends. At the edges of the hinge the surface
-/// has three facets or more. Where a needle beside it vanished, the surface is whole without it. Flaps whose corners
-/// are all within the distance of their hinge are taken off the surface. Each edge of the hinge keeps two facets of it
+/// has three facets or more. Where a needle beside it vanished, the surface is whole without it. Flaps of which all
+/// is within the distance of their hinge are taken off the surface. Each edge of the hinge keeps two facets of it
 /// or more. Where one other surface ends on the flap, the flap becomes that one's, which so goes on to the hinge. Where
 /// more meets it the flap stays. No facet moves, so nothing new can cross. Points that nothing names may be left.
 /// O(n log n).

@@ -19,6 +19,7 @@ enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet
 struct AtPoint {
   std::set<std::int32_t> surfaces;
   bool on_curve = false, is_named = false;
+  bool may_be_on_curve = false;  ///< the files hold no curves
 };
 
 std::vector<AtPoint> things_at_points(const ClaimedFaces& claimed, const JudgedCurves* curves) {
@@ -26,7 +27,10 @@ std::vector<AtPoint> things_at_points(const ClaimedFaces& claimed, const JudgedC
   for (Index f = 0; f < claimed.candidates().size(); ++f)
     for (const VertexIndex v : claimed.candidates()[f])
       if (v != no_vertex) at[v].surfaces.insert(claimed.set_of(f).begin(), claimed.set_of(f).end());
-  if (!curves) return at;
+  if (!curves) {
+    for (AtPoint& a : at) a.may_be_on_curve = true;
+    return at;
+  }
   for (const MeshEdge& e : curves->edges)
     for (const VertexIndex v : e)
       if (v != no_vertex) at[v].on_curve = true;
@@ -59,6 +63,10 @@ class InputRows {
 /// Whether the kind fits what lies at the point. `may_be_bare`: rules or bodies took surfaces away, so that an
 /// intersection may have lost one of its surfaces.
 bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool may_be_bare) {
+  if (at.may_be_on_curve) {
+    const bool with_curve = fits(kind, {at.surfaces, true, true}, input_vertex, may_be_bare);
+    return with_curve || fits(kind, {at.surfaces}, input_vertex, may_be_bare);
+  }
   const bool is_free = at.surfaces.empty() && !at.on_curve;
   switch (kind) {
     case input:

@@ -3,6 +3,7 @@
 /// What the mesh is said to be a mesh of: surfaces, volume, and what the project says of names, wells and points.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -29,11 +30,12 @@ struct ClaimedNames {
 
 /// What the rules of the model may take away of one surface. Rows are of Claim::surfaces.
 struct TrimRules {
-  std::vector<Index> above, below;    ///< parts above (below) one of these surfaces, on the vertical
-  double near_others = 0;             ///< parts that overshoot another surface by no more than this
-  std::size_t n_given_triangles = 0;  ///< the others were made by rule
-  bool continuation = false;          ///< any part of the triangles made by rule
-  bool given_beyond_faults = false;   ///< any part: a horizon with throw that runs beyond its fault
+  std::vector<Index> above, below;            ///< parts above (below) one of these surfaces, on the vertical
+  double near_others = 0;                     ///< parts that overshoot another surface by no more than this
+  std::size_t n_given_triangles = 0;          ///< the others were made by rule
+  bool continuation = false;                  ///< any part of the triangles made by rule
+  bool given_beyond_faults = false;           ///< any part: a horizon with throw that runs beyond its fault
+  std::vector<std::array<Vec3, 3>> partings;  ///< of faults that were continued to part its blocks, and are gone again
   bool any() const {
     return !above.empty() || !below.empty() || near_others > 0 || continuation || given_beyond_faults;
   }
@@ -54,7 +56,7 @@ struct Claim {
   std::vector<std::string> cell_arrays;  ///< of sizes and shapes, as the project asks for them
   double size_growth = 0;  ///< sizes asked in one region grow by no more per unit of distance; 0: not known
 
-  std::vector<FaultZone> zones;  ///< opened once the rest was meshed
+  WriteOptions output;  ///< of a project: what the files hold, and the forms of the mesh that it asks for
 
   // Of a project alone.
   ClaimedNames names;

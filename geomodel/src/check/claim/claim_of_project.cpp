@@ -84,6 +84,20 @@ class TrimReader {
   const Project& project_;
 };
 
+/// What continues the faults with throw of a horizon beyond their ends.
+std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<std::string>& faults) {
+  std::vector<std::array<Vec3, 3>> partings;
+  for (Index s = 0; s < built.surfaces.size(); ++s) {
+    const TriangulatedSurface& fault = built.surfaces[s];
+    if (std::find(faults.begin(), faults.end(), fault.name) == faults.end()) continue;
+    for (std::size_t t = built.rows.first_only_parting[s]; t < fault.triangles.size(); ++t) {
+      const Triangle& v = fault.triangles[t];
+      partings.push_back({fault.points[v[0]], fault.points[v[1]], fault.points[v[2]]});
+    }
+  }
+  return partings;
+}
+
 ClaimedNames names_of(const Project& project, const ProjectInputs& inputs) {
   ClaimedNames names;
   names.column = project.column;
@@ -140,13 +154,14 @@ Claim claim_of_project(const std::filesystem::path& file) {
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
+    claim.trims.back().partings = partings_of(built, rules.of(row).throw_at);
     const auto& settled = built.stack.horizons;
     const bool is_new = std::any_of(settled.begin(), settled.end(),
                                     [&](const SettledHorizon& h) { return h.name == claim.surfaces[row].name; });
     claim.trims.back().n_given_triangles = (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
   claim.merging = project.tolerance;
-  claim.zones = project.output.options.fault_zones;
+  claim.output = project.output.options;
   claim.refined = refinement.refine;
   claim.cell_arrays = refinement.cell_arrays;
   claim.size_growth = size_growth(refinement.size);

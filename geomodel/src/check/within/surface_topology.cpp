@@ -108,6 +108,7 @@ class TopologyJudge {
   std::vector<Triangle> faces_of(Index row) const;
   std::vector<Corners> free_edges(Index row, bool but_excused) const;
   bool is_excused(const Edge& e, Index row) const;
+  bool was_cut_at(Index row, const Vec3& p) const;
   bool is_cracked(Index row) const;
   bool may_be_joined(Index row, Index edge, const Vec3& p) const;
   Corners as_corners(const Edge& e) const {
@@ -235,6 +236,15 @@ bool TopologyJudge::is_excused(const Edge& e, Index row) const {
   return false;
 }
 
+/// Whether a body that cuts the surface passes the place, of which rules may have taken the wall there.
+bool TopologyJudge::was_cut_at(Index row, const Vec3& p) const {
+  return claimed_.is_cut_kind(row) &&
+         std::any_of(claimed_.bodies().begin(), claimed_.bodies().end(), [&](const Body& body) {
+           const auto of_body = static_cast<Index>(body.surface - claim_.surfaces.data());
+           return body.surface->cuts_all && may_be_trimmed(of_body) && is_near(body, p, allowed_.both());
+         });
+}
+
 std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) const {
   std::vector<Corners> free;
   for (const auto& [e, at] : edges_of(faces_of(row)))
@@ -247,11 +257,12 @@ void TopologyJudge::check_borders(CheckResult& result) {
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
     const InputBorder& border = borders_[row];
     const TriangleSet input(border.edges()), mesh(free_edges(row, false));
-    const auto is_near = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
+    const TriangleSet partings(row < claim_.trims.size() ? claim_.trims[row].partings : std::vector<Corners>{});
+    const auto is_at = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
     for (const Corners& e : free_edges(row, true))
       for (const double t : between) {
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (is_near(input, p)) continue;
+        if (is_at(input, p) || is_at(partings, p) || was_cut_at(row, p)) continue;
         off.add(row, p);
         break;
       }
@@ -259,7 +270,7 @@ void TopologyJudge::check_borders(CheckResult& result) {
       for (const double t : between) {
         const Corners& e = border.edges()[i];
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (border.is_crack(i) || may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_near(mesh, p) ||
+        if (border.is_crack(i) || may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_at(mesh, p) ||
             may_be_joined(row, i, p) || claimed_.is_removed(row, p, {}))
           continue;
         off.add(row, p);

@@ -16,9 +16,10 @@ Box3 bounds_of(const std::array<Vec3, 3>& t) {
   return box;
 }
 
-bool overlap(const Box3& a, const Box3& b) {
+/// Of a fault that ends on a side of the box nothing inside goes round the end: what meets the side alone is beyond.
+bool reaches_into(const Box3& a, const Box3& box) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (a.max[k] < b.min[k] || b.max[k] < a.min[k]) return false;
+    if (a.max[k] <= box.min[k] || box.max[k] <= a.min[k]) return false;
   return true;
 }
 
@@ -75,7 +76,7 @@ std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::si
       });
     }
     for (std::size_t k = 0; k < n; ++k)
-      if (!met[k].empty() && overlap(met[k], box)) found[k] = Crossing::continuation;
+      if (!met[k].empty() && reaches_into(met[k], box)) found[k] = Crossing::continuation;
   }
   return found;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh_readers/vtk_legacy_guard.hpp"
+#include "mesh_readers/vtk/vtk_legacy_guard.hpp"
 
 #include <algorithm>
 #include <cctype>
