@@ -24,6 +24,13 @@ def may_take_long(seed):
 
 
 class RandomOptionsTest(ProgramTest):
+    def test_what_was_wrong(self):
+        """3155: a side of a polygon folded where elements had all corners on it. 3105: a horizon lost what crosses its faults, since its
+        blocks could not be continued. 3129: the judge missed a salt that lies beside the volume."""
+        for seed in (3105, 3129, 3155):
+            with self.subTest(seed=seed):
+                self.assertEqual(outcome_of(seed, self.path(str(seed)), PROGRAM, 120, light=True, options=True), ("passes", ""))
+
     def test_every_project_is_meshed_and_passes_or_is_refused_with_a_reason(self):
         outcomes = {}
         for seed in range(FIRST, FIRST + COUNT):

@@ -86,10 +86,11 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
 
 }  // namespace
 
-void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
+bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
                    const BuildLog& log) {
   const std::vector<ThrowFault>& faults = parting.faults;
-  if (block.empty()) return;
+  if (block.empty()) return true;
+  bool all_are_continued = true;
   const TriangulatedSurface given = horizon;
   const Index n_blocks = BuiltRows::n_blocks(block);
   const std::size_t n_sorted = block.size();
@@ -101,7 +102,7 @@ void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, cons
     for (std::size_t t = 0; t < n_sorted; ++t)
       if (block[t] == b || block[t] == BuiltRows::of_every_block) part.triangles.push_back(given.triangles[t]);
     const std::size_t n_given = part.triangles.size();
-    extend_to_box(part, parting.how, parting.box, log, {b});
+    all_are_continued = extend_to_box(part, parting.how, parting.box, log, {b}) && all_are_continued;
     const auto shift = static_cast<VertexIndex>(horizon.points.size() - given.points.size());
     horizon.points.insert(horizon.points.end(), part.points.begin() + static_cast<std::ptrdiff_t>(given.points.size()),
                           part.points.end());
@@ -116,6 +117,7 @@ void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, cons
       block.push_back(b);
     }
   }
+  return all_are_continued;
 }
 
 }  // namespace geomesh::geomodel

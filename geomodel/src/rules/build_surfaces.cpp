@@ -103,6 +103,7 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
                                    [&](const TriangulatedSurface& t) { return t.name == rules.of(row).stop_at; });
     ramps.push_back({faults.back(), stop == built.surfaces.end() ? nullptr : &*stop});
   }
+  const TriangulatedSurface as_given = surface;
   RestoredThrow restored;
   if (rule.cut_smeared) restored = restore_ramps(surface, ramps, built.surfaces, log);
   if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
@@ -118,7 +119,15 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   if (BuiltRows::n_blocks(block) == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
-  extend_blocks(surface, block, {faults, how, *rules.box}, log);
+  const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end();
+  if (!extend_blocks(surface, block, {faults, how, *rules.box}, log) && goes_partly) {
+    surface = as_given;
+    built.rows.n_given_triangles[s] = static_cast<Index>(surface.triangles.size());
+    log.warnings.push_back("horizon " + surface.name +
+                           ": what crosses its faults cannot be made anew from blocks that cannot be continued: it "
+                           "stays as given, and no throw is restored");
+    return;
+  }
   built.rows.block_of_triangle[s] = std::move(block);
   built.rows.sides_of_block[s] = std::move(sides);
 }

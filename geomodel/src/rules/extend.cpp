@@ -258,12 +258,12 @@ void fill_holes(TriangulatedSurface& surface, double longest_border, const Build
                         to_text(longest_border) + " stay");
 }
 
-void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
+bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
                    const ContinuationPoints& added_points) {
-  if (how == Extend::none || surface.triangles.empty()) return;
+  if (how == Extend::none || surface.triangles.empty()) return true;
   const Frame frame = frame_of(surface);
   const PlanarBorder border = planar_border(surface, frame);
-  if (border.edges.empty()) return;
+  if (border.edges.empty()) return true;
   const Box3 area = extended_area(surface, frame, box, added_points.rim);
   const double step = std::max(area.max.x - area.min.x, area.max.y - area.min.y) / n_grid;
   const int nx = std::max(1, static_cast<int>(std::lround((area.max.x - area.min.x) / step)));
@@ -282,7 +282,10 @@ void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, co
       added.push_back({x, y, continuation.height(x, y, at)});
     }
   const auto triangles = triangulate_plane(points, border.constraints);
-  if (!triangles) return warn_crossing(surface, "extend", log);
+  if (!triangles) {
+    warn_crossing(surface, "extend", log);
+    return false;
+  }
   const bool up = faces_up(surface, frame);
   const std::size_t first = surface.triangles.size();
   std::map<Index, VertexIndex> row;
@@ -298,6 +301,7 @@ void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, co
   const char* names[] = {"none", "flat", "tangent", "nearest"};
   log.notes.push_back("surface " + surface.name + ": extended to beyond the box (" + names[static_cast<int>(how)] +
                       "), area added " + to_text(area_from(surface, first)) + " of which the box keeps a part");
+  return true;
 }
 
 void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& log) {

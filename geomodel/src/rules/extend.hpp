@@ -29,8 +29,9 @@ struct ContinuationPoints {
 };
 
 /// Continues the surface from its outer border to beyond the box, in the frame of fill_holes. What lies between sheets
-/// of one surface (a horizon given block by block) is filled as well. Holes stay.
-void extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
+/// of one surface (a horizon given block by block) is filled as well. Holes stay. False where its border crosses itself
+/// in the frame, which a warning tells: the surface stays as it is.
+bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
                    const ContinuationPoints& added = {});
 
 /// Closes every border loop of a body: a loop that reaches into the box is first drawn out beyond the box's nearest

@@ -61,8 +61,9 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
                               const KnownSheets& known);
 
 /// Continues each block to beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then run
-/// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out.
-void extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
+/// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out. False
+/// where a block could not be continued, which a warning tells.
+bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
                    const BuildLog& log);
 
 }  // namespace geomesh::geomodel

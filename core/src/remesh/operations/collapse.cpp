@@ -125,7 +125,10 @@ class Collapse {
   }
 
   bool guard_allows() const {
-    if (tools_.guard.exact() || (star_.spokes.empty() && star_.curves.empty())) return true;
+    if (star_.spokes.empty() && star_.curves.empty()) return true;
+    if (tools_.guard.exact())
+      return tools_.guard.admits(surface_of(mesh_, star_, mesh_.point(u_)),
+                                 surface_of(mesh_, target_, mesh_.point(v_)));
     StarCavity about_v;
     gather_star(mesh_, v_, tools_.work.marks, about_v);
     std::erase_if(about_v.spokes, [&](const Spoke& s) { return s.a == u_ || s.b == u_; });

@@ -171,7 +171,6 @@ class EdgeRemoval {
   }
 
   bool guard_allows(Index patch, VertexIndex x, VertexIndex y) const {
-    if (tools_.guard.exact()) return true;
     const Vec3 &a = mesh_.point(a_), &b = mesh_.point(b_), &p = mesh_.point(x), &q = mesh_.point(y);
     return tools_.guard.admits({{{{a, b, p}, patch}, {{b, a, q}, patch}}, {}},
                                {{{{p, a, q}, patch}, {{q, b, p}, patch}}, {}});

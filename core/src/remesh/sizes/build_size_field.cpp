@@ -72,6 +72,15 @@ std::vector<EdgesAtVertex> edges_at_vertices(const DomainMesh& mesh, const std::
   return edges;
 }
 
+/// No size is below this, whatever short edges and thin gaps the input has: points that near to each other round onto
+/// each other, or off the sides that they are on.
+double least_of_all(const DomainMesh& mesh) {
+  constexpr double share_of_diagonal = 1e-9;
+  Box3 box;
+  for (VertexIndex v = 0; v < mesh.n_vertices(); ++v) box.add(mesh.point(v));
+  return mesh.n_vertices() > 0 ? share_of_diagonal * distance(box.min, box.max) : 0;
+}
+
 class SizeFieldBuilder {
  public:
   SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options)
@@ -80,7 +89,8 @@ class SizeFieldBuilder {
         patch_(named_patches(plc, options)),
         edges_(edges_at_vertices(mesh, pieces_merged(plc, mesh, options))),
         sources_(options.size.sources),
-        at_vertex_(mesh.n_vertices(), infinity) {}
+        at_vertex_(mesh.n_vertices(), infinity),
+        least_(least_of_all(mesh)) {}
 
   /// Not by means of edges where surfaces get no points: by the longest.
   void add_input_edges(bool by_longest) {
@@ -168,7 +178,7 @@ class SizeFieldBuilder {
     SizeField::Limits limits;
     if (options_.global > 0) limits.global = options_.global;
     if (options_.max_size > 0) limits.max_size = options_.max_size;
-    limits.min_size = options_.min_size;
+    limits.min_size = std::max(options_.min_size, least_);
     limits.gradation = options_.gradation;
     limits.component_size = options_.component_size;
     limits.background = options_.background;
@@ -226,6 +236,7 @@ class SizeFieldBuilder {
   std::vector<EdgesAtVertex> edges_;
   std::vector<SizeSource> sources_;
   std::vector<double> at_vertex_;
+  double least_;
 };
 
 }  // namespace

@@ -76,7 +76,8 @@ class SurfaceGuard {
   Index nearest_facet(Index patch, const Vec3& p) const;
 
   /// Not for several threads at once. Whether faces and curve pieces may be exchanged; `around` are faces that stay and
-  /// share a vertex with those that go. Exact: whether corners that come are on the faces that go, but for rounding.
+  /// share a vertex with those that go. Exact: whether corners that come are on the faces that go, but for rounding,
+  /// and no face folds onto others in its plane.
   bool admits(const SurfacePart& before, const SurfacePart& after, const std::vector<SurfaceFace>& around = {}) const;
 
   /// Whether all of a face is proven to be within the tolerance of the reference.
@@ -117,6 +118,9 @@ class SurfaceGuard {
 
   /// Whether each corner that comes is within rounding of a face that goes.
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
+  /// Whether no face that comes is turned over in its plane. Corners are off a plane that leans by rounding: elements
+  /// with all of theirs on it may be positive, so that these do not tell.
+  bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;
   double rounding_ = 0;   // a distance that rounding alone makes, for exact

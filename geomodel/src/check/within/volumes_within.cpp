@@ -136,7 +136,7 @@ bool lies_in(const Vec3& p, const Body& body) {
 }
 
 /// Whether not just two faces of the body meet at an edge: the box cuts it, or it crosses itself and encloses parts of
-/// space twice.
+/// space twice. One without a face lies outside, or is missed by others of the judge.
 bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
   std::map<std::array<VertexIndex, 2>, int> uses;
   const auto row = static_cast<Index>(body.surface - claimed_.claim().surfaces.data());
@@ -145,7 +145,7 @@ bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
     const Triangle& t = claimed_.candidates()[f];
     for (std::size_t i = 0; i < 3; ++i) ++uses[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
   }
-  return std::any_of(uses.begin(), uses.end(), [](const auto& u) { return u.second != 2; });
+  return uses.empty() || std::any_of(uses.begin(), uses.end(), [](const auto& u) { return u.second != 2; });
 }
 
 void VolumesWithin::check_bodies(CheckResult& result) {
