@@ -206,6 +206,31 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "In exact mode a face that turns over in a plane that leans is not admitted, though its corners are on the plane",
+    "[refine]") {
+  const Model model = ball_in_box(6);
+  RefineOptions options = within(0.5, 1);
+  options.honour = Honour::exact;
+  const DomainMesh mesh = import_domain(model.plc, model.mesh, options);
+  const SurfaceGuard guard(mesh, mesh, model.plc, Honour::exact, LocalTolerance());
+  std::size_t n_judged = 0;
+  mesh.for_each_facet_face([&](FaceRef f) {
+    const auto [a, b, c] = mesh.places(mesh.facet_face(f));
+    const Vec3 normal = cross(b - a, c - a);
+    if (normal.x == 0 || normal.y == 0 || normal.z == 0) return;  // a side of the box
+    ++n_judged;
+    const Index patch = mesh.patch_of(mesh.tag(f));
+    const Vec3 m = 0.5 * (b + c);
+    const SurfacePart halves{{{{a, b, m}, patch}, {{a, m, c}, patch}}, {}}, whole{{{{a, b, c}, patch}}, {}},
+        folded{{{{a, b, c}, patch}, {{a, m, b}, patch}}, {}};
+    CHECK(guard.admits(whole, halves));
+    CHECK(guard.admits(halves, whole));
+    CHECK_FALSE(guard.admits(halves, folded));
+  });
+  CHECK(n_judged > 20);
+}
+
 TEST_CASE("Where little is allowed only what lies as near as that is asked of a change", "[refine]") {
   const Model model = ball_in_box(6);
   const DomainMesh mesh = import_domain(model.plc, model.mesh, within(0.5, 1));

@@ -95,17 +95,7 @@ class ZoneCloser {
     next_id_ = next;
   }
 
-  Wall wall(std::size_t f) const {
-    const auto name = faces_.surface_names.find(faces_.surface[f]);
-    if (name != faces_.surface_names.end())
-      if (const Wall own = wall_of(name->second, zones_).second; own != Wall::none) return own;
-    const auto row = static_cast<std::size_t>(faces_.surface_set[f]);
-    if (row < faces_.surface_sets.size())
-      for (const std::int32_t id : faces_.surface_sets[row])
-        if (const auto member = faces_.surface_names.find(id); member != faces_.surface_names.end())
-          if (const Wall w = wall_of(member->second, zones_).second; w != Wall::none) return w;
-    return Wall::none;
-  }
+  Wall wall(std::size_t f) const { return wall_of_face(faces_, f, zones_); }
   Triangle nodes(std::size_t f) const {
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {

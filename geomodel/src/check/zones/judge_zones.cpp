@@ -62,9 +62,7 @@ class ZoneJudge {
         if (a != b) seen.edges[a].insert(b);
   }
   void see_wall(std::size_t f, std::size_t zone) {
-    const auto name = faces_.surface_names.find(faces_.surface[f]);
-    if (name == faces_.surface_names.end()) return;
-    const auto [fault, wall] = wall_of(name->second, zones_);
+    const Wall wall = wall_of_face(faces_, f, zones_);
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) t[i] = static_cast<VertexIndex>(faces_.mesh_point[faces_.triangles[f][i]]);
     (wall == Wall::plus ? seen_[zone].plus : seen_[zone].minus).insert(t.begin(), t.end());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/write_options.hpp"
+#include "mesh_readers/mesh_files.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -22,6 +23,20 @@ inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::
     if (name == zone.fault + ".plus") return {zone.fault, Wall::plus};
   }
   return {name, Wall::none};
+}
+
+/// Of which wall a face is: by its first surface, else by any other of its set (a fault may lie in another one).
+inline Wall wall_of_face(const FacesFile& faces, std::size_t f, const std::vector<FaultZone>& zones) {
+  const auto wall_of_id = [&](std::int32_t id) {
+    const auto name = faces.surface_names.find(id);
+    return name == faces.surface_names.end() ? Wall::none : wall_of(name->second, zones).second;
+  };
+  if (const Wall own = wall_of_id(faces.surface[f]); own != Wall::none) return own;
+  const auto row = static_cast<std::size_t>(faces.surface_set[f]);
+  if (row < faces.surface_sets.size())
+    for (const std::int32_t id : faces.surface_sets[row])
+      if (const Wall wall = wall_of_id(id); wall != Wall::none) return wall;
+  return Wall::none;
 }
 
 /// Row of the zone whose region has this name.
