@@ -56,11 +56,39 @@ void take_from_tolerance(RefinementSettings& refinement, double moved) {
   refinement.tolerance_share *= left;
 }
 
+/// Merging within the project's own `tolerance`. Where no doubles keep apart what it brings together, within half of
+/// it, a quarter, at last within nothing; a warning tells. Throws what arrange does, where that was not the cause.
+ArrangementResult arrange_merging_asked(PreparedModel& model, const std::vector<Polyline>& wells,
+                                        ArrangementOptions options, const RunContext& context) {
+  const double asked = options.tolerance;
+  for (unsigned k = 0; options.tolerance > 0; ++k) {
+    try {
+      ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
+      if (options.tolerance < asked)
+        warn(model.warnings, context,
+             "merging within the tolerance of " + short_words(asked) + " " + model.unit +
+                 " leaves surfaces that no rounding to doubles keeps apart: what is nearer than " +
+                 short_words(options.tolerance) + " " + model.unit + " was merged");
+      return found;
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::cannot_mesh) throw;
+      context.note(LogLevel::debug, "no merging within " + short_words(options.tolerance) + ": " + error.what());
+    }
+    options.tolerance = k + 1 < most_tries ? next_distance * options.tolerance : 0;
+  }
+  ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
+  warn(model.warnings, context,
+       "merging within the tolerance of " + short_words(asked) + " " + model.unit +
+           ", or a quarter of it, leaves surfaces that no rounding to doubles keeps apart: nothing was merged");
+  return found;
+}
+
 }  // namespace
 
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context) {
-  double distance = options.tolerance > 0 ? 0 : merging_distance(model.refinement);
+  if (options.tolerance > 0) return arrange_merging_asked(model, wells, options, context);
+  double distance = merging_distance(model.refinement);
   const unsigned rounds = options.max_rounding_rounds;
   for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
     options.tolerance = distance;
