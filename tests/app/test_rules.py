@@ -106,6 +106,14 @@ column: [upper, h, lower]
         self.told(report, "warnings", "horizon h is not divided", "extent: to_box")
         self.assertEqual(len(volumes), 1)
 
+    def test_a_horizon_of_which_all_crosses_a_fault_stays(self):
+        """Two triangles cover the model; the fault ends inside, and both cross it."""
+        self.write("f.ts", triangles_ts("f", *strip([(5, -1), (5, 11)], 3, 7)))
+        self.write("h.ts", triangles_ts("h", [(-1, -1, 5), (11, -1, 5), (11, 11, 5), (-1, 11, 5)], [(0, 1, 2), (0, 2, 3)]))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, {"upper": 500, "lower": 500})
+        self.told(report, "warnings", "horizon h", "stays as given")
+
     def test_a_fault_that_is_none(self):
         self.fault()
         self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])

@@ -116,16 +116,17 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   }
   const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
   auto [block, sides] = sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
-  if (BuiltRows::n_blocks(block) == 1)
+  const Index n_blocks = BuiltRows::n_blocks(block);
+  if (n_blocks == 1)
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
   const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end();
-  if (!extend_blocks(surface, block, {faults, how, *rules.box}, log) && goes_partly) {
+  if (n_blocks == 0 || (!extend_blocks(surface, block, {faults, how, *rules.box}, log) && goes_partly)) {
     surface = as_given;
     built.rows.n_given_triangles[s] = static_cast<Index>(surface.triangles.size());
-    log.warnings.push_back("horizon " + surface.name +
-                           ": what crosses its faults cannot be made anew from blocks that cannot be continued: it "
-                           "stays as given, and no throw is restored");
+    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" +
+                           (n_blocks == 0 ? ", since all of it does: " : " from blocks that cannot be continued: ") +
+                           "it stays as given, and no throw is restored");
     return;
   }
   built.rows.block_of_triangle[s] = std::move(block);
