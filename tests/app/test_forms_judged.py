@@ -98,6 +98,22 @@ class FormsJudged(ProgramTest):
             with self.subTest(change.__name__):
                 self.assertIn("wrong_splits", self.broken(change, split=["f", "g"]))
 
+    def test_points_of_the_files_beside_a_split_mesh_are_judged(self):
+        """Faces and curves name the rows of their points; they have to be there, too."""
+        for ending in (".faces.vtp", ".curves.vtp"):
+            with self.subTest(ending):
+                mesh = self.mesh(split=["f", "g"])
+                beside = VtkFile.read(mesh[:-4] + ending)
+                beside["Points", "Points"].values[2] += 0.5
+                beside.write(mesh[:-4] + ending)
+                self.assertIn("wrong_mesh_points", self.judged(mesh, status=3))
+
+    def test_a_split_mesh_with_a_coordinate_that_is_no_number(self):
+        def spoil(grid, faces):
+            grid["Points", "Points"].values[0] = float("nan")
+
+        self.assertIn("not_finite", self.broken(spoil, split=["f", "g"]))
+
     def test_a_mesh_that_is_not_split_is_found(self):
         mesh = self.mesh()
         self.project = self.write("m.yaml", json.dumps({**MODEL, "output": {"directory": "out", "formats": ["vtu"], "split": ["f"]}}))

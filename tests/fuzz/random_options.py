@@ -5,7 +5,8 @@
     python3 tests/fuzz/random_options.py SEED FOLDER     writes FOLDER/project.yaml and its surfaces
 
 The surfaces are those of random_models.py. Each group of keys (box, surfaces, rules, sizes, output ...) is drawn by itself, so that options
-meet each other by chance. Some combinations are mistakes, which the program has to tell (status 2).
+meet each other by chance. Some combinations are mistakes, which the program has to tell (status 2). Tests name seeds: what changes the
+order of the draws here, or in random_models.py, gives these other models.
 """
 import json
 import os
@@ -30,7 +31,6 @@ class RandomOptions(RandomModel):
         self.names = {kind: [s[0] for s in self.surfaces if s[1] == kind] for kind in ("horizon", "fault", "body")}
         self.least = min(self.size)
         self.length = rounded(self.least * self.chance.uniform(0.35, 0.9))
-        self.bounds = ["zmin", "zmax"]
         self.project = {"name": "model", "box": self.box(), "surfaces": [self.surface(s) for s in self.surfaces]}
         self.add("wells", [{"name": name, "file": name + ".pl"} for name, _ in self.wells])
         self.add("points", [{"name": "p%d" % k, "at": self.inside()} for k in range(self.chance.choice([0, 0, 0, 1, 3]))])

@@ -10,9 +10,10 @@
 #include "check/judged/judged_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
-namespace {
 
 bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+namespace {
 
 void check_equal_points(const JudgedMesh& mesh, CheckResult& result) {
   std::vector<VertexIndex> order(mesh.n_points());

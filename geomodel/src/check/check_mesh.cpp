@@ -211,6 +211,8 @@ struct GivenFiles {
   MeshFile mesh;
   std::optional<FacesFile> faces;
   std::optional<CurvesFile> curves;
+  /// Null where there are none, or an array of theirs is missing.
+  const FacesFile* complete_faces() const { return faces && faces->missing_arrays.empty() ? &*faces : nullptr; }
 };
 
 GivenFiles read_files(const std::filesystem::path& mesh) {
@@ -232,7 +234,8 @@ GivenFiles read_files(const std::filesystem::path& mesh) {
 
 /// With both sides of split surfaces joined, where the files tell them apart.
 void join_sides(const Claim& claim, GivenFiles& given, CheckResult& result) {
-  if (claim.output.split.empty()) return;
+  const std::vector<Vec3>& points = given.mesh.points;
+  if (claim.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
   if (!given.faces) {
     result.checks_done.emplace_back(
         "the project splits surfaces: the files of a .vtu are needed to join them again, and the mesh is judged as it "
@@ -246,7 +249,7 @@ void join_sides(const Claim& claim, GivenFiles& given, CheckResult& result) {
 
 void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const GivenFiles& given, Claim& claim,
                  const std::vector<Triangle>& set_faces, CheckResult& result) {
-  const FacesFile* const faces = given.faces && given.faces->missing_arrays.empty() ? &*given.faces : nullptr;
+  const FacesFile* const faces = given.complete_faces();
   if (claim.within_by_count) adopt_told_tolerance(request, mesh, claim, result);
   if (claim.volume) check_volume(mesh, claim, result);
   if (claim.output.fault_zones.empty()) {
@@ -293,12 +296,10 @@ CheckResult check_mesh(const CheckRequest& request) {
   if (given.faces) check_point_arrays(mesh, result);
   std::vector<Triangle> set_faces;
   if (given.faces) set_faces = check_face_set(mesh, *given.faces, result);
-  if (given.faces && !given.faces->missing_arrays.empty()) set_faces.clear();
+  if (!given.complete_faces()) set_faces.clear();
   if (claim) judge_claim(request, mesh, given, *claim, set_faces, result);
-  if (!request.surfaces.empty()) {
-    const FacesFile* const faces = given.faces && given.faces->missing_arrays.empty() ? &*given.faces : nullptr;
-    judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), faces, set_faces, result);
-  }
+  if (!request.surfaces.empty())
+    judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), given.complete_faces(), set_faces, result);
   if (request.solver) check_for_solvers(given.mesh, velocities_of(request), result);
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
   return result;

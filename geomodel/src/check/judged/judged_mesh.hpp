@@ -39,6 +39,7 @@ struct JudgedMesh {
 Vec3 centroid(const JudgedMesh& mesh, const Tetrahedron& cell);
 Vec3 centroid(const JudgedMesh& mesh, const Triangle& face);
 
+bool is_finite(const Vec3& p);
 /// True for an odd number of exchanges between `t` and its sorted order.
 bool is_odd(const Triangle& t);
 Triangle sorted(Triangle t);

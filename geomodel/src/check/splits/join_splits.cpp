@@ -5,23 +5,14 @@
 #include <set>
 #include <tuple>
 
+#include "check/arrays/judge_arrays.hpp"
 #include "check/judged/faults.hpp"
+#include "check/judged/walls.hpp"
 #include "check/splits/judge_splits.hpp"
 #include "check/splits/split_sectors.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
-
-enum class Side { none, minus, plus };
-
-/// The surface and the side that a name tells; of any other name the name itself and none.
-std::pair<std::string, Side> side_of(const std::string& name, const std::vector<std::string>& split) {
-  for (const std::string& surface : split) {
-    if (name == surface + ".minus") return {surface, Side::minus};
-    if (name == surface + ".plus") return {surface, Side::plus};
-  }
-  return {name, Side::none};
-}
 
 template <class Value>
 void keep_rows(std::vector<Value>& values, const std::vector<std::size_t>& rows) {
@@ -35,11 +26,11 @@ void keep_rows(std::vector<Value>& values, const std::vector<std::size_t>& rows)
 class SplitJoiner {
  public:
   SplitJoiner(const MeshFile& mesh, const FacesFile& faces, const AskedSplits& asked)
-      : mesh_(mesh), faces_(faces), asked_(asked) {
-    for (std::size_t set = 0; set < faces.surface_sets.size(); ++set) side_of_set_.push_back(side_of_members(set));
-  }
+      : mesh_(mesh), faces_(faces), asked_(asked), as_split_{mesh, mesh.tetrahedra, {}, true} {}
 
   JoinedFiles join(const std::optional<CurvesFile>& curves, CheckResult& result) {
+    check_mesh_points(as_split_, faces_.points, faces_.mesh_point, "the face set", result);
+    if (curves) check_mesh_points(as_split_, curves->points, curves->mesh_point, "the curves", result);
     join_points();
     join_names(result);
     join_faces(result);
@@ -50,16 +41,7 @@ class SplitJoiner {
   }
 
  private:
-  Side side_of_members(std::size_t set) const {
-    for (const std::int32_t id : faces_.surface_sets[set])
-      if (const auto name = faces_.surface_names.find(id); name != faces_.surface_names.end())
-        if (const Side side = side_of(name->second, asked_.surfaces).second; side != Side::none) return side;
-    return Side::none;
-  }
-  Side side(std::size_t f) const {
-    const auto set = static_cast<std::size_t>(faces_.surface_set[f]);
-    return set < side_of_set_.size() ? side_of_set_[set] : Side::none;
-  }
+  Wall wall(std::size_t f) const { return wall_of_face(faces_, f, asked_.surfaces); }
 
   void join_points() {
     std::map<std::tuple<double, double, double>, VertexIndex> at;
@@ -108,8 +90,8 @@ class SplitJoiner {
     out.region_names = faces_.region_names;
     std::set<std::int32_t> gone;
     for (const auto& [id, name] : faces_.surface_names) {
-      const auto [surface, side] = side_of(name, asked_.surfaces);
-      if (side == Side::plus) {
+      const auto [surface, wall] = wall_of(name, asked_.surfaces);
+      if (wall == Wall::plus) {
         gone.insert(id);
         continue;
       }
@@ -138,30 +120,30 @@ class SplitJoiner {
   void join_faces(CheckResult& result) {
     FaultCollector alone("wrong_splits"), inside("wrong_splits");
     CheckResult told_of_the_rest;
-    JudgedMesh as_split{mesh_, mesh_.tetrahedra, {}, true}, whole{joined_.mesh, joined_.mesh.tetrahedra, {}, true};
-    check_faces(as_split, told_of_the_rest);
+    JudgedMesh whole{joined_.mesh, joined_.mesh.tetrahedra, {}, true};
+    check_faces(as_split_, told_of_the_rest);
     check_faces(whole, told_of_the_rest);
     const auto is_outer = [&](const Triangle& t) {
       const FacePair* face = find_face(whole, t);
       return face && is_boundary(*face);
     };
     const auto bounds = [&](const Triangle& t) {
-      const FacePair* face = find_face(as_split, t);
+      const FacePair* face = find_face(as_split_, t);
       return face && is_boundary(*face) && (is_odd(t) ? face->odd : face->even) != no_index;
     };
     std::map<Triangle, std::size_t> plus_face;
     for (std::size_t f = 0; f < faces_.triangles.size(); ++f) {
-      if (side(f) == Side::none) continue;
+      if (wall(f) == Wall::none) continue;
       if (faces_.region_plus[f] != 0) inside.add(f, mesh_.points[nodes(f)[0]]);
-      if (side(f) == Side::plus && !plus_face.try_emplace(sorted(joined(nodes(f))), f).second)
+      if (wall(f) == Wall::plus && !plus_face.try_emplace(sorted(joined(nodes(f))), f).second)
         alone.add(f, mesh_.points[nodes(f)[0]]);
     }
     std::size_t n_pairs = 0;
     for (std::size_t f = 0; f < faces_.triangles.size(); ++f) {
-      if (side(f) == Side::plus) continue;
+      if (wall(f) == Wall::plus) continue;
       Triangle t = joined(nodes(f));
       std::int32_t minus = faces_.region_minus[f], plus = faces_.region_plus[f];
-      if (side(f) == Side::minus && !is_outer(t)) {
+      if (wall(f) == Wall::minus && !is_outer(t)) {
         const auto other = plus_face.find(sorted(t));
         if (other == plus_face.end() || is_odd(t) == is_odd(joined(nodes(other->second)))) {
           alone.add(f, mesh_.points[nodes(f)[0]]);
@@ -246,26 +228,20 @@ class SplitJoiner {
   const MeshFile& mesh_;
   const FacesFile& faces_;
   const AskedSplits& asked_;
-  std::vector<Side> side_of_set_;
+  JudgedMesh as_split_;
   std::vector<VertexIndex> row_;                           // of a node: its place
   std::set<Triangle> split_;                               // faces, by places
   std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // the nodes of both sides, where any differ
   JoinedFiles joined_;
 };
 
-bool tells_enough(const MeshFile& mesh, const FacesFile& faces) {
-  const std::size_t n = mesh.points.size();
-  const auto in_mesh = [&](std::int32_t row) { return row >= 0 && static_cast<std::size_t>(row) < n; };
-  return faces.missing_arrays.empty() && faces.mesh_point.size() == faces.points.size() &&
-         std::all_of(faces.mesh_point.begin(), faces.mesh_point.end(), in_mesh);
-}
-
 }  // namespace
 
 std::optional<JoinedFiles> join_splits(const MeshFile& mesh, const FacesFile& faces,
                                        const std::optional<CurvesFile>& curves, const AskedSplits& asked,
                                        CheckResult& result) {
-  if (tells_enough(mesh, faces)) return SplitJoiner(mesh, faces, asked).join(curves, result);
+  if (faces.missing_arrays.empty() && knows_mesh_points(faces, mesh.points.size()))
+    return SplitJoiner(mesh, faces, asked).join(curves, result);
   result.faults.push_back(
       {"wrong_splits",
        "1 array is missing or wrong in the face set, by which the sides of split surfaces are found: mesh_point, or "

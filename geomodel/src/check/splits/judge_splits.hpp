@@ -28,7 +28,8 @@ struct JoinedFiles {
 /// Undoes the doubling, and judges it (`wrong_splits`): each face of a minus side has one of the plus side in its
 /// place; both are on the boundary, with normals out of their own side; about each point there are as many nodes as
 /// sectors that the split faces divide, one a sector; cohesive prisms are the pairs of faces with a node of two.
-/// Nothing where the files do not tell enough: `wrong_splits` is reported then. O(n log n).
+/// Nothing where the files do not tell enough: `wrong_splits` is reported then. Precondition: coordinates are finite.
+/// O(n log n).
 std::optional<JoinedFiles> join_splits(const MeshFile& mesh, const FacesFile& faces,
                                        const std::optional<CurvesFile>& curves, const AskedSplits& asked,
                                        CheckResult& result);

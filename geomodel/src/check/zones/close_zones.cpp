@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "check/judged/faults.hpp"
+#include "check/judged/walls.hpp"
 #include "check/zones/judge_zones.hpp"
 #include "check/zones/zone_names.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 class ZoneCloser {
  public:
   ZoneCloser(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<FaultZone>& zones)
-      : mesh_(mesh), faces_(faces), zones_(zones), zone_ids_(zone_ids(mesh.file.region_names, zones)) {}
+      : mesh_(mesh), faces_(faces), faults_(faults_of(zones)), zone_ids_(zone_ids(mesh.file.region_names, zones)) {}
 
   ClosedFiles close(const CurvesFile* curves) {
     close_mesh();
@@ -77,7 +78,7 @@ class ZoneCloser {
     out.region_names = without_zones(faces_.region_names);
     auto next = static_cast<std::int32_t>(closed_.mesh.region_names.size());
     for (const auto& [id, name] : faces_.surface_names) {
-      const auto [fault, wall] = wall_of(name, zones_);
+      const auto [fault, wall] = wall_of(name, faults_);
       if (wall == Wall::plus) continue;
       id_of_fault_[fault] = now_[id] = ++next;
       out.surface_names[next] = fault;
@@ -85,7 +86,7 @@ class ZoneCloser {
         out.surface_kinds[next] = kind->second;
     }
     for (const auto& [id, name] : faces_.surface_names)
-      if (const auto [fault, wall] = wall_of(name, zones_); wall == Wall::plus && id_of_fault_.contains(fault))
+      if (const auto [fault, wall] = wall_of(name, faults_); wall == Wall::plus && id_of_fault_.contains(fault))
         now_[id] = id_of_fault_[fault];
     for (const auto& set : faces_.surface_sets) {
       std::set<std::int32_t> ids;
@@ -95,7 +96,7 @@ class ZoneCloser {
     next_id_ = next;
   }
 
-  Wall wall(std::size_t f) const { return wall_of_face(faces_, f, zones_); }
+  Wall wall(std::size_t f) const { return wall_of_face(faces_, f, faults_); }
   Triangle nodes(std::size_t f) const {
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -141,7 +142,7 @@ class ZoneCloser {
     std::string::size_type from = 0;
     while (true) {
       const auto to = name.find('*', from);
-      const auto [fault, side] = wall_of(name.substr(from, to - from), zones_);
+      const auto [fault, side] = wall_of(name.substr(from, to - from), faults_);
       if (side == Wall::none || !members.contains(fault)) members.insert(fault);
       if (to == std::string::npos) break;
       from = to + 1;
@@ -193,7 +194,7 @@ class ZoneCloser {
 
   const JudgedMesh& mesh_;
   const FacesFile& faces_;
-  const std::vector<FaultZone>& zones_;
+  std::vector<std::string> faults_;
   std::map<std::int32_t, std::size_t> zone_ids_;
   ClosedFiles closed_;
   std::vector<VertexIndex> row_;              // of a point of the file; no_vertex in zones
@@ -206,11 +207,8 @@ class ZoneCloser {
 
 std::optional<ClosedFiles> close_zones(const JudgedMesh& mesh, const FacesFile& faces, const CurvesFile* curves,
                                        const std::vector<FaultZone>& zones, CheckResult& result) {
-  const std::size_t n = mesh.file.points.size();
-  const auto in_mesh = [&](std::int32_t row) { return row >= 0 && static_cast<std::size_t>(row) < n; };
-  const bool known = mesh.file.before_zones.size() == n && mesh.file.region.size() == mesh.cells.size() &&
-                     faces.mesh_point.size() == faces.points.size() &&
-                     std::all_of(faces.mesh_point.begin(), faces.mesh_point.end(), in_mesh);
+  const bool known = mesh.file.before_zones.size() == mesh.n_points() && mesh.file.region.size() == mesh.cells.size() &&
+                     knows_mesh_points(faces, mesh.n_points());
   if (known) return ZoneCloser(mesh, faces, zones).close(curves);
   result.faults.push_back(
       {"wrong_fault_zones",

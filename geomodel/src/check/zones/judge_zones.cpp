@@ -9,6 +9,7 @@
 #include <set>
 
 #include "check/judged/faults.hpp"
+#include "check/judged/walls.hpp"
 #include "check/zones/zone_names.hpp"
 #include "naming/sums.hpp"
 
@@ -28,7 +29,7 @@ struct Seen {
 class ZoneJudge {
  public:
   ZoneJudge(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<FaultZone>& zones)
-      : mesh_(mesh), faces_(faces), zones_(zones), seen_(zones.size()) {
+      : mesh_(mesh), faces_(faces), zones_(zones), faults_(faults_of(zones)), seen_(zones.size()) {
     const auto ids = zone_ids(mesh.file.region_names, zones);
     for (std::size_t t = 0; t < mesh.cells.size(); ++t)
       if (const auto zone = ids.find(mesh.file.region[t]); zone != ids.end()) see(mesh.cells[t], seen_[zone->second]);
@@ -62,7 +63,7 @@ class ZoneJudge {
         if (a != b) seen.edges[a].insert(b);
   }
   void see_wall(std::size_t f, std::size_t zone) {
-    const Wall wall = wall_of_face(faces_, f, zones_);
+    const Wall wall = wall_of_face(faces_, f, faults_);
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) t[i] = static_cast<VertexIndex>(faces_.mesh_point[faces_.triangles[f][i]]);
     (wall == Wall::plus ? seen_[zone].plus : seen_[zone].minus).insert(t.begin(), t.end());
@@ -124,6 +125,7 @@ class ZoneJudge {
   const JudgedMesh& mesh_;
   const FacesFile& faces_;
   const std::vector<FaultZone>& zones_;
+  std::vector<std::string> faults_;
   std::vector<Seen> seen_;
   std::vector<WallFace> walls_;
   std::string seen_text_;
