@@ -113,6 +113,10 @@ output: {{directory: out, formats: [vtu]}}
     def test_faces_that_touch_a_body_within_rounding_are_not_inside_it(self):
         self.assert_pass(200202, limit=120)
 
+    def test_a_needle_beside_a_salt_leaves_no_slit(self):
+        """A vertex came to lie on the long edge of a needle. The salt's facet beside it did not follow, since its corners were on a line as seen."""
+        self.assert_pass(1443053, light=True)
+
     def test_cracks_as_thin_as_rounding_are_judged_open_or_closed(self):
         """Found by seed 20100: a crack between two blocks, an ulp wide, is closed in part, and the judge took its open part for a fault."""
         project = os.path.join(SOURCE, "tests", "corpus", "cracked_sheet", "project.yaml")

@@ -114,6 +114,50 @@ column: [upper, h, lower]
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
         self.told(report, "warnings", "horizon h", "stays as given")
 
+    def test_a_fault_that_ends_below_the_horizon_does_not_part_it(self):
+        self.fault(high=4.0)
+        self.write("h.ts", triangles_ts("h", *patch((-1, 11), (-1, 11), lambda y: 6, step=2)))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, {"upper": 400, "lower": 600})
+        self.told(report, "warnings", "horizon h: fault f of its throw_at ends below it", "extent: to_box")
+
+    def test_a_sheet_that_runs_on_across_one_of_the_faults(self):
+        """Throw at g alone: parting the sheet at f, too, would take what lies between the faults."""
+        self.surface("f", [(3, -1), (3, 11)])
+        self.surface("g", [(7, -1), (7, 11)])
+        self.surface("h", [(-1, 6), (2, 6), (7, 6)], [(7, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 160, "upper__3": 180, "lower__1": 180, "lower__2": 240, "lower__3": 120})
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
+
+    def test_one_sheet_over_a_fault_that_ends_on_the_sides_of_the_box(self):
+        """The fault is continued beyond them, where nothing of the horizon goes round it."""
+        self.write("f.ts", triangles_ts("f", *strip([(5, -1), (5, 11)], 0, 10)))
+        self.write("h.ts", triangles_ts("h", *patch((-1, 11), (-1, 11), lambda y: 6, step=1)))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, {"upper__1": 200, "upper__2": 200, "lower__1": 300, "lower__2": 300})
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet", "stays as given")
+
+    def test_the_judge_misses_a_block_that_went(self):
+        """The mesh of one block held against a project with two."""
+        self.fault()
+        self.surface("h", [(-1, 6), (4.0, 6)])
+        self.mesh(self.SURFACES)
+        self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
+        found = self.check(self.path("out", "model.vtu"), "--project", self.project, status=BAD_INPUT)
+        self.assertIn("horizon_lost_beyond_faults", [fault["id"] for fault in found["faults"]])
+
+    def test_a_horizon_without_a_block_between_two_faults_stays(self):
+        """All of its triangles between the faults cross one of them, or where it goes on."""
+        for name, x in (("f", 4), ("g", 6)):
+            self.write(name + ".ts", plane_ts(name, [(x, -1, -1), (x, 4, -1), (x, 4, 11), (x, -1, 11)]))
+        columns, rows = (-1, 2, 7.7, 11), (-1, 3, 7, 11)
+        cells = [4 * j + i for j in range(3) for i in range(3)]
+        self.write("h.ts", triangles_ts("h", [(x, y, 5) for y in rows for x in columns], [t for c in cells for t in ((c, c + 1, c + 5), (c, c + 5, c + 4))]))
+        report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.assert_volumes(volumes, {"upper": 500, "lower": 500})
+        self.told(report, "warnings", "horizon h", "no block is given between", "stays as given")
+
     def test_a_fault_that_is_none(self):
         self.fault()
         self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])

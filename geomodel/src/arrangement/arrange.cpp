@@ -52,7 +52,8 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
-  const CutFlaps cut = cut_flaps(complex, std::max(tolerance, rounding));
+  constexpr double flaps_of_tolerance = 2;  // a corner has moved by one more than its neighbours
+  const CutFlaps cut = cut_flaps(complex, std::max(flaps_of_tolerance * tolerance, rounding));
   add(cut.moved, result.merging.displacement);
   result.merging.facets_collapsed += cut.vanished.size();
   vanished.insert(vanished.end(), cut.vanished.begin(), cut.vanished.end());

@@ -38,6 +38,17 @@ class FacetSplitter {
       if (rows_.contains(a) && rows_.contains(b)) mesh_.insert_constraint(rows_.at(a), rows_.at(b), 0);
   }
 
+  /// Whether each edge of the closed walk is there whole. Along an axis its vertices can be on one line in another
+  /// order than on their edge. The walk then goes to and fro, and what lies between its edges would be lost.
+  bool has_edges_of(const std::vector<VertexIndex>& walk) const {
+    for (std::size_t k = 0; k < walk.size(); ++k) {
+      const std::vector<int> chain = mesh_.chain(rows_.at(walk[k]), rows_.at(walk[(k + 1) % walk.size()]));
+      for (std::size_t s = 1; s + 1 < chain.size(); ++s)
+        if (std::find(walk.begin(), walk.end(), ids_[static_cast<std::size_t>(chain[s])]) != walk.end()) return false;
+    }
+    return true;
+  }
+
   /// Triangles on the left of the closed walk along `border`.
   std::vector<Triangle> inside_of(const std::vector<VertexIndex>& border) const {
     std::map<std::pair<int, int>, int> walls;  // directed edge -> times walked
@@ -147,6 +158,7 @@ std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, 
   try {
     splitter.constrain(edges_of_walk(walk));
     splitter.constrain(wanted);
+    if (!splitter.has_edges_of(walk)) return std::nullopt;
     std::vector<Triangle> triangles = splitter.inside_of(walk);
     if (frame.sign == Sign::negative)
       for (Triangle& t : triangles) std::swap(t[1], t[2]);

@@ -13,6 +13,7 @@
 #include "check/curves/judge_curves.hpp"
 #include "check/judged/judged_mesh.hpp"
 #include "check/names/judge_names.hpp"
+#include "check/pieces/throw_cover.hpp"
 #include "check/splits/judge_splits.hpp"
 #include "check/within/within_tolerance.hpp"
 #include "check/zones/judge_zones.hpp"
@@ -78,8 +79,9 @@ void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const C
     result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
     return;
   }
-  if (within == 0) return check_coverage(mesh, claim, faces, set_faces, rounding, result);
   const ClaimedFaces claimed(mesh, claim, faces, set_faces);
+  if (faces && claim.named) check_throw_cover(claimed, within + rounding, result);
+  if (within == 0) return check_coverage(mesh, claim, faces, set_faces, rounding, result);
   const Allowed allowed{within, rounding};
   check_surfaces_within(claimed, allowed, result);
   if (faces) check_midpoints_within(claimed, allowed, result);

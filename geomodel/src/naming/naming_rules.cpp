@@ -82,11 +82,37 @@ bool holds(const ConstrainedTetrahedralization& mesh, const Tetrahedron& t, cons
   return true;
 }
 
-/// Whether more of the end has the component on both sides than parts it from something else: it goes round the end.
-bool lies_mostly_about(const HorizonContacts& contacts, const ModelEnd& end) {
+/// Per component the area of horizons at it, but for the end itself. All of them are cut at the end, so that what lies
+/// beyond it has none.
+std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
+                                           const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces,
+                                           const std::string& end) {
+  std::vector<double> area(mesh.n_components, 0);
+  for (const auto& face : mesh.faces) {
+    const auto origins = origins_of(soup, plc, face.facet);
+    const auto is_end = [&](const PolygonSoup::Origin& o) { return surfaces[o.surface].name == end; };
+    const auto is_horizon = [&](const PolygonSoup::Origin& o) {
+      return surfaces[o.surface].kind == SurfaceKind::horizon;
+    };
+    if (std::any_of(origins.begin(), origins.end(), is_end) || std::none_of(origins.begin(), origins.end(), is_horizon))
+      continue;
+    const auto& v = face.vertices;
+    const double size = triangle_area(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
+    const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
+    if (below != no_index) area[below] += size;
+    if (above != no_index && above != below) area[above] += size;
+  }
+  return area;
+}
+
+/// Whether the component goes round the end. It has the end on both sides. More of the end lies so than parts it from
+/// something else, or other horizons are beside it.
+bool lies_about(const HorizonContacts& contacts, const ModelEnd& end, double other_horizons) {
+  constexpr double least = 0.01;  // of the end's area at the component
   const auto& parting = end.above ? contacts.lies_above : contacts.lies_below;
-  const auto both = contacts.on_both_sides.find(0), one = parting.find(0);
-  return both != contacts.on_both_sides.end() && (one == parting.end() || both->second > one->second);
+  const auto area = [](const std::map<Index, double>& at) { return at.contains(0) ? at.at(0) : 0.0; };
+  const double both = area(contacts.on_both_sides), one = area(parting), little = least * (both + one);
+  return both > one || (both > little && other_horizons > little);
 }
 
 }  // namespace
@@ -96,13 +122,14 @@ ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& 
                                            const ModelEnd& end, std::vector<std::string>& warnings) {
   const Column column = make_column({"above", end.horizon, "below"}, surfaces, warnings);
   const std::vector<HorizonContacts> contacts = horizon_contacts(mesh, soup, plc, column);
+  const std::vector<double> other_horizons = area_of_other_horizons(mesh, soup, plc, surfaces, end.horizon);
   const Index left_out = end.above ? 0 : 1;
   const std::string where = (end.above ? "above the topography " : "below the bottom ") + end.horizon;
   std::vector<bool> keep(mesh.n_components, true);
   for (std::size_t c = 0; c < keep.size(); ++c) {
     const UnitVerdict verdict = judge_unit(contacts[c], column);
     const bool is_beyond = verdict.kind == UnitVerdict::Kind::unit && verdict.first == left_out;
-    const bool goes_round = is_beyond && lies_mostly_about(contacts[c], end);
+    const bool goes_round = is_beyond && lies_about(contacts[c], end, other_horizons[c]);
     keep[c] = !is_beyond || goes_round;
     if (verdict.kind == UnitVerdict::Kind::joined || goes_round)
       warnings.push_back(std::string(end.above ? "topography " : "bottom ") + end.horizon +

@@ -6,14 +6,16 @@
 #include <string>
 
 #include "geomesh/geomodel/words.hpp"
+#include "naming/region_facts.hpp"
 
 namespace geomesh::geomodel {
 
 namespace {
 
-constexpr double most_of_tolerance = 0.5;  ///< what merging may use
-constexpr double next_distance = 0.5;      ///< of the distance before
-constexpr unsigned most_tries = 3;
+constexpr double most_of_tolerance = 0.5;      ///< what merging may use
+constexpr double most_moved_of_tolerance = 2;  ///< of the project's own
+constexpr double next_distance = 0.5;          ///< of the distance before
+constexpr unsigned most_tries = 3, most_tries_asked = 5;
 constexpr unsigned most_rounds =
     4;  ///< of a try: what has no end then has none later, and each takes as long as the first
 
@@ -56,30 +58,53 @@ void take_from_tolerance(RefinementSettings& refinement, double moved) {
   refinement.tolerance_share *= left;
 }
 
-/// Merging within the project's own `tolerance`. Where no doubles keep apart what it brings together, within half of
-/// it, a quarter, at last within nothing; a warning tells. Throws what arrange does, where that was not the cause.
+/// What stood against merging within a distance.
+struct Obstacle {
+  std::string text;
+  void keep_first(std::string other) {
+    if (text.empty()) text = std::move(other);
+  }
+};
+
+/// Nothing where no doubles keep apart what merging brings together, or something moved too far, as `obstacle` tells.
+std::optional<ArrangementResult> try_merging_asked(const PreparedModel& model, const std::vector<Polyline>& wells,
+                                                   const ArrangementOptions& options, double most_moved,
+                                                   const RunContext& context, Obstacle& obstacle) {
+  try {
+    ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
+    const double moved = found.merging.displacement.largest;
+    if (moved <= most_moved) return found;
+    obstacle.keep_first("moves something by " + short_words(moved) + " " + model.unit + " near " +
+                        to_text(found.merging.displacement.where));
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::cannot_mesh) throw;
+    context.note(LogLevel::debug, "no merging within " + short_words(options.tolerance) + ": " + error.what());
+    obstacle.keep_first("leaves surfaces that no rounding to doubles keeps apart");
+  }
+  return std::nullopt;
+}
+
+/// Merging within the project's own `tolerance`. It is tried again within half of the distance, and so on to a
+/// sixteenth, at last within nothing, with a warning. That is so where something would move by more than twice the
+/// tolerance, or no doubles keep apart what comes together. Throws what arrange does where that was not the cause.
 ArrangementResult arrange_merging_asked(PreparedModel& model, const std::vector<Polyline>& wells,
                                         ArrangementOptions options, const RunContext& context) {
   const double asked = options.tolerance;
-  for (unsigned k = 0; options.tolerance > 0; ++k) {
-    try {
-      ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
-      if (options.tolerance < asked)
-        warn(model.warnings, context,
-             "merging within the tolerance of " + short_words(asked) + " " + model.unit +
-                 " leaves surfaces that no rounding to doubles keeps apart: what is nearer than " +
-                 short_words(options.tolerance) + " " + model.unit + " was merged");
-      return found;
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::cannot_mesh) throw;
-      context.note(LogLevel::debug, "no merging within " + short_words(options.tolerance) + ": " + error.what());
-    }
-    options.tolerance = k + 1 < most_tries ? next_distance * options.tolerance : 0;
+  const std::string within = "merging within the tolerance of " + short_words(asked) + " " + model.unit;
+  Obstacle obstacle;
+  for (unsigned k = 0; k < most_tries_asked; ++k, options.tolerance *= next_distance) {
+    auto found = try_merging_asked(model, wells, options, most_moved_of_tolerance * asked, context, obstacle);
+    if (!found) continue;
+    if (options.tolerance < asked)
+      warn(model.warnings, context,
+           within + " " + obstacle.text + ": what is nearer than " + short_words(options.tolerance) + " " + model.unit +
+               " was merged");
+    return std::move(*found);
   }
+  options.tolerance = 0;
   ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
   warn(model.warnings, context,
-       "merging within the tolerance of " + short_words(asked) + " " + model.unit +
-           ", or a quarter of it, leaves surfaces that no rounding to doubles keeps apart: nothing was merged");
+       within + " " + obstacle.text + ", and a sixteenth of it does no better: nothing was merged");
   return found;
 }
 

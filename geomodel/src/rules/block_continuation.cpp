@@ -5,6 +5,7 @@
 #include <map>
 
 #include "common/union_find.hpp"
+#include "naming/sheets.hpp"
 #include "naming/sums.hpp"
 #include "rules/throw/fault_crossings.hpp"
 #include "rules/throw_blocks.hpp"
@@ -52,6 +53,50 @@ class BlockSides {
   std::vector<int> side_;
 };
 
+using MapEdge = std::pair<VertexIndex, VertexIndex>;
+
+template <class F>
+void for_each_edge_of(const Triangle& v, F&& visit) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexIndex a = v[i], b = v[(i + 1) % 3];
+    visit(MapEdge{std::min(a, b), std::max(a, b)});
+  }
+}
+
+/// Triangles of no block that hang together by edges and lie, with all edges about them, in what block `own` has: about
+/// a fault that ends inside at both ends. No continuation from the outer border gets there.
+std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std::vector<Index>& block, Index own) {
+  const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
+  const auto edges_of = [&](Index t, auto&& visit) {
+    Triangle v = horizon.triangles[t];
+    for (VertexIndex& row : v) row = merged[row];
+    for_each_edge_of(v, visit);
+  };
+  std::map<MapEdge, Index> at_edge;  // of those of no block
+  UnionFind joined(block.size());
+  std::map<MapEdge, bool> is_held;  // by the block
+  for (Index t = 0; t < block.size(); ++t)
+    edges_of(t, [&](const MapEdge& e) {
+      if (block[t] == own || block[t] == BuiltRows::of_every_block) is_held[e] = true;
+      if (block[t] != BuiltRows::of_no_block) return;
+      const auto [at, is_new] = at_edge.emplace(e, t);
+      if (!is_new) {
+        joined.unite(at->second, t);
+        is_held[e] = true;  // between two of them
+      }
+    });
+  std::map<Index, bool> is_enclosed;
+  for (Index t = 0; t < block.size(); ++t) {
+    if (block[t] != BuiltRows::of_no_block) continue;
+    bool& all = is_enclosed.emplace(joined.find(t), true).first->second;
+    edges_of(t, [&](const MapEdge& e) { all = all && is_held.count(e) > 0; });
+  }
+  std::vector<Triangle> enclosed;
+  for (Index t = 0; t < block.size(); ++t)
+    if (block[t] == BuiltRows::of_no_block && is_enclosed.at(joined.find(t))) enclosed.push_back(horizon.triangles[t]);
+  return enclosed;
+}
+
 /// Per triangle from row `first` on, whether it lies wholly beyond a fault. So does, across no other, all that hangs
 /// together with it, and nothing of that is given within the block.
 std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size_t first,
@@ -94,6 +139,7 @@ bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, cons
   const TriangulatedSurface given = horizon;
   const Index n_blocks = BuiltRows::n_blocks(block);
   const std::size_t n_sorted = block.size();
+  const std::vector<Index> block_as_sorted = block;
   std::vector<FaultSides> fault_sides;
   for (const ThrowFault& fault : faults) fault_sides.emplace_back(*fault.surface);
   for (Index b = 0; b < n_blocks; ++b) {
@@ -102,6 +148,8 @@ bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, cons
     for (std::size_t t = 0; t < n_sorted; ++t)
       if (block[t] == b || block[t] == BuiltRows::of_every_block) part.triangles.push_back(given.triangles[t]);
     const std::size_t n_given = part.triangles.size();
+    const std::vector<Triangle> enclosed = enclosed_by(given, block_as_sorted, b);
+    part.triangles.insert(part.triangles.end(), enclosed.begin(), enclosed.end());
     all_are_continued = extend_to_box(part, parting.how, parting.box, log, {b}) && all_are_continued;
     const auto shift = static_cast<VertexIndex>(horizon.points.size() - given.points.size());
     horizon.points.insert(horizon.points.end(), part.points.begin() + static_cast<std::ptrdiff_t>(given.points.size()),

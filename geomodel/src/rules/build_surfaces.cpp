@@ -76,17 +76,47 @@ RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<Ramp
   return restore_smeared_throw(horizon, faults, others, log);
 }
 
+/// Whether the horizon goes round no end of the fault inside the box.
+bool goes_through(const ThrowFault& fault, const TriangulatedSurface& horizon, const Box3& box) {
+  if (fault.first_made == fault.surface->triangles.size()) return true;
+  const std::vector<Crossing> crossing = find_crossings(horizon, 0, {fault}, box);
+  return std::none_of(crossing.begin(), crossing.end(), [](Crossing c) { return c == Crossing::continuation; });
+}
+
 /// One sheet on both sides of all of its faults, which go through the model: parting it would take one side away.
-bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults) {
+bool stays_whole(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, const Box3& box) {
   TriangulatedSurface copy = horizon;
+  std::vector<ThrowFault> through = faults;
+  for (ThrowFault& f : through) f.first_made = static_cast<Index>(f.surface->triangles.size());
   std::vector<std::string> notes, warnings;
   return std::all_of(faults.begin(), faults.end(),
                      [&](const ThrowFault& f) {
-                       return f.first_made == f.surface->triangles.size() &&
-                              lies_on_both_sides(horizon, FaultFaces(*f.surface));
+                       return goes_through(f, horizon, box) && lies_on_both_sides(horizon, FaultFaces(*f.surface));
                      }) &&
-         BuiltRows::n_blocks(sort_into_blocks(copy, {faults, Extend::flat, {}}, {notes, warnings}, {}).of_triangle) ==
+         BuiltRows::n_blocks(sort_into_blocks(copy, {through, Extend::flat, {}}, {notes, warnings}, {}).of_triangle) ==
              1;
+}
+
+/// The faults through the model that a sheet of the horizon runs on across have no throw there: parting it would take
+/// what lies beyond. Gives the rows of the others.
+std::vector<std::size_t> leave_out_where_it_runs_on(const TriangulatedSurface& horizon,
+                                                    const std::vector<std::size_t>& rows,
+                                                    std::vector<ThrowFault>& faults, const Box3& box,
+                                                    const BuildLog& log) {
+  std::vector<std::size_t> parting;
+  std::vector<ThrowFault> kept;
+  for (std::size_t k = 0; k < faults.size(); ++k) {
+    const TriangulatedSurface& fault = *faults[k].surface;
+    if (goes_through(faults[k], horizon, box) && runs_on_across(horizon, fault)) {
+      log.warnings.push_back("horizon " + horizon.name + ": it runs on across " + fault.name +
+                             " as one sheet, so that it has no throw there (give it block by block)");
+      continue;
+    }
+    parting.push_back(rows[k]);
+    kept.push_back(faults[k]);
+  }
+  faults = std::move(kept);
+  return parting;
 }
 
 /// The blocks of a horizon with throw, each continued on its own.
@@ -95,8 +125,10 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   const SurfaceRules rule = rules.of(s);
   std::vector<ThrowFault> faults;
   std::vector<RampFault> ramps;
+  std::vector<std::size_t> rows;
   for (const std::string& name : rule.throw_at) {
     const std::size_t row = throw_fault(built.surfaces, surface, name);
+    rows.push_back(row);
     const auto n = static_cast<Index>(built.surfaces[row].triangles.size());
     faults.push_back({&built.surfaces[row], std::min(n, built.rows.first_only_parting[row])});
     const auto stop = std::find_if(built.surfaces.begin(), built.surfaces.end(),
@@ -107,10 +139,15 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   RestoredThrow restored;
   if (rule.cut_smeared) restored = restore_ramps(surface, ramps, built.surfaces, log);
   if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
-  const bool is_whole = restored.sheet.empty() && stays_whole(surface, faults);
+  const bool is_whole = restored.sheet.empty() && stays_whole(surface, faults, *rules.box);
   if (is_whole) {
     log.warnings.push_back("horizon " + surface.name + ": it runs on across " + faults.front().surface->name +
                            " as one sheet, and no throw is restored: it stays as given (give it block by block)");
+    if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
+    return;
+  }
+  if (restored.sheet.empty()) rows = leave_out_where_it_runs_on(surface, rows, faults, *rules.box, log);
+  if (faults.empty()) {
     if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
     return;
   }
@@ -121,16 +158,25 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     log.warnings.push_back("horizon " + surface.name +
                            ": all of it lies on one side of the faults across which it is to have throw");
   const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end();
-  if (n_blocks == 0 || (!extend_blocks(surface, block, {faults, how, *rules.box}, log) && goes_partly)) {
+  std::string reason;
+  if (n_blocks == 0) {
+    reason = ", since all of it does: ";
+  } else if (lies_in_no_block(surface, block, sides, {faults, how, *rules.box})) {
+    reason = ": no block is given between two of them: ";
+  } else if (!extend_blocks(surface, block, {faults, how, *rules.box}, log) && goes_partly) {
+    reason = " from blocks that cannot be continued: ";
+  }
+  if (!reason.empty()) {
     surface = as_given;
     built.rows.n_given_triangles[s] = static_cast<Index>(surface.triangles.size());
-    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" +
-                           (n_blocks == 0 ? ", since all of it does: " : " from blocks that cannot be continued: ") +
+    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" + reason +
                            "it stays as given, and no throw is restored");
+    if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
     return;
   }
   built.rows.block_of_triangle[s] = std::move(block);
   built.rows.sides_of_block[s] = std::move(sides);
+  built.rows.parted_at[s].assign(rows.begin(), rows.end());
 }
 
 }  // namespace
@@ -148,6 +194,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
   built.rows.sides_of_block.resize(surfaces.size());
+  built.rows.parted_at.resize(surfaces.size());
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());
   for (const TriangulatedSurface& s : surfaces)

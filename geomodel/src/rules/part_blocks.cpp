@@ -22,7 +22,7 @@ class HorizonParting {
         horizon_(horizon),
         block_of_(parting.built.block_of_triangle[horizon]),
         kept_by_some_(parting.soup.soup.facets.size(), 0) {
-    for (const std::string& name : throw_at()) faults_.push_back(row_of(name));
+    faults_ = parting.built.parted_at[horizon];
   }
 
   void run() {
@@ -47,12 +47,6 @@ class HorizonParting {
 
  private:
   const std::string& name() const { return p_.surfaces[horizon_].name; }
-  const std::vector<std::string>& throw_at() const { return p_.rules.surfaces[horizon_].throw_at; }
-  Index row_of(const std::string& name) const {
-    for (Index s = 0; s < p_.surfaces.size(); ++s)
-      if (p_.surfaces[s].name == name) return s;
-    throw Error(ErrorKind::usage, "no surface is named " + name + " (under throw_at)");
-  }
   bool is_given(const Origin& o) const { return o.triangle < p_.built.n_given_triangles[o.surface]; }
   bool is_shared(const Origin& o) const {
     return o.surface == horizon_ && block_of_[o.triangle] == BuiltRows::of_every_block;
@@ -115,7 +109,7 @@ class HorizonParting {
   void drop_continuation(const Piece& piece, const std::function<bool(const Origin&)>& is_own) {
     p_.removed[horizon_] += p_.soup.remove(piece.facets, [&](const Origin& o) { return is_own(o) && !is_given(o); });
     std::string faults;
-    for (const std::string& fault : throw_at()) faults += (faults.empty() ? "" : ", ") + fault;
+    for (const Index fault : faults_) faults += (faults.empty() ? "" : ", ") + p_.surfaces[fault].name;
     p_.warnings.push_back("horizon " + name() + " is not divided by the faults across which it is to have throw (" +
                           faults + "): a block near " + to_text(p_.soup.centre(piece.largest)) +
                           " is kept as given; let the faults reach through the model (extent: to_box)");

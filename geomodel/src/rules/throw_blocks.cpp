@@ -9,6 +9,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
+#include "rules/planar/map_locator.hpp"
 #include "rules/throw/fault_crossings.hpp"
 
 namespace geomesh::geomodel {
@@ -16,9 +17,16 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
+constexpr double least_of_sides = 0.1;   // of a sheet's area, on either side of a fault that it runs on across
+constexpr double much_alone = 0.02;      // of the horizon's area in the box
 
 Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
   return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+}
+
+bool is_in(const Box3& box, const Vec3& p) {
+  return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
+         p.z <= box.max.z;
 }
 
 double area_of(const TriangulatedSurface& s, Index t) {
@@ -211,6 +219,56 @@ bool FaultSides::is_above(const Vec3& p) const {
   if (const SideOfAll side = bounds_.side(p); side != SideOfAll::not_known) return side == SideOfAll::above;
   const Index nearest = nearest_.find(p);
   return nearest != no_index && dot(p - planes_[nearest].point, planes_[nearest].normal) > 0;
+}
+
+bool runs_on_across(const TriangulatedSurface& horizon, const TriangulatedSurface& fault) {
+  const auto all = [](Index, Index) { return true; };
+  const std::vector<Index> sheet = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
+  const FaultSides sides(fault);
+  struct Part {
+    double above = 0, below = 0;
+  };
+  std::map<Index, Part> parts;
+  std::vector<bool> is_above(sheet.size());
+  for (Index t = 0; t < sheet.size(); ++t) {
+    is_above[t] = sides.is_above(centre_of(horizon, horizon.triangles[t]));
+    Part& part = parts[sheet[t]];
+    (is_above[t] ? part.above : part.below) += area_of(horizon, t);
+  }
+  return std::any_of(parts.begin(), parts.end(), [&](const auto& entry) {
+    const auto& [own, part] = entry;
+    const double least = least_of_sides * (part.above + part.below);
+    if (std::min(part.above, part.below) <= least) return false;
+    TriangulatedSurface others = horizon;
+    others.triangles.clear();
+    for (Index t = 0; t < sheet.size(); ++t)
+      if (sheet[t] != own) others.triangles.push_back(horizon.triangles[t]);
+    const MapLocator over(others);
+    double alone = 0;
+    for (Index t = 0; t < sheet.size(); ++t) {
+      const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
+      if (sheet[t] == own && is_above[t] == (part.above < part.below) && over.find({centre.x, centre.y}).count == 0)
+        alone += area_of(horizon, t);
+    }
+    return alone > least;
+  });
+}
+
+bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
+                      const std::vector<std::vector<bool>>& sides, const BlockFaults& parting) {
+  std::vector<FaultSides> fault_sides;
+  for (const ThrowFault& fault : parting.faults) fault_sides.emplace_back(*fault.surface);
+  double all = 0, alone = 0;
+  for (Index t = 0; t < block.size(); ++t) {
+    const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
+    if (!is_in(parting.box, centre)) continue;
+    all += area_of(horizon, t);
+    if (block[t] != BuiltRows::of_every_block) continue;
+    std::vector<bool> key;
+    for (const FaultSides& side : fault_sides) key.push_back(side.is_above(centre));
+    if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area_of(horizon, t);
+  }
+  return alone > much_alone * all;
 }
 
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,

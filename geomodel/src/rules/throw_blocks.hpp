@@ -60,8 +60,18 @@ class FaultSides {
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 
+/// Whether a sheet of the horizon runs on across the fault. A tenth of its area at least lies on either side. Over or
+/// under the smaller part lies no other sheet, as one does where the sheet only overshoots.
+bool runs_on_across(const TriangulatedSurface& horizon, const TriangulatedSurface& fault);
+
+/// Whether much of what goes round the faults' ends in the box lies, between two faults, on sides of them on which no
+/// block does. Nothing would be left there once the faults part the horizon.
+bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
+                      const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
+
 /// Continues each block to beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then run
-/// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out. False
+/// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out. What
+/// crosses a fault that ends inside at both ends, all about it in one block, comes back to that block as it is. False
 /// where a block could not be continued, which a warning tells.
 bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
                    const BuildLog& log);

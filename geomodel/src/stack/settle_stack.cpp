@@ -28,6 +28,7 @@ constexpr double room_of_thickness = 2;          // at pinch-out lines
 constexpr double row_of_thickness = 12;          // over which a unit closes: at 5 degrees
 constexpr double most_shift = 0.15;              // of the size: of pinch-out lines, by half of that row
 constexpr double edge_of_thickness = 24;         // edges in a unit are at most so long
+constexpr double joined_of_reach = 0.25;         // lines that far apart are one, of how far borders reach
 constexpr double margin_of_size = 0.25;          // about an outline that is no box along the axes
 
 /// Why the stack cannot be settled; empty: it can.
@@ -197,6 +198,7 @@ class Group {
     layout_.lines.insert(layout_.lines.end(), strips_.outlines.begin(), strips_.outlines.end());
     for (const ThinArea& area : areas)
       layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
+    layout_.joined_within = joined_of_reach * samples.border_reach();
     MapSheets sheets = approximate_sheets(samples, layout_, areas, options);
     close_units(sheets, samples, options, row_of_thickness * options.gap);
     centre_sheets(sheets, samples, areas, options);
@@ -256,14 +258,11 @@ class Group {
   HorizonFaults faults_of(Index row) const {
     HorizonFaults found;
     if (built_.rows.block_of_triangle[row].empty()) return found;
-    for (const std::string& name : rules_.of(row).throw_at)
-      for (Index s = 0; s < built_.surfaces.size(); ++s) {
-        if (built_.surfaces[s].name != name) continue;
-        const auto n = static_cast<Index>(built_.surfaces[s].triangles.size());
-        found.faults.push_back({&built_.surfaces[s], std::min(n, built_.rows.first_only_parting[s])});
-        found.rows.push_back(s);
-        break;
-      }
+    for (const Index s : built_.rows.parted_at[row]) {
+      const auto n = static_cast<Index>(built_.surfaces[s].triangles.size());
+      found.faults.push_back({&built_.surfaces[s], std::min(n, built_.rows.first_only_parting[s])});
+      found.rows.push_back(s);
+    }
     found.sides = built_.rows.sides_of_block[row];
     return found;
   }

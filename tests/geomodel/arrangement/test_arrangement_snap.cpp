@@ -345,3 +345,15 @@ TEST_CASE("split_facet: vertices on the border and inside", "[arrangement]") {
   REQUIRE(collapsed);
   CHECK(collapsed->empty());
 }
+
+TEST_CASE("snapping: a facet follows a vertex that is beyond its edge as seen along an axis", "[arrangement]") {
+  // The edge 0 2 and the vertex 3 beside it are in a plane x = 0. Seen along y, 3 comes after 2 on the same line.
+  const std::vector<Vec3> points{{0, -168, -210}, {51, 0, -2}, {0, 9.5, -0.2}, {0, 0, 0}};
+  const auto triangles = arrangement::split_facet(points, {0, 1, 2}, {0, 1, 2, 3}, {}, {});
+  REQUIRE(triangles);
+  std::set<std::pair<VertexIndex, VertexIndex>> edges;
+  for (const Triangle& t : *triangles)
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
+  CHECK(edges.contains({2, 3}));
+  CHECK(edges.contains({3, 0}));
+}

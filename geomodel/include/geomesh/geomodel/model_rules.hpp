@@ -101,7 +101,9 @@ struct BuiltRows {
   std::vector<Index> n_given_triangles;  ///< from this row on triangles were made by rule
   std::vector<std::vector<Index>>
       block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
-  /// Per surface and block: whether it lies above each fault of throw_at; empty for surfaces without blocks.
+  /// Per surface: rows of the faults that part it into blocks, those of throw_at that it does not run on across.
+  std::vector<std::vector<Index>> parted_at;
+  /// Per surface and block: whether it lies above each fault of parted_at; empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;
   /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
   /// none was.
@@ -132,6 +134,12 @@ struct BuiltSurfaces {
 /// Fills SurfaceRules::throw_at of horizons with `throw_auto` from the surfaces as given; notes and warnings tell.
 void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes,
                  std::vector<std::string>& warnings);
+
+/// Takes from SurfaceRules::throw_at of each horizon the faults that lie wholly above or below it, as given. Such a
+/// fault has no throw there, and its continuation would part the horizon. A warning tells of each.
+/// Cost: vertices of such faults times a search in the map of the horizon.
+void leave_out_unreached_faults(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules,
+                                std::vector<std::string>& warnings);
 
 /// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none. Surfaces done
 /// are counted, and a cancelled run ends between them.

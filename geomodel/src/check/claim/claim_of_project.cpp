@@ -85,11 +85,10 @@ class TrimReader {
 };
 
 /// What continues the faults with throw of a horizon beyond their ends.
-std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<std::string>& faults) {
+std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<Index>& faults) {
   std::vector<std::array<Vec3, 3>> partings;
-  for (Index s = 0; s < built.surfaces.size(); ++s) {
+  for (const Index s : faults) {
     const TriangulatedSurface& fault = built.surfaces[s];
-    if (std::find(faults.begin(), faults.end(), fault.name) == faults.end()) continue;
     for (std::size_t t = built.rows.first_only_parting[s]; t < fault.triangles.size(); ++t) {
       const Triangle& v = fault.triangles[t];
       partings.push_back({fault.points[v[0]], fault.points[v[1]], fault.points[v[2]]});
@@ -142,6 +141,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   inputs.add_throws(rules);
   std::vector<std::string> found, doubts;  // the run tells them
   find_throws(inputs.surfaces, rules, found, doubts);
+  leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
   if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others
     claim.names.fault_blocks = true;
@@ -154,7 +154,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
-    claim.trims.back().partings = partings_of(built, rules.of(row).throw_at);
+    claim.trims.back().partings = partings_of(built, built.rows.parted_at[row]);
     const auto& settled = built.stack.horizons;
     const bool is_new = std::any_of(settled.begin(), settled.end(),
                                     [&](const SettledHorizon& h) { return h.name == claim.surfaces[row].name; });

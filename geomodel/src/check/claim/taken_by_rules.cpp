@@ -97,10 +97,15 @@ bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p) const {
 }
 
 bool TakenByRules::may_be_away(Index surface, Index triangle, const Vec3& p) const {
+  const bool has_throw = claim_.may_be_trimmed(surface) && claim_.trims[surface].given_beyond_faults;
+  return has_throw || may_be_away_but_for_throw(surface, triangle, p);
+}
+
+bool TakenByRules::may_be_away_but_for_throw(Index surface, Index triangle, const Vec3& p) const {
   if (is_outside(p)) return true;
   if (!claim_.may_be_trimmed(surface)) return false;
   const TrimRules& trim = claim_.trims[surface];
-  if (trim.given_beyond_faults || (trim.continuation && triangle >= trim.n_given_triangles)) return true;
+  if (trim.continuation && triangle >= trim.n_given_triangles) return true;
   return is_beyond_cutters(surface, p, Heights::of_all_blocks) ||
          (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_));
 }

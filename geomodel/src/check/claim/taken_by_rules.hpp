@@ -20,6 +20,8 @@ class TakenByRules {
   /// Whether p, a point of triangle `triangle` of the surface, may be away: outside the volume, or by a rule. Pieces go
   /// as wholes, and may reach over another block: heights across faults count.
   bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
+  /// The same without regard to throw, by which any part of a horizon may go.
+  bool may_be_away_but_for_throw(Index surface, Index triangle, const Vec3& p) const;
   /// Whether p, a point of the surface, is beyond one of the surfaces that cut it by rule, so that it tells of its
   /// piece. A horizon is not beyond one that lies across a fault on the vertical: that is of another block.
   bool is_beyond_cutters(Index surface, const Vec3& p) const;

@@ -151,6 +151,37 @@ class ZoneCloser {
     for (const std::string& member : members) joined += (joined.empty() ? "" : "*") + member;
     return joined;
   }
+  /// Both walls of a zone are members of the curve: they meet there.
+  bool walls_meet(const std::string& name) const {
+    std::map<std::string, std::set<Wall>> walls;
+    std::string::size_type from = 0;
+    while (true) {
+      const auto to = name.find('*', from);
+      const auto [fault, side] = wall_of(name.substr(from, to - from), faults_);
+      if (side != Wall::none && walls[fault].insert(side).second && walls[fault].size() == 2) return true;
+      if (to == std::string::npos) return false;
+      from = to + 1;
+    }
+  }
+  /// Edges of the closed faces with two faces of the same surfaces: of no curve but where walls of a zone met, as they
+  /// do beside a triangle of which all corners are on the fault's border.
+  std::set<std::array<VertexIndex, 2>> edges_within_sheets() const {
+    std::map<std::array<VertexIndex, 2>, std::vector<std::int32_t>> sets;
+    const FacesFile& faces = closed_.faces;
+    for (std::size_t f = 0; f < faces.triangles.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexIndex a = faces.triangles[f][k], b = faces.triangles[f][(k + 1) % 3];
+        sets[{std::min(a, b), std::max(a, b)}].push_back(faces.surface_set[f]);
+      }
+    std::set<std::array<VertexIndex, 2>> within;
+    const auto surfaces = [&](std::int32_t set) {
+      const auto row = static_cast<std::size_t>(set);
+      return row < faces.surface_sets.size() ? faces.surface_sets[row] : std::vector<std::int32_t>{};
+    };
+    for (const auto& [edge, of] : sets)
+      if (of.size() == 2 && surfaces(of[0]) == surfaces(of[1])) within.insert(edge);
+    return within;
+  }
   void close_curves(const CurvesFile& file) {
     CurvesFile& out = closed_.curves.emplace();
     out.points = closed_.mesh.points;
@@ -166,12 +197,17 @@ class ZoneCloser {
     }
     using Key = std::pair<std::string, std::string>;
     std::map<Key, std::set<std::array<VertexIndex, 2>>> edges;
+    std::set<std::int32_t> met;
+    for (const auto& curve : file.curves)
+      if (curve.kind == "intersection" && walls_meet(curve.name)) met.insert(curve.id);
+    const auto within = met.empty() ? std::set<std::array<VertexIndex, 2>>{} : edges_within_sheets();
     for (std::size_t e = 0; e < file.edges.size(); ++e) {
       const VertexIndex a = row(file.edges[e][0]), b = row(file.edges[e][1]);
       if (a == no_vertex || b == no_vertex || a == b) continue;  // in a zone
       const std::string& kind = kind_of[file.edge_curve[e]];
       if (kind == "intersection" && name_of[file.edge_curve[e]].find('*') == std::string::npos)
         continue;  // where the walls meet at an end
+      if (met.contains(file.edge_curve[e]) && within.contains({std::min(a, b), std::max(a, b)})) continue;
       edges[{kind_of[file.edge_curve[e]], name_of[file.edge_curve[e]]}].insert({std::min(a, b), std::max(a, b)});
     }
     std::map<Key, std::int32_t> id_of;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "stack/map/joined_lines.hpp"
+
 namespace geomesh::geomodel {
 namespace {
 
@@ -169,7 +171,7 @@ LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bo
 }  // namespace
 
 LinedTriangulation triangulate_layout(const MapLayout& layout) {
-  const std::vector<std::vector<Vec2>> lines = cut_off(layout.lines, layout.bounds);
+  const std::vector<std::vector<Vec2>> lines = cut_off(join_lines(layout.lines, layout.joined_within), layout.bounds);
   const Neighbourhood near_lines(layout, lines);
   std::vector<Vec2> points;
   add_rim(layout, near_lines, points);

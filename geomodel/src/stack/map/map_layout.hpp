@@ -14,6 +14,7 @@ struct MapLayout {
   MapBounds bounds;                      ///< the rim lies on it exactly
   double lattice = 1;                    ///< distance of its points
   std::vector<std::vector<Vec2>> lines;  ///< cut off at the rim
+  double joined_within = 0;              ///< lines no further apart are one
   bool keeps_lines = false;              ///< else points that lines leave very near to each other merge
 };
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_for_plane = 6;
 constexpr std::size_t samples_a_bin = 3;
-constexpr double by_rounding = 1e-6;  // of the spacing: a place this far beside a surface is on its border
+constexpr double by_rounding = 1e-4;  // of the spacing: a place this far beside a surface is on its border
 
 /// Sums of a plane's normal equations about a centre.
 struct PlaneSums {
@@ -91,8 +91,10 @@ void MapSamples::fill_bins(const MapBounds& bounds) {
   for (Index i = 0; i < places_.size(); ++i) binned_[next[bin(places_[i])]++] = i;
 }
 
+double MapSamples::border_reach() const { return by_rounding * spacing_; }
+
 void MapSamples::heights_at(Vec2 p, std::span<double> heights) const {
-  const double step = by_rounding * spacing_;
+  const double step = border_reach();
   for (std::size_t k = 0; k < n_surfaces(); ++k) {
     MapLocator::Hit hit = locators_[k]->find(p);
     for (int way = 0; way < 4 && hit.count == 0; ++way)

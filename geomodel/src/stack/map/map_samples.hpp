@@ -35,6 +35,8 @@ class MapSamples {
   std::span<const double> heights(std::size_t sample) const {
     return {heights_.data() + sample * n_surfaces(), n_surfaces()};
   }
+  /// How far beside a surface a place still counts as on its border.
+  double border_reach() const;
   /// The surfaces' heights at any place: on their triangles.
   void heights_at(Vec2 p, std::span<double> heights) const;
   /// The same from planes fitted by least squares to the samples within `radius`; on the triangles where there are
