@@ -230,7 +230,7 @@ column: [upper, h, lower]
         self.fault()
         self.horizon(patch((-1, 5.3), (-1, 11), lambda y: 6), patch((5.5, 11), (-1, 11), self.lowered))
         report = self.assert_throw_dies_out(5 * 6.5 * 6.5 / 6)
-        self.told(report, "notes", "made anew from its blocks")
+        self.told(report, "notes", "overshoot on the wrong side")
 
     def test_both_ends_inside(self):
         """The throw dies out to both ends, at y = 2 and y = 8, from 1 in the middle."""

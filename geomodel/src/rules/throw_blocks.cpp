@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "common/union_find.hpp"
 #include "naming/region_facts.hpp"
@@ -100,10 +101,14 @@ class Ends {
     whole_ = sheets_of(n, neighbours_, [](Index, Index) { return true; });
     part_ = sheets_of(n, neighbours_, [this](Index a, Index b) { return is_free(a) && is_free(b); });
     find_kept();
+    attach_overshoot();
   }
   const std::vector<Index>& parts() const { return part_; }
-  /// In a part that counts: the largest of its sheet, and those that go round a fault's end.
-  bool is_kept(Index t) const { return is_free(t) && kept_.at(part_[t]); }
+  /// In a part that counts: the largest of its sheet, those that go round a fault's end, and what crosses a fault on
+  /// the border of one of these.
+  bool is_kept(Index t) const { return counts_[t] != 0; }
+  /// Crosses a fault and goes round no end.
+  bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
   /// Beyond the box nothing goes round an end: blocks are continued there.
   bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
 
@@ -126,8 +131,35 @@ class Ends {
     }
   }
 
+  /// What crosses faults and goes round no end hangs together in places. A place beside one part that counts is its
+  /// overshoot, and is ended at the fault later. A place beside none is a part of its own, as where a sheet is as
+  /// narrow as its triangles. A place between two such parts is a ramp, and is made anew.
+  void attach_overshoot() {
+    const std::size_t n = part_.size();
+    const auto is_of_a_place = [this](Index t) { return is_overshoot(t); };
+    UnionFind joined(n);
+    for (const auto& [a, b] : neighbours_)
+      if (is_of_a_place(a) && is_of_a_place(b)) joined.unite(a, b);
+    std::map<Index, std::set<Index>> beside;  // by place the parts that count
+    for (const auto& [a, b] : neighbours_)
+      for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)})
+        if (is_of_a_place(at) && is_free(other) && kept_.at(part_[other])) beside[joined.find(at)].insert(part_[other]);
+    counts_.resize(n);
+    for (Index t = 0; t < n; ++t) {
+      if (!is_of_a_place(t)) {
+        counts_[t] = is_free(t) && kept_.at(part_[t]);
+        continue;
+      }
+      const Index place = joined.find(t);
+      const auto parts = beside.find(place);
+      counts_[t] = parts == beside.end() || parts->second.size() == 1;
+      if (counts_[t]) part_[t] = parts == beside.end() ? place : *parts->second.begin();
+    }
+  }
+
   const TriangulatedSurface& horizon_;
   std::vector<std::pair<Index, Index>> neighbours_;
+  std::vector<std::uint8_t> counts_;  ///< per triangle
   std::vector<Crossing> crossing_, in_box_;
   std::vector<Index> whole_, part_;
   std::map<Index, bool> kept_;
@@ -274,8 +306,8 @@ bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Inde
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known) {
   const std::vector<ThrowFault>& faults = parting.faults;
-  const bool one_ends_inside = std::any_of(
-      faults.begin(), faults.end(), [](const ThrowFault& f) { return f.first_made < f.surface->triangles.size(); });
+  const bool one_ends_inside =
+      std::any_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
   TriangulatedSurface joint = horizon;
   SortedBlocks sorted;
   std::vector<Index>& block = sorted.of_triangle;
@@ -295,7 +327,7 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
     joint.triangles.clear();
     for (Index t = 0; t < block.size(); ++t) {
       if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
-      if (block[t] != BuiltRows::of_no_block) joint.triangles.push_back(horizon.triangles[t]);
+      if (block[t] != BuiltRows::of_no_block && !ends.is_overshoot(t)) joint.triangles.push_back(horizon.triangles[t]);
     }
   }
   if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);

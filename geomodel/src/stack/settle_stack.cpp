@@ -6,6 +6,7 @@
 
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
+#include "rules/planar/map_locator.hpp"
 #include "stack/map/map_frame.hpp"
 #include "stack/map/shallow_crossings.hpp"
 #include "stack/settled_report.hpp"
@@ -163,9 +164,22 @@ class Group {
       return false;
     MapSheets sheets = draw_sheets(samples, areas, options);
     std::vector<SidedHorizon> sided(horizons_.size());
-    if (has_throw()) sided = make_both_sides(sheets, {data_, faults_, strips_, frame_, *rules_.box, options});
+    if (has_throw()) {
+      sided = make_both_sides(sheets, {data_, faults_, strips_, frame_, *rules_.box, options});
+      if (const std::size_t k = first_lost(sided); k < sided.size()) {
+        built_.notes.push_back(
+            "the stack is left as given: triangles of the size would not hold the blocks of horizon " +
+            horizons_[k]->name + " beside its faults");
+        return false;
+      }
+    }
     told_ = describe_settled(sheets, {samples, areas, layout_.bounds, options, strips_, has_topography()});
     told_.min_thickness = thickness;
+    if (moves_alone()) {
+      built_.notes.push_back("horizon " + horizons_[0]->name +
+                             " is left as given: triangles of the size would not follow its blocks");
+      return false;
+    }
     ask_for_sizes(sheets, thickness);
     replace_horizons(sheets, samples, std::move(sided));
     return true;
@@ -187,6 +201,49 @@ class Group {
       if (static_cast<double>(n) > few_samples * static_cast<double>(samples.size())) return true;
     }
     return false;
+  }
+
+  /// The first horizon with throw of which a block is not there where it alone was given, asked at places on a grid;
+  /// their number: none.
+  std::size_t first_lost(const std::vector<SidedHorizon>& sided) const {
+    for (std::size_t k = 0; k < sided.size(); ++k)
+      if (data_[k].has_throw() && loses_blocks(data_[k], sided[k])) return k;
+    return sided.size();
+  }
+  /// A horizon by itself has no order that moves it: it does where triangles of the size do not follow its blocks.
+  bool moves_alone() const {
+    const SettledHorizon& told = told_.horizons.front();
+    return stack_.units.empty() && has_throw() &&
+           std::max(told.largest_move, told.largest_move_at_faults) > rules_.stack.tolerance;
+  }
+  bool loses_blocks(const BlockData& before, const SidedHorizon& after) const {
+    constexpr int places_across = 48;
+    constexpr double most_lost = 0.02;
+    std::vector<TriangulatedSurface> blocks(before.blocks.size());
+    std::vector<bool> crosses_alone(blocks.size(), true);  // no triangle of the block but those that cross faults
+    for (Index t = 0; t < after.n_single; ++t)
+      if (after.block[t] < blocks.size()) crosses_alone[after.block[t]] = false;
+    for (Index b = 0; b < blocks.size(); ++b) {
+      blocks[b].points = after.points;
+      for (std::size_t t = 0; t < after.triangles.size(); ++t)
+        if (after.block[t] == b || after.block[t] == BuiltRows::of_every_block)
+          blocks[b].triangles.push_back(after.triangles[t]);
+    }
+    std::vector<MapLocator> there(blocks.begin(), blocks.end());
+    const MapLocator given(before.single);
+    const MapBounds& bounds = layout_.bounds;
+    int n = 0, lost = 0;
+    for (int i = 0; i < places_across; ++i)
+      for (int j = 0; j < places_across; ++j) {
+        const Vec2 p{bounds.min.x + (i + 0.5) / places_across * (bounds.max.x - bounds.min.x),
+                     bounds.min.y + (j + 0.5) / places_across * (bounds.max.y - bounds.min.y)};
+        const Index t = given.find(p).triangle;
+        if (t == no_index || before.block_of_single[t] >= there.size()) continue;
+        ++n;
+        const Index block = before.block_of_single[t];
+        lost += crosses_alone[block] || there[block].find(p).count == 0;
+      }
+    return lost > most_lost * n;
   }
 
   double least_thickness() const {

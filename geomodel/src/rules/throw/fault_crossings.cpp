@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "arrangement/search/bvh.hpp"
 #include "geomesh/core/predicates.hpp"
@@ -16,10 +17,14 @@ Box3 bounds_of(const std::array<Vec3, 3>& t) {
   return box;
 }
 
-/// Of a fault that ends on a side of the box nothing inside goes round the end: what meets the side alone is beyond.
+/// Of a fault that ends on a side of the box nothing inside goes round the end: what meets the side alone, but for
+/// rounding, is beyond.
 bool reaches_into(const Box3& a, const Box3& box) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (a.max[k] <= box.min[k] || box.max[k] <= a.min[k]) return false;
+  constexpr double by_rounding = 1e-9;  // of the box
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double room = std::isfinite(box.max[k] - box.min[k]) ? by_rounding * (box.max[k] - box.min[k]) : 0;
+    if (a.max[k] <= box.min[k] + room || box.max[k] - room <= a.min[k]) return false;
+  }
   return true;
 }
 
@@ -49,6 +54,12 @@ Vec3 crossing_point(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t) 
 }
 
 }  // namespace
+
+bool ends_inside(const ThrowFault& fault, const Box3& box) {
+  for (std::size_t t = fault.first_made; t < fault.surface->triangles.size(); ++t)
+    if (reaches_into(bounds_of(corners_of(*fault.surface, t)), box)) return true;
+  return false;
+}
 
 std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::size_t first,
                                      const std::vector<ThrowFault>& faults, const Box3& box) {
