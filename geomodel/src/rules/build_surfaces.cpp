@@ -107,7 +107,7 @@ std::vector<std::size_t> leave_out_where_it_runs_on(const TriangulatedSurface& h
   std::vector<ThrowFault> kept;
   for (std::size_t k = 0; k < faults.size(); ++k) {
     const TriangulatedSurface& fault = *faults[k].surface;
-    if (goes_through(faults[k], horizon, box) && runs_on_across(horizon, fault)) {
+    if (goes_through(faults[k], horizon, box) && runs_on_across(horizon, faults, k)) {
       log.warnings.push_back("horizon " + horizon.name + ": it runs on across " + fault.name +
                              " as one sheet, so that it has no throw there (give it block by block)");
       continue;
@@ -117,6 +117,49 @@ std::vector<std::size_t> leave_out_where_it_runs_on(const TriangulatedSurface& h
   }
   faults = std::move(kept);
   return parting;
+}
+
+/// Whether triangles cross faults one of which ends inside: what of them is beyond is not sure to be of another block.
+bool overshoots_an_end(const TriangulatedSurface& horizon, const BlockFaults& parting) {
+  if (std::none_of(parting.faults.begin(), parting.faults.end(),
+                   [&](const ThrowFault& f) { return ends_inside(f, parting.box); }))
+    return false;
+  const std::vector<Crossing> crossing = find_crossings(horizon, 0, parting.faults, parting.box);
+  return std::any_of(crossing.begin(), crossing.end(), [](Crossing c) { return c == Crossing::fault; });
+}
+
+/// Sorts the horizon's triangles into blocks and continues each. Where that cannot be done, why; nothing is set then.
+std::string part_into_blocks(BuiltSurfaces& built, std::size_t s, const BlockFaults& parting,
+                             const RestoredThrow& restored, const BuildLog& log) {
+  TriangulatedSurface& surface = built.surfaces[s];
+  auto [block, sides] = sort_into_blocks(surface, parting, log, {restored.sheet, restored.before});
+  const Index n_blocks = BuiltRows::n_blocks(block);
+  if (n_blocks == 0) return ", since all of it does";
+  if (lies_in_no_block(surface, block, sides, parting)) return ": no block is given between two of them";
+  const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end() ||
+                           overshoots_an_end(surface, parting);
+  if (!extend_blocks(surface, block, parting, log) && goes_partly) return " from blocks that cannot be continued";
+  if (n_blocks == 1)
+    log.warnings.push_back("horizon " + surface.name +
+                           ": all of it lies on one side of the faults across which it is to have throw");
+  built.rows.block_of_triangle[s] = std::move(block);
+  built.rows.sides_of_block[s] = std::move(sides);
+  return "";
+}
+
+/// Leaves out the faults that end inside. False where all do, or none.
+bool keep_through(std::vector<ThrowFault>& faults, std::vector<std::size_t>& rows, const Box3& box) {
+  std::vector<ThrowFault> through;
+  std::vector<std::size_t> rows_through;
+  for (std::size_t k = 0; k < faults.size(); ++k)
+    if (!ends_inside(faults[k], box)) {
+      through.push_back(faults[k]);
+      rows_through.push_back(rows[k]);
+    }
+  if (through.empty() || through.size() == faults.size()) return false;
+  faults = std::move(through);
+  rows = std::move(rows_through);
+  return true;
 }
 
 /// The blocks of a horizon with throw, each continued on its own.
@@ -151,31 +194,22 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
     return;
   }
-  const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
-  auto [block, sides] = sort_into_blocks(surface, {faults, how, *rules.box}, log, {restored.sheet, restored.before});
-  const Index n_blocks = BuiltRows::n_blocks(block);
-  if (n_blocks == 1)
-    log.warnings.push_back("horizon " + surface.name +
-                           ": all of it lies on one side of the faults across which it is to have throw");
-  const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end();
-  std::string reason;
-  if (n_blocks == 0) {
-    reason = ", since all of it does: ";
-  } else if (lies_in_no_block(surface, block, sides, {faults, how, *rules.box})) {
-    reason = ": no block is given between two of them: ";
-  } else if (!extend_blocks(surface, block, {faults, how, *rules.box}, log) && goes_partly) {
-    reason = " from blocks that cannot be continued: ";
-  }
-  if (!reason.empty()) {
+  const auto stays = [&](const std::string& why) {
     surface = as_given;
     built.rows.n_given_triangles[s] = static_cast<Index>(surface.triangles.size());
-    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" + reason +
-                           "it stays as given, and no throw is restored");
+    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" + why +
+                           ": it stays as given, and no throw is restored");
     if (rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
-    return;
+  };
+  const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
+  std::string why = part_into_blocks(built, s, {faults, how, *rules.box}, restored, log);
+  if (!why.empty() && restored.sheet.empty() && keep_through(faults, rows, *rules.box)) {
+    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" + why +
+                           ": no throw is restored at those that end inside");
+    surface = as_given;
+    why = part_into_blocks(built, s, {faults, how, *rules.box}, restored, log);
   }
-  built.rows.block_of_triangle[s] = std::move(block);
-  built.rows.sides_of_block[s] = std::move(sides);
+  if (!why.empty()) return stays(why);
   built.rows.parted_at[s].assign(rows.begin(), rows.end());
 }
 

@@ -17,9 +17,10 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
-constexpr double least_of_sides = 0.1;   // of a sheet's area, on either side of a fault that it runs on across
-constexpr double much_alone = 0.02;      // of the horizon's area in the box
+constexpr double most_throw_left = 0.5;        // of the greatest throw, at the end of a fault, before it is warned of
+constexpr double least_of_sides = 0.1;         // of a sheet's area, on either side of a fault that it runs on across
+constexpr double least_beside_another = 0.25;  // the same where another sheet lies on the smaller side
+constexpr double much_alone = 0.02;            // of the horizon's area in the box
 
 Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
   return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
@@ -253,36 +254,67 @@ bool FaultSides::is_above(const Vec3& p) const {
   return nearest != no_index && dot(p - planes_[nearest].point, planes_[nearest].normal) > 0;
 }
 
-bool runs_on_across(const TriangulatedSurface& horizon, const TriangulatedSurface& fault) {
+namespace {
+
+/// Sides of all faults on which most of an area lies.
+class SidesByArea {
+ public:
+  explicit SidesByArea(std::size_t n_faults) : above_(n_faults, 0) {}
+  void add(const std::vector<bool>& sides, double area) {
+    all_ += area;
+    for (std::size_t f = 0; f < sides.size(); ++f)
+      if (sides[f]) above_[f] += area;
+  }
+  double above(std::size_t fault) const { return above_[fault]; }
+  double below(std::size_t fault) const { return all_ - above_[fault]; }
+  std::vector<bool> most() const {
+    std::vector<bool> sides;
+    for (const double above : above_) sides.push_back(2 * above > all_);
+    return sides;
+  }
+
+ private:
+  std::vector<double> above_;
+  double all_ = 0;
+};
+
+}  // namespace
+
+bool runs_on_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, std::size_t fault) {
   const auto all = [](Index, Index) { return true; };
   const std::vector<Index> sheet = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
-  const FaultSides sides(fault);
-  struct Part {
-    double above = 0, below = 0;
-  };
-  std::map<Index, Part> parts;
-  std::vector<bool> is_above(sheet.size());
+  std::vector<FaultSides> fault_sides;
+  for (const ThrowFault& f : faults) fault_sides.emplace_back(*f.surface);
+  std::map<Index, SidesByArea> sheets;
+  std::vector<std::vector<bool>> sides(sheet.size());
   for (Index t = 0; t < sheet.size(); ++t) {
-    is_above[t] = sides.is_above(centre_of(horizon, horizon.triangles[t]));
-    Part& part = parts[sheet[t]];
-    (is_above[t] ? part.above : part.below) += area_of(horizon, t);
+    for (const FaultSides& f : fault_sides) sides[t].push_back(f.is_above(centre_of(horizon, horizon.triangles[t])));
+    sheets.try_emplace(sheet[t], faults.size()).first->second.add(sides[t], area_of(horizon, t));
   }
-  return std::any_of(parts.begin(), parts.end(), [&](const auto& entry) {
-    const auto& [own, part] = entry;
-    const double least = least_of_sides * (part.above + part.below);
-    if (std::min(part.above, part.below) <= least) return false;
+  return std::any_of(sheets.begin(), sheets.end(), [&](const auto& entry) {
+    const Index own = entry.first;
+    const SidesByArea& area = entry.second;
+    const bool is_smaller_above = area.above(fault) < area.below(fault);
+    const double least = least_of_sides * (area.above(fault) + area.below(fault));
+    if (std::min(area.above(fault), area.below(fault)) <= least) return false;
+    SidesByArea smaller(faults.size());
+    double alone = 0;
     TriangulatedSurface others = horizon;
     others.triangles.clear();
     for (Index t = 0; t < sheet.size(); ++t)
       if (sheet[t] != own) others.triangles.push_back(horizon.triangles[t]);
     const MapLocator over(others);
-    double alone = 0;
     for (Index t = 0; t < sheet.size(); ++t) {
+      if (sheet[t] != own || sides[t][fault] != is_smaller_above) continue;
+      smaller.add(sides[t], area_of(horizon, t));
       const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
-      if (sheet[t] == own && is_above[t] == (part.above < part.below) && over.find({centre.x, centre.y}).count == 0)
-        alone += area_of(horizon, t);
+      if (over.find({centre.x, centre.y}).count == 0) alone += area_of(horizon, t);
     }
-    return alone > least;
+    const std::vector<bool> there = smaller.most();
+    const bool has_another = std::any_of(sheets.begin(), sheets.end(), [&](const auto& other) {
+      return other.first != own && other.second.most() == there;
+    });
+    return alone > (has_another ? least_beside_another / least_of_sides : 1) * least;
   });
 }
 
@@ -290,12 +322,16 @@ bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Inde
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting) {
   std::vector<FaultSides> fault_sides;
   for (const ThrowFault& fault : parting.faults) fault_sides.emplace_back(*fault.surface);
+  const bool one_ends_inside = std::any_of(parting.faults.begin(), parting.faults.end(),
+                                           [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
+  if (!one_ends_inside) return false;
+  const std::vector<Crossing> crossing = find_crossings(horizon, 0, parting.faults, everywhere);
   double all = 0, alone = 0;
   for (Index t = 0; t < block.size(); ++t) {
     const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
     if (!is_in(parting.box, centre)) continue;
     all += area_of(horizon, t);
-    if (block[t] != BuiltRows::of_every_block) continue;
+    if (block[t] != BuiltRows::of_every_block && crossing[t] == Crossing::none) continue;
     std::vector<bool> key;
     for (const FaultSides& side : fault_sides) key.push_back(side.is_above(centre));
     if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area_of(horizon, t);

@@ -60,12 +60,13 @@ class FaultSides {
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 
-/// Whether a sheet of the horizon runs on across the fault. A tenth of its area at least lies on either side. Over or
-/// under the smaller part lies no other sheet, as one does where the sheet only overshoots.
-bool runs_on_across(const TriangulatedSurface& horizon, const TriangulatedSurface& fault);
+/// Whether a sheet of the horizon runs on across one of the faults. A tenth of its area at least lies on either side.
+/// Where another sheet is on the same sides of all faults as the smaller part, it is a quarter. Over or under that part
+/// lies no other sheet, as one does where the sheet only overshoots.
+bool runs_on_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, std::size_t fault);
 
-/// Whether much of what goes round the faults' ends in the box lies, between two faults, on sides of them on which no
-/// block does. Nothing would be left there once the faults part the horizon.
+/// Whether much of what goes round the faults' ends in the box, or crosses them, lies on sides of them on which no
+/// block does. Nothing would be left there once the faults part the horizon. Never where all faults go through.
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 

@@ -18,10 +18,15 @@ namespace geomesh::geomodel {
 
 namespace {
 
+/// Of the longer of two lengths, the shorter one: where a fault's piece is above a horizon, and where below.
+constexpr double share_of_step = 0.5;
+/// The same where what is beyond is left out: a piece that goes on there does no harm. Such a piece lies between two
+/// blocks and goes on beyond, as where a body stands in one block's way to the fault.
+constexpr double share_at_end = 0.1;
+
 /// Whether a fault's piece lies between two blocks of the horizon: above the one and below the other, along lengths
-/// that are nearly the same. Without it what is above the horizon and what is below it would join there.
-bool is_step(const Piece& piece) {
-  constexpr double least_share = 0.5;
+/// of which one is that share of the other. Without it what is above the horizon and what is below would join there.
+bool is_step(const Piece& piece, double least_share) {
   return piece.above > 0 && piece.below > 0 &&
          std::min(piece.above, piece.below) >= least_share * std::max(piece.above, piece.below);
 }
@@ -57,7 +62,7 @@ struct Trimming {
   }
 
   /// Removes the pieces of x on one side of y (1 above, -1 below).
-  void clip(Index x, Index y, int side, const std::string& because) {
+  void clip(Index x, Index y, int side, const std::string& because, double least_of_step = share_of_step) {
     double area = 0;
     Index largest = no_index;
     const UpwardSides& sides = sides_of(y);
@@ -67,7 +72,9 @@ struct Trimming {
     std::optional<HeightVote> heights;
     if (are_horizons) heights.emplace(working, y, surfaces);
     for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond)) {
-      if (surfaces[x].kind == SurfaceKind::fault && is_step(piece)) continue;
+      if ((surfaces[x].kind == SurfaceKind::fault || surfaces[x].kind == SurfaceKind::body) &&
+          is_step(piece, least_of_step))
+        continue;
       const int by_height = heights ? heights->side_of(piece) : 0;
       if ((by_height != 0 ? by_height : side_of(working, piece, y, sides)) == side) gone.push_back(std::move(piece));
     }
@@ -140,7 +147,7 @@ void end_at(Trimming& work, const std::string& name, int side, const std::string
   if (name.empty()) return;
   const Index end = work.row_of(name);
   for (Index s = 0; s < work.surfaces.size(); ++s)
-    if (s != end && work.surfaces[s].kind != SurfaceKind::box) work.clip(s, end, side, because);
+    if (s != end && work.surfaces[s].kind != SurfaceKind::box) work.clip(s, end, side, because, share_at_end);
 }
 
 /// Throws Error{invalid_input} where the younger horizon runs below the older one.
