@@ -13,6 +13,8 @@ import os
 import random
 import sys
 
+from gocad_files import write_project, write_surface
+
 
 class Field:
     """A sum of waves over the unit square, of amplitude 1."""
@@ -256,21 +258,14 @@ class RandomModel:
         """Returns the project file."""
         os.makedirs(folder, exist_ok=True)
         for name, _, points, triangles, _ in self.surfaces:
-            with open(os.path.join(folder, name + ".ts"), "w") as file:
-                file.write("GOCAD TSurf 1\nHEADER {\nname:%s\n}\nTFACE\n" % name)
-                file.writelines("VRTX %d %r %r %r\n" % (i + 1, *p) for i, p in enumerate(points))
-                file.writelines("TRGL %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
-                file.write("END\n")
+            write_surface(folder, name, points, triangles)
         for name, points in self.wells:
             with open(os.path.join(folder, name + ".pl"), "w") as file:
                 file.write("GOCAD PLine 1\nHEADER {\nname:%s\n}\nILINE\n" % name)
                 file.writelines("VRTX %d %r %r %r\n" % (i + 1, *p) for i, p in enumerate(points))
                 file.writelines("SEG %d %d\n" % (i + 1, i + 2) for i in range(len(points) - 1))
                 file.write("END\n")
-        project = os.path.join(folder, "project.yaml")
-        with open(project, "w") as file:
-            file.write(self.text)
-        return project
+        return write_project(folder, self.text)
 
 
 if __name__ == "__main__":

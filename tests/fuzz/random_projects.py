@@ -13,6 +13,8 @@ import os
 import random
 import sys
 
+from gocad_files import write_project, write_surface
+
 
 class RandomProject:
     """The model of one seed: `box` (low, high corners), `surfaces` as (name, kind, points, triangles), `text` of the project file."""
@@ -139,15 +141,8 @@ class RandomProject:
         """Returns the project file."""
         os.makedirs(folder, exist_ok=True)
         for name, _, points, triangles in self.surfaces:
-            with open(os.path.join(folder, name + ".ts"), "w") as file:
-                file.write("GOCAD TSurf 1\nHEADER {\nname:%s\n}\nTFACE\n" % name)
-                file.writelines("VRTX %d %r %r %r\n" % (i + 1, *p) for i, p in enumerate(points))
-                file.writelines("TRGL %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
-                file.write("END\n")
-        project = os.path.join(folder, "project.yaml")
-        with open(project, "w") as file:
-            file.write(self.text)
-        return project
+            write_surface(folder, name, points, triangles)
+        return write_project(folder, self.text)
 
 
 if __name__ == "__main__":

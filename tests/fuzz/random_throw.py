@@ -7,7 +7,7 @@
 The box is 10 by 10 by 10. One to three faults strike along y, nearly upright, and divide it into compartments. Each has its ends beyond the
 box, exactly on its sides, or inside (at most one does). The horizon lies in each compartment at a height of its own, or at that of the last
 one. It is given in sheets of one or several compartments, which stop short of the faults, end on them, or overshoot them, on lattices of any
-spacing. `throw_at` names the faults, all or some, or `auto`.
+spacing. `throw_at` names the faults between two sheets, and others by chance.
 
 `heights` tells the height of each compartment, by which a test knows the volume below the horizon.
 """
@@ -15,16 +15,18 @@ import os
 import random
 import sys
 
+from gocad_files import write_project, write_surface
+
 
 class RandomThrow:
-    def __init__(self, seed, as_default=False, light=False):
+    def __init__(self, seed):
         self.chance = chance = random.Random(seed)
         n = chance.choice([1, 1, 2, 2, 3])
         self.places = [10 * (k + 1) / (n + 1) + chance.uniform(-0.6, 0.6) for k in range(n)]
         self.leans = [chance.choice([0, 0, chance.uniform(-0.12, 0.12)]) for _ in range(n)]
         self.ends = [chance.choice(["beyond", "beyond", "sides"]) for _ in range(n)]
-        self.ends_inside = chance.random() < 0.25
-        if self.ends_inside:
+        is_one_inside = chance.random() < 0.25
+        if is_one_inside:
             self.ends[chance.randrange(n)] = "inside"
         self.heights = [chance.uniform(3, 7)]
         for end in self.ends:
@@ -73,8 +75,7 @@ class RandomThrow:
 
     def project_text(self):
         names = ["f%d" % k for k in range(len(self.places))]
-        needed = ["f%d" % k for k in self.parted]
-        named = [name for name in names if name in needed or self.chance.random() < 0.7]
+        named = [name for k, name in enumerate(names) if k in self.parted or self.chance.random() < 0.7]
         throw = "[%s]" % ", ".join(named)
         keys = "throw_at: %s" % throw if named else "extend: flat"
         if self.chance.random() < 0.5:
@@ -99,15 +100,8 @@ class RandomThrow:
     def write(self, folder):
         os.makedirs(folder, exist_ok=True)
         for name, (points, triangles) in self.surfaces.items():
-            with open(os.path.join(folder, name + ".ts"), "w") as file:
-                file.write("GOCAD TSurf 1\nHEADER {\nname:%s\n}\nTFACE\n" % name)
-                file.writelines("VRTX %d %r %r %r\n" % (i, float(x), float(y), float(z)) for i, (x, y, z) in enumerate(points, 1))
-                file.writelines("TRGL %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
-                file.write("END\n")
-        project = os.path.join(folder, "project.yaml")
-        with open(project, "w") as file:
-            file.write(self.text)
-        return project
+            write_surface(folder, name, [tuple(map(float, p)) for p in points], triangles)
+        return write_project(folder, self.text)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 /// Whether horizons lie in the order in which the column lists them.
 #pragma once
 
-#include "rules/extend.hpp"
+#include "rules/extend/extend.hpp"
 
 namespace geomesh::geomodel {
 

@@ -3,7 +3,7 @@
 /// Dykes and sills: a sheet with a thickness becomes a closed body.
 #pragma once
 
-#include "rules/extend.hpp"
+#include "rules/extend/extend.hpp"
 
 namespace geomesh::geomodel {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rules/extend.hpp"
+#include "rules/extend/extend.hpp"
 
 namespace geomesh::geomodel {
 namespace {

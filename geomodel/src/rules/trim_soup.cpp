@@ -9,7 +9,7 @@
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
-#include "rules/part_blocks.hpp"
+#include "rules/blocks/part_blocks.hpp"
 #include "rules/planar/height_vote.hpp"
 #include "rules/planar/pieces.hpp"
 #include "rules/planar/reach.hpp"

@@ -6,7 +6,6 @@
 
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
-#include "rules/planar/map_locator.hpp"
 #include "stack/map/map_frame.hpp"
 #include "stack/map/shallow_crossings.hpp"
 #include "stack/settled_report.hpp"
@@ -16,6 +15,7 @@
 #include "stack/stack_members.hpp"
 #include "stack/thickness_sizes.hpp"
 #include "stack/throw/both_sides.hpp"
+#include "stack/throw/lost_blocks.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -203,11 +203,10 @@ class Group {
     return false;
   }
 
-  /// The first horizon with throw of which a block is not there where it alone was given, asked at places on a grid;
-  /// their number: none.
+  /// The first horizon with throw that loses a block; their number: none.
   std::size_t first_lost(const std::vector<SidedHorizon>& sided) const {
     for (std::size_t k = 0; k < sided.size(); ++k)
-      if (data_[k].has_throw() && loses_blocks(data_[k], sided[k])) return k;
+      if (data_[k].has_throw() && loses_blocks(data_[k], sided[k], layout_.bounds)) return k;
     return sided.size();
   }
   /// A horizon by itself has no order that moves it: it does where triangles of the size do not follow its blocks.
@@ -216,36 +215,6 @@ class Group {
     return stack_.units.empty() && has_throw() &&
            std::max(told.largest_move, told.largest_move_at_faults) > rules_.stack.tolerance;
   }
-  bool loses_blocks(const BlockData& before, const SidedHorizon& after) const {
-    constexpr int places_across = 48;
-    constexpr double most_lost = 0.02;
-    std::vector<TriangulatedSurface> blocks(before.blocks.size());
-    std::vector<bool> crosses_alone(blocks.size(), true);  // no triangle of the block but those that cross faults
-    for (Index t = 0; t < after.n_single; ++t)
-      if (after.block[t] < blocks.size()) crosses_alone[after.block[t]] = false;
-    for (Index b = 0; b < blocks.size(); ++b) {
-      blocks[b].points = after.points;
-      for (std::size_t t = 0; t < after.triangles.size(); ++t)
-        if (after.block[t] == b || after.block[t] == BuiltRows::of_every_block)
-          blocks[b].triangles.push_back(after.triangles[t]);
-    }
-    std::vector<MapLocator> there(blocks.begin(), blocks.end());
-    const MapLocator given(before.single);
-    const MapBounds& bounds = layout_.bounds;
-    int n = 0, lost = 0;
-    for (int i = 0; i < places_across; ++i)
-      for (int j = 0; j < places_across; ++j) {
-        const Vec2 p{bounds.min.x + (i + 0.5) / places_across * (bounds.max.x - bounds.min.x),
-                     bounds.min.y + (j + 0.5) / places_across * (bounds.max.y - bounds.min.y)};
-        const Index t = given.find(p).triangle;
-        if (t == no_index || before.block_of_single[t] >= there.size()) continue;
-        ++n;
-        const Index block = before.block_of_single[t];
-        lost += crosses_alone[block] || there[block].find(p).count == 0;
-      }
-    return lost > most_lost * n;
-  }
-
   double least_thickness() const {
     if (rules_.min_thickness > 0) return rules_.min_thickness;
     return std::max(stack_share * rules_.stack.tolerance, thickness_of_size * rules_.stack.size);

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "rules/blocks/smeared_throw.hpp"
 #include "rules/fault_ends.hpp"
-#include "rules/smeared_throw.hpp"
 #include "rules/throw/fault_crossings.hpp"
 #include "rules/throw/throw_ramp.hpp"
 

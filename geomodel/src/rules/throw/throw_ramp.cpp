@@ -24,7 +24,6 @@ constexpr double sure_of_difference = 2;  // of the slopes on the two sides
 constexpr double least_slope = 0.02;      // steeper than beside the ramp
 constexpr double ramp_ends_at = 0.1;      // of its greatest slope
 constexpr double share_of_stretches = 0.25;
-constexpr double least_of_sides = 0.1;
 
 /// The slope of a triangle of the horizon across the fault.
 struct SlopeBeside {
@@ -153,17 +152,6 @@ Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> f
 
 bool has_smeared_throw(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own) {
   return is_single_valued(horizon) && find_ramp(horizon, faults, own, median_map_edge(horizon)).is_there();
-}
-
-bool lies_on_both_sides(const TriangulatedSurface& horizon, const FaultFaces& fault) {
-  if (!is_single_valued(horizon)) return false;
-  double above = 0, below = 0;
-  for (const Triangle& t : horizon.triangles) {
-    const Vec3 &a = horizon.points[t[0]], &b = horizon.points[t[1]], &c = horizon.points[t[2]];
-    const auto beside = fault.beside((1.0 / 3) * (a + b + c), std::numeric_limits<double>::infinity());
-    if (beside) (beside->across > 0 ? above : below) += triangle_area(a, b, c);
-  }
-  return std::min(above, below) > least_of_sides * (above + below);
 }
 
 }  // namespace geomesh::geomodel

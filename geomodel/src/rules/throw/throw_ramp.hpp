@@ -46,7 +46,4 @@ Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> f
 /// Whether a single-valued horizon has a ramp at the fault.
 bool has_smeared_throw(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own);
 
-/// Whether the horizon is single-valued and a tenth of its area at least lies on either side of the fault.
-bool lies_on_both_sides(const TriangulatedSurface& horizon, const FaultFaces& fault);
-
 }  // namespace geomesh::geomodel

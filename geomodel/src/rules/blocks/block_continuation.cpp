@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each block of a horizon continued on its own, declared in rules/throw_blocks.hpp. What of a continuation lies wholly
-// beyond a fault is left out: parting would take it away, and near-equal sheets of all blocks would cross there.
+// Each block of a horizon continued on its own, declared in rules/blocks/throw_blocks.hpp. What of a continuation lies
+// wholly beyond a fault is left out: parting would take it away, and near-equal sheets of all blocks would cross there.
 #include <algorithm>
 #include <map>
 
 #include "common/union_find.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
+#include "rules/blocks/throw_blocks.hpp"
 #include "rules/throw/fault_crossings.hpp"
-#include "rules/throw_blocks.hpp"
 
 namespace geomesh::geomodel {
 namespace {

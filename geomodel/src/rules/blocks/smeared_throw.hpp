@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "rules/throw_blocks.hpp"
+#include "rules/blocks/throw_blocks.hpp"
 
 namespace geomesh::geomodel {
 

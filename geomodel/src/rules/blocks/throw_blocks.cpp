@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/throw_blocks.hpp"
+#include "rules/blocks/throw_blocks.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "common/union_find.hpp"
@@ -280,7 +281,7 @@ class SidesByArea {
 
 }  // namespace
 
-bool runs_on_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, std::size_t fault) {
+std::vector<bool> find_run_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults) {
   const auto all = [](Index, Index) { return true; };
   const std::vector<Index> sheet = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
   std::vector<FaultSides> fault_sides;
@@ -291,31 +292,38 @@ bool runs_on_across(const TriangulatedSurface& horizon, const std::vector<ThrowF
     for (const FaultSides& f : fault_sides) sides[t].push_back(f.is_above(centre_of(horizon, horizon.triangles[t])));
     sheets.try_emplace(sheet[t], faults.size()).first->second.add(sides[t], area_of(horizon, t));
   }
-  return std::any_of(sheets.begin(), sheets.end(), [&](const auto& entry) {
+  std::vector<bool> found(faults.size(), false);
+  for (const auto& entry : sheets) {
     const Index own = entry.first;
     const SidesByArea& area = entry.second;
-    const bool is_smaller_above = area.above(fault) < area.below(fault);
-    const double least = least_of_sides * (area.above(fault) + area.below(fault));
-    if (std::min(area.above(fault), area.below(fault)) <= least) return false;
-    SidesByArea smaller(faults.size());
-    double alone = 0;
-    TriangulatedSurface others = horizon;
-    others.triangles.clear();
-    for (Index t = 0; t < sheet.size(); ++t)
-      if (sheet[t] != own) others.triangles.push_back(horizon.triangles[t]);
-    const MapLocator over(others);
-    for (Index t = 0; t < sheet.size(); ++t) {
-      if (sheet[t] != own || sides[t][fault] != is_smaller_above) continue;
-      smaller.add(sides[t], area_of(horizon, t));
-      const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
-      if (over.find({centre.x, centre.y}).count == 0) alone += area_of(horizon, t);
+    std::optional<TriangulatedSurface> others;
+    std::optional<MapLocator> over;
+    for (std::size_t f = 0; f < faults.size(); ++f) {
+      const double above = area.above(f), below = area.below(f), least = least_of_sides * (above + below);
+      if (found[f] || std::min(above, below) <= least) continue;
+      if (!over) {
+        others = horizon;
+        others->triangles.clear();
+        for (Index t = 0; t < sheet.size(); ++t)
+          if (sheet[t] != own) others->triangles.push_back(horizon.triangles[t]);
+        over.emplace(*others);
+      }
+      SidesByArea smaller(faults.size());
+      double alone = 0;
+      for (Index t = 0; t < sheet.size(); ++t) {
+        if (sheet[t] != own || sides[t][f] != (above < below)) continue;
+        smaller.add(sides[t], area_of(horizon, t));
+        const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
+        if (over->find({centre.x, centre.y}).count == 0) alone += area_of(horizon, t);
+      }
+      const std::vector<bool> there = smaller.most();
+      const bool has_another = std::any_of(sheets.begin(), sheets.end(), [&](const auto& other) {
+        return other.first != own && other.second.most() == there;
+      });
+      found[f] = alone > (has_another ? least_beside_another / least_of_sides : 1) * least;
     }
-    const std::vector<bool> there = smaller.most();
-    const bool has_another = std::any_of(sheets.begin(), sheets.end(), [&](const auto& other) {
-      return other.first != own && other.second.most() == there;
-    });
-    return alone > (has_another ? least_beside_another / least_of_sides : 1) * least;
-  });
+  }
+  return found;
 }
 
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,

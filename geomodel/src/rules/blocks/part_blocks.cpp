@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/part_blocks.hpp"
+#include "rules/blocks/part_blocks.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "rules/extend.hpp"
+#include "rules/extend/extend.hpp"
 #include "rules/throw/fault_crossings.hpp"
 #include "rules/throw/nearest_point.hpp"
 #include "rules/throw/side_bounds.hpp"
@@ -60,10 +60,11 @@ class FaultSides {
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 
-/// Whether a sheet of the horizon runs on across one of the faults. A tenth of its area at least lies on either side.
-/// Where another sheet is on the same sides of all faults as the smaller part, it is a quarter. Over or under that part
-/// lies no other sheet, as one does where the sheet only overshoots.
-bool runs_on_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults, std::size_t fault);
+/// Per fault, whether a sheet of the horizon runs on across it. A tenth of the sheet's area at least lies on either
+/// side. Where another sheet is on the same sides of all faults as the smaller part, it is a quarter. Over or under
+/// that part lies no other sheet, as one does where the sheet only overshoots. Cost: the horizon's triangles times the
+/// faults, each O(log n).
+std::vector<bool> find_run_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults);
 
 /// Whether much of what goes round the faults' ends in the box, or crosses them, lies on sides of them on which no
 /// block does. Nothing would be left there once the faults part the horizon. Never where all faults go through.

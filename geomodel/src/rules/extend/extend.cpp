@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/extend.hpp"
+#include "rules/extend/extend.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/smeared_throw.hpp"
+#include "rules/blocks/smeared_throw.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Whether triangles of the size hold the blocks of a horizon with throw.
+#pragma once
+
+#include "stack/map/map_samples.hpp"
+#include "stack/throw/block_data.hpp"
+#include "stack/throw/both_sides.hpp"
+
+namespace geomesh::geomodel {
+
+/// Looks where one block alone was given. The block must be there still, and have triangles that cross no fault. True
+/// where that is not so for more than a fiftieth of the places. Places are on a grid over the bounds, 48 each way.
+bool loses_blocks(const BlockData& before, const SidedHorizon& after, const MapBounds& bounds);
+
+}  // namespace geomesh::geomodel

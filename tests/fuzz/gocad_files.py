@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of the random models: surfaces as GOCAD TSurf, and the project."""
+import os
+
+
+def write_surface(folder, name, points, triangles):
+    """Points as they are (repr), triangles by rows from 0."""
+    with open(os.path.join(folder, name + ".ts"), "w") as file:
+        file.write("GOCAD TSurf 1\nHEADER {\nname:%s\n}\nTFACE\n" % name)
+        file.writelines("VRTX %d %r %r %r\n" % (i + 1, *p) for i, p in enumerate(points))
+        file.writelines("TRGL %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
+        file.write("END\n")
+
+
+def write_project(folder, text):
+    """Returns the file."""
+    project = os.path.join(folder, "project.yaml")
+    with open(project, "w") as file:
+        file.write(text)
+    return project
