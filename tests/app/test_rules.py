@@ -128,6 +128,38 @@ rules: {min_thickness: 0.5, thin_layers: %s}
         self.assertAlmostEqual(sum(volumes.values()), 1000, delta=1e-9)
 
 
+class Order(RulesTest):
+    COLUMN = "column: [u0, h0, u1, h1, u2, h2, u3]\nrules: {on_crossing: %s}\n"
+
+    def test_what_was_eroded_before_a_horizon_came_cuts_nothing_of_it(self):
+        """East of x = 5 the old horizon rises above the others. The middle one has eroded it; then the young one was laid down."""
+        self.surface("h0", [(-1, 6), (11, 6)])
+        self.surface("h1", [(-1, 4), (11, 4)])
+        self.surface("h2", [(-1, 3), (4, 3), (5, 4), (8, 7), (11, 7)])
+        surfaces = "surfaces:\n" + "".join("  - {name: h%d, kind: horizon, file: h%d.ts%s}\n" % (k, k, ", base: erode" if k == 1 else "") for k in range(3))
+        _, volumes = self.mesh(surfaces + self.COLUMN % "clip_younger")
+        self.assert_volumes(volumes, {"u0": 400, "u1": 200, "u2": 45, "u3": 355})
+
+    def test_a_horizon_is_cut_beyond_the_end_of_another_one(self):
+        """h0 lies below h1, which ends on h2 in the middle; beyond that h0 lies above h2 first, then below it."""
+        self.surface("h0", [(-1, 4), (5, 4), (6, 7), (7, 7), (8, 4), (11, 4)])
+        self.surface("h1", [(-1, 6), (4, 6), (6, 2), (11, 2)])
+        self.surface("h2", [(-1, 1), (4, 1), (5, 5), (11, 5)])
+        surfaces = "surfaces:\n" + "".join("  - {name: h%d, kind: horizon, file: h%d.ts, base: onlap}\n" % (k, k) for k in range(3))
+        _, volumes = self.mesh(surfaces + self.COLUMN % "leave")
+        def below(heights):  # of a polyline over x = 0 to 10
+            return 10 * sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in zip(heights, heights[1:]))
+        meet = 4 + 5 / 6  # h1 = 14 - 2 x, h2 = 4 x - 15
+        h2 = [(0, 1), (4, 1), (5, 5), (10, 5)]
+        h1 = [(0, 6), (4, 6), (meet, 14 - 2 * meet), (5, 5), (10, 5)]
+        leaves, comes = 5 + 1 / 3, 7 + 2 / 3  # h0 = 5
+        h0 = [(0, 6), (4, 6), (meet, 14 - 2 * meet), (5, 5), (leaves, 5), (6, 7), (7, 7), (comes, 5), (10, 5)]
+        by_unit = {}
+        for name, volume in volumes.items():
+            by_unit[name.split("__")[0]] = by_unit.get(name.split("__")[0], 0) + volume
+        self.assert_volumes(by_unit, {"u0": 1000 - below(h0), "u1": below(h0) - below(h1), "u2": below(h1) - below(h2), "u3": below(h2)})
+
+
 class Ends(RulesTest):
     def test_topography_with_outcropping_layers_and_salt_through_it(self):
         """What other surfaces have above the topography goes; a body that reaches beyond it ends on it."""

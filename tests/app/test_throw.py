@@ -94,6 +94,48 @@ column: [upper, h, lower]
         self.assert_volumes(volumes, {"upper__1": 200, "upper__2": 200, "lower__1": 300, "lower__2": 300})
         self.told(report, "warnings", "horizon h: it runs on across f as one sheet", "stays as given")
 
+    def test_a_block_that_leaves_the_box_and_comes_back(self):
+        """East of the fault h rises through the top of the box, and lies below it at the fault and at the side."""
+        self.surface("f", [(5, -1), (5, 11)])
+        self.surface("h", [(-1, 6), (5, 6)], [(5, 9), (6, 9), (7, 11), (8, 11), (9, 7), (11, 7)])
+        report, volumes = self.mesh(self.SURFACES)
+        above = 10 * (1 + 0.25 + 0.75 * 1.5 + 3)  # by the trapezoids of its polyline
+        self.assert_volumes(volumes, {"upper__1": 200, "lower__1": 300, "upper__2": 10 * (1 + 0.25), "upper__3": above - 12.5, "lower__2": 500 - above})
+
+    def test_a_block_in_two_sheets_loses_neither(self):
+        """No fault parts them: they overlap, and each is on its side of the fault that is named."""
+        self.surface("f", [(3, -1), (3, 11)])
+        self.surface("h", [(-1, 6), (3, 6)], [(3, 4), (7.2, 4)], [(6.8, 5), (11, 5)])
+        report, volumes = self.mesh(self.SURFACES)
+        self.told(report, "warnings", "its border crosses itself in the map")
+        self.assertAlmostEqual(sum(v for name, v in volumes.items() if name.split("__")[0] == "lower"), 180, delta=1e-8)
+
+    def test_a_fault_that_cuts_a_corner_off_does_not_part(self):
+        """g crosses f, between the same sheets, and cuts a corner off each."""
+        self.surface("f", [(5, -1), (5, 11)])
+        self.write("g.ts", plane_ts("g", [(4.2, -1, -1), (5.8, 11, -1), (5.8, 11, 11), (4.2, -1, 11)]))
+        self.surface("h", [(-1, 6), (4, 6), (4.5, 6), (5, 6)], [(5, 4), (5.5, 4), (6, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES.replace("[f]", "auto").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.told(report, "warnings", "it runs on across g")
+        by_unit = {}
+        for name, volume in volumes.items():
+            by_unit[name.split("__")[0]] = by_unit.get(name.split("__")[0], 0) + volume
+        self.assert_volumes(by_unit, {"upper": 500, "lower": 500})
+
+    def test_a_younger_horizon_ends_at_the_step_of_the_one_that_it_onlaps(self):
+        """East of f the older horizon is above the younger one, which meets it nowhere else."""
+        self.surface("f", [(5, -1), (5, 11)])
+        self.surface("old", [(-1, 3), (5, 3)], [(5, 7), (11, 7)])
+        self.surface("young", [(-1, 5), (11, 5)])
+        report, volumes = self.mesh("""surfaces:
+  - {name: young, kind: horizon, file: young.ts}
+  - {name: old, kind: horizon, file: old.ts, base: onlap, throw_at: [f]}
+  - {name: f, kind: fault, file: f.ts}
+column: [upper, young, middle, old, lower]
+""")
+        self.assert_volumes(volumes, {"upper__1": 250, "middle": 100, "lower__1": 150, "upper__2": 150, "lower__2": 350})
+        self.told(report, "warnings", "by the horizons as they were before rules cut them")
+
     def test_the_judge_misses_a_block_that_went(self):
         """The mesh of one block held against a project with two."""
         self.fault()

@@ -49,12 +49,13 @@ struct UnitVerdict {
     vertical,    ///< touches none: first == last by the horizons next above and below on the vertical
     unit,        ///< one unit: first == last
     joined,      ///< units first .. last join through a gap in a horizon
-    incomplete,  ///< first == last is the nearest unit; first_possible .. last_possible agree with the contacts (a
-                 ///< horizon is missing here)
+    incomplete,  ///< first == last is the nearest unit, if nothing else tells; first_possible .. last_possible agree
+                 ///< with the contacts (a horizon is missing here)
     pocket,      ///< lies below an older and above a younger horizon; first == last is the unit above the younger one
   } kind = Kind::unknown;
   Index first = no_index, last = no_index;
   Index first_possible = no_index, last_possible = no_index;
+  bool by_heights = false;  ///< the horizons as they were laid down tell first == last
 };
 /// Rule: below horizon h means unit h + 1 or older, above it unit h or younger; where horizons converge on others
 /// (pinch-outs, erosion, onlap) the tightest bounds hold. A horizon with the component on both sides joins units only

@@ -17,6 +17,7 @@
 #include "pipeline/soup_vtp.hpp"
 #include "pipeline/summary.hpp"
 #include "pipeline/target_elements.hpp"
+#include "rules/order/laid_down.hpp"
 #include "solver_mesh/curved_edges.hpp"
 #include "solver_verdict/velocities.hpp"
 
@@ -127,8 +128,10 @@ double moved_at_most(const PreparedModel& model) {
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
                           PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
+  NamingRules naming = model.naming;
+  naming.unit_at = unit_by_heights(model.surfaces, model.built_rows, model.rules);
   ModelMesh mesh = name_model({core, model.arrangement.soup, model.plc, model.surfaces, moved_at_most(model)},
-                              model.points, model.naming, model.warnings, recorder.context().threads);
+                              model.points, naming, model.warnings, recorder.context().threads);
   for (std::size_t i = known; i < model.warnings.size(); ++i)
     recorder.context().note(LogLevel::warning, model.warnings[i]);
   mesh.name = model.name;

@@ -9,6 +9,7 @@
 #include "geomesh/core/refine_conforming.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "naming/name_regions.hpp"
+#include "rules/order/laid_down.hpp"
 
 namespace geomesh::geomodel {
 
@@ -65,8 +66,10 @@ void ask_of_components(const PreparedModel& model, const ConstrainedTetrahedrali
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
   std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
   const Column column = make_column(model.naming.column, model.surfaces, told_later);
+  NamingRules naming = model.naming;
+  naming.unit_at = unit_by_heights(model.surfaces, model.built_rows, model.rules);
   const NamedRegions named =
-      name_regions({mesh, model.arrangement.soup, model.plc, model.surfaces}, model.naming, column, told_later);
+      name_regions({mesh, model.arrangement.soup, model.plc, model.surfaces}, naming, column, told_later);
   std::set<std::string> words;
   for (const auto& [name, value] : asked.units) words.insert(name);
   for (const auto& [name, value] : asked.layers) words.insert(name);

@@ -10,6 +10,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/blocks/part_blocks.hpp"
+#include "rules/order/column_heights.hpp"
 #include "rules/planar/height_vote.hpp"
 #include "rules/planar/pieces.hpp"
 #include "rules/planar/reach.hpp"
@@ -61,6 +62,28 @@ struct Trimming {
     return area;
   }
 
+  /// The faults between the blocks of y: at these another surface may go from above one block to below the next.
+  std::vector<Index> dividers_of(Index y, Index x) const {
+    std::vector<Index> faults;
+    if (y < built.parted_at.size()) faults = built.parted_at[y];
+    faults.erase(std::remove(faults.begin(), faults.end(), x), faults.end());
+    return faults;
+  }
+
+  /// y may end on other horizons: x goes on beyond that end, and may lie on the other side of y when it meets it again.
+  void add_others_of_column(Index x, Index y, std::vector<Index>& dividers) const {
+    for (std::size_t i = 1; i < rules.column.size(); i += 2)
+      if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
+  }
+
+  /// 1: most of the piece lies above y, -1: below, 0: nobody can say.
+  int side_of_piece(const Piece& piece, Index y, const std::optional<HeightVote>& heights, bool is_divided) {
+    const int by_height = heights ? heights->side_of(piece) : 0;
+    if (by_height != 0) return by_height;
+    const bool is_beyond_a_fault = heights && is_divided && piece.above == piece.below;
+    return is_beyond_a_fault ? 0 : side_of(working, piece, y, sides_of(y));
+  }
+
   /// Removes the pieces of x on one side of y (1 above, -1 below).
   void clip(Index x, Index y, int side, const std::string& because, double least_of_step = share_of_step) {
     double area = 0;
@@ -71,12 +94,14 @@ struct Trimming {
     const BeyondEnd beyond = are_horizons ? BeyondEnd::has_none : BeyondEnd::has_a_side;
     std::optional<HeightVote> heights;
     if (are_horizons) heights.emplace(working, y, surfaces);
-    for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond)) {
+    const std::vector<Index> faults = dividers_of(y, x);
+    std::vector<Index> dividers = faults;
+    if (are_horizons) add_others_of_column(x, y, dividers);
+    for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond, dividers)) {
       if ((surfaces[x].kind == SurfaceKind::fault || surfaces[x].kind == SurfaceKind::body) &&
           is_step(piece, least_of_step))
         continue;
-      const int by_height = heights ? heights->side_of(piece) : 0;
-      if ((by_height != 0 ? by_height : side_of(working, piece, y, sides)) == side) gone.push_back(std::move(piece));
+      if (side_of_piece(piece, y, heights, !faults.empty()) == side) gone.push_back(std::move(piece));
     }
     for (const Piece& piece : gone) {
       if (largest == no_index || working.area(piece.largest) > working.area(largest)) largest = piece.largest;
@@ -171,26 +196,35 @@ void refuse_crossing(Trimming& work, Index younger, Index older) {
                 {{}, {}, {}, {place}});
 }
 
-/// The rules of each pair of horizons, youngest first.
+/// Why the younger of two horizons cuts the older one where they cross, or is cut by it; empty where nothing is said.
+std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keeper keeper) {
+  const bool younger_stays = keeper == Keeper::younger;
+  if (younger_stays && work.rules.of(younger).base == BaseRule::erode) return work.surfaces[younger].name + " erodes";
+  if (!younger_stays && work.rules.of(older).base == BaseRule::onlap) return work.surfaces[younger].name + " onlaps";
+  if (younger_stays && work.rules.on_crossing == OnCrossing::clip_older)
+    return "crossing resolved for the younger horizon";
+  if (!younger_stays && work.rules.on_crossing == OnCrossing::clip_younger)
+    return "crossing resolved for the older horizon";
+  return "";
+}
+
+/// The rules of each pair of horizons, as they were laid down: each is cut by the older ones that stay, then cuts the
+/// others, the oldest ones first. What was eroded before it came cuts nothing of it.
 void order_horizons(Trimming& work) {
-  std::vector<Index> horizons;  // youngest first
-  for (std::size_t i = 1; i < work.rules.column.size(); i += 2) horizons.push_back(work.row_of(work.rules.column[i]));
-  for (std::size_t i = 0; i < horizons.size(); ++i) {
-    for (std::size_t k = i + 1; k < horizons.size(); ++k) {
-      const Index younger = horizons[i], older = horizons[k];
-      if (work.rules.of(younger).base == BaseRule::erode) {
-        work.clip(older, younger, 1, work.surfaces[younger].name + " erodes");
-      } else if (work.rules.of(older).base == BaseRule::onlap) {
-        work.clip(younger, older, -1, work.surfaces[younger].name + " onlaps");
-      } else if (work.rules.on_crossing == OnCrossing::clip_older) {
-        work.clip(older, younger, 1, "crossing resolved for the younger horizon");
-      } else if (work.rules.on_crossing == OnCrossing::clip_younger) {
-        work.clip(younger, older, -1, "crossing resolved for the older horizon");
-      } else if (work.rules.on_crossing == OnCrossing::error) {
-        refuse_crossing(work, younger, older);
+  std::vector<Index> rows;  // youngest first
+  for (std::size_t i = 1; i < work.rules.column.size(); i += 2) rows.push_back(work.row_of(work.rules.column[i]));
+  const Keepers keepers = keepers_of(work.rules, rows, work.surfaces);
+  for (std::size_t younger = rows.size(); younger-- > 0;)
+    for (const Keeper stays : {Keeper::older, Keeper::younger})
+      for (std::size_t older = rows.size(); --older > younger;) {
+        const Keeper keeper = keepers.of(younger, older);
+        if (keeper != stays) continue;
+        const std::string because = reason_to_cut(work, rows[younger], rows[older], keeper);
+        if (!because.empty() && stays == Keeper::younger) work.clip(rows[older], rows[younger], 1, because);
+        if (!because.empty() && stays == Keeper::older) work.clip(rows[younger], rows[older], -1, because);
+        if (because.empty() && work.rules.on_crossing == OnCrossing::error)
+          refuse_crossing(work, rows[younger], rows[older]);
       }
-    }
-  }
 }
 
 using Contacts = std::vector<EdgeEnds>;

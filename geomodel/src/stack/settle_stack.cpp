@@ -172,6 +172,11 @@ class Group {
             horizons_[k]->name + " beside its faults");
         return false;
       }
+      if (const std::size_t k = first_against_rule(sided); k < sided.size()) {
+        built_.notes.push_back("the stack is left as given: at the faults of horizon " + horizons_[k]->name +
+                               " one gives way to it that has no throw there (throw_at of that one)");
+        return false;
+      }
     }
     told_ = describe_settled(sheets, {samples, areas, layout_.bounds, options, strips_, has_topography()});
     told_.min_thickness = thickness;
@@ -206,8 +211,16 @@ class Group {
   /// The first horizon with throw that loses a block; their number: none.
   std::size_t first_lost(const std::vector<SidedHorizon>& sided) const {
     for (std::size_t k = 0; k < sided.size(); ++k)
-      if (data_[k].has_throw() && loses_blocks(data_[k], sided[k], layout_.bounds)) return k;
+      if (data_[k].has_throw() && loses_blocks(data_[k], sided[k], {faults_[k], frame_, layout_.bounds})) return k;
     return sided.size();
+  }
+  /// The first horizon that would give way to one without throw against the rules, by more than the tolerance; their
+  /// number: none.
+  std::size_t first_against_rule(const std::vector<SidedHorizon>& sided) const {
+    const auto at = std::find_if(sided.begin(), sided.end(), [&](const SidedHorizon& s) {
+      return s.largest_against_rule > rules_.stack.tolerance;
+    });
+    return static_cast<std::size_t>(at - sided.begin());
   }
   /// A horizon by itself has no order that moves it: it does where triangles of the size do not follow its blocks.
   bool moves_alone() const {

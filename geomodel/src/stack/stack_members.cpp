@@ -18,16 +18,6 @@ constexpr double far_over = 4;             // times the volume below: a horizon 
 constexpr double narrow = 3;               // times the size: fewer elements show no island
 constexpr double length_of_edges = 0.785;  // pi / 4: of a line over the edges of a lattice that it crosses
 
-Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
-                 const std::vector<TriangulatedSurface>& surfaces) {
-  if (surfaces[younger].name == rules.topography) return Keeper::younger;
-  if (surfaces[older].name == rules.floor) return Keeper::older;
-  if (rules.of(younger).base == BaseRule::erode) return Keeper::younger;
-  if (rules.of(older).base == BaseRule::onlap) return Keeper::older;
-  const bool younger_moves = rules.on_crossing == OnCrossing::clip_younger || rules.thin_layers == ThinLayers::collapse;
-  return younger_moves ? Keeper::older : Keeper::younger;
-}
-
 Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
   Stack stack;
   std::vector<std::string> names, units;
@@ -125,8 +115,7 @@ Stack find_stack(BuiltSurfaces& built, const ModelRules& rules) {
     stack.rows.insert(stack.rows.begin(), row);
     stack.units.insert(stack.units.begin(), rules.column.front());
   }
-  for (std::size_t k = 0; k + 1 < stack.rows.size(); ++k)
-    stack.keepers.push_back(keeper_of(rules, stack.rows[k], stack.rows[k + 1], built.surfaces));
+  stack.keepers = keepers_of(rules, stack.rows, built.surfaces);
   return stack;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/model_rules.hpp"
-#include "stack/sheets/column_heights.hpp"
+#include "rules/order/column_heights.hpp"
 
 namespace geomesh::geomodel {
 
@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 struct Stack {
   std::vector<Index> rows;
   std::vector<std::string> units;  ///< between neighbours
-  std::vector<Keeper> keepers;
+  Keepers keepers;
 };
 
 /// The topography, the column, the bottom of the model. One horizon more stands over the column that does not name it:

@@ -19,8 +19,10 @@ TriangulatedSurface fault_at(const std::string& name, double x) {
   return s;
 }
 
-/// Strips between the places given, each a lattice with a gap at its sides; `down`: how deep each strip lies.
-TriangulatedSurface strips(const std::vector<double>& ends, const std::vector<double>& down, double noise) {
+/// Strips between the places given, each a lattice with a gap at its sides; `down`: how deep each strip lies. They may
+/// hang together by their last row, as one sheet torn along its faults.
+TriangulatedSurface strips(const std::vector<double>& ends, const std::vector<double>& down, double noise,
+                           bool hang_together) {
   TriangulatedSurface s{"top", SurfaceKind::horizon, false, false, "", {}, {}};
   std::uint64_t state = 7;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
@@ -38,13 +40,19 @@ TriangulatedSurface strips(const std::vector<double>& ends, const std::vector<do
         s.triangles.push_back({a, a + 1, a + 22});
         s.triangles.push_back({a, a + 22, a + 21});
       }
+    if (hang_together && k > 0) {
+      const VertexIndex left = first - 22, right = first + 39 * 21;  // last but one row
+      s.triangles.push_back({left, right, right + 21});
+      s.triangles.push_back({left, right + 21, left + 21});
+    }
   }
   return s;
 }
 
-std::vector<std::string> found(const std::vector<double>& down, double noise) {
-  const std::vector<TriangulatedSurface> surfaces{strips({0, 1000, 2000, 3000}, down, noise), fault_at("west", 1000),
-                                                  fault_at("east", 2000), fault_at("far", 9000)};
+std::vector<std::string> found(const std::vector<double>& down, double noise, bool hang_together = true) {
+  const std::vector<TriangulatedSurface> surfaces{strips({0, 1000, 2000, 3000}, down, noise, hang_together),
+                                                  fault_at("west", 1000), fault_at("east", 2000),
+                                                  fault_at("far", 9000)};
   ModelRules rules;
   rules.surfaces.resize(surfaces.size());
   rules.surfaces[0].throw_auto = true;
@@ -63,4 +71,21 @@ TEST_CASE("faults across which a horizon has throw are found, others are not", "
   CHECK(found({0, 40, 90}, 2) == std::vector<std::string>{"west", "east"});
   CHECK(found({0, 0, 0}, 2).empty());
   CHECK(found({0, 1, 1}, 4).empty());  // less than the spread
+}
+
+TEST_CASE("a fault between two sheets of a horizon parts them, however small the throw", "[throw_auto]") {
+  const std::vector<std::string> both{"west", "east"};
+  CHECK(found({0, 40, 40}, 2, false) == both);
+  CHECK(found({0, 0, 0}, 2, false) == both);
+}
+
+TEST_CASE("of faults between the same sheets the nearest to their borders counts", "[throw_auto]") {
+  const std::vector<TriangulatedSurface> surfaces{strips({0, 1000, 2000}, {0, 40}, 2, false), fault_at("near", 1000),
+                                                  fault_at("beside", 1150)};
+  ModelRules rules;
+  rules.surfaces.resize(surfaces.size());
+  rules.surfaces[0].throw_auto = true;
+  std::vector<std::string> notes, warnings;
+  find_throws(surfaces, rules, notes, warnings);
+  CHECK(rules.surfaces[0].throw_at == std::vector<std::string>{"near"});
 }

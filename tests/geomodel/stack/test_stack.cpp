@@ -10,11 +10,11 @@
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/name_regions.hpp"
+#include "rules/order/column_heights.hpp"
 #include "rules/planar/map_locator.hpp"
 #include "rules/planar/planar_lines.hpp"
 #include "rules/planar/single_valued.hpp"
 #include "stack/map/growing_triangulation.hpp"
-#include "stack/sheets/column_heights.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -89,7 +89,7 @@ std::set<std::array<double, 9>> triangles_of(const TriangulatedSurface& s) {
 }  // namespace
 
 TEST_CASE("heights of a stack are put in order by the horizons that keep their place", "[stack]") {
-  const std::vector<Keeper> younger(2, Keeper::younger), older(2, Keeper::older);
+  const Keepers younger(3, Keeper::younger), older(3, Keeper::older);
   std::vector<double> h{10, 12, 3};
   settle_column(h, 0, younger, 1);
   CHECK(h == std::vector<double>{10, 9, 3});
@@ -104,8 +104,25 @@ TEST_CASE("heights of a stack are put in order by the horizons that keep their p
   CHECK(h == std::vector<double>{10, 10, 10});
 }
 
+TEST_CASE("horizons of a stack are put in order as they were laid down", "[stack]") {
+  Keepers keepers(4, Keeper::younger);  // h3 is onlapped by all that is younger, h1 by h0
+  for (std::size_t younger = 0; younger < 3; ++younger) keepers.set(younger, 3, Keeper::older);
+  keepers.set(0, 1, Keeper::older);
+  std::vector<double> h{7, 3, 3.5, 5};
+  settle_column(h, 0, keepers, 0);
+  CHECK(h == std::vector<double>{7, 5, 5, 5});
+  h = {2, 3, 3.5, 1};
+  settle_column(h, 0, keepers, 0);
+  CHECK(h == std::vector<double>{3, 3, 3, 1});
+  Keepers eroded(3, Keeper::older);  // h1 erodes h2, onto which h0 would be laid
+  eroded.set(1, 2, Keeper::younger);
+  h = {2, 1, 4};
+  settle_column(h, 0, eroded, 0);
+  CHECK(h == std::vector<double>{2, 1, 1});
+}
+
 TEST_CASE("a horizon that is absent lets its neighbours meet in a settled stack", "[stack]") {
-  const std::vector<Keeper> keepers(2, Keeper::younger);
+  const Keepers keepers(3, Keeper::younger);
   std::vector<double> h{10, nan_value, 12};
   settle_column(h, 0, keepers, 1);
   CHECK(h[2] == 9);

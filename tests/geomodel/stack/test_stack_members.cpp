@@ -73,7 +73,7 @@ TEST_CASE("a horizon over the column that crosses it in islands of few elements 
     const Stack stack = find_stack(built, rules_of_size(500));
     CHECK(stack.rows == std::vector<Index>{2, 0, 1});
     CHECK(stack.units == std::vector<std::string>{"sand", "shale"});
-    CHECK(stack.keepers == std::vector<Keeper>(2, Keeper::younger));
+    CHECK(stack.keepers == Keepers(3, Keeper::younger));
     REQUIRE(built.warnings.size() == 1);
     CHECK(built.warnings[0].find("relief is not in the column; it lies over mid") != std::string::npos);
   }

@@ -3,6 +3,7 @@
 /// From soup to PLC and from the core's result to the named mesh: patches, curves, region names, face sets.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -83,6 +84,9 @@ struct NamingRules {
   bool merge_small = false;
   std::map<std::string, std::vector<std::string>> groups{};           ///< group: units, bodies or regions
   std::map<std::string, std::map<std::string, double>> attributes{};  ///< unit or region: attribute: value
+  /// Row of the column's unit at a place by the horizons as they were laid down, no_index where they do not tell. It is
+  /// asked of components whose own faces leave several units, or none: where a rule cut all of a horizon away.
+  std::function<Index(const Vec3&)> unit_at{};
 };
 
 /// Names components, orders regions, builds face sets and curves. `points` are those of the soup's isolated points.

@@ -110,7 +110,12 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
     verdict.first = std::min(verdict.first, h);
     verdict.last = h + 1;
   }
-  if (verdict.first == no_index && (has_over || has_under)) verdict.first = verdict.last = has_over ? first : last;
+  if (verdict.first == no_index && (has_over || has_under)) {
+    verdict.first = verdict.last = has_over ? first : last;
+    verdict.open = true;
+    verdict.first_possible = first;
+    verdict.last_possible = last;
+  }
   return verdict;
 }
 
@@ -135,13 +140,48 @@ UnitJudge::Contacts UnitJudge::on_vertical(const Vec3& p) const {
   return contacts;
 }
 
+bool UnitJudge::narrow(const Vec3& p, Index& first, Index& last) const {
+  Index least = first, most = last;
+  bool tells = false;
+  for (Index h = first; h < last; ++h) {
+    const TriangulatedSurface& s = claimed_.claim().surfaces[horizons_[h].surface];
+    bool is_over = false, is_under = false;
+    for_each_height(s, tree_over_triangles(s), p, 0, [&](Index, double z) { (z >= p.z ? is_over : is_under) = true; });
+    tells = tells || is_over || is_under;
+    if (is_over && !is_under) least = std::max(least, h + 1);
+    if (is_under && !is_over) most = std::min(most, h);
+  }
+  if (least <= most) {
+    first = least;
+    last = most;
+  }
+  return tells;
+}
+
+std::vector<UnitVerdict> UnitJudge::narrowed(const RegionPlace& place, Index first, Index last) const {
+  std::vector<UnitVerdict> verdicts;
+  for (const Vec3& p : place.samples) {
+    Index least = first, most = last;
+    if (!narrow(p, least, most)) return {};
+    for (Index u = least; u <= most; ++u) verdicts.push_back({u, u});
+  }
+  return verdicts;
+}
+
 std::vector<UnitVerdict> UnitJudge::judge(std::int32_t region, const RegionPlace& place) const {
   const auto at = contacts_.find(region);
   if (at != contacts_.end()) {
     const UnitVerdict verdict = verdict_of(at->second);
+    if (verdict.open) {
+      std::vector<UnitVerdict> left = narrowed(place, verdict.first_possible, verdict.last_possible);
+      if (!left.empty()) return left;
+    }
     if (verdict.first != no_index || verdict.close) return {verdict};
   }
-  std::vector<UnitVerdict> verdicts;
+  std::vector<UnitVerdict> verdicts = narrowed(place, 0, static_cast<Index>(units_.size() - 1));
+  const bool is_one = std::all_of(verdicts.begin(), verdicts.end(),
+                                  [&](const UnitVerdict& v) { return v.first == verdicts.front().first; });
+  if (!verdicts.empty() && is_one) return verdicts;
   for (const Vec3& p : place.samples) verdicts.push_back(verdict_of(on_vertical(p)));
   return verdicts;
 }

@@ -19,6 +19,8 @@ namespace geomesh::geomodel::checking {
 struct UnitVerdict {
   Index first = no_index, last = no_index;  ///< units joined; no_index: no unit
   bool close = false;  ///< a horizon shows nearly as much of either side to the region: nothing is claimed
+  bool open = false;   ///< the horizons at the region leave several units, the nearest of which this is
+  Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 
 class UnitJudge {
@@ -29,6 +31,8 @@ class UnitJudge {
   bool given() const { return !units_.empty(); }
   const std::vector<std::string>& units() const { return units_; }
   /// By the horizons at the region; one for each place of the region by the vertical through it, where none is at it.
+  /// Where these leave several units, or none, the input's horizons over and under each place tell more: rules may have
+  /// cut all of one away there. Each unit that they leave is one verdict.
   std::vector<UnitVerdict> judge(std::int32_t region, const RegionPlace& place) const;
   std::string name_of(const UnitVerdict& verdict) const;
   /// Whether the surface is a horizon of the column.
@@ -47,6 +51,11 @@ class UnitJudge {
   void add_faces(double reach);
   UnitVerdict verdict_of(const Contacts& contacts) const;
   Contacts on_vertical(const Vec3& p) const;
+  /// Narrows the units first .. last by horizons of the input that lie wholly over or wholly under p; where two of them
+  /// contradict each other the range stays. False where none is over or under p.
+  bool narrow(const Vec3& p, Index& first, Index& last) const;
+  /// The units that `narrow` leaves at the places; none where it tells nothing at one of them.
+  std::vector<UnitVerdict> narrowed(const RegionPlace& place, Index first, Index last) const;
 
   const ClaimedFaces& claimed_;
   std::vector<std::string> units_;

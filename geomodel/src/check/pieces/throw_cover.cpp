@@ -31,14 +31,20 @@ struct Verticals {
 class ThrowCover {
  public:
   ThrowCover(const ClaimedFaces& claimed, Index row, double reach, const TakenByRules& rules)
-      : claimed_(claimed), row_(row), reach_(reach), rules_(rules), faces_(mesh_faces()), faults_(faults()) {
+      : claimed_(claimed),
+        row_(row),
+        reach_(reach),
+        rules_(rules),
+        faces_(mesh_faces()),
+        faults_(faults()),
+        given_(given_alone()) {
     for (const Triangle& t : given().triangles)
       for (const VertexIndex v : t) bounds_.add(given().points[v]);
   }
 
   void judge(FaultCollector& lost) {
     const double step = std::max(bounds_.max.x - bounds_.min.x, bounds_.max.y - bounds_.min.y) / places_across;
-    const auto n_given = std::min(given().triangles.size(), claimed_.claim().trims[row_].n_given_triangles);
+    const std::size_t n_given = given_.surface.triangles.size();
     double all = 0, away = 0;
     std::vector<std::pair<Index, Vec3>> places;
     for (Index t = 0; t < n_given; ++t)
@@ -64,6 +70,11 @@ class ThrowCover {
       for (int i = 0; i < 3; ++i) s.points.push_back(claimed_.corner(claimed_.candidates()[f], i));
       s.triangles.push_back({first, first + 1, first + 2});
     }
+    return s;
+  }
+  TriangulatedSurface given_alone() const {
+    TriangulatedSurface s = given();
+    s.triangles.resize(std::min(s.triangles.size(), claimed_.claim().trims[row_].n_given_triangles));
     return s;
   }
   /// All of the input, with what continues them for this horizon.
@@ -102,15 +113,23 @@ class ThrowCover {
     if (faces_.any(p, reach_, -anywhere, anywhere) || faults_.any(p, reach_, bounds_.min.z, bounds_.max.z))
       return false;
     const double length = std::sqrt(dot(normal, normal));
-    return length > 0 && !rules_.may_be_away_but_for_throw(row_, triangle, p) &&
+    return length > 0 && !is_taken(p) && !rules_.may_be_away_but_for_throw(row_, triangle, p) &&
            !claimed_.is_removed(row_, p, (reach_ / length) * normal);
+  }
+  /// Whether a rule took a place of the horizon over or under p: p may overshoot into the block that is given there.
+  bool is_taken(const Vec3& p) const {
+    bool taken = false;
+    for_each_height(given_.surface, given_.tree, p, 0, [&](Index triangle, double z) {
+      taken = taken || (z != p.z && rules_.may_be_away_but_for_throw(row_, triangle, {p.x, p.y, z}));
+    });
+    return taken;
   }
 
   const ClaimedFaces& claimed_;
   Index row_;
   double reach_;
   const TakenByRules& rules_;
-  Verticals faces_, faults_;
+  Verticals faces_, faults_, given_;
   Box3 bounds_;
 };
 

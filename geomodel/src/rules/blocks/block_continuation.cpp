@@ -15,10 +15,6 @@ namespace {
 
 constexpr double nearly_all = 0.9;  // of a block's area on one side of a fault that bounds it
 
-Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
-  return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
-}
-
 /// The side of each fault on which a block lies: 1 above, -1 below, 0 where it does not bound the block.
 class BlockSides {
  public:

@@ -31,6 +31,23 @@ RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<Ramp
   return restore_smeared_throw(horizon, faults, others, log);
 }
 
+std::vector<const TriangulatedSurface*> surfaces_of(const std::vector<ThrowFault>& faults) {
+  std::vector<const TriangulatedSurface*> surfaces;
+  for (const ThrowFault& fault : faults) surfaces.push_back(fault.surface);
+  return surfaces;
+}
+
+/// The faults that may have a ramp: across one between two sheets none is smeared.
+std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const TriangulatedSurface& horizon,
+                                      const PartingFaults& parting) {
+  const SheetSides sides(horizon, surfaces_of(parting.faults));
+  const std::vector<SheetSides::Parting> how = sides.parting(std::vector<double>(ramps.size(), 0));
+  std::vector<RampFault> left;
+  for (std::size_t k = 0; k < ramps.size(); ++k)
+    if (how[k] != SheetSides::Parting::alone) left.push_back(ramps[k]);
+  return left;
+}
+
 /// Whether the horizon goes round no end of the fault inside the box.
 bool goes_through(const ThrowFault& fault, const TriangulatedSurface& horizon, const Box3& box) {
   if (fault.first_made == fault.surface->triangles.size()) return true;
@@ -42,7 +59,7 @@ bool goes_through(const ThrowFault& fault, const TriangulatedSurface& horizon, c
 /// it would take what lies beyond. Says so.
 void leave_out_where_it_runs_on(const TriangulatedSurface& horizon, PartingFaults& parting, const Box3& box,
                                 const BuildLog& log) {
-  const std::vector<bool> runs_on = find_run_across(horizon, parting.faults);
+  const std::vector<bool> runs_on = SheetSides(horizon, surfaces_of(parting.faults)).run_across();
   PartingFaults kept;
   std::vector<std::string> left_out;
   for (std::size_t k = 0; k < runs_on.size(); ++k) {
@@ -123,7 +140,10 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   }
   const TriangulatedSurface as_given = surface;
   RestoredThrow restored;
-  if (rule.cut_smeared) restored = restore_ramps(surface, ramps, built.surfaces, log);
+  if (rule.cut_smeared) {
+    const std::vector<RampFault> may_be_smeared = without_parted(ramps, surface, parting);
+    if (!may_be_smeared.empty()) restored = restore_ramps(surface, may_be_smeared, built.surfaces, log);
+  }
   const bool has_ramps = !restored.sheet.empty();
   if (has_ramps) built.rows.n_given_triangles[s] = restored.n_given;
   if (!has_ramps) leave_out_where_it_runs_on(surface, parting, *rules.box, log);

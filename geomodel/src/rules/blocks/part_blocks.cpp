@@ -8,6 +8,7 @@
 #include "geomesh/core/error.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
+#include "rules/blocks/throw_blocks.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -23,6 +24,7 @@ class HorizonParting {
         block_of_(parting.built.block_of_triangle[horizon]),
         kept_by_some_(parting.soup.soup.facets.size(), 0) {
     faults_ = parting.built.parted_at[horizon];
+    for (const Index fault : faults_) fault_sides_.emplace_back(parting.surfaces[fault]);
   }
 
   void run() {
@@ -63,13 +65,18 @@ class HorizonParting {
     const std::vector<Piece> pieces = pieces_of(p_.soup, is_mine, faults_, nullptr);
     if (pieces.empty()) return;
     const std::vector<double> given = given_area(pieces, is_own);
-    const auto main = static_cast<std::size_t>(std::max_element(given.begin(), given.end()) - given.begin());
-    for (const Index f : pieces[main].facets) kept_by_some_[f] = 1;
-    if (pieces.size() == 1 && one_of_several) return drop_continuation(pieces[0], is_own);
+    const std::vector<bool> is_kept = kept_of(pieces, given, block, is_own);
+    if (pieces.size() == 1 && one_of_several && is_kept[0]) {
+      keep(pieces[0]);
+      return drop_continuation(pieces[0], is_own);
+    }
     double area = 0, overshoot = 0;
     Vec3 place;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      if (k == main) continue;
+      if (is_kept[k]) {
+        keep(pieces[k]);
+        continue;
+      }
       if (given[k] > 0 && given[k] >= overshoot) place = p_.soup.centre(pieces[k].largest);
       area += p_.soup.remove(pieces[k].facets, is_own);
       overshoot += given[k];
@@ -80,6 +87,41 @@ class HorizonParting {
                        (overshoot > 0 ? ", of which given (overshoot on the wrong side) " + to_text(overshoot) +
                                             " near " + to_text(place)
                                       : std::string()));
+  }
+
+  void keep(const Piece& piece) {
+    for (const Index f : piece.facets) kept_by_some_[f] = 1;
+  }
+
+  /// The pieces on the block's own side of its faults, with something that was given (anything, where a settled block
+  /// has nothing that was). Where there is none it is the largest one; none at all where the rest may lie beyond the
+  /// ends of the model.
+  std::vector<bool> kept_of(const std::vector<Piece>& pieces, const std::vector<double>& given, Index block,
+                            const std::function<bool(const Origin&)>& is_own) const {
+    const bool any_given = std::any_of(given.begin(), given.end(), [](double area) { return area > 0; });
+    const auto counts = [&](const Origin& o) { return is_own(o) && (!any_given || is_given(o)); };
+    std::vector<bool> kept(pieces.size());
+    for (std::size_t k = 0; k < pieces.size(); ++k) kept[k] = lies_on_own_side(pieces[k], block, counts);
+    const bool may_be_ended = !p_.rules.topography.empty() || !p_.rules.floor.empty();
+    if (!may_be_ended && std::none_of(kept.begin(), kept.end(), [](bool k) { return k; }))
+      kept[static_cast<std::size_t>(std::max_element(given.begin(), given.end()) - given.begin())] = true;
+    return kept;
+  }
+
+  /// Whether most of what counts of a piece lies on the block's side of each fault. It does not overshoot then: the
+  /// block left the box and came back, or has several sheets.
+  bool lies_on_own_side(const Piece& piece, Index block, const std::function<bool(const Origin&)>& counts) const {
+    const std::vector<bool>& sides = p_.built.sides_of_block[horizon_][block];
+    std::vector<double> balance(fault_sides_.size(), 0);
+    double area = 0;
+    for (const Index f : piece.facets)
+      for (const Origin& o : p_.soup.origins[f]) {
+        if (!counts(o)) continue;
+        area += p_.soup.area(f);
+        for (std::size_t k = 0; k < balance.size(); ++k)
+          balance[k] += (fault_sides_[k].is_above(p_.soup.centre(f)) == sides[k] ? 1 : -1) * p_.soup.area(f);
+      }
+    return area > 0 && std::all_of(balance.begin(), balance.end(), [](double b) { return b > 0; });
   }
 
   /// What lies on a fault that parts the horizon is the fault's alone: nobody can say which block it would be of.
@@ -120,6 +162,7 @@ class HorizonParting {
   const std::vector<Index>& block_of_;
   std::vector<std::uint8_t> kept_by_some_;  ///< per facet
   std::vector<Index> faults_;
+  std::vector<FaultSides> fault_sides_;  ///< of these
 };
 
 /// A fault that was continued to part blocks: the continuation goes, and what it leaves open is told.

@@ -22,8 +22,9 @@ struct Parting {
   std::vector<std::string>& warnings;
 };
 
-/// Of each block's sheets and their continuation, what its faults part from most of what was given goes. Triangles of
-/// every block stay where one block keeps them. Nothing happens to a horizon without blocks.
+/// Of each block's sheets and their continuation, what its faults part off goes. It stays where most of what was given
+/// of it lies on the block's own side of each fault. Triangles of every block stay where one block keeps them. Nothing
+/// happens to a horizon without blocks.
 void part_blocks(const Parting& parting, Index horizon);
 
 /// Continuations of faults that only served to part blocks go, once all horizons are parted. Where blocks do not meet

@@ -18,49 +18,12 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double most_throw_left = 0.5;        // of the greatest throw, at the end of a fault, before it is warned of
-constexpr double least_of_sides = 0.1;         // of a sheet's area, on either side of a fault that it runs on across
-constexpr double least_beside_another = 0.25;  // the same where another sheet lies on the smaller side
-constexpr double much_alone = 0.02;            // of the horizon's area in the box
-
-Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
-  return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
-}
+constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
+constexpr double much_alone = 0.02;      // of the horizon's area in the box
 
 bool is_in(const Box3& box, const Vec3& p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
          p.z <= box.max.z;
-}
-
-double area_of(const TriangulatedSurface& s, Index t) {
-  const Triangle& v = s.triangles[t];
-  return triangle_area(s.points[v[0]], s.points[v[1]], s.points[v[2]]);
-}
-
-/// Pairs of triangles with an edge in common (equal coordinates merged).
-std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& s) {
-  const std::vector<VertexIndex> merged = merge_equal_points(s.points);
-  std::map<std::pair<VertexIndex, VertexIndex>, Index> first;
-  std::vector<std::pair<Index, Index>> pairs;
-  for (Index t = 0; t < s.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const VertexIndex a = merged[s.triangles[t][i]], b = merged[s.triangles[t][(i + 1) % 3]];
-      const auto [at, is_new] = first.emplace(std::pair(std::min(a, b), std::max(a, b)), t);
-      if (!is_new) pairs.emplace_back(at->second, t);
-    }
-  return pairs;
-}
-
-/// Sheets joined across the pairs that `joins` accepts, as the least triangle of each.
-template <class F>
-std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pair<Index, Index>>& neighbours,
-                             F&& joins) {
-  UnionFind joined(n_triangles);
-  for (const auto& [a, b] : neighbours)
-    if (joins(a, b)) joined.unite(a, b);
-  std::vector<Index> sheet(n_triangles);
-  for (Index t = 0; t < sheet.size(); ++t) sheet[t] = joined.find(t);
-  return sheet;
 }
 
 /// The block of each triangle by the sides of the faults on which its sheet lies for most of its area. Only triangles
@@ -223,108 +186,6 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, Tr
 }
 
 }  // namespace
-
-namespace {
-
-std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
-  std::vector<Vec3> centres;
-  for (const Triangle& t : s.triangles) centres.push_back(centre_of(s, t));
-  return centres;
-}
-
-/// Through the centres of the triangles, their normals to one side.
-std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
-  const UpwardSides up = orient_upward(s);
-  std::vector<SidedPlane> planes;
-  for (Index t = 0; t < s.triangles.size(); ++t) {
-    const Triangle& v = s.triangles[t];
-    const Vec3 n = cross(s.points[v[1]] - s.points[v[0]], s.points[v[2]] - s.points[v[0]]);
-    planes.push_back({centre_of(s, v), up.as_stored[t] ? n : -1.0 * n});
-  }
-  return planes;
-}
-
-}  // namespace
-
-FaultSides::FaultSides(const TriangulatedSurface& fault)
-    : planes_(planes_of(fault)), nearest_(centres_of(fault)), bounds_(planes_) {}
-
-bool FaultSides::is_above(const Vec3& p) const {
-  if (const SideOfAll side = bounds_.side(p); side != SideOfAll::not_known) return side == SideOfAll::above;
-  const Index nearest = nearest_.find(p);
-  return nearest != no_index && dot(p - planes_[nearest].point, planes_[nearest].normal) > 0;
-}
-
-namespace {
-
-/// Sides of all faults on which most of an area lies.
-class SidesByArea {
- public:
-  explicit SidesByArea(std::size_t n_faults) : above_(n_faults, 0) {}
-  void add(const std::vector<bool>& sides, double area) {
-    all_ += area;
-    for (std::size_t f = 0; f < sides.size(); ++f)
-      if (sides[f]) above_[f] += area;
-  }
-  double above(std::size_t fault) const { return above_[fault]; }
-  double below(std::size_t fault) const { return all_ - above_[fault]; }
-  std::vector<bool> most() const {
-    std::vector<bool> sides;
-    for (const double above : above_) sides.push_back(2 * above > all_);
-    return sides;
-  }
-
- private:
-  std::vector<double> above_;
-  double all_ = 0;
-};
-
-}  // namespace
-
-std::vector<bool> find_run_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults) {
-  const auto all = [](Index, Index) { return true; };
-  const std::vector<Index> sheet = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
-  std::vector<FaultSides> fault_sides;
-  for (const ThrowFault& f : faults) fault_sides.emplace_back(*f.surface);
-  std::map<Index, SidesByArea> sheets;
-  std::vector<std::vector<bool>> sides(sheet.size());
-  for (Index t = 0; t < sheet.size(); ++t) {
-    for (const FaultSides& f : fault_sides) sides[t].push_back(f.is_above(centre_of(horizon, horizon.triangles[t])));
-    sheets.try_emplace(sheet[t], faults.size()).first->second.add(sides[t], area_of(horizon, t));
-  }
-  std::vector<bool> found(faults.size(), false);
-  for (const auto& entry : sheets) {
-    const Index own = entry.first;
-    const SidesByArea& area = entry.second;
-    std::optional<TriangulatedSurface> others;
-    std::optional<MapLocator> over;
-    for (std::size_t f = 0; f < faults.size(); ++f) {
-      const double above = area.above(f), below = area.below(f), least = least_of_sides * (above + below);
-      if (found[f] || std::min(above, below) <= least) continue;
-      if (!over) {
-        others = horizon;
-        others->triangles.clear();
-        for (Index t = 0; t < sheet.size(); ++t)
-          if (sheet[t] != own) others->triangles.push_back(horizon.triangles[t]);
-        over.emplace(*others);
-      }
-      SidesByArea smaller(faults.size());
-      double alone = 0;
-      for (Index t = 0; t < sheet.size(); ++t) {
-        if (sheet[t] != own || sides[t][f] != (above < below)) continue;
-        smaller.add(sides[t], area_of(horizon, t));
-        const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
-        if (over->find({centre.x, centre.y}).count == 0) alone += area_of(horizon, t);
-      }
-      const std::vector<bool> there = smaller.most();
-      const bool has_another = std::any_of(sheets.begin(), sheets.end(), [&](const auto& other) {
-        return other.first != own && other.second.most() == there;
-      });
-      found[f] = alone > (has_another ? least_beside_another / least_of_sides : 1) * least;
-    }
-  }
-  return found;
-}
 
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting) {

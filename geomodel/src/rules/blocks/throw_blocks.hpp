@@ -7,8 +7,7 @@
 
 #include "rules/extend/extend.hpp"
 #include "rules/throw/fault_crossings.hpp"
-#include "rules/throw/nearest_point.hpp"
-#include "rules/throw/side_bounds.hpp"
+#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 
@@ -31,20 +30,6 @@ struct SortedBlocks {
   std::vector<std::vector<bool>> sides{};  ///< per block: whether it lies above each of the faults
 };
 
-/// A fault's triangles with normals to one side. A query costs O(log triangles), and next to nothing where the place
-/// is on one side of the planes of all.
-class FaultSides {
- public:
-  explicit FaultSides(const TriangulatedSurface& fault);
-  /// By the plane of the triangle that is nearest by its centre.
-  bool is_above(const Vec3& p) const;
-
- private:
-  std::vector<SidedPlane> planes_;  ///< by triangle, through their centres
-  NearestPoint nearest_;
-  SideBounds bounds_;
-};
-
 /// The block of each triangle, from 0 in the order of their first triangles: sheets that lie, for most of their area,
 /// on the same sides of all `faults` are one block. Which side is that of the nearest fault triangle's plane; it only
 /// sorts sheets, nothing is cut by it.
@@ -59,12 +44,6 @@ class FaultSides {
 /// is then known too, and only what joins the sheets beyond the horizon's own border is added.
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
-
-/// Per fault, whether a sheet of the horizon runs on across it. A tenth of the sheet's area at least lies on either
-/// side. Where another sheet is on the same sides of all faults as the smaller part, it is a quarter. Over or under
-/// that part lies no other sheet, as one does where the sheet only overshoots. Cost: the horizon's triangles times the
-/// faults, each O(log n).
-std::vector<bool> find_run_across(const TriangulatedSurface& horizon, const std::vector<ThrowFault>& faults);
 
 /// Whether much of what goes round the faults' ends in the box, or crosses them, lies on sides of them on which no
 /// block does. Nothing would be left there once the faults part the horizon. Never where all faults go through.

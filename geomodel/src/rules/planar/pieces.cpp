@@ -136,21 +136,24 @@ PolygonSoup WorkingSoup::result() const {
 }
 
 std::vector<Piece> pieces_of(const WorkingSoup& w, Index x, const std::vector<Index>& cutters, const UpwardSides* sides,
-                             BeyondEnd beyond) {
+                             BeyondEnd beyond, const std::vector<Index>& dividers) {
   return pieces_of(
-      w, [&](Index f) { return w.has(f, x); }, cutters, sides, beyond);
+      w, [&](Index f) { return w.has(f, x); }, cutters, sides, beyond, dividers);
 }
 
 std::vector<Piece> pieces_of(const WorkingSoup& w, const std::function<bool(Index)>& is_mine,
-                             const std::vector<Index>& cutters, const UpwardSides* sides, BeyondEnd beyond) {
-  const auto is_cutter = [&](Index f) {
-    return std::any_of(cutters.begin(), cutters.end(), [&](Index c) { return w.has(f, c); });
+                             const std::vector<Index>& cutters, const UpwardSides* sides, BeyondEnd beyond,
+                             const std::vector<Index>& dividers) {
+  const auto is_of = [&](const std::vector<Index>& surfaces, Index f) {
+    return std::any_of(surfaces.begin(), surfaces.end(), [&](Index c) { return w.has(f, c); });
   };
+  const auto is_cutter = [&](Index f) { return is_of(cutters, f); };
+  const auto parts = [&](Index f) { return is_cutter(f) || is_of(dividers, f); };
   std::vector<std::uint8_t> mine(w.soup.facets.size(), 0);
   for (Index f = 0; f < mine.size(); ++f) mine[f] = is_mine(f) && !is_cutter(f);
   UnionFind joined(mine.size());
   for_each_edge(w.uses, [&](std::span<const EdgeUse> edge) {
-    if (std::any_of(edge.begin(), edge.end(), [&](const EdgeUse& u) { return is_cutter(u.facet); })) return;
+    if (std::any_of(edge.begin(), edge.end(), [&](const EdgeUse& u) { return parts(u.facet); })) return;
     Index first = no_index;
     for (const EdgeUse& u : edge) {
       if (!mine[u.facet]) continue;

@@ -48,13 +48,15 @@ struct Piece {
 
 /// Facets of surface `x` joined across edges that no facet of a surface in `cutters` touches. Facets that x shares with
 /// a cutter are left out. Where `sides` is given (of the only cutter), contacts are told apart by exact orientation
-/// about the edge.
+/// about the edge. Facets are not joined across edges of `dividers` either, which count for nothing else: the cutter's
+/// blocks end there.
 std::vector<Piece> pieces_of(const WorkingSoup& working, Index x, const std::vector<Index>& cutters,
-                             const UpwardSides* sides, BeyondEnd beyond = BeyondEnd::has_a_side);
+                             const UpwardSides* sides, BeyondEnd beyond = BeyondEnd::has_a_side,
+                             const std::vector<Index>& dividers = {});
 /// The same for the facets that `is_mine` accepts.
 std::vector<Piece> pieces_of(const WorkingSoup& working, const std::function<bool(Index)>& is_mine,
                              const std::vector<Index>& cutters, const UpwardSides* sides,
-                             BeyondEnd beyond = BeyondEnd::has_a_side);
+                             BeyondEnd beyond = BeyondEnd::has_a_side, const std::vector<Index>& dividers = {});
 
 /// Side of a piece against surface y: 1 above, -1 below, 0 unknown: by its contacts, else on the vertical through its
 /// largest facet.

@@ -6,7 +6,9 @@
 // With large triangles it is eight twentieths of the fault's length. In each, two planes of the same dip are fitted to
 // the points of the two sides; their distance along the vertical is the throw there. A fault counts where the throw is
 // more than three times the points' spread about the planes in at least a quarter of the stretches. A point counts for
-// the fault that is nearest to it alone. Cost: points of such horizons times triangles of faults.
+// the fault that is nearest to it alone. A fault counts, too, where it alone lies between two sheets of the horizon
+// that both come near it: who gives blocks has parted them there. It does not count where others part the same sheets
+// with less of them on the wrong side. Cost: points of such horizons times triangles of faults.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -18,6 +20,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
+#include "rules/throw/sheet_sides.hpp"
 #include "rules/throw/throw_ramp.hpp"
 
 namespace geomesh::geomodel {
@@ -88,10 +91,10 @@ double median_edge(const TriangulatedSurface& surface) {
 struct Found {
   std::size_t n_stretches = 0, n_with_throw = 0;
   double greatest = 0;
-  bool displaces() const {
-    return n_with_throw > 0 &&
-           static_cast<double>(n_with_throw) >= share_of_stretches * static_cast<double>(n_stretches);
+  double share() const {
+    return n_stretches == 0 ? 0 : static_cast<double>(n_with_throw) / static_cast<double>(n_stretches);
   }
+  bool displaces() const { return n_with_throw > 0 && share() >= share_of_stretches; }
 };
 
 /// Points on the triangle, about `spacing` apart: the centres of equal parts of it.
@@ -146,15 +149,20 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
                                [](const SurfaceRules& rule) { return rule.throw_auto; });
   if (!any) return;
   std::vector<FaultFaces> faults;
+  std::vector<const TriangulatedSurface*> fault_surfaces;
   std::vector<std::string> names;
   for (const TriangulatedSurface& s : surfaces)
     if (s.kind == SurfaceKind::fault && !s.triangles.empty()) {
       faults.emplace_back(s);
+      fault_surfaces.push_back(&s);
       names.push_back(s.name);
     }
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     if (!rules.surfaces[s].throw_auto) continue;
     const std::vector<Found> found = throws_of(surfaces[s], faults);
+    std::vector<double> evidence;
+    for (const Found& f : found) evidence.push_back(f.share());
+    const std::vector<SheetSides::Parting> parting = SheetSides(surfaces[s], fault_surfaces).parting(evidence);
     const std::vector<std::string> known = rules.surfaces[s].throw_at;  // by fault polygons
     for (std::size_t f = 0; f < found.size(); ++f) {
       if (std::find(known.begin(), known.end(), names[f]) != known.end()) continue;
@@ -166,11 +174,17 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
       }
       if (found[f].n_stretches == 0) continue;
       const std::string of = " of " + std::to_string(found[f].n_stretches) + " stretches along it";
-      if (found[f].displaces()) {
+      if (parting[f] == SheetSides::Parting::as_others) {
+        notes.push_back("horizon " + surfaces[s].name + ": " + names[f] + " is not taken for one with throw: " +
+                        "other faults lie between the same sheets, and fit them better");
+      } else if (found[f].displaces()) {
         rules.surfaces[s].throw_at.push_back(names[f]);
         notes.push_back("horizon " + surfaces[s].name + ": throw across " + names[f] +
                         " found from the data, at most " + to_text(found[f].greatest) + " m, in " +
                         std::to_string(found[f].n_with_throw) + of);
+      } else if (parting[f] == SheetSides::Parting::alone) {
+        rules.surfaces[s].throw_at.push_back(names[f]);
+        notes.push_back("horizon " + surfaces[s].name + ": " + names[f] + " lies between sheets of it, and parts them");
       } else {
         notes.push_back("horizon " + surfaces[s].name + ": no throw across " + names[f] +
                         " (more than the spread of the points in " + std::to_string(found[f].n_with_throw) + of + ")");

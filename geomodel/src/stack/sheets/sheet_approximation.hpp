@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "rules/order/column_heights.hpp"
 #include "stack/map/map_layout.hpp"
 #include "stack/map/map_samples.hpp"
-#include "stack/sheets/column_heights.hpp"
 #include "stack/sheets/thin_areas.hpp"
 
 namespace geomesh::geomodel {
@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 inline constexpr double share_for_centring = 0.15;
 
 struct SheetOptions {
-  std::vector<Keeper> keepers;    ///< one a pair
+  Keepers keepers;                ///< one a pair
   double allowed = 0;             ///< largest distance along the vertical from the settled heights of samples, m
   double gap = 0;                 ///< least thickness at vertices where a pair shares no surface, m
   double room_at_pinch_outs = 0;  ///< further distance allowed in triangles that touch a pinch-out line, m

@@ -86,7 +86,7 @@ std::vector<MapRaster> thicknesses(const std::vector<MapRaster>& heights) {
 }
 
 /// Thicknesses once the horizons are in order: a horizon that gives way takes from the next unit too.
-void put_in_order(std::vector<MapRaster>& thickness, const std::vector<Keeper>& keepers) {
+void put_in_order(std::vector<MapRaster>& thickness, const Keepers& keepers) {
   if (thickness.empty()) return;
   std::vector<double> heights(thickness.size() + 1);
   for (std::size_t c = 0; c < thickness.front().size(); ++c) {
@@ -182,8 +182,8 @@ bool ThinArea::any() const {
   return std::any_of(excess.values.begin(), excess.values.end(), [](double v) { return v < 0; });
 }
 
-std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds,
-                                      const std::vector<Keeper>& keepers, const ThinAreaOptions& options) {
+std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds, const Keepers& keepers,
+                                      const ThinAreaOptions& options) {
   const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
   const double step = std::max(options.size / cells_a_size, std::sqrt(width * height / most_cells));
   const MapRaster like(bounds.grown(2 * step), step);

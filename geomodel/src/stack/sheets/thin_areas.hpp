@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "rules/order/column_heights.hpp"
 #include "stack/map/map_raster.hpp"
-#include "stack/sheets/column_heights.hpp"
 
 namespace geomesh::geomodel {
 
@@ -29,7 +29,7 @@ struct ThinArea {
 /// opening in it stays where the thickness exceeds one and a half times the least one; both only from ten squares of
 /// the size on, but for openings thicker than three times the least. Pinch-out lines keep the areas on their sides, but
 /// for the shift.
-std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds,
-                                      const std::vector<Keeper>& keepers, const ThinAreaOptions& options);
+std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds, const Keepers& keepers,
+                                      const ThinAreaOptions& options);
 
 }  // namespace geomesh::geomodel

@@ -386,15 +386,21 @@ class BothSides {
 
   void settle(VertexIndex v, const Side& side) {
     std::vector<double> given(n_);
-    std::vector<char> stays(n_);
-    std::vector<Keeper> keepers = in_.options.keepers;
+    std::vector<char> stays(n_), is_against_rule(n_, 0);
+    Keepers keepers = in_.options.keepers;
     MergedPairs merged = 0;
     for (std::size_t k = 0; k < n_; ++k) {
       given[k] = height(v, k, side[k]);
       stays[k] = is_fixed(v, k, side[k]) || settled_.contains({v, k, side[k]});
     }
     for (std::size_t k = 0; k + 1 < n_; ++k) {
-      if (stays[k] != stays[k + 1]) keepers[k] = stays[k] ? Keeper::younger : Keeper::older;
+      for (std::size_t older = k + 1; older < n_; ++older) {
+        if (stays[k] == stays[older]) continue;
+        const Keeper keeper = stays[k] ? Keeper::younger : Keeper::older;
+        const std::size_t fixed = stays[k] ? k : older, moving = stays[k] ? older : k;
+        if (keepers.of(k, older) != keeper && is_fixed(v, fixed, side[fixed])) is_against_rule[moving] = 1;
+        keepers.set(k, older, keeper);
+      }
       if (merged_.contains({v, k, side[k], side[k + 1]})) merged |= MergedPairs{1} << k;
     }
     std::vector<double> heights = given;
@@ -404,7 +410,9 @@ class BothSides {
       if (side[k] >= no_throw || stays[k] || std::isnan(heights[k])) continue;
       copies_.at({v, k, side[k]}) = {heights[k], false};
       settled_.insert({v, k, side[k]});
-      if (const double move = std::abs(heights[k] - given[k]); move > made_[k].largest_move) {
+      const double move = std::abs(heights[k] - given[k]);
+      if (is_against_rule[k]) made_[k].largest_against_rule = std::max(made_[k].largest_against_rule, move);
+      if (move > made_[k].largest_move) {
         made_[k].largest_move = move;
         made_[k].place = {sheets_.points[v].x, sheets_.points[v].y, given[k]};
       }

@@ -39,6 +39,8 @@ struct SidedHorizon {
   double area = 0;                  ///< in the map, of the strips
   double largest_move = 0;          ///< that order took, in the strips
   Vec3 place;
+  /// What it moved at most where the rules say that it stays, and another one, which has no throw there, gives way.
+  double largest_against_rule = 0;
 };
 
 /// A triangle that crosses a fault is there once on each side of it. Its vertices have the heights of the block of that

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/order/column_heights.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace geomesh::geomodel {
+namespace {
+
+Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
+                 const std::vector<TriangulatedSurface>& surfaces) {
+  if (surfaces[younger].name == rules.topography) return Keeper::younger;
+  if (surfaces[older].name == rules.floor) return Keeper::older;
+  if (rules.of(younger).base == BaseRule::erode) return Keeper::younger;
+  if (rules.of(older).base == BaseRule::onlap) return Keeper::older;
+  const bool younger_moves = rules.on_crossing == OnCrossing::clip_younger ||
+                             (rules.on_crossing != OnCrossing::clip_older && rules.thin_layers == ThinLayers::collapse);
+  return younger_moves ? Keeper::older : Keeper::younger;
+}
+
+/// The horizons that are there, youngest first.
+struct Present {
+  std::array<std::size_t, most_horizons> row;
+  std::size_t n = 0;
+  explicit Present(std::span<const double> heights) {
+    for (std::size_t k = 0; k < heights.size(); ++k)
+      if (!std::isnan(heights[k])) row[n++] = k;
+  }
+};
+
+/// Whether all pairs of the stack between two horizons are merged.
+bool are_merged(MergedPairs merged, std::size_t above, std::size_t below) {
+  for (std::size_t k = above; k < below; ++k)
+    if (!(merged >> k & 1)) return false;
+  return true;
+}
+
+/// Puts the i-th horizon that is there onto older ones that stay.
+void rise(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, const Keepers& keepers,
+          double gap) {
+  const std::size_t own = there.row[i];
+  double room = 0;
+  for (std::size_t j = i + 1; j < there.n; ++j) {
+    const std::size_t below = there.row[j];
+    const bool is_merged = are_merged(merged, there.row[j - 1], below);
+    if (!is_merged) room += gap;
+    if (keepers.of(own, below) != Keeper::older) continue;
+    const bool is_one = j == i + 1 && is_merged;
+    heights[own] = is_one ? heights[below] : std::max(heights[own], heights[below] + room);
+  }
+}
+
+/// Lets older ones sink below the i-th horizon that is there; they are in order among themselves.
+void sink_below(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, double gap) {
+  for (std::size_t j = i; j + 1 < there.n; ++j) {
+    const std::size_t above = there.row[j], below = there.row[j + 1];
+    const bool is_one = are_merged(merged, above, below);
+    const double most = is_one ? heights[above] : std::min(heights[below], heights[above] - gap);
+    if (heights[below] == most) return;
+    heights[below] = most;
+  }
+}
+
+}  // namespace
+
+Keepers keepers_of(const ModelRules& rules, const std::vector<Index>& rows,
+                   const std::vector<TriangulatedSurface>& surfaces) {
+  Keepers keepers(rows.size(), Keeper::younger);
+  for (std::size_t younger = 0; younger < rows.size(); ++younger)
+    for (std::size_t older = younger + 1; older < rows.size(); ++older)
+      keepers.set(younger, older, keeper_of(rules, rows[younger], rows[older], surfaces));
+  return keepers;
+}
+
+void settle_column(std::span<double> heights, MergedPairs merged, const Keepers& keepers, double gap) {
+  const Present there(heights);
+  for (std::size_t i = there.n; i-- > 0;) {
+    rise(heights, there, i, merged, keepers, gap);
+    sink_below(heights, there, i, merged, gap);
+  }
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/order/laid_down.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geomesh/core/error.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr double same_height = 1e-9;  // of two triangles at their common edge, as a share of it
+
+}  // namespace
+
+LaidDown::LaidDown(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules) {
+  std::vector<Index> rows;
+  for (std::size_t i = 1; i < rules.column.size(); i += 2) {
+    const auto at = std::find_if(surfaces.begin(), surfaces.end(),
+                                 [&](const TriangulatedSurface& s) { return s.name == rules.column[i]; });
+    if (at == surfaces.end())
+      throw Error(ErrorKind::usage, "column: no surface is named " + rules.column[i] + ", which must be a horizon");
+    rows.push_back(static_cast<Index>(at - surfaces.begin()));
+    horizons_.push_back(horizon_of(*at, built, rows.back(), surfaces));
+  }
+  keepers_ = keepers_of(rules, rows, surfaces);
+}
+
+LaidDown::Horizon LaidDown::horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
+                                       const std::vector<TriangulatedSurface>& surfaces) {
+  Horizon horizon;
+  const bool has_blocks = row < built.block_of_triangle.size() && !built.block_of_triangle[row].empty();
+  if (has_blocks) {
+    for (const Index fault : built.parted_at[row]) horizon.faults.emplace_back(surfaces[fault]);
+    horizon.sides = built.sides_of_block[row];
+  }
+  horizon.blocks.resize(has_blocks ? horizon.sides.size() : 1);
+  for (std::size_t b = 0; b < horizon.blocks.size(); ++b) {
+    TriangulatedSurface& part = horizon.blocks[b].surface;
+    part.points = surface.points;
+    for (Index t = 0; t < surface.triangles.size(); ++t) {
+      const Index own = has_blocks ? built.block_of_triangle[row][t] : static_cast<Index>(b);
+      if (own == b || own == BuiltRows::of_every_block) part.triangles.push_back(surface.triangles[t]);
+    }
+    if (!part.triangles.empty()) horizon.blocks[b].locator = std::make_unique<MapLocator>(part);
+  }
+  return horizon;
+}
+
+double LaidDown::height(const Horizon& horizon, const Vec3& p) {
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  std::vector<bool> sides;
+  for (const FaultSides& fault : horizon.faults) sides.push_back(fault.is_above(p));
+  std::size_t block = 0;
+  if (!horizon.faults.empty())
+    block =
+        static_cast<std::size_t>(std::find(horizon.sides.begin(), horizon.sides.end(), sides) - horizon.sides.begin());
+  if (block >= horizon.blocks.size() || !horizon.blocks[block].locator) return nowhere;
+  const MapLocator& locator = *horizon.blocks[block].locator;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  locator.for_each({p.x, p.y}, [&](Index triangle, bool) {
+    const double z = locator.height(triangle, {p.x, p.y});
+    least = std::min(least, z);
+    most = std::max(most, z);
+  });
+  const double tiny = same_height * (std::abs(least) + std::abs(most));
+  return most - least <= tiny ? 0.5 * (least + most) : nowhere;  // more than one height: it overhangs
+}
+
+std::optional<Index> LaidDown::unit_at(const Vec3& p) const {
+  std::vector<double> heights;
+  for (const Horizon& horizon : horizons_) heights.push_back(height(horizon, p));
+  settle_column(heights, 0, keepers_, 0);
+  Index first = 0, last = static_cast<Index>(heights.size());
+  for (Index h = 0; h < heights.size(); ++h) {
+    if (p.z < heights[h]) first = h + 1;
+    if (p.z > heights[h]) last = std::min(last, h);
+  }
+  return first == last ? std::optional<Index>(first) : std::nullopt;
+}
+
+std::function<Index(const Vec3&)> unit_by_heights(const std::vector<TriangulatedSurface>& surfaces,
+                                                  const BuiltRows& built, const ModelRules& rules) {
+  if (rules.column.empty() || rules.column.size() / 2 > most_horizons) return {};
+  const auto laid_down = std::make_shared<std::optional<LaidDown>>();
+  return [laid_down, &surfaces, &built, &rules](const Vec3& p) {
+    if (!*laid_down) laid_down->emplace(surfaces, built, rules);
+    return (*laid_down)->unit_at(p).value_or(no_index);
+  };
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The unit of the column at a place, by the horizons as they were laid down.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geomesh/geomodel/model_rules.hpp"
+#include "rules/order/column_heights.hpp"
+#include "rules/planar/map_locator.hpp"
+#include "rules/throw/sheet_sides.hpp"
+
+namespace geomesh::geomodel {
+
+/// The heights of the column's horizons over each place before any cut another one, and what the rules make of them.
+/// Horizons with throw count by the block on whose sides of the faults the place lies. So the unit is known, too, where
+/// nothing is left of a horizon: another one cut it there. Surfaces are copied.
+class LaidDown {
+ public:
+  /// Throws Error{usage} where the column names no surface. `built` tells blocks; it may be of fewer surfaces.
+  LaidDown(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules);
+
+  /// Row of the unit; nothing where a horizon is not there, or there more than once, and the others leave several.
+  /// O(horizons * log triangles) and the square of the horizons.
+  std::optional<Index> unit_at(const Vec3& p) const;
+
+ private:
+  /// A part of a horizon of one height over each place.
+  struct Sheet {
+    TriangulatedSurface surface{};
+    std::unique_ptr<MapLocator> locator{};
+  };
+  struct Horizon {
+    std::vector<FaultSides> faults{};
+    std::vector<std::vector<bool>> sides{};  ///< per block
+    std::vector<Sheet> blocks{};             ///< one where there are none
+  };
+  static Horizon horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
+                            const std::vector<TriangulatedSurface>& surfaces);
+  static double height(const Horizon& horizon, const Vec3& p);  ///< NaN: not there
+
+  std::vector<Horizon> horizons_;
+  Keepers keepers_;
+};
+
+/// LaidDown::unit_at, for NamingRules: no_index where nothing is known, and nothing at all without a column or with
+/// more than `most_horizons`. Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
+std::function<Index(const Vec3&)> unit_by_heights(const std::vector<TriangulatedSurface>& surfaces,
+                                                  const BuiltRows& built, const ModelRules& rules);
+
+}  // namespace geomesh::geomodel
