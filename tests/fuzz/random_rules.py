@@ -115,6 +115,9 @@ class RandomRules:
         self.tolerance = 0 if self.size is None else self.size / 40
         self.least = 1e-6 if self.size is None else 4 * self.tolerance
         self.text = self.project_text()
+        self.margin = 1.5 * self.least
+        if self.throw_faults and self.size and "stack: keep" not in self.text:
+            self.margin = max(self.margin, self.size / 3)  # in the strips along faults of a settled stack a throw is straight over the size
 
     def fault(self):
         chance = self.chance
@@ -151,7 +154,7 @@ class RandomRules:
         ends = [sheet.z(p[0], p[1]) for sheet in (self.relief, self.floor) if sheet]
         compartment = sum(d > 0 for d in from_faults)
         given = [sheet.z(p[0], p[1]) + lift[compartment] for sheet, lift in zip(self.sheets, self.lifts)]
-        if any(abs(d) < 1.5 * self.least for d in from_faults + [p[2] - z for z in ends + given]):
+        if any(abs(d) < self.margin for d in from_faults + [p[2] - z for z in ends + given]):
             return None
         heights = self.after_rules(given)
         depths = [body.depth(p) for body in self.bodies]

@@ -11,13 +11,15 @@
     tests/fuzz/run_random_models.py --count 1000 --light --options  with random keys of the project file
 
 Outcomes: `passes`, `refused` (status 3 or 4 with a message), `wrong` (the check finds faults), `bug` (status 1, a signal, or a refusal
-without a message), `slow` (beyond --limit seconds of CPU), `declined` (with --options: a combination that the program tells as a mistake). The exit status is 1 where anything is wrong, a bug or slow.
+without a message), `slow` (beyond --limit seconds of CPU), `asked` (the same, but the sizes ask for so many elements that it takes as long,
+and the estimate told), `declined` (with --options: a combination that the program tells as a mistake). The exit status is 1 where anything is wrong, a bug or slow.
 What is not in order is told at once, in the order of the seeds; every hundred models a line tells the counts so far and the CPU time.
 """
 import argparse
 import concurrent.futures
 import json
 import os
+import re
 import resource
 import shutil
 import subprocess
@@ -28,7 +30,13 @@ sys.path.insert(0, HERE)
 from random_models import RandomModel  # noqa: E402
 from random_options import RandomOptions  # noqa: E402
 
-FINE = ("passes", "refused", "declined")
+FINE = ("passes", "refused", "declined", "asked")
+LEAST_PACE = 2000  # elements a CPU second: who asks for more than the limit allows at that was told so by the estimate
+
+
+def estimated(printed):
+    """The most elements that a run said were to come."""
+    return max([int(n) for n in re.findall(r"(\d+) elements (?:or more )?to come", printed)], default=0)
 
 
 def run(program, arguments, limit):
@@ -45,9 +53,10 @@ def run(program, arguments, limit):
 
 def outcome_of(seed, folder, program, limit, as_default=False, light=False, options=False):
     project = (RandomOptions if options else RandomModel)(seed, as_default, light).write(folder)
-    status, printed = run(program, [project, "--quiet", "--threads", "1"], limit)
+    status, printed = run(program, [project, "--verbose", "--threads", "1"], limit)
     if status in (-24, -9):  # SIGXCPU, or the harder bound behind it
-        return "slow", "meshing took more than %d s" % limit
+        outcome = "asked" if estimated(printed) > LEAST_PACE * limit else "slow"
+        return outcome, "meshing took more than %d s; the estimate was %d elements" % (limit, estimated(printed))
     if status in (3, 4) and "error: " in printed:
         return "refused", printed[printed.index("error: "):][:300]
     if status == 2 and options and "error: " in printed:

@@ -128,7 +128,7 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
       break;
     case UnitVerdict::Kind::vertical:
       warnings.push_back(where + " touches no horizon of the column: it is named " + column.units[verdict.first] +
-                         (verdict.by_heights ? ", by the horizons as they were before rules cut them"
+                         (verdict.by_heights ? ", by the horizons as they were laid down"
                                              : ", by the horizons next above and below it on the vertical"));
       break;
     case UnitVerdict::Kind::pocket:
@@ -144,7 +144,7 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
       warnings.push_back(where + " could be " + column.units[verdict.first_possible] + " to " +
                          column.units[verdict.last_possible] + ": no face of " + missing + " divides it; it is named " +
                          column.units[verdict.first] +
-                         (verdict.by_heights ? ", by the horizons as they were before rules cut them" : ""));
+                         (verdict.by_heights ? ", by the horizons as they were laid down" : ""));
       break;
     }
     case UnitVerdict::Kind::unit:
@@ -167,7 +167,8 @@ void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSo
 }
 
 constexpr std::size_t most_asked = 64;   // places in a component
-constexpr double least_majority = 0.75;  // of the volume about them
+constexpr double least_majority = 0.75;  // of the volume about those that tell anything
+constexpr double least_telling = 0.25;   // of the volume about all
 
 /// What most of the largest tetrahedra's places say; no_index where they do not agree. Sorts them by volume.
 Index asked_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTetrahedralization& mesh,
@@ -177,22 +178,25 @@ Index asked_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTe
       cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(n), cells.end(),
       [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
   std::map<Index, double> votes;
-  double all = 0;
+  double all = 0, telling = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Tetrahedron& v = mesh.tetrahedra[cells[k].second];
     const Vec3 centre = 0.25 * ((mesh.points[v[0]] + mesh.points[v[1]]) + (mesh.points[v[2]] + mesh.points[v[3]]));
-    votes[unit_at(centre)] += cells[k].first;
     all += cells[k].first;
+    const Index unit = unit_at(centre);
+    if (unit == no_index) continue;
+    votes[unit] += cells[k].first;
+    telling += cells[k].first;
   }
   for (const auto& [unit, volume] : votes)
-    if (unit != no_index && volume >= least_majority * all) return unit;
+    if (volume >= least_majority * telling && telling >= least_telling * all) return unit;
   return no_index;
 }
 
 /// Asks the horizons as they were laid down about components whose faces leave several units, or none.
-void judge_by_heights(const ConstrainedTetrahedralization& mesh, const std::function<Index(const Vec3&)>& unit_at,
+void judge_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules,
                       std::vector<UnitVerdict>& verdicts) {
-  if (!unit_at) return;
+  if (!rules.unit_at) return;
   std::map<Index, std::vector<std::pair<double, Index>>> cells;  // of components to be asked: volume, row
   for (std::size_t c = 0; c < verdicts.size(); ++c)
     if (verdicts[c].kind == UnitVerdict::Kind::incomplete || verdicts[c].kind == UnitVerdict::Kind::vertical)
@@ -207,7 +211,7 @@ void judge_by_heights(const ConstrainedTetrahedralization& mesh, const std::func
   }
   for (auto& [c, volumes] : cells) {
     UnitVerdict& verdict = verdicts[c];
-    const Index unit = asked_of(volumes, mesh, unit_at);
+    const Index unit = asked_of(volumes, mesh, rules.unit_at);
     const bool is_possible = verdict.kind == UnitVerdict::Kind::vertical ||
                              (unit >= verdict.first_possible && unit <= verdict.last_possible);
     if (unit == no_index || !is_possible) continue;
@@ -361,7 +365,7 @@ NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, co
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column))
     named.verdicts.push_back(judge_unit(contacts, column));
   if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
-  if (column.given()) judge_by_heights(mesh, rules.unit_at, named.verdicts);
+  if (column.given()) judge_by_heights(mesh, rules, named.verdicts);
   std::vector<Label> labels = make_labels(model, {facts, around, named.verdicts}, rules, column, warnings);
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);

@@ -128,8 +128,7 @@ double moved_at_most(const PreparedModel& model) {
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
                           PreparedModel& model, const StageRecorder& recorder) {
   const std::size_t known = model.warnings.size();
-  NamingRules naming = model.naming;
-  naming.unit_at = unit_by_heights(model.surfaces, model.built_rows, model.rules);
+  const NamingRules naming = with_heights(model.naming, model.surfaces, model.built_rows, model.rules);
   ModelMesh mesh = name_model({core, model.arrangement.soup, model.plc, model.surfaces, moved_at_most(model)},
                               model.points, naming, model.warnings, recorder.context().threads);
   for (std::size_t i = known; i < model.warnings.size(); ++i)

@@ -66,8 +66,7 @@ void ask_of_components(const PreparedModel& model, const ConstrainedTetrahedrali
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
   std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
   const Column column = make_column(model.naming.column, model.surfaces, told_later);
-  NamingRules naming = model.naming;
-  naming.unit_at = unit_by_heights(model.surfaces, model.built_rows, model.rules);
+  const NamingRules naming = with_heights(model.naming, model.surfaces, model.built_rows, model.rules);
   const NamedRegions named =
       name_regions({mesh, model.arrangement.soup, model.plc, model.surfaces}, naming, column, told_later);
   std::set<std::string> words;

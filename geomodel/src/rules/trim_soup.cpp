@@ -62,10 +62,16 @@ struct Trimming {
     return area;
   }
 
-  /// The faults between the blocks of y: at these another surface may go from above one block to below the next.
+  /// The faults between the blocks of y: at these another surface may go from above one block to below the next. The
+  /// ends of the model may have a scarp at any fault.
   std::vector<Index> dividers_of(Index y, Index x) const {
     std::vector<Index> faults;
-    if (y < built.parted_at.size()) faults = built.parted_at[y];
+    if (surfaces[y].name == rules.topography || surfaces[y].name == rules.floor) {
+      for (Index s = 0; s < surfaces.size(); ++s)
+        if (surfaces[s].kind == SurfaceKind::fault) faults.push_back(s);
+    } else if (y < built.parted_at.size()) {
+      faults = built.parted_at[y];
+    }
     faults.erase(std::remove(faults.begin(), faults.end(), x), faults.end());
     return faults;
   }
@@ -171,8 +177,11 @@ void cut_units_alone(Trimming& work, Index s) {
 void end_at(Trimming& work, const std::string& name, int side, const std::string& because) {
   if (name.empty()) return;
   const Index end = work.row_of(name);
-  for (Index s = 0; s < work.surfaces.size(); ++s)
-    if (s != end && work.surfaces[s].kind != SurfaceKind::box) work.clip(s, end, side, because, share_at_end);
+  for (const bool are_faults : {false, true})  // faults divide the others, and go last
+    for (Index s = 0; s < work.surfaces.size(); ++s)
+      if (s != end && work.surfaces[s].kind != SurfaceKind::box &&
+          (work.surfaces[s].kind == SurfaceKind::fault) == are_faults)
+        work.clip(s, end, side, because, share_at_end);
 }
 
 /// Throws Error{invalid_input} where the younger horizon runs below the older one.

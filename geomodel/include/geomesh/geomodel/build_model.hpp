@@ -85,7 +85,7 @@ struct NamingRules {
   std::map<std::string, std::vector<std::string>> groups{};           ///< group: units, bodies or regions
   std::map<std::string, std::map<std::string, double>> attributes{};  ///< unit or region: attribute: value
   /// Row of the column's unit at a place by the horizons as they were laid down, no_index where they do not tell. It is
-  /// asked of components whose own faces leave several units, or none: where a rule cut all of a horizon away.
+  /// asked of components whose own faces leave several units, or none: all of a horizon may be away there.
   std::function<Index(const Vec3&)> unit_at{};
 };
 

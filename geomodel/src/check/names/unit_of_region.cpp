@@ -158,14 +158,15 @@ bool UnitJudge::narrow(const Vec3& p, Index& first, Index& last) const {
   return tells;
 }
 
-std::vector<UnitVerdict> UnitJudge::narrowed(const RegionPlace& place, Index first, Index last) const {
-  std::vector<UnitVerdict> verdicts;
+UnitJudge::Narrowed UnitJudge::narrowed(const RegionPlace& place, Index first, Index last) const {
+  Narrowed found{{}, true};
   for (const Vec3& p : place.samples) {
     Index least = first, most = last;
-    if (!narrow(p, least, most)) return {};
-    for (Index u = least; u <= most; ++u) verdicts.push_back({u, u});
+    const bool tells = narrow(p, least, most);
+    found.tells_everywhere = found.tells_everywhere && tells;
+    for (Index u = least; tells && u <= most; ++u) found.verdicts.push_back({u, u});
   }
-  return verdicts;
+  return found;
 }
 
 std::vector<UnitVerdict> UnitJudge::judge(std::int32_t region, const RegionPlace& place) const {
@@ -173,14 +174,18 @@ std::vector<UnitVerdict> UnitJudge::judge(std::int32_t region, const RegionPlace
   if (at != contacts_.end()) {
     const UnitVerdict verdict = verdict_of(at->second);
     if (verdict.open) {
-      std::vector<UnitVerdict> left = narrowed(place, verdict.first_possible, verdict.last_possible);
-      if (!left.empty()) return left;
+      const auto [left, tells_everywhere] = narrowed(place, verdict.first_possible, verdict.last_possible);
+      std::vector<UnitVerdict> allowed = left;
+      if (!tells_everywhere) allowed.push_back(verdict);
+      return allowed;
     }
     if (verdict.first != no_index || verdict.close) return {verdict};
   }
-  std::vector<UnitVerdict> verdicts = narrowed(place, 0, static_cast<Index>(units_.size() - 1));
-  const bool is_one = std::all_of(verdicts.begin(), verdicts.end(),
-                                  [&](const UnitVerdict& v) { return v.first == verdicts.front().first; });
+  const Narrowed by_input = narrowed(place, 0, static_cast<Index>(units_.size() - 1));
+  std::vector<UnitVerdict> verdicts = by_input.verdicts;
+  const bool is_one =
+      by_input.tells_everywhere && std::all_of(verdicts.begin(), verdicts.end(),
+                                               [&](const UnitVerdict& v) { return v.first == verdicts.front().first; });
   if (!verdicts.empty() && is_one) return verdicts;
   for (const Vec3& p : place.samples) verdicts.push_back(verdict_of(on_vertical(p)));
   return verdicts;

@@ -54,8 +54,12 @@ class UnitJudge {
   /// Narrows the units first .. last by horizons of the input that lie wholly over or wholly under p; where two of them
   /// contradict each other the range stays. False where none is over or under p.
   bool narrow(const Vec3& p, Index& first, Index& last) const;
-  /// The units that `narrow` leaves at the places; none where it tells nothing at one of them.
-  std::vector<UnitVerdict> narrowed(const RegionPlace& place, Index first, Index last) const;
+  /// The units that `narrow` leaves at the places where it tells anything.
+  struct Narrowed {
+    std::vector<UnitVerdict> verdicts;
+    bool tells_everywhere;
+  };
+  Narrowed narrowed(const RegionPlace& place, Index first, Index last) const;
 
   const ClaimedFaces& claimed_;
   std::vector<std::string> units_;

@@ -80,14 +80,15 @@ std::optional<Index> LaidDown::unit_at(const Vec3& p) const {
   return first == last ? std::optional<Index>(first) : std::nullopt;
 }
 
-std::function<Index(const Vec3&)> unit_by_heights(const std::vector<TriangulatedSurface>& surfaces,
-                                                  const BuiltRows& built, const ModelRules& rules) {
-  if (rules.column.empty() || rules.column.size() / 2 > most_horizons) return {};
+NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                         const ModelRules& rules) {
+  if (rules.column.empty() || rules.column.size() / 2 > most_horizons) return naming;
   const auto laid_down = std::make_shared<std::optional<LaidDown>>();
-  return [laid_down, &surfaces, &built, &rules](const Vec3& p) {
+  naming.unit_at = [laid_down, &surfaces, &built, &rules](const Vec3& p) {
     if (!*laid_down) laid_down->emplace(surfaces, built, rules);
     return (*laid_down)->unit_at(p).value_or(no_index);
   };
+  return naming;
 }
 
 }  // namespace geomesh::geomodel

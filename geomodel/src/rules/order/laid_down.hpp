@@ -3,11 +3,11 @@
 /// The unit of the column at a place, by the horizons as they were laid down.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "rules/order/column_heights.hpp"
 #include "rules/planar/map_locator.hpp"
@@ -46,9 +46,9 @@ class LaidDown {
   Keepers keepers_;
 };
 
-/// LaidDown::unit_at, for NamingRules: no_index where nothing is known, and nothing at all without a column or with
-/// more than `most_horizons`. Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
-std::function<Index(const Vec3&)> unit_by_heights(const std::vector<TriangulatedSurface>& surfaces,
-                                                  const BuiltRows& built, const ModelRules& rules);
+/// The naming rules with LaidDown::unit_at: nothing is told without a column, or with more than `most_horizons`.
+/// Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
+NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                         const ModelRules& rules);
 
 }  // namespace geomesh::geomodel
