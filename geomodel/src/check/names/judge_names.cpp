@@ -2,6 +2,7 @@
 #include "check/names/judge_names.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -13,16 +14,21 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Whether the face's normal points to the side that the normal of its source triangle points to.
-bool runs_along_source(const ClaimedFaces& claimed, Index face) {
+/// Cosine of the angle between a face and its source triangle below which rounding and the tolerance decide its side.
+constexpr double least_cosine = 0.1;
+
+/// Of the angle between the normals of the face and of its source triangle; 1 where there is no such triangle.
+double agreement_with_source(const ClaimedFaces& claimed, Index face) {
   const Index row = claimed.surface_of(claimed.faces()->surface[face]);
   const auto source = static_cast<std::size_t>(claimed.faces()->source_triangle[face]);
-  if (row == no_index || source >= claimed.claim().surfaces[row].triangles.size()) return true;
+  if (row == no_index || source >= claimed.claim().surfaces[row].triangles.size()) return 1;
   const TriangulatedSurface& s = claimed.claim().surfaces[row];
   const Triangle &t = s.triangles[source], &f = claimed.candidates()[face];
   const auto normal = [](const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); };
-  return dot(normal(s.points[t[0]], s.points[t[1]], s.points[t[2]]),
-             normal(claimed.corner(f, 0), claimed.corner(f, 1), claimed.corner(f, 2))) >= 0;
+  const Vec3 m = normal(s.points[t[0]], s.points[t[1]], s.points[t[2]]);
+  const Vec3 n = normal(claimed.corner(f, 0), claimed.corner(f, 1), claimed.corner(f, 2));
+  const double lengths = std::sqrt(dot(m, m) * dot(n, n));
+  return lengths > 0 ? dot(m, n) / lengths : 0;
 }
 
 class NameJudge {
@@ -41,6 +47,7 @@ class NameJudge {
   };
   void check_same_everywhere(CheckResult& result) const;
   bool read_rows(CheckResult& result);
+  std::vector<Row*> unnamed_in_order(bool turns_steep_faces);
   void number_unnamed();
   void check_suffixes(CheckResult& result) const;
   void check_ids(CheckResult& result) const;
@@ -99,13 +106,15 @@ bool NameJudge::read_rows(CheckResult& result) {
   return all_right && n_undecided_ == 0;
 }
 
-/// `region_1`, `region_2` ... in the order of the first triangle that bounds them.
-void NameJudge::number_unnamed() {
+/// Regions without a name of their own, by the first triangle that bounds them. Faces nearly at right angles to theirs
+/// may show either side.
+std::vector<NameJudge::Row*> NameJudge::unnamed_in_order(bool turns_steep_faces) {
   using Key = std::tuple<std::int32_t, std::int32_t, int>;
   std::map<std::int32_t, Key> first;
   const FacesFile& faces = *claimed_.faces();
   for (Index f = 0; f < faces.surface.size(); ++f) {
-    const bool along = runs_along_source(claimed_, f);
+    const double agreement = agreement_with_source(claimed_, f);
+    const bool along = (agreement >= 0) != (turns_steep_faces && std::abs(agreement) < least_cosine);
     for (const bool plus : {false, true}) {
       const Key key{faces.surface[f], faces.source_triangle[f], plus == along ? 1 : 0};
       const auto [at, is_new] = first.try_emplace(plus ? faces.region_plus[f] : faces.region_minus[f], key);
@@ -117,9 +126,25 @@ void NameJudge::number_unnamed() {
     if (row.label.kind == LabelKind::unnamed) unnamed.push_back(&row);
   std::sort(unnamed.begin(), unnamed.end(),
             [&](const Row* a, const Row* b) { return std::tie(first[a->id], a->id) < std::tie(first[b->id], b->id); });
+  return unnamed;
+}
+
+/// `region_1`, `region_2` ...
+void NameJudge::number_unnamed() {
+  std::vector<Row*> unnamed = unnamed_in_order(false);
+  const auto number = [](std::size_t k) { return "region_" + std::to_string(k + 1); };
+  const auto is_as_named = [&](const std::vector<Row*>& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (rows[k]->name != number(k)) return false;
+    return true;
+  };
+  if (!is_as_named(unnamed)) {
+    std::vector<Row*> turned = unnamed_in_order(true);
+    if (is_as_named(turned)) unnamed = std::move(turned);
+  }
   for (std::size_t k = 0; k < unnamed.size(); ++k) {
     unnamed[k]->label.rank = static_cast<Index>(k);
-    unnamed[k]->label.name = "region_" + std::to_string(k + 1);
+    unnamed[k]->label.name = number(k);
     unnamed[k]->parts = {unnamed[k]->name};
   }
 }

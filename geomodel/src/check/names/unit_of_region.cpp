@@ -36,7 +36,8 @@ UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claim
     for (Index row = 0; row < claim.surfaces.size(); ++row) {
       if (claim.surfaces[row].name != column[i]) continue;
       horizon_of_surface_[row] = static_cast<Index>(horizons_.size());
-      horizons_.push_back({row, upper_sides(claim.surfaces[row]), TriangleSet(triangles_of(claim.surfaces[row]))});
+      horizons_.push_back({row, upper_sides(claim.surfaces[row]), TriangleSet(triangles_of(claim.surfaces[row])),
+                           tree_over_triangles(claim.surfaces[row])});
     }
   left_.resize(horizons_.size());
   add_faces(reach);
@@ -128,10 +129,11 @@ UnitJudge::Contacts UnitJudge::on_vertical(const Vec3& p) const {
     for (Index h = 0; h < horizons_.size(); ++h) {
       const TriangulatedSurface& s = of_input ? claimed_.claim().surfaces[horizons_[h].surface] : left_[h];
       if (s.triangles.empty()) continue;
-      for_each_height(s, tree_over_triangles(s), p, 0, [&](Index, double z) {
+      const auto look_at = [&](Index, double z) {
         if (z >= p.z && (z < over || (z == over && h > above))) over = z, above = h;
         if (z < p.z && (z > under || (z == under && h < below))) under = z, below = h;
-      });
+      };
+      for_each_height(s, of_input ? horizons_[h].tree : tree_over_triangles(s), p, 0, look_at);
     }
     if (above != no_index) contacts.below[above] = 1;
     if (below != no_index) contacts.above[below] = 1;
@@ -146,7 +148,7 @@ bool UnitJudge::narrow(const Vec3& p, Index& first, Index& last) const {
   for (Index h = first; h < last; ++h) {
     const TriangulatedSurface& s = claimed_.claim().surfaces[horizons_[h].surface];
     bool is_over = false, is_under = false;
-    for_each_height(s, tree_over_triangles(s), p, 0, [&](Index, double z) { (z >= p.z ? is_over : is_under) = true; });
+    for_each_height(s, horizons_[h].tree, p, 0, [&](Index, double z) { (z >= p.z ? is_over : is_under) = true; });
     tells = tells || is_over || is_under;
     if (is_over && !is_under) least = std::max(least, h + 1);
     if (is_under && !is_over) most = std::min(most, h);

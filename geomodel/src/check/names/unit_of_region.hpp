@@ -47,6 +47,7 @@ class UnitJudge {
     Index surface;
     std::vector<int> upper_side;
     TriangleSet triangles;
+    BoxTree tree;  ///< over the surface's triangles
   };
   void add_faces(double reach);
   UnitVerdict verdict_of(const Contacts& contacts) const;
