@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random columns with rules (tests/fuzz/random_rules.py): 40 in every run of the tests, more by night. Each mesh passes the judge, fills the
+"""Random columns with rules (tests/fuzz/random_rules.py): 24 in every run of the tests, more by night. Each mesh passes the judge, fills the
 volume, and has at each element's centroid the unit that the rules give there.
 
     GEOMESH_RANDOM_RULES=1000 GEOMESH_RANDOM_SEED=5000 ctest ... -R app.random_rules     another number, other seeds
@@ -13,7 +13,7 @@ from geomesh_program import NIGHTLY, SOURCE, ProgramTest, main
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
 from random_rules import RandomRules  # noqa: E402
 
-COUNT = int(os.environ.get("GEOMESH_RANDOM_RULES", "600" if NIGHTLY else "40"))
+COUNT = int(os.environ.get("GEOMESH_RANDOM_RULES", "600" if NIGHTLY else "24"))
 FIRST = int(os.environ.get("GEOMESH_RANDOM_SEED", "0"))
 
 

@@ -276,6 +276,21 @@ rules: {trim_overshoot: 1}
         area = {surface["name"]: surface["area"] for surface in report["surfaces"]}
         self.assertAlmostEqual(area["f"], 95, delta=1e-9)
 
+    def test_what_another_fault_ends_on_is_no_overshoot(self):
+        """f is 0.5 above h, and g ends on it at 0.3. What is above g goes, and what is below it stays."""
+        self.write("h.ts", level("h", 5))
+        self.surface("f", [(5, -1), (5, 5.5)])
+        self.surface("g", [(5, 5.3), (11, 5.8)])
+        _, volumes = self.mesh("""surfaces:
+  - {name: h, kind: horizon, file: h.ts}
+  - {name: f, kind: fault, file: f.ts}
+  - {name: g, kind: fault, file: g.ts}
+column: [upper, h, lower]
+rules: {trim_overshoot: 1}
+""")
+        below_g = 50 * (0.3 + 0.5 * 5 / 12)
+        self.assert_volumes(volumes, {"upper__1": 500 - below_g, "upper__2": below_g, "lower__1": 250, "lower__2": 250})
+
 
 class Dykes(RulesTest):
     DYKE = """surfaces:

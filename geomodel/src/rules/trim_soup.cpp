@@ -264,8 +264,28 @@ Contacts contacts_of(const Trimming& work, const Piece& piece, Index s) {
   return contacts;
 }
 
+/// Whether another surface ends on the piece, and on nothing else: it would end in the open without it.
+bool something_ends_on(const Trimming& work, const Piece& piece, Index s) {
+  bool found = false;
+  for_each_edge(work.working.uses, [&](std::span<const EdgeUse> edge) {
+    if (found) return;
+    bool mine = false, is_held = false;
+    std::map<Index, int> others;  // facets left of other surfaces
+    for (const EdgeUse& u : edge) {
+      const bool of_piece = std::binary_search(piece.facets.begin(), piece.facets.end(), u.facet);
+      mine = mine || of_piece;
+      for (const PolygonSoup::Origin& o : work.working.origins[u.facet]) {
+        if (o.surface != s) ++others[o.surface];
+        is_held = is_held || (o.surface == s && !of_piece);
+      }
+    }
+    found = mine && !is_held && others.size() == 1 && others.begin()->second == 1;
+  });
+  return found;
+}
+
 /// Pieces of horizons and faults that hang on another surface by one side, end freely and reach no further than
-/// trim_overshoot.
+/// trim_overshoot. One on which alone another surface ends stays.
 void trim_overshoots(Trimming& work) {
   for (Index s = 0; s < work.surfaces.size(); ++s) {
     if (work.surfaces[s].kind != SurfaceKind::horizon && work.surfaces[s].kind != SurfaceKind::fault) continue;
@@ -279,7 +299,8 @@ void trim_overshoots(Trimming& work) {
     Vec3 place;
     for (const Piece& piece : pieces) {
       if (piece.free_border == 0 || piece.contact == 0 || piece.area == largest) continue;
-      if (piece_reaches_beyond(work.working.soup, piece, contacts_of(work, piece, s), work.rules.trim_overshoot))
+      if (piece_reaches_beyond(work.working.soup, piece, contacts_of(work, piece, s), work.rules.trim_overshoot) ||
+          something_ends_on(work, piece, s))
         continue;
       place = work.working.centre(piece.largest);
       area += work.remove(piece, s);
