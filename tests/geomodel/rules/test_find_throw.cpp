@@ -49,18 +49,26 @@ TriangulatedSurface strips(const std::vector<double>& ends, const std::vector<do
   return s;
 }
 
-std::vector<std::string> found(const std::vector<double>& down, double noise, bool hang_together = true) {
-  const std::vector<TriangulatedSurface> surfaces{strips({0, 1000, 2000, 3000}, down, noise, hang_together),
-                                                  fault_at("west", 1000), fault_at("east", 2000),
-                                                  fault_at("far", 9000)};
+/// The faults found for the first surface, and how much was said of it.
+struct Told {
+  std::vector<std::string> faults, notes{}, warnings{};
+};
+Told find(const std::vector<TriangulatedSurface>& surfaces) {
   ModelRules rules;
   rules.surfaces.resize(surfaces.size());
   rules.surfaces[0].throw_auto = true;
-  std::vector<std::string> notes, warnings;
-  find_throws(surfaces, rules, notes, warnings);
-  CHECK(notes.size() == 2);  // of the fault that is nowhere near nothing is said
-  CHECK(warnings.empty() == !rules.surfaces[0].throw_at.empty());
-  return rules.surfaces[0].throw_at;
+  Told told;
+  find_throws(surfaces, rules, told.notes, told.warnings);
+  told.faults = rules.surfaces[0].throw_at;
+  return told;
+}
+
+std::vector<std::string> found(const std::vector<double>& down, double noise, bool hang_together = true) {
+  const Told told = find({strips({0, 1000, 2000, 3000}, down, noise, hang_together), fault_at("west", 1000),
+                          fault_at("east", 2000), fault_at("far", 9000)});
+  CHECK(told.notes.size() == 2);  // of the fault that is nowhere near nothing is said
+  CHECK(told.warnings.empty() == !told.faults.empty());
+  return told.faults;
 }
 
 }  // namespace
@@ -80,12 +88,7 @@ TEST_CASE("a fault between two sheets of a horizon parts them, however small the
 }
 
 TEST_CASE("of faults between the same sheets the nearest to their borders counts", "[throw_auto]") {
-  const std::vector<TriangulatedSurface> surfaces{strips({0, 1000, 2000}, {0, 40}, 2, false), fault_at("near", 1000),
-                                                  fault_at("beside", 1150)};
-  ModelRules rules;
-  rules.surfaces.resize(surfaces.size());
-  rules.surfaces[0].throw_auto = true;
-  std::vector<std::string> notes, warnings;
-  find_throws(surfaces, rules, notes, warnings);
-  CHECK(rules.surfaces[0].throw_at == std::vector<std::string>{"near"});
+  const Told told =
+      find({strips({0, 1000, 2000}, {0, 40}, 2, false), fault_at("near", 1000), fault_at("beside", 1150)});
+  CHECK(told.faults == std::vector<std::string>{"near"});
 }

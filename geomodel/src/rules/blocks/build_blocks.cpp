@@ -40,8 +40,8 @@ std::vector<const TriangulatedSurface*> surfaces_of(const std::vector<ThrowFault
 /// The faults that may have a ramp: across one between two sheets none is smeared.
 std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const TriangulatedSurface& horizon,
                                       const PartingFaults& parting) {
-  const SheetSides sides(horizon, surfaces_of(parting.faults));
-  const std::vector<SheetSides::Parting> how = sides.parting(std::vector<double>(ramps.size(), 0));
+  const std::vector<SheetSides::Parting> how =
+      parting_of(horizon, surfaces_of(parting.faults), std::vector<double>(ramps.size(), 0));
   std::vector<RampFault> left;
   for (std::size_t k = 0; k < ramps.size(); ++k)
     if (how[k] != SheetSides::Parting::alone) left.push_back(ramps[k]);

@@ -162,7 +162,7 @@ void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& r
     const std::vector<Found> found = throws_of(surfaces[s], faults);
     std::vector<double> evidence;
     for (const Found& f : found) evidence.push_back(f.share());
-    const std::vector<SheetSides::Parting> parting = SheetSides(surfaces[s], fault_surfaces).parting(evidence);
+    const std::vector<SheetSides::Parting> parting = parting_of(surfaces[s], fault_surfaces, evidence);
     const std::vector<std::string> known = rules.surfaces[s].throw_at;  // by fault polygons
     for (std::size_t f = 0; f < found.size(); ++f) {
       if (std::find(known.begin(), known.end(), names[f]) != known.end()) continue;

@@ -173,7 +173,6 @@ std::vector<bool> SheetSides::run_across() const {
 
 std::vector<SheetSides::Parting> SheetSides::parting(const std::vector<double>& evidence) const {
   std::vector<Parting> found(n_faults_, Parting::none);
-  if (sheets_.size() < 2) return found;
   std::vector<bool> counts = run_across();
   counts.flip();
   const auto wrong = [&](std::size_t f) { return (1 - evidence[f]) * on_wrong_side(f); };
@@ -186,6 +185,16 @@ std::vector<SheetSides::Parting> SheetSides::parting(const std::vector<double>& 
   for (std::size_t f = 0; f < n_faults_; ++f)
     if (counts[f] && parts_alone(f, counts)) found[f] = Parting::alone;
   return found;
+}
+
+std::vector<SheetSides::Parting> parting_of(const TriangulatedSurface& horizon,
+                                            const std::vector<const TriangulatedSurface*>& faults,
+                                            const std::vector<double>& evidence) {
+  const std::vector<Index> sheet =
+      sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
+  if (std::all_of(sheet.begin(), sheet.end(), [&](Index s) { return s == sheet.front(); }))
+    return std::vector<SheetSides::Parting>(faults.size(), SheetSides::Parting::none);
+  return SheetSides(horizon, faults).parting(evidence);
 }
 
 }  // namespace geomesh::geomodel

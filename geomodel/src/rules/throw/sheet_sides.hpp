@@ -103,4 +103,9 @@ class SheetSides {
   double area_ = 0;
 };
 
+/// SheetSides::parting. A horizon of one sheet is parted by none, without looking at its sides.
+std::vector<SheetSides::Parting> parting_of(const TriangulatedSurface& horizon,
+                                            const std::vector<const TriangulatedSurface*>& faults,
+                                            const std::vector<double>& evidence);
+
 }  // namespace geomesh::geomodel
