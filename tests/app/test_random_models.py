@@ -340,6 +340,11 @@ output: {{directory: out, formats: [vtu]}}
         """Two faults 0.5 mm apart in conforming mode (821076)."""
         self.assert_pass(821076, light=True)
 
+    def test_faces_name_the_needle_that_they_lie_on(self):
+        """A sheet had needles 1e-9 m wide and 1,530 m long. The nearest point of one was off by more than rounding, and faces on it named another
+        triangle."""
+        self.assert_pass(1480318, light=True)
+
     def test_a_refusal_names_surfaces_and_the_way_out(self):
         """Slits that are too thin in either way; that points may be added on surfaces is said where they may not."""
         model = os.path.join(SOURCE, "tests", "corpus", "thin_slits", "thin_slits.off")

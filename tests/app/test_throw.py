@@ -86,6 +86,15 @@ column: [upper, h, lower]
         self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 160, "upper__3": 180, "lower__1": 180, "lower__2": 240, "lower__3": 120})
         self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
 
+    def test_a_sheet_of_two_triangles_that_runs_on_across_one_of_the_faults(self):
+        """A fifth of the eastern sheet lies west of g, though the middles of both its triangles lie east of it."""
+        self.surface("f", [(3, -1), (3, 11)])
+        self.surface("g", [(4.6, -1), (4.6, 11)])
+        self.surface("h", [(-1, 6), (3, 6)], [(3, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 96, "upper__3": 324, "lower__1": 180, "lower__2": 64, "lower__3": 216})
+        self.told(report, "warnings", "horizon h: it runs on across g as one sheet")
+
     def test_one_sheet_over_a_fault_that_ends_on_the_sides_of_the_box(self):
         """The fault is continued beyond them, where nothing of the horizon goes round it."""
         self.write("f.ts", triangles_ts("f", *strip([(5, -1), (5, 11)], 0, 10)))

@@ -23,15 +23,22 @@ std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3
   return {p, closest_on_segment(p, c, d)};
 }
 
-PreparedTriangle::PreparedTriangle(const std::array<Vec3, 3>& corners)
+PreparedTriangle::PreparedTriangle(const std::array<Vec3, 3>& corners, double width_of_needle)
     : corners_(corners),
       ab_(corners[1] - corners[0]),
       ac_(corners[2] - corners[0]),
       abab_(dot(ab_, ab_)),
       abac_(dot(ab_, ac_)),
       acac_(dot(ac_, ac_)) {
-  const Vec3 n = cross(ab_, ac_);
-  has_area_ = dot(n, n) > 0;
+  // Of a triangle h times as wide as long, rounding turns n by about 1e-16 / h radians. It moves what barycentric
+  // coordinates give by 1e-16 / h^2 of the length.
+  constexpr double width_of_line = 1e-13;
+  const Vec3 n = cross(ab_, ac_), bc = corners[2] - corners[1];
+  const double square = dot(n, n), longest_square = std::max({abab_, acac_, dot(bc, bc)});
+  const auto is_wider = [&](double width) { return square > longest_square * longest_square * (width * width); };
+  has_area_ = is_wider(width_of_line);
+  is_needle_ = !is_wider(width_of_needle);
+  square_of_width_ = longest_square > 0 ? square / longest_square : 0;
   normal_ = unit(n);
 }
 
@@ -43,8 +50,21 @@ Vec3 PreparedTriangle::closest_on_sides(const Vec3& p) const {
                            [&](const Vec3& u, const Vec3& v) { return dot(u - p, u - p) < dot(v - p, v - p); });
 }
 
+Vec3 PreparedTriangle::closest_in_needle(const Vec3& p) const {
+  const Vec3 on_side = closest_on_sides(p);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& from = corners_[i];
+    if (!(dot(cross(corners_[(i + 1) % 3] - from, p - from), normal_) > 0)) return on_side;
+  }
+  // A turned normal leads astray where p is far off. The true place is no farther from the side than the needle is
+  // wide.
+  const Vec3 foot = p - dot(normal_, p - on_side) * normal_;
+  return dot(foot - on_side, foot - on_side) <= square_of_width_ ? foot : on_side;
+}
+
 Vec3 PreparedTriangle::closest_to(const Vec3& p) const {
   if (!has_area_) return closest_on_sides(p);
+  if (is_needle_) return closest_in_needle(p);
   const auto& [a, b, c] = corners_;
   const Vec3 ap = p - a;
   const double d1 = dot(ab_, ap), d2 = dot(ac_, ap), d3 = d1 - abab_, d4 = d2 - abac_, d5 = d1 - abac_, d6 = d2 - acac_;
@@ -60,7 +80,8 @@ Vec3 PreparedTriangle::closest_to(const Vec3& p) const {
 }
 
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return PreparedTriangle({a, b, c}).closest_to(p);
+  constexpr double width_of_needle = 1e-2;
+  return PreparedTriangle({a, b, c}, width_of_needle).closest_to(p);
 }
 
 ClosestPointTrees::ClosestPointTrees(std::vector<Item> items, std::size_t n_groups)

@@ -268,7 +268,7 @@ TEST_CASE(
     REQUIRE(flat != no_cell);
     const double volume = bench.volume();
     const std::size_t n_cells = bench.mesh.n_cells();
-    CHECK(remove_edge(bench.tools, flat, 4, 6) == tolerance > 0);
+    CHECK(remove_edge(bench.tools, flat, 4, 6) == (tolerance > 0));
     CHECK(bench.mesh.validate() == "");
     CHECK(bench.mesh.n_cells() == n_cells - (tolerance > 0));
     CHECK((flat_cell() == no_cell) == tolerance > 0);

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <random>
 
+#include "common/geometry.hpp"
 #include "search/closest_point.hpp"
 
 using namespace geomesh;
 using namespace geomesh::search;
 
 namespace {
-
-double squared_distance(const Vec3& a, const Vec3& b) { return dot(a - b, a - b); }
 
 /// Steps of the grid [0, 4] in each axis, so that lines are parallel, cross and meet often.
 Vec3 on_grid(std::mt19937_64& random) { return {double(random() % 5), double(random() % 5), double(random() % 5)}; }
@@ -58,5 +57,32 @@ TEST_CASE("The nearest item is of the group that is asked, whatever lies nearer 
       CHECK(items[found.item].group == group);
       if (nearest > 0) CHECK_FALSE(trees.closest(p, group, 0.5 * found.distance).item < items.size());
     }
+  }
+}
+
+// Needles 500 m long and a nanometre to a metre wide. The point is put off the needle along its normal, above a place
+// inside, so that the distance is known.
+TEST_CASE("The nearest point of a needle is right to rounding, however thin it is", "[search]") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit_interval(0, 1);
+  constexpr double length = 500, rounding = 4e-12;
+  for (int round = 0; round < 2000; ++round) {
+    const auto draw = [&] { return unit_interval(random); };
+    const Vec3 along = unit(Vec3{draw() - 0.5, draw() - 0.5, draw() - 0.5});
+    const Vec3 across = unit(cross(along, Vec3{draw(), draw(), draw()})), normal = cross(along, across);
+    const double width = std::pow(10, -9 + 9 * draw());
+    const Vec3 a{1000 * draw(), 1000 * draw(), 1000 * draw()};
+    std::array<Vec3, 3> corners{a, a + length * along, a + (length * draw()) * along + width * across};
+    std::rotate(corners.begin(), corners.begin() + round % 3, corners.end());
+    double u = draw(), v = draw();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Vec3 inside = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+    // A needle turns by up to the rounding of its corners over its width.
+    const double off = round % 2 == 0 ? 0 : std::min(1.0, width), found = [&] {
+      const Vec3 p = inside + off * normal;
+      return std::sqrt(squared_distance(p, closest_on_triangle(p, corners[0], corners[1], corners[2])));
+    }();
+    INFO("round " << round << ", " << width << " m wide, " << off << " m off");
+    CHECK(std::abs(found - off) < rounding);
   }
 }

@@ -6,7 +6,6 @@
 
 #include "common/union_find.hpp"
 #include "naming/sheets.hpp"
-#include "naming/sums.hpp"
 #include "rules/blocks/throw_blocks.hpp"
 #include "rules/throw/fault_crossings.hpp"
 
@@ -21,14 +20,15 @@ class BlockSides {
   BlockSides(const TriangulatedSurface& horizon, const std::vector<Index>& block, Index own,
              const std::vector<FaultSides>& faults)
       : faults_(faults), side_(faults.size(), 0) {
+    const AreaSamples samples(horizon);
     for (std::size_t f = 0; f < faults.size(); ++f) {
       double above = 0, all = 0;
       for (std::size_t t = 0; t < block.size(); ++t) {
         if (block[t] != own) continue;
-        const Triangle& v = horizon.triangles[t];
-        const double area = triangle_area(horizon.points[v[0]], horizon.points[v[1]], horizon.points[v[2]]);
-        all += area;
-        if (faults[f].is_above(centre_of(horizon, v))) above += area;
+        samples.for_each(static_cast<Index>(t), [&](const Vec3& place, double area) {
+          all += area;
+          if (faults[f].is_above(place)) above += area;
+        });
       }
       if (above >= nearly_all * all) side_[f] = 1;
       if (above <= (1 - nearly_all) * all) side_[f] = -1;

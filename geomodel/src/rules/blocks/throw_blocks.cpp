@@ -34,12 +34,13 @@ SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vec
   std::map<Index, std::vector<double>> balance;  // per sheet and fault: area above less area below
   std::vector<FaultSides> sides;
   for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
+  const AreaSamples samples(horizon);
   for (Index t = 0; t < sheet.size(); ++t) {
     if (!counts(t)) continue;
     auto& sums = balance.try_emplace(sheet[t], faults.size(), 0.0).first->second;
-    const double area = area_of(horizon, t);
-    for (std::size_t f = 0; f < sides.size(); ++f)
-      sums[f] += sides[f].is_above(centre_of(horizon, horizon.triangles[t])) ? area : -area;
+    samples.for_each(t, [&](const Vec3& place, double area) {
+      for (std::size_t f = 0; f < sides.size(); ++f) sums[f] += sides[f].is_above(place) ? area : -area;
+    });
   }
   std::map<std::vector<bool>, Index> block_of_sides;
   SortedBlocks blocks{std::vector<Index>(sheet.size(), BuiltRows::of_no_block)};
@@ -195,15 +196,18 @@ bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Inde
                                            [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
   if (!one_ends_inside) return false;
   const std::vector<Crossing> crossing = find_crossings(horizon, 0, parting.faults, everywhere);
+  const AreaSamples samples(horizon);
   double all = 0, alone = 0;
   for (Index t = 0; t < block.size(); ++t) {
-    const Vec3 centre = centre_of(horizon, horizon.triangles[t]);
-    if (!is_in(parting.box, centre)) continue;
-    all += area_of(horizon, t);
-    if (block[t] != BuiltRows::of_every_block && crossing[t] == Crossing::none) continue;
-    std::vector<bool> key;
-    for (const FaultSides& side : fault_sides) key.push_back(side.is_above(centre));
-    if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area_of(horizon, t);
+    const bool is_sorted = block[t] != BuiltRows::of_every_block && crossing[t] == Crossing::none;
+    samples.for_each(t, [&](const Vec3& place, double area) {
+      if (!is_in(parting.box, place)) return;
+      all += area;
+      if (is_sorted) return;
+      std::vector<bool> key;
+      for (const FaultSides& side : fault_sides) key.push_back(side.is_above(place));
+      if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area;
+    });
   }
   return alone > much_alone * all;
 }

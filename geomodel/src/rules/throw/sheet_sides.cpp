@@ -5,7 +5,6 @@
 
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
-#include "naming/sums.hpp"
 #include "rules/planar/map_locator.hpp"
 
 namespace geomesh::geomodel {
@@ -36,15 +35,6 @@ std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
 
 }  // namespace
 
-Vec3 centre_of(const TriangulatedSurface& s, const Triangle& t) {
-  return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
-}
-
-double area_of(const TriangulatedSurface& s, Index t) {
-  const Triangle& v = s.triangles[t];
-  return triangle_area(s.points[v[0]], s.points[v[1]], s.points[v[2]]);
-}
-
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& s) {
   const std::vector<VertexIndex> merged = merge_equal_points(s.points);
   std::map<std::pair<VertexIndex, VertexIndex>, Index> first;
@@ -68,18 +58,20 @@ bool FaultSides::is_above(const Vec3& p) const {
 }
 
 SheetSides::SheetSides(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults)
-    : horizon_(horizon), n_faults_(faults.size()), sides_(horizon.triangles.size()) {
+    : horizon_(horizon), n_faults_(faults.size()) {
   sheet_ = sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
   std::vector<FaultSides> fault_sides;
   for (const TriangulatedSurface* fault : faults) fault_sides.emplace_back(*fault);
-  for (Index t = 0; t < sheet_.size(); ++t) {
-    for (const FaultSides& f : fault_sides) sides_[t].push_back(f.is_above(centre_of(horizon, horizon.triangles[t])));
-    Sheet& sheet = sheets_.try_emplace(sheet_[t], Sheet{0, std::vector<double>(n_faults_, 0)}).first->second;
-    const double area = area_of(horizon, t);
-    sheet.area += area;
-    area_ += area;
-    for (std::size_t f = 0; f < n_faults_; ++f) sheet.above[f] += sides_[t][f] ? area : 0;
-  }
+  const AreaSamples samples(horizon);
+  for (Index t = 0; t < sheet_.size(); ++t)
+    samples.for_each(t, [&](const Vec3& place, double area) {
+      Part part{sheet_[t], place, area, {}};
+      for (const FaultSides& f : fault_sides) part.above.push_back(f.is_above(place));
+      Sheet& sheet = sheets_.try_emplace(part.sheet, Sheet{0, std::vector<double>(n_faults_, 0)}).first->second;
+      sheet.add(part);
+      area_ += area;
+      parts_.push_back(std::move(part));
+    });
 }
 
 SheetSides::SmallerPart SheetSides::smaller_part(Index own, std::size_t fault) const {
@@ -89,19 +81,16 @@ SheetSides::SmallerPart SheetSides::smaller_part(Index own, std::size_t fault) c
     if (sheet_[t] != own) others.triangles.push_back(horizon_.triangles[t]);
   const MapLocator over(others);
   const bool is_above_smaller = !sheets_.at(own).is_above(fault);
-  Sheet part{0, std::vector<double>(n_faults_, 0)};
+  Sheet smaller{0, std::vector<double>(n_faults_, 0)};
   double alone = 0;
-  for (Index t = 0; t < sheet_.size(); ++t) {
-    if (sheet_[t] != own || sides_[t][fault] != is_above_smaller) continue;
-    const double area = area_of(horizon_, t);
-    part.area += area;
-    for (std::size_t f = 0; f < n_faults_; ++f) part.above[f] += sides_[t][f] ? area : 0;
-    const Vec3 centre = centre_of(horizon_, horizon_.triangles[t]);
-    if (over.find({centre.x, centre.y}).count == 0) alone += area;
+  for (const Part& part : parts_) {
+    if (part.sheet != own || part.above[fault] != is_above_smaller) continue;
+    smaller.add(part);
+    if (over.find({part.place.x, part.place.y}).count == 0) alone += part.area;
   }
   const bool has_another = std::any_of(sheets_.begin(), sheets_.end(), [&](const auto& other) {
     for (std::size_t f = 0; f < n_faults_; ++f)
-      if (other.second.is_above(f) != part.is_above(f)) return false;
+      if (other.second.is_above(f) != smaller.is_above(f)) return false;
     return other.first != own;
   });
   return {alone, has_another};

@@ -12,13 +12,11 @@
 
 #include "common/union_find.hpp"
 #include "geomesh/geomodel/surface.hpp"
+#include "rules/throw/area_samples.hpp"
 #include "rules/throw/nearest_point.hpp"
 #include "rules/throw/side_bounds.hpp"
 
 namespace geomesh::geomodel {
-
-Vec3 centre_of(const TriangulatedSurface& surface, const Triangle& triangle);
-double area_of(const TriangulatedSurface& surface, Index triangle);
 
 /// Pairs of triangles with an edge in common (equal coordinates merged).
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& surface);
@@ -50,7 +48,7 @@ class FaultSides {
 };
 
 /// Sheets of a horizon (triangles that hang together by edges), and how much of each lies on which side of each fault.
-/// A sheet is on the side where most of its area is. Cost: triangles times faults, each O(log n).
+/// A sheet is on the side where most of its area is. Cost: parts of triangles times faults, each O(log n).
 class SheetSides {
  public:
   /// Both outlive this.
@@ -71,9 +69,20 @@ class SheetSides {
   std::vector<Parting> parting(const std::vector<double>& evidence) const;
 
  private:
+  /// Part of a triangle (AreaSamples).
+  struct Part {
+    Index sheet;
+    Vec3 place;
+    double area;
+    std::vector<bool> above;  ///< per fault
+  };
   struct Sheet {
     double area = 0;
     std::vector<double> above{};  ///< area, per fault
+    void add(const Part& part) {
+      area += part.area;
+      for (std::size_t f = 0; f < above.size(); ++f) above[f] += part.above[f] ? part.area : 0;
+    }
     bool is_above(std::size_t fault) const { return 2 * above[fault] > area; }
     double smaller(std::size_t fault) const { return std::min(above[fault], area - above[fault]); }
   };
@@ -97,8 +106,8 @@ class SheetSides {
 
   const TriangulatedSurface& horizon_;
   std::size_t n_faults_;
-  std::vector<Index> sheet_;              ///< per triangle
-  std::vector<std::vector<bool>> sides_;  ///< per triangle and fault: above
+  std::vector<Index> sheet_;  ///< per triangle
+  std::vector<Part> parts_;
   std::map<Index, Sheet> sheets_;
   double area_ = 0;
 };

@@ -31,11 +31,6 @@ class SidePairing {
   std::map<std::pair<VertexIndex, VertexIndex>, std::pair<Index, std::size_t>> open_;
 };
 
-std::size_t side_towards(const GrowingTriangulation::Cell& cell, Index neighbour) {
-  return static_cast<std::size_t>(std::find(cell.neighbours.begin(), cell.neighbours.end(), neighbour) -
-                                  cell.neighbours.begin());
-}
-
 /// p sees the piece a b under a right angle or a greater one.
 bool encroaches(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) <= 0;
