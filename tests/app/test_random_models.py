@@ -345,6 +345,11 @@ output: {{directory: out, formats: [vtu]}}
         triangle."""
         self.assert_pass(1480318, light=True)
 
+    def test_a_place_with_many_vertices_within_rounding_of_each_other_is_brought_together(self):
+        """Three faults lie in each other over kilometres, within the tolerance. 160 vertices stood within 3e-8 m of each other, and a fault had
+        a hole there."""
+        self.assert_pass(1449578, light=True)
+
     def test_a_refusal_names_surfaces_and_the_way_out(self):
         """Slits that are too thin in either way; that points may be added on surfaces is said where they may not."""
         model = os.path.join(SOURCE, "tests", "corpus", "thin_slits", "thin_slits.off")

@@ -39,6 +39,9 @@ double mending_distance(const Complex& complex, unsigned round) {
 /// Surfaces that lie in each other are a few ulps apart.
 constexpr double joining_ulps = 32;
 
+/// Facets with all sides below this share of the tolerance are no features of a model.
+constexpr double speck_of_tolerance = 1e-6;
+
 void close_thin_pockets(Complex& complex, const ArrangementOptions& options, const SurfaceList& surfaces,
                         ArrangementResult::Merging& merging) {
   const ClosedPockets closed =
@@ -252,7 +255,7 @@ class Arrangement {
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
-    if (options_.tolerance > 0) book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
+    if (options_.tolerance > 0) flatten(complex);
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
     mend_surfaces(complex, options_.tolerance, joining_.distance, result_, book_.vanished);
     result_.soup = soup_of(std::move(complex));
@@ -285,6 +288,13 @@ class Arrangement {
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
       book_.take(snap_near(complex, all_facets(complex), {options_.tolerance, planes_, MoveToBox::none, join_rule_}));
+  }
+
+  void flatten(Complex& complex) {
+    Joining specks = joining_;
+    specks.distance = std::max(joining_.distance, speck_of_tolerance * options_.tolerance);
+    book_.take(merge_specks(complex, specks, context_, result_.memory_bound));
+    book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
   }
 
   Complex take(Rounded&& rounded) {

@@ -13,10 +13,13 @@ namespace {
 
 constexpr unsigned most_rounds = 4;  // what is let alone in one has let others follow, as a rule
 
-bool is_sliver(const Complex& complex, const Triangle& t, double width) {
+double longest_side(const Complex& complex, const Triangle& t) {
   const Vec3 &a = complex.points[t[0]], &b = complex.points[t[1]], &c = complex.points[t[2]];
-  const double longest = std::max({length(b - a), length(c - b), length(a - c)});
-  return 2 * area(a, b, c) < width * longest;
+  return std::max({length(b - a), length(c - b), length(a - c)});
+}
+
+bool is_sliver(const Complex& complex, const Triangle& t, double width) {
+  return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) < width * longest_side(complex, t);
 }
 
 /// Active facets that hang together at vertices with one of `left_alone` are let alone, too.
@@ -34,13 +37,10 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-}  // namespace
-
-SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
-                            std::size_t memory_bound) {
-  std::vector<std::uint8_t> active;
-  for (const Triangle& t : complex.facets) active.push_back(is_sliver(complex, t, joining.distance));
-  mark_slits(complex, joining.distance, active);
+/// Brings together what is within the distance about active facets. Where facets meet anew, or one cannot follow,
+/// nothing is done there.
+SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
+                           const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =
       joining.sides_are_fixed ? JoinRule::all_but(static_cast<Index>(joining.first_side)) : JoinRule();
   const SnapOptions options{joining.distance, joining.box, MoveToBox::none, rule};
@@ -56,6 +56,29 @@ SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunC
     return outcome;
   }
   return {};
+}
+
+}  // namespace
+
+SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
+                            std::size_t memory_bound) {
+  std::vector<std::uint8_t> active;
+  for (const Triangle& t : complex.facets) active.push_back(is_sliver(complex, t, joining.distance));
+  mark_slits(complex, joining.distance, active);
+  return bring_together(complex, std::move(active), joining, context, memory_bound);
+}
+
+SnapOutcome merge_specks(Complex& complex, const Joining& joining, const RunContext& context,
+                         std::size_t memory_bound) {
+  std::vector<std::uint8_t> is_of_speck(complex.points.size(), 0), active;
+  for (const Triangle& t : complex.facets)
+    if (longest_side(complex, t) < joining.distance)
+      for (const VertexIndex v : t) is_of_speck[v] = 1;
+  for (const Triangle& t : complex.facets) {
+    const bool has_speck = std::ranges::any_of(t, [&](VertexIndex v) { return is_of_speck[v] != 0; });
+    active.push_back(has_speck && is_sliver(complex, t, joining.distance));
+  }
+  return bring_together(complex, std::move(active), joining, context, memory_bound);
 }
 
 }  // namespace geomesh::geomodel::arrangement

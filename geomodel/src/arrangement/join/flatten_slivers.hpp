@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Facets as thin as rounding, taken out of what is arranged.
+/// Facets as thin as rounding, and facets far smaller than the tolerance, taken out of what is arranged.
 #pragma once
 
 #include "arrangement/join/join_surfaces.hpp"
@@ -14,5 +14,10 @@ namespace geomesh::geomodel::arrangement {
 /// meets. Cost: that of snap_near, a few times, and of the contacts of what changed.
 SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
                             std::size_t memory_bound);
+
+/// The same of specks, whose sides are all shorter than the distance, and of facets thinner than it that have a corner
+/// of one. Where surfaces lie in each other within a tolerance, they cross in swarms far smaller than it, of a hundred
+/// vertices and more.
+SnapOutcome merge_specks(Complex& complex, const Joining& joining, const RunContext& context, std::size_t memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement
