@@ -341,11 +341,10 @@ output: {{directory: out, formats: [vtu]}}
         self.assert_pass(821076, light=True)
 
     def test_faces_name_the_needle_that_they_lie_on(self):
-        """A sheet had needles 1e-9 m wide and 1,530 m long. The nearest point of one was off by more than rounding, and faces on it named another
-        triangle."""
+        """A sheet had needles 1e-9 m wide and 1,530 m long. The nearest point of one was off, and faces on it named another triangle."""
         self.assert_pass(1480318, light=True)
 
-    def test_a_place_with_many_vertices_within_rounding_of_each_other_is_brought_together(self):
+    def test_a_swarm_of_vertices_far_smaller_than_the_tolerance_is_brought_together(self):
         """Three faults lie in each other over kilometres, within the tolerance. 160 vertices stood within 3e-8 m of each other, and a fault had
         a hole there."""
         self.assert_pass(1449578, light=True)

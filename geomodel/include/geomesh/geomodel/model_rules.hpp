@@ -79,7 +79,7 @@ struct ModelRules {
   std::string floor;                   ///< a horizon: parts of all other surfaces below it go
   OnCrossing on_crossing = OnCrossing::leave;
   /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are
-  /// removed. 0: none.
+  /// removed. Those on which alone another surface ends stay. 0: none.
   double trim_overshoot = 0;
   double min_thickness = 0;  ///< m, along the vertical; 0: no rule
   ThinLayers thin_layers = ThinLayers::keep;

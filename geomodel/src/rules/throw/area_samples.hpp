@@ -3,7 +3,6 @@
 /// Places all over a surface, each with the area that it stands for.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "geomesh/geomodel/surface.hpp"
