@@ -349,6 +349,14 @@ output: {{directory: out, formats: [vtu]}}
         a hole there."""
         self.assert_pass(1449578, light=True)
 
+    def test_a_region_takes_none_but_the_units_that_a_missing_horizon_leaves(self):
+        """All of a horizon was cut away over a narrow block, and another one has a hole there."""
+        self.assert_pass(1495739, light=True)
+
+    def test_a_fault_beside_a_salt_ends_no_earlier_than_the_tolerance_allows(self):
+        """A strip of a fault, 150 m long, is narrower than what is brought together. Without it the fault ended 80 m early."""
+        self.assert_pass(1499707, light=True)
+
     def test_a_refusal_names_surfaces_and_the_way_out(self):
         """Slits that are too thin in either way; that points may be added on surfaces is said where they may not."""
         model = os.path.join(SOURCE, "tests", "corpus", "thin_slits", "thin_slits.off")

@@ -8,6 +8,7 @@
 #include "arrangement/diagnosis/diagnosis.hpp"
 #include "arrangement/join/flatten_slivers.hpp"
 #include "arrangement/join/join_surfaces.hpp"
+#include "arrangement/join/lost_parts.hpp"
 #include "arrangement/join_input.hpp"
 #include "arrangement/model/displacement.hpp"
 #include "arrangement/model/memory_bound.hpp"
@@ -228,6 +229,7 @@ class Arrangement {
   ArrangementResult run() {
     InputJoiner joiner(ingested_, surfaces_, options_, joining_, context_);
     joiner.join(book_, result_.warnings, result_.memory_bound);
+    book_lost_parts(ingested_.complex);
     Contacts contacts = find_contacts(ingested_.complex, context_, result_.memory_bound);
     join_rule_ = joiner.rule(contacts);
     result_.n_pairs = contacts.n_pairs;
@@ -256,6 +258,7 @@ class Arrangement {
       apply_tolerance(complex);
     }
     if (options_.tolerance > 0) flatten(complex);
+    book_lost_parts(complex);
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
     mend_surfaces(complex, options_.tolerance, joining_.distance, result_, book_.vanished);
     result_.soup = soup_of(std::move(complex));
@@ -297,6 +300,14 @@ class Arrangement {
     book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
   }
 
+  /// Of what vanished since it was booked last.
+  void book_lost_parts(const Complex& complex) {
+    if (!(options_.tolerance > 0)) return;
+    add(lost_with(std::span(book_.vanished).subspan(n_booked_), complex, options_.tolerance),
+        result_.merging.displacement);
+    n_booked_ = book_.vanished.size();
+  }
+
   Complex take(Rounded&& rounded) {
     add(rounded.displacement, result_.rounding);
     book_.vanished.insert(book_.vanished.end(), rounded.vanished.begin(), rounded.vanished.end());
@@ -315,6 +326,7 @@ class Arrangement {
   std::optional<Box3> planes_;  ///< those of them that are sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
+  std::size_t n_booked_ = 0;   ///< facets that vanished, of which is booked what was lost with them
   double first_rounding_ = 0;  ///< finer doubles, next to zero, keep no points off the sides of the box
 };
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "geomesh/core/predicates.hpp"
+#include "naming/judge_by_heights.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
@@ -166,60 +167,6 @@ void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSo
   }
 }
 
-constexpr std::size_t most_asked = 64;   // places in a component
-constexpr double least_majority = 0.75;  // of the volume about those that tell anything
-constexpr double least_telling = 0.25;   // of the volume about all
-
-/// What most of the largest tetrahedra's places say; no_index where they do not agree. Sorts them by volume.
-Index asked_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTetrahedralization& mesh,
-               const std::function<Index(const Vec3&)>& unit_at) {
-  const std::size_t n = std::min(cells.size(), most_asked);
-  std::partial_sort(
-      cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(n), cells.end(),
-      [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
-  std::map<Index, double> votes;
-  double all = 0, telling = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Tetrahedron& v = mesh.tetrahedra[cells[k].second];
-    const Vec3 centre = 0.25 * ((mesh.points[v[0]] + mesh.points[v[1]]) + (mesh.points[v[2]] + mesh.points[v[3]]));
-    all += cells[k].first;
-    const Index unit = unit_at(centre);
-    if (unit == no_index) continue;
-    votes[unit] += cells[k].first;
-    telling += cells[k].first;
-  }
-  for (const auto& [unit, volume] : votes)
-    if (volume >= least_majority * telling && telling >= least_telling * all) return unit;
-  return no_index;
-}
-
-/// Asks the horizons as they were laid down about components whose faces leave several units, or none.
-void judge_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules,
-                      std::vector<UnitVerdict>& verdicts) {
-  if (!rules.unit_at) return;
-  std::map<Index, std::vector<std::pair<double, Index>>> cells;  // of components to be asked: volume, row
-  for (std::size_t c = 0; c < verdicts.size(); ++c)
-    if (verdicts[c].kind == UnitVerdict::Kind::incomplete || verdicts[c].kind == UnitVerdict::Kind::vertical)
-      cells[static_cast<Index>(c)];
-  if (cells.empty()) return;
-  for (Index t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const auto at = cells.find(mesh.component[t]);
-    if (at == cells.end()) continue;
-    const Tetrahedron& v = mesh.tetrahedra[t];
-    const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]], &d = mesh.points[v[3]];
-    at->second.emplace_back(std::abs(dot(b - a, cross(c - a, d - a))), t);
-  }
-  for (auto& [c, volumes] : cells) {
-    UnitVerdict& verdict = verdicts[c];
-    const Index unit = asked_of(volumes, mesh, rules.unit_at);
-    const bool is_possible = verdict.kind == UnitVerdict::Kind::vertical ||
-                             (unit >= verdict.first_possible && unit <= verdict.last_possible);
-    if (unit == no_index || !is_possible) continue;
-    verdict.first = verdict.last = unit;
-    verdict.by_heights = true;
-  }
-}
-
 /// Rows of components in the order of their regions' ids.
 std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::vector<ComponentFacts>& facts) {
   std::vector<std::size_t> order(labels.size());
@@ -365,7 +312,7 @@ NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, co
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column))
     named.verdicts.push_back(judge_unit(contacts, column));
   if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
-  if (column.given()) judge_by_heights(mesh, rules, named.verdicts);
+  if (column.given()) judge_by_heights(mesh, rules, column, named.verdicts);
   std::vector<Label> labels = make_labels(model, {facts, around, named.verdicts}, rules, column, warnings);
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);

@@ -63,6 +63,13 @@ struct MeshedModel {
   double moved_at_most = 0;
 };
 
+/// Units of the column, by row: from `first` to `last`, both counted. No unit where `first` is beyond `last`.
+struct UnitRange {
+  Index first = 0, last = 0;
+  bool empty() const { return first > last; }
+  bool operator==(const UnitRange&) const = default;
+};
+
 /// How regions get their names, in this order: a seed point inside, a region seed of the PLC, the innermost body it
 /// lies in, a hint, the column, else `region_1`, `region_2`, ... Among overlapping bodies the first in project order
 /// counts; unnamed regions are numbered in the order of their first input triangle.
@@ -84,9 +91,9 @@ struct NamingRules {
   bool merge_small = false;
   std::map<std::string, std::vector<std::string>> groups{};           ///< group: units, bodies or regions
   std::map<std::string, std::map<std::string, double>> attributes{};  ///< unit or region: attribute: value
-  /// Row of the column's unit at a place by the horizons as they were laid down, no_index where they do not tell. It is
-  /// asked of components whose own faces leave several units, or none: all of a horizon may be away there.
-  std::function<Index(const Vec3&)> unit_at{};
+  /// The column's units that the horizons as they were laid down leave at a place; several where a horizon is not
+  /// there. It is asked of components whose own faces leave several, or none: all of a horizon may be away there.
+  std::function<UnitRange(const Vec3&)> units_at{};
 };
 
 /// Names components, orders regions, builds face sets and curves. `points` are those of the soup's isolated points.

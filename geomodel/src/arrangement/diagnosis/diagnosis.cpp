@@ -131,8 +131,8 @@ void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, Arrangem
 void add_vanished(const std::vector<VanishedFacet>& vanished, ArrangementResult& result) {
   std::map<Index, Spot> spots;
   for (const VanishedFacet& v : vanished) {
-    Spot& spot = spots[v.surface];
-    if (spot.count == 0) spot = {"vanished", v.surface, no_index, 0, 0, v.place};
+    Spot& spot = spots[v.surfaces[0]];
+    if (spot.count == 0) spot = {"vanished", v.surfaces[0], no_index, 0, 0, v.corners[0]};
     ++spot.count;
   }
   for (const auto& [surface, spot] : spots) result.spots.push_back(spot);

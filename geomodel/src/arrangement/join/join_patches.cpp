@@ -107,7 +107,8 @@ SnapOutcome join_patches(Complex& complex, const std::vector<std::uint8_t>& may_
   SnapOptions snapping{distance, box, MoveToBox::none, JoinRule(std::set<SurfacePair>{})};
   snapping.rule.join_all_of(patches.pairs());
   SnapOutcome outcome = snap_near(complex, std::vector<std::uint8_t>(complex.facets.size(), 1), snapping, &vertex_now);
-  for (VanishedFacet& v : outcome.vanished) v.surface = patches.surface_of(v.surface);
+  for (VanishedFacet& v : outcome.vanished)
+    for (Index& surface : v.surfaces) surface = patches.surface_of(surface);
   give_surfaces_back(complex, patches);
   return outcome;
 }

@@ -40,6 +40,13 @@ void remove_repeated_segments(Complex& complex) {
   complex.dirty_segment.resize(kept);
 }
 
+std::vector<Index> surfaces_of(std::span<const Origin> origins) {
+  std::vector<Index> surfaces;
+  for (const Origin& o : origins)
+    if (std::find(surfaces.begin(), surfaces.end(), o.surface) == surfaces.end()) surfaces.push_back(o.surface);
+  return surfaces;
+}
+
 bool normalise_origins(std::vector<Origin>& origins) {
   std::stable_sort(origins.begin(), origins.end(), [](const Origin& a, const Origin& b) {
     return a.surface != b.surface ? a.surface < b.surface : a.triangle < b.triangle;

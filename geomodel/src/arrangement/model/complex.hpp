@@ -52,11 +52,12 @@ struct Complex {
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 
-/// A facet that lost its area when its corners were rounded or brought together.
+/// A facet that lost its area when its corners were rounded or brought together, and where these are then.
 struct VanishedFacet {
-  Index surface = no_index;
-  Vec3 place;
+  std::vector<Index> surfaces{};  ///< those of its origins; the first one is told
+  std::array<Vec3, 3> corners{};
 };
+std::vector<Index> surfaces_of(std::span<const Origin> origins);
 
 /// A well that runs to and fro along the same line gives each piece once.
 void remove_repeated_segments(Complex& complex);

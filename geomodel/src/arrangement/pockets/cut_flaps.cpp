@@ -234,7 +234,8 @@ CutFlaps cut_flaps(Complex& complex, double distance) {
     if (borne.by_others || is_beside_a_change(at, changes, complex, flap)) continue;
     for (const Index f : flap.facets) {
       changes.emplace(f, Change{surface, borne.ending});
-      done.vanished.push_back({surface, complex.points[complex.facets[f][0]]});
+      const Triangle& t = complex.facets[f];
+      done.vanished.push_back({{surface}, {complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]}});
     }
     if (flap.way.largest > done.moved.largest) done.moved = flap.way;
     ++done.n_flaps;

@@ -173,7 +173,7 @@ class Rebuilding {
   }
 
   void note_vanished(const Triangle& t, Index from) {
-    outcome_.vanished.push_back({complex_.origins.of(from)[0].surface, point(t[0])});
+    outcome_.vanished.push_back({surfaces_of(complex_.origins.of(from)), {point(t[0]), point(t[1]), point(t[2])}});
   }
 
   void push(Complex& out, const Triangle& t, Index from, std::uint8_t dirty) {

@@ -189,7 +189,8 @@ class Rounding {
       const bool dirty = moved_[t[0]] || moved_[t[1]] || moved_[t[2]];
       if (dirty && (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
                     projection_of(out.points[t[0]], out.points[t[1]], out.points[t[2]]).sign == Sign::zero)) {
-        result_.vanished.push_back({arranged_.origins.of(f)[0].surface, out.points[t[0]]});
+        result_.vanished.push_back(
+            {surfaces_of(arranged_.origins.of(f)), {out.points[t[0]], out.points[t[1]], out.points[t[2]]}});
         continue;
       }
       out.facets.push_back(t);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geomesh/core/error.hpp"
 
@@ -68,7 +69,7 @@ double LaidDown::height(const Horizon& horizon, const Vec3& p) {
   return most - least <= tiny ? 0.5 * (least + most) : nowhere;  // more than one height: it overhangs
 }
 
-std::optional<Index> LaidDown::unit_at(const Vec3& p) const {
+UnitRange LaidDown::units_at(const Vec3& p) const {
   std::vector<double> heights;
   for (const Horizon& horizon : horizons_) heights.push_back(height(horizon, p));
   settle_column(heights, 0, keepers_, 0);
@@ -77,16 +78,16 @@ std::optional<Index> LaidDown::unit_at(const Vec3& p) const {
     if (p.z < heights[h]) first = h + 1;
     if (p.z > heights[h]) last = std::min(last, h);
   }
-  return first == last ? std::optional<Index>(first) : std::nullopt;
+  return {first, last};
 }
 
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules) {
   if (rules.column.empty() || rules.column.size() / 2 > most_horizons) return naming;
   const auto laid_down = std::make_shared<std::optional<LaidDown>>();
-  naming.unit_at = [laid_down, &surfaces, &built, &rules](const Vec3& p) {
+  naming.units_at = [laid_down, &surfaces, &built, &rules](const Vec3& p) {
     if (!*laid_down) laid_down->emplace(surfaces, built, rules);
-    return (*laid_down)->unit_at(p).value_or(no_index);
+    return (*laid_down)->units_at(p);
   };
   return naming;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The unit of the column at a place, by the horizons as they were laid down.
+/// The units of the column at a place, by the horizons as they were laid down.
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "geomesh/geomodel/build_model.hpp"
@@ -23,9 +22,9 @@ class LaidDown {
   /// Throws Error{usage} where the column names no surface. `built` tells blocks; it may be of fewer surfaces.
   LaidDown(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules);
 
-  /// Row of the unit; nothing where a horizon is not there, or there more than once, and the others leave several.
-  /// O(horizons * log triangles) and the square of the horizons.
-  std::optional<Index> unit_at(const Vec3& p) const;
+  /// The units that the horizons leave: one, or several where a horizon is not there, or there more than once. Empty
+  /// where they contradict each other. O(horizons * log triangles) and the square of the horizons.
+  UnitRange units_at(const Vec3& p) const;
 
  private:
   /// A part of a horizon of one height over each place.
@@ -46,7 +45,7 @@ class LaidDown {
   Keepers keepers_;
 };
 
-/// The naming rules with LaidDown::unit_at: nothing is told without a column, or with more than `most_horizons`.
+/// The naming rules with LaidDown::units_at: nothing is told without a column, or with more than `most_horizons`.
 /// Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules);

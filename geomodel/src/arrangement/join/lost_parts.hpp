@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What surfaces lost with facets that vanished.
+#pragma once
+
+#include <span>
+
+#include "arrangement/model/complex.hpp"
+
+namespace geomesh::geomodel::arrangement {
+
+/// How far places of facets that vanished are from what is left of their surfaces, at most. A facet that vanishes
+/// inside a surface leaves its neighbours there. One between an end of the surface and another surface may have been
+/// narrow and long: its surface ends earlier then. `distance`: within which things were brought together. Places are no
+/// nearer to each other than it, or a 256th of their edge. Less than a thousandth of it counts as nothing. Where
+/// nothing is left of a surface it is the extent of what vanished. O(n log n) for the surfaces of which anything
+/// vanished.
+Displacement lost_with(std::span<const VanishedFacet> vanished, const Complex& complex, double distance);
+
+}  // namespace geomesh::geomodel::arrangement
