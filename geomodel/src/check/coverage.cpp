@@ -144,7 +144,7 @@ void CoverageJudge::check_bodies(CheckResult& result) {
       is_cut = is_cut || is_cut_kind(row);
       bounds_body = bounds_body || claim_.surfaces[row].kind == SurfaceKind::body;
     }
-    if (!is_cut || bounds_body) continue;
+    if (!is_cut || bounds_body || may_be_scarp(f)) continue;
     const Triangle& t = candidates_[f];
     for (const Body& body : bodies_) {
       if (!body.surface->cuts_all) continue;

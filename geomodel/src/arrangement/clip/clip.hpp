@@ -31,9 +31,9 @@ void clip_to_volume(ClipContext context, const Complex& complex, const Ingested&
                     const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points);
 
 /// First, inner parts of bodies that cross themselves are removed (winding number not zero on both sides). Then the
-/// parts of horizons and faults strictly inside bodies with cuts_all go. `crosses_itself` is per given surface. Returns
-/// how far from what is left of a surface places are that went, though they were outside of the body as given
-/// (lost_beside_body.hpp).
+/// parts of horizons and faults strictly inside bodies with cuts_all go, but for scarps (scarps.hpp). `crosses_itself`
+/// is per given surface. Returns how far from what is left of a surface places are that went, though they were outside
+/// of the body as given (lost_beside_body.hpp).
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 

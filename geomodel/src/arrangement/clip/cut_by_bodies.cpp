@@ -7,6 +7,7 @@
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/clip/facet_components.hpp"
 #include "arrangement/clip/lost_beside_body.hpp"
+#include "arrangement/clip/scarps.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -53,13 +54,14 @@ class BodyCutter {
 
   void cut() {
     std::vector<std::uint8_t> chosen(arranged_.facets.size(), 0), barrier(arranged_.facets.size(), 0);
+    const std::vector<std::uint8_t> stays = scarps(arranged_, context_.surfaces);
     for (std::size_t f = 0; f < chosen.size(); ++f)
       for (const Origin& o : arranged_.origins.of(f)) {
         chosen[f] |= is_cut(o.surface);
         barrier[f] |= is_cutter(o.surface);
       }
     for (std::size_t f = 0; f < chosen.size(); ++f)
-      if (barrier[f]) chosen[f] = 0;  // on a body: not strictly inside that one
+      if (barrier[f] || stays[f]) chosen[f] = 0;  // on a body: not strictly inside that one
     const auto component = components(arranged_, chosen, barrier, [&](auto edge) {
       return std::none_of(edge.begin(), edge.end(), [&](const FacetEdge& e) { return barrier[e.facet] != 0; });
     });

@@ -81,6 +81,12 @@ bool ClaimedFaces::is_cut_kind(Index surface) const {
   return (kind == SurfaceKind::horizon || kind == SurfaceKind::fault) && !claim_.surfaces[surface].ends_model;
 }
 
+bool ClaimedFaces::may_be_scarp(Index face) const {
+  return faces_ && (faces_->region_minus[face] == 0 || faces_->region_plus[face] == 0) &&
+         std::any_of(claim_.surfaces.begin(), claim_.surfaces.end(),
+                     [](const TriangulatedSurface& s) { return s.ends_model; });
+}
+
 bool ClaimedFaces::is_removed(Index surface, const Vec3& p, const Vec3& off, Index but) const {
   const TriangulatedSurface* passed_over = but == no_index ? nullptr : &claim_.surfaces[but];
   const auto in = [](const Body& body, const Vec3& q) {

@@ -49,6 +49,9 @@ class ClaimedFaces {
   /// A face of a box side and of no surface of the claim.
   bool is_side_alone(Index face) const;
   bool is_cut_kind(Index surface) const;
+  /// Whether the face has the model on one side alone, and a topography or a bottom ends this: along a fault it may
+  /// have a scarp there, which no body takes away.
+  bool may_be_scarp(Index face) const;
   /// Whether the rules take p, a point of the surface, away: parts of horizons and faults inside a body that cuts, and
   /// parts of a body that crosses itself with its inside on either side. They are judged `off` to both sides along the
   /// normal. Where p is on a body's surface the answer is yes: the open edges speak there. The body in row `but` is

@@ -174,7 +174,7 @@ void check_bodies_within(const ClaimedFaces& claimed, const Allowed& allowed, co
           return row != no_index && property(row);
         });
       };
-      if (!is([&](Index row) { return claimed.is_cut_kind(row); }) ||
+      if (claimed.may_be_scarp(f) || !is([&](Index row) { return claimed.is_cut_kind(row); }) ||
           is([&](Index row) { return claimed.claim().surfaces[row].kind == SurfaceKind::body; }))
         continue;
       const Corners c = corners_of(claimed, f);
