@@ -325,7 +325,8 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
   const std::size_t n_trials =
       std::clamp(mesh.n_cells() / rescue_limits.cells_a_trial, rescue_limits.least_trials, rescue_limits.most_trials);
   RescueSearch search{Random(0), rescue_limits.first_trials, n_trials, out_of_time, judge};
-  VainTrials vain{std::numeric_limits<std::size_t>::max()};  // nothing forces these: each is worth it
+  VainTrials vain = vain_trials(mesh.n_cells(), rescue_limits.most_vain);
+  vain.left = std::max(vain.left, rescue_limits.least_vain_free);
   std::vector<BadCell> bad = free_cells(mesh, judge);
   std::uint64_t last_sweep = 0;
   for (unsigned k = 0; k < rescue_limits.free_sweeps && !bad.empty(); ++k) {

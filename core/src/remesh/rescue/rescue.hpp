@@ -75,6 +75,7 @@ struct RescueWork {
 void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, RescueWork work, const OutOfTime& out_of_time);
 
 /// What is bad by our own doing, and not by the input's, is worth more: with openings, and a search among these.
+/// More sequences in vain are allowed than about forced ones.
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
                        const OutOfTime& out_of_time);
 
