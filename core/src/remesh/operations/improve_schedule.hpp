@@ -63,7 +63,7 @@ struct RescueLimits {
   std::size_t cells_a_vain_opening = 10;  ///< one sequence in vain for so many cells of the mesh
   std::size_t least_vain = 4'000;         ///< of all cells together, whatever the size of the mesh: some seconds
   std::size_t most_vain = 60'000;
-  std::size_t least_vain_free = 10'000;  ///< the same for cells that nothing forces: half a minute
+  std::size_t least_vain_free = 10'000;  ///< the same for cells that nothing forces
   std::size_t most_vain_poor = 10'000;   ///< the same for cells that are poor and no more: a second or two
   std::size_t cells_a_trial = 25;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
 };

@@ -108,6 +108,7 @@ class FaultAtEnd {
 
 std::vector<std::uint8_t> scarps(const Arranged& arranged, const SurfaceList& surfaces) {
   std::vector<std::uint8_t> marks(arranged.facets.size(), 0);
+  if (std::ranges::none_of(surfaces.given, &TriangulatedSurface::ends_model)) return marks;
   std::map<Index, FacetsAtEdges> ends;
   std::map<Index, std::vector<Index>> faults;
   for (Index f = 0; f < arranged.facets.size(); ++f)

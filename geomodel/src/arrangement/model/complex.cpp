@@ -42,8 +42,9 @@ void remove_repeated_segments(Complex& complex) {
 
 std::vector<Index> surfaces_of(std::span<const Origin> origins) {
   std::vector<Index> surfaces;
-  for (const Origin& o : origins)
-    if (std::find(surfaces.begin(), surfaces.end(), o.surface) == surfaces.end()) surfaces.push_back(o.surface);
+  for (const Origin& o : origins) surfaces.push_back(o.surface);
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
   return surfaces;
 }
 

@@ -57,6 +57,8 @@ struct VanishedFacet {
   std::vector<Index> surfaces{};  ///< those of its origins; the first one is told
   std::array<Vec3, 3> corners{};
 };
+
+/// Ascending, each once.
 std::vector<Index> surfaces_of(std::span<const Origin> origins);
 
 /// A well that runs to and fro along the same line gives each piece once.

@@ -80,7 +80,7 @@ struct GivenSurfaces {
 template <class Visit>
 void for_each_edge(const Complex& complex, Index f, const Visit& visit) {
   const Triangle& t = complex.facets[f];
-  for (const Index surface : surfaces_of_facet(complex, f))
+  for (const Index surface : surfaces_of(complex.origins.of(f)))
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
       visit(SurfaceEdge{a, b, surface});

@@ -44,14 +44,6 @@ double area_of(const Complex& complex, const std::vector<FacetSide>& sides) {
   return sum;
 }
 
-std::vector<Index> surfaces_of_facet(const Complex& complex, Index facet) {
-  std::vector<Index> surfaces;
-  for (const Origin& o : complex.origins.of(facet)) surfaces.push_back(o.surface);
-  std::sort(surfaces.begin(), surfaces.end());
-  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
-  return surfaces;
-}
-
 WallSearch::WallSearch(const Complex& complex, const EdgeFacets& edges, Index first_side)
     : complex_(complex),
       edges_(edges),
@@ -65,7 +57,9 @@ WallSearch::WallSearch(const Complex& complex, const EdgeFacets& edges, Index fi
 }
 
 std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) const {
-  const auto is_of_volume = [&](FacetSide s) { return surfaces_of_facet(complex_, facet_of(s)).back() >= first_side_; };
+  const auto is_of_volume = [&](FacetSide s) {
+    return surfaces_of(complex_.origins.of(facet_of(s))).back() >= first_side_;
+  };
   if (std::any_of(shell.begin(), shell.end(), is_of_volume)) return std::nullopt;
   const double whole = area_of(complex_, shell);
   std::optional<PocketWalls> best;
@@ -92,7 +86,7 @@ std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<Facet
   UnionFind joined(shell.size());
   for_each_edge_of(complex_, shell, [&](const EdgeKey& e, const std::vector<Index>& at) {
     if (at.size() == 2 && is_free_inside(e.first, e.second) &&
-        surfaces_of_facet(complex_, at[0]) == surfaces_of_facet(complex_, at[1]))
+        surfaces_of(complex_.origins.of(at[0])) == surfaces_of(complex_.origins.of(at[1])))
       joined.unite(row(at[0]), row(at[1]));
   });
   std::map<Index, std::vector<FacetSide>> parts;

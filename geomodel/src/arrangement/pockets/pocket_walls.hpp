@@ -11,8 +11,6 @@
 namespace geomesh::geomodel::arrangement {
 
 double area_of(const Complex& complex, const std::vector<FacetSide>& sides);
-/// Ascending, each once.
-std::vector<Index> surfaces_of_facet(const Complex& complex, Index facet);
 
 /// Both ascending.
 struct PocketWalls {

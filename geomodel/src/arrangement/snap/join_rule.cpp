@@ -10,14 +10,6 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-std::vector<Index> surfaces_of(const Complex& complex, Index facet) {
-  std::vector<Index> surfaces;
-  for (const Origin& o : complex.origins.of(facet)) surfaces.push_back(o.surface);
-  std::sort(surfaces.begin(), surfaces.end());
-  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
-  return surfaces;
-}
-
 void add_pairs(std::span<const Index> a, std::span<const Index> b, std::set<SurfacePair>& pairs) {
   for (const Index x : a)
     for (const Index y : b)
@@ -28,7 +20,9 @@ void add_pairs(std::span<const Index> a, std::span<const Index> b, std::set<Surf
 
 std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts) {
   std::set<SurfacePair> pairs;
-  const auto add = [&](Index f, Index g) { add_pairs(surfaces_of(complex, f), surfaces_of(complex, g), pairs); };
+  const auto add = [&](Index f, Index g) {
+    add_pairs(surfaces_of(complex.origins.of(f)), surfaces_of(complex.origins.of(g)), pairs);
+  };
   for (const FacetContact& c : contacts.facets)
     if (c.other != no_index) add(c.facet, c.other);
   for (const Overlap& o : contacts.overlaps) add(o.a, o.b);
@@ -39,7 +33,7 @@ std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts&
   std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
   std::vector<Index> first(complex.points.size(), no_index);  // surface at a vertex
   for (Index f = 0; f < complex.facets.size(); ++f)
-    for (const Index surface : surfaces_of(complex, f))
+    for (const Index surface : surfaces_of(complex.origins.of(f)))
       for (const VertexIndex v : complex.facets[f]) {
         if (first[v] == no_index) first[v] = surface;
         if (first[v] != surface) pairs.insert(surface_pair(first[v], surface));
@@ -104,7 +98,7 @@ JoinRule::Thing JoinRule::of_edge(VertexIndex a, VertexIndex b) const {
 }
 
 JoinRule::Thing JoinRule::of_facet(const Complex& complex, Index facet) {
-  return restricts_ ? Thing{number(surfaces_of(complex, facet)), false} : Thing{};
+  return restricts_ ? Thing{number(surfaces_of(complex.origins.of(facet))), false} : Thing{};
 }
 
 JoinRule::Thing JoinRule::united(const Thing& a, const Thing& b) {
