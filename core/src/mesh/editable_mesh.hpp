@@ -52,6 +52,9 @@ class EditableMesh {
 
   /// All cells that are reached from cell_of(v) through faces with v, in an order that depends on the mesh alone.
   void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
+  /// The same step by step: the first cell, then for each k < out.size() those beside out[k] that are not there yet.
+  void begin_star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
+  void grow_star(VertexIndex v, std::size_t k, EpochMarks& marks, std::vector<CellIndex>& out) const;
 
   /// The end of a walk from cell to cell towards a point.
   struct Walk {
@@ -98,20 +101,29 @@ class EditableMesh {
 };
 
 template <class Attributes>
-void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const {
+void EditableMesh<Attributes>::begin_star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const {
   marks.begin();
   out.assign(1, cell_of_[v]);
   marks.mark(cell_of_[v]);
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    const TetMesh::Cell& cell = mesh_.cells()[out[k]];
-    for (unsigned i = 0; i < 4; ++i) {
-      const FaceRef n = cell.neighbors[i];
-      if (cell.vertices[i] == v || (!Attributes::is_closed && !n.valid())) continue;
-      if (!marks.mark_first(n.cell())) continue;
-      __builtin_prefetch(mesh_.cells() + n.cell());
-      out.push_back(n.cell());
-    }
+}
+
+template <class Attributes>
+void EditableMesh<Attributes>::grow_star(VertexIndex v, std::size_t k, EpochMarks& marks,
+                                         std::vector<CellIndex>& out) const {
+  const TetMesh::Cell& cell = mesh_.cells()[out[k]];
+  for (unsigned i = 0; i < 4; ++i) {
+    const FaceRef n = cell.neighbors[i];
+    if (cell.vertices[i] == v || (!Attributes::is_closed && !n.valid())) continue;
+    if (!marks.mark_first(n.cell())) continue;
+    __builtin_prefetch(mesh_.cells() + n.cell());
+    out.push_back(n.cell());
   }
+}
+
+template <class Attributes>
+void EditableMesh<Attributes>::star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const {
+  begin_star(v, marks, out);
+  for (std::size_t k = 0; k < out.size(); ++k) grow_star(v, k, marks, out);
 }
 
 template <class Attributes>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contraction of an edge, declared in remesh/operations/operations.hpp.
 #include <algorithm>
+#include <limits>
 
 #include "common/geometry.hpp"
 #include "remesh/operations/operations.hpp"
@@ -24,12 +25,16 @@ void surface_link(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, std:
 
 class Collapse {
  public:
-  Collapse(Toolbox& tools, VertexIndex u, VertexIndex v) : tools_(tools), mesh_(tools.mesh), u_(u), v_(v) {}
+  Collapse(Toolbox& tools, VertexIndex u) : tools_(tools), mesh_(tools.mesh), u_(u), cells_(tools.work.collapsed) {
+    cells_.clear();
+  }
 
-  bool attempt(CollapseRule rule, double floor) {
+  /// For one neighbour after the other, as long as each was refused: the cells about u are gathered once.
+  bool attempt(VertexIndex v, CollapseRule rule, double floor) {
+    v_ = v;
     if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
     if (!shapes_may_allow(rule, floor)) return false;
-    gather_star(mesh_, u_, tools_.work.marks, star_);
+    if (star_.cells.empty()) gather_star(mesh_, u_, tools_.work.marks, star_);
     if (!support_allows() || !cells_at_edge_allow()) return false;
     target_ = star_;
     std::erase_if(target_.link, [&](const LinkFace& f) { return std::ranges::count(f.vertices, v_) > 0; });
@@ -97,17 +102,23 @@ class Collapse {
     return rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
   }
 
-  /// By the cells about u alone: most collapses are told by them.
+  /// By the cells about u alone: most collapses are told by them. The first one that would be turned over ends it,
+  /// often before all are gathered.
   bool shapes_may_allow(CollapseRule rule, double floor) {
-    auto& cells = tools_.work.cells;
-    mesh_.star(u_, tools_.work.marks, cells);
+    double least = std::numeric_limits<double>::infinity();
+    if (cells_.empty()) mesh_.begin_star(u_, tools_.work.marks, cells_);
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      if (k == n_grown_) mesh_.grow_star(u_, n_grown_++, tools_.work.marks, cells_);
+      const CellIndex c = cells_[k];
+      if (mesh_.cells().has_vertex(c, v_)) continue;
+      const Triangle face = mesh_.face(c, mesh_.cells().index_of(c, u_));
+      const double shape = mesh_.shape(face, mesh_.point(v_));
+      if (!(shape > 0) && !mesh_.sees(mesh_.point(v_), face)) return false;
+      least = std::min(least, shape);
+    }
     double old = 1;
-    for (const CellIndex c : cells) old = std::min(old, mesh_.shape_of(c));
-    const double needed = needed_shape(old, rule, floor);
-    return std::all_of(cells.begin(), cells.end(), [&](CellIndex c) {
-      return mesh_.cells().has_vertex(c, v_) ||
-             mesh_.shape(mesh_.face(c, mesh_.cells().index_of(c, u_)), mesh_.point(v_)) > needed;
-    });
+    for (const CellIndex c : cells_) old = std::min(old, mesh_.shape_of(c));
+    return least > needed_shape(old, rule, floor);
   }
 
   bool shape_allows(CollapseRule rule, double floor) {
@@ -146,14 +157,22 @@ class Collapse {
 
   Toolbox& tools_;
   DomainMesh& mesh_;
-  VertexIndex u_, v_;
+  VertexIndex u_, v_ = no_vertex;
+  std::vector<CellIndex>& cells_;  ///< about u, as far as they were gathered
+  std::size_t n_grown_ = 0;        ///< of these, whose neighbours are among them
   StarCavity star_, target_;
 };
 
 }  // namespace
 
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor) {
-  return Collapse(tools, u, v).attempt(rule, floor);
+  return Collapse(tools, u).attempt(v, rule, floor);
+}
+
+bool try_collapse_into_any(Toolbox& tools, VertexIndex u, std::span<const VertexIndex> neighbours, CollapseRule rule,
+                           double floor) {
+  Collapse collapse(tools, u);
+  return std::ranges::any_of(neighbours, [&](VertexIndex v) { return collapse.attempt(v, rule, floor); });
 }
 
 }  // namespace geomesh::remesh

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "geomesh/core/refine.hpp"
 #include "remesh/tolerance/surface_guard.hpp"
@@ -109,6 +110,10 @@ enum class CollapseRule {
 /// Moves u into its neighbour v where u is no corner and the edge lies on u's curve or patch. Surfaces and curves keep
 /// their topology (Dey et al. 1999: link conditions) and stay within the tolerance. Each new cell is positive.
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
+/// Into the first of its neighbours that takes it. The cells about u are gathered once, where try_collapse for each
+/// neighbour takes the square of their number.
+bool try_collapse_into_any(Toolbox& tools, VertexIndex u, std::span<const VertexIndex> neighbours, CollapseRule rule,
+                           double floor);
 
 /// Moves u away from its neighbour v, within its patch or along its curve, until they are `length` apart. The worst
 /// shape about u does not fall below the lesser of what it was and `floor`. No other edge at u becomes short, and

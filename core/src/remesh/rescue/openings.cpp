@@ -65,8 +65,7 @@ class Opening {
     if (neighbours.empty()) return false;
     std::rotate(neighbours.begin(), neighbours.begin() + choose_.below(static_cast<unsigned>(neighbours.size())),
                 neighbours.end());
-    return std::any_of(neighbours.begin(), neighbours.end(),
-                       [&](VertexIndex v) { return try_collapse(tools_, u, v, CollapseRule::coarsen, opening_shape); });
+    return try_collapse_into_any(tools_, u, neighbours, CollapseRule::coarsen, opening_shape);
   }
 
   bool split(CellIndex c) {

@@ -335,8 +335,9 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
     for (const BadCell& b : bad) {
       if (out_of_time()) return;
       if (!is_left(mesh, b) || !(mesh.shape_of(b.cell) < rule.bad_shape)) continue;
-      const bool is_rescued = changed_since(mesh, b, last_sweep) &&
-                              (rescue_cell(tools, b.cell, rule) || rescue_cell_by_openings(tools, b.cell, rule, vain));
+      const bool is_rescued =
+          changed_since(mesh, b, last_sweep) &&
+          (rescue_cell(tools, b.cell, rule) || (vain.left > 0 && rescue_cell_by_openings(tools, b.cell, rule, vain)));
       n += is_rescued || rescue_cell_by_search(tools, b.cell, rule, search);
     }
     if (n == 0 && search.trials_left == 0) return;

@@ -57,6 +57,7 @@ struct StarCavity {
 struct Workspace {
   EpochMarks marks;
   std::vector<CellIndex> cells, created;
+  std::vector<CellIndex> collapsed;  ///< about the vertex that is to go
   std::vector<StarFace> star;
   std::vector<VertexIndex> ring;
   std::vector<NewCell> added;
