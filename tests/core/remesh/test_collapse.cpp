@@ -74,3 +74,27 @@ TEST_CASE("The star of a vertex, gathered step by step, is what a look at all ce
     REQUIRE(star == expected);
   }
 }
+
+TEST_CASE("A star without a vertex has nothing that the vertex is part of, and all else", "[improve]") {
+  Bench bench(disturbed_ball());
+  const DomainMesh& mesh = bench.mesh;
+  std::size_t n_spokes = 0, n_curves = 0;
+  for (VertexIndex u = 0; u < mesh.points().size(); ++u)
+    for (const VertexIndex v : neighbours_of(bench.tools, u)) {
+      StarCavity all;
+      gather_star(mesh, u, bench.tools.work.marks, all);
+      StarCavity rest = all;
+      drop_vertex(rest, v);
+      CHECK(rest.cells == all.cells);
+      for (const LinkFace& f : rest.link) CHECK(std::ranges::count(f.vertices, v) == 0);
+      for (const Spoke& s : rest.spokes) CHECK((s.a != v && s.b != v));
+      for (const CurveSpoke& s : rest.curves) CHECK(s.a != v);
+      const auto with_v = std::ranges::count_if(all.cells, [&](CellIndex c) { return mesh.cells().has_vertex(c, v); });
+      CHECK(all.link.size() - rest.link.size() == static_cast<std::size_t>(with_v));
+      CHECK(all.curves.size() - rest.curves.size() == (mesh.curve_of(u, v) != no_index));
+      n_spokes += all.spokes.size() - rest.spokes.size();
+      n_curves += all.curves.size() - rest.curves.size();
+    }
+  CHECK(n_spokes > 0);
+  CHECK(n_curves > 0);
+}

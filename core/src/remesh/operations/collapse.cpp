@@ -37,9 +37,7 @@ class Collapse {
     if (star_.cells.empty()) gather_star(mesh_, u_, tools_.work.marks, star_);
     if (!support_allows() || !cells_at_edge_allow()) return false;
     target_ = star_;
-    std::erase_if(target_.link, [&](const LinkFace& f) { return std::ranges::count(f.vertices, v_) > 0; });
-    std::erase_if(target_.spokes, [&](const Spoke& s) { return s.a == v_ || s.b == v_; });
-    std::erase_if(target_.curves, [&](const CurveSpoke& s) { return s.a == v_; });
+    drop_vertex(target_, v_);
     if (target_.link.empty() || !topology_allows() || !shape_allows(rule, floor) || !guard_allows()) return false;
     commit();
     return true;

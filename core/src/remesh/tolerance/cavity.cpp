@@ -42,6 +42,12 @@ void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarC
   add_curves(mesh, v, cavity);
 }
 
+void drop_vertex(StarCavity& cavity, VertexIndex v) {
+  std::erase_if(cavity.link, [&](const LinkFace& f) { return std::ranges::count(f.vertices, v) > 0; });
+  std::erase_if(cavity.spokes, [&](const Spoke& s) { return s.a == v || s.b == v; });
+  std::erase_if(cavity.curves, [&](const CurveSpoke& s) { return s.a == v; });
+}
+
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,
                                     const std::vector<VertexIndex>& ring, bool closed) {
   EdgeFaces faces;

@@ -69,6 +69,9 @@ struct Workspace {
 /// Star of v as a cavity, its surfaces and curves as spokes.
 void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity);
 
+/// Leaves out the faces, spokes and curve edges with v: they vanish where the apex goes there. The cells stay.
+void drop_vertex(StarCavity& cavity, VertexIndex v);
+
 /// Cells about the edge (a, b) of cell c, to be refilled from a point of the edge.
 void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, StarCavity& cavity);
 
