@@ -29,9 +29,9 @@ struct MeshFile {
   std::vector<std::int32_t> region;                ///< per tetrahedron; empty where the file has no such array
   std::string region_array;                        ///< its name
   std::map<std::int32_t, std::string> region_names;
-  std::vector<std::string> arrays;  ///< of points and cells, with their type (VTK files only)
-  std::vector<Triangle> triangles;  ///< beside the solids (VTU files only), with their ids and names
-  std::vector<std::int32_t> triangle_id;
+  std::vector<std::string> arrays;        ///< of points and cells, with their type (VTK files only)
+  std::vector<Triangle> triangles;        ///< beside the solids (.vtu, and files of solvers)
+  std::vector<std::int32_t> triangle_id;  ///< with their names (VTU files only)
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<std::int32_t> edge_id;

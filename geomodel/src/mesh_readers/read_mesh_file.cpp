@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reader of a mesh file by its extension.
+#include <algorithm>
+#include <utility>
+
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "mesh_readers/mesh_files.hpp"
@@ -8,7 +11,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// The first set of each tetrahedron is its region.
+/// The smallest set of each tetrahedron is its region: groups of regions are larger.
 MeshFile take(RawMesh raw) {
   MeshFile mesh;
   mesh.format = raw.format;
@@ -23,19 +26,27 @@ MeshFile take(RawMesh raw) {
   mesh.cell = std::move(raw.numbers);
   mesh.n_other_solids = raw.n_other_solids;
   mesh.n_lower_cells = raw.cells[0].size() + raw.cells[1].size() + raw.cells[2].size();
+  const std::vector<VertexIndex>& corners = raw.cells[2].corners;
+  for (std::size_t f = 0; f < raw.cells[2].size(); ++f)
+    mesh.triangles.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
   mesh.region.assign(mesh.tetrahedra.size(), 0);
+  std::vector<std::pair<std::int32_t, const RawSet*>> sets;  // with their ids
   std::int32_t next = 1;
   for (const RawSet& set : raw.sets) {
     if (set.dimension != 3) continue;
     const std::int32_t id = set.id != 0 ? set.id : next;
     next = std::max(next, id) + 1;
+    sets.emplace_back(id, &set);
+  }
+  std::ranges::stable_sort(sets, {}, [](const auto& set) { return set.second->rows.size(); });
+  for (const auto& [id, set] : sets) {
     bool used = false;
-    for (const std::size_t t : set.rows)
+    for (const std::size_t t : set->rows)
       if (mesh.region[t] == 0) {
         mesh.region[t] = id;
         used = true;
       }
-    if (used && !set.name.empty()) mesh.region_names[id] = set.name;
+    if (used && !set->name.empty()) mesh.region_names[id] = set->name;
   }
   return mesh;
 }

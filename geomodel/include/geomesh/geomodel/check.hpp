@@ -21,8 +21,8 @@
 namespace geomesh::geomodel {
 
 struct CheckRequest {
-  std::filesystem::path mesh;  ///< .vtu, .vtk, .msh (2.2 and 4.1 ASCII) or .inp; NAME.faces.vtp beside it is judged too
-  std::filesystem::path project;                ///< empty: none
+  std::filesystem::path mesh;     ///< .vtu with NAME.faces.vtp beside it, or a format that is read (docs/checking.md)
+  std::filesystem::path project;  ///< empty: none
   std::vector<std::filesystem::path> surfaces;  ///< each triangle must be covered by mesh faces
   bool delaunay = false;
   bool solver = false;  ///< judge what solvers will make of it (solver_verdict.hpp); velocities are the project's

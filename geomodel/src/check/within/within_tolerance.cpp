@@ -13,11 +13,24 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Whether a face may stand for a surface where faces bear no names: it bounds the mesh or parts two regions.
-bool parts_something(const JudgedMesh& mesh, const FacePair& face) {
-  if (is_boundary(face)) return true;
-  return !mesh.file.region.empty() && is_inner(face) && mesh.file.region[face.even] != mesh.file.region[face.odd];
-}
+/// Tells whether a face may stand for a surface where faces bear no names.
+class UnnamedFaces {
+ public:
+  explicit UnnamedFaces(const JudgedMesh& mesh) : mesh_(mesh) {
+    for (const Triangle& t : mesh.file.triangles) listed_.push_back(sorted(t));
+    std::sort(listed_.begin(), listed_.end());
+  }
+  /// It bounds the mesh, parts two regions, or is a triangle of the file: within a unit nothing else tells of a fault.
+  bool may_be_surface(const FacePair& face) const {
+    if (is_boundary(face) || std::binary_search(listed_.begin(), listed_.end(), face.key)) return true;
+    const std::vector<std::int32_t>& region = mesh_.file.region;
+    return !region.empty() && is_inner(face) && region[face.even] != region[face.odd];
+  }
+
+ private:
+  const JudgedMesh& mesh_;
+  std::vector<Triangle> listed_;
+};
 
 /// Whether a face where faces bear no names is one of the volume's own sides, to rounding. Where no unit ends inside
 /// nothing else bounds the mesh.
@@ -213,12 +226,12 @@ std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed, double round
     }
     return pairs;
   }
+  const UnnamedFaces unnamed(claimed.mesh());
   SurfacePair all{"the surfaces given", {}, {}};
   for (Index s = 0; s < claim.surfaces.size(); ++s) all.rows.push_back(s);
   for (Index f = 0; f < claimed.candidates().size(); ++f)
-    if (claimed.faces()
-            ? !claimed.is_side_alone(f)
-            : parts_something(claimed.mesh(), claimed.mesh().faces[f]) && !is_side_of_volume(claimed, f, rounding))
+    if (claimed.faces() ? !claimed.is_side_alone(f)
+                        : unnamed.may_be_surface(claimed.mesh().faces[f]) && !is_side_of_volume(claimed, f, rounding))
       all.faces.push_back(f);
   pairs.push_back(std::move(all));
   return pairs;
