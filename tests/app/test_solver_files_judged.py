@@ -68,6 +68,11 @@ class SolverFilesJudged(ProgramTest):
                 os.remove(self.path("out", name))
         self.assertIn("names were not held against m.vtu: it is not there", self.judged(mesh)["checks_done"])
 
+    def test_a_vtu_of_another_tool_tells_nothing_of_names(self):
+        mesh = self.mesh("msh")
+        os.remove(self.path("out", "m.vtu.json"))
+        self.assertIn("no file of geomesh, with m.vtu.json beside it", " ".join(self.judged(mesh)["checks_done"]))
+
     def test_names_exchanged(self):
         def exchange(a, b):
             return lambda text: re.sub(f"\\b({a}|{b})\\b", lambda found: b if found.group() == a else a, text)

@@ -44,8 +44,9 @@ class Places {
   std::vector<Vec3> points_;
 };
 
-/// Places of the corners, ascending; of nodes one.
-using Corners = std::vector<Index>;
+/// Places of the corners, ascending; of faces, edges and nodes no_index follows them.
+using Corners = std::array<Index, 4>;
+constexpr Corners nowhere{no_index, no_index, no_index, no_index};
 /// What stands under each name, ascending.
 using NamedParts = std::map<std::string, std::vector<Corners>>;
 
@@ -70,8 +71,8 @@ class Namer {
 
  private:
   Corners corners(std::span<const VertexIndex> vertices) const {
-    Corners places;
-    for (const VertexIndex v : vertices) places.push_back(place_[v]);
+    Corners places = nowhere;
+    for (std::size_t k = 0; k < vertices.size(); ++k) places[k] = place_[vertices[k]];
     std::sort(places.begin(), places.end());
     return places;
   }
@@ -111,7 +112,7 @@ class Namer {
     for (const NodeSet& set : mesh_.node_sets)
       for (const VertexIndex v : set.nodes) nodes[set.name].insert(place_[v]);
     for (const auto& [curve, places] : nodes)
-      for (const Index place : places) named_.nodes[curve].push_back({place});
+      for (const Index place : places) named_.nodes[curve].push_back({place, no_index, no_index, no_index});
   }
 
   const ModelMesh& mesh_;
@@ -164,7 +165,7 @@ CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& pla
   CurvedEdges edges;
   for (const CurvedEdge& e : mesh.curved_edges) {
     const auto [first, second] = std::minmax(place[e.a], place[e.b]);
-    edges.push_back({{first, second}, {e.middle.x, e.middle.y, e.middle.z}});
+    edges.push_back({{first, second, no_index, no_index}, {e.middle.x, e.middle.y, e.middle.z}});
   }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -230,6 +231,8 @@ bool check_as_in_vtu(const std::filesystem::path& mesh, const WriteOptions& outp
     return false;
   };
   if (!std::filesystem::exists(vtu)) return pass_over("it is not there");
+  if (!std::filesystem::exists(vtu.string() + ".json"))
+    return pass_over("no file of geomesh, with " + vtu.filename().string() + ".json beside it");
   if (!format->holds.names) return pass_over("the format has no names");
   try {
     return compare_files(mesh, vtu, output, result);
