@@ -38,6 +38,7 @@ class SolverFilesJudged(ProgramTest):
         report = self.judged(mesh)
         self.assertIn("what stands under each name was held against m.vtu", " ".join(report["checks_done"]))
         self.assertEqual(report["faults"], [])
+        self.assertEqual({region["name"] for region in report["regions"]}, {"upper", "lower"})
 
     def faults_after(self, form, change, **output):
         """What is told, in one text, once `change` had its way with the text of the file."""
