@@ -51,6 +51,13 @@ class SolverFilesJudged(ProgramTest):
             file.write(changed)
         return "\n".join(fault["what"] for fault in self.judged(mesh, status=3)["faults"] if fault["id"] == "not_as_in_vtu")
 
+    @staticmethod
+    def first_line_after(text, head):
+        """The line after this one, and the text without it."""
+        before, after = text.split(head)
+        line, rest = after.split("\n", 1)
+        return line, before + head + rest
+
     def forms(self):
         listed = self.run_program("convert", "--help")
         return [form for form in ENDINGS if form != "med" or "med" in listed]
@@ -78,35 +85,33 @@ class SolverFilesJudged(ProgramTest):
         def exchange(a, b):
             return lambda text: re.sub(f"\\b({a}|{b})\\b", lambda found: b if found.group() == a else a, text)
 
-        self.assertIn("of region 'upper'", self.faults_after("msh", exchange("upper", "lower")))
-        self.assertIn("of surface 'xmin'", self.faults_after("msh", exchange("xmin", "xmax")))
-        self.assertIn("of region 'upper'", self.faults_after("inp", exchange("upper", "lower")))
-        self.assertIn("of surface 'xmin'", self.faults_after("inp", exchange("xmin", "xmax")))
+        self.assertIn("elements of region 'upper' are here or in m.vtu alone", self.faults_after("msh", exchange("upper", "lower")))
+        self.assertIn("faces of surface 'xmin' are here or in m.vtu alone", self.faults_after("msh", exchange("xmin", "xmax")))
+        self.assertIn("elements of region 'upper' are here or in m.vtu alone", self.faults_after("inp", exchange("upper", "lower")))
+        self.assertIn("faces of surface 'xmin' are here or in m.vtu alone", self.faults_after("inp", exchange("xmin", "xmax")))
 
     def test_a_name_that_is_gone(self):
         told = self.faults_after("inp", lambda text: text.replace("NSET=w\n", "NSET=other\n"))
-        self.assertIn("of nodes of 'w' in m.vtu are in no part of that name here", told)
-        self.assertIn("of nodes of 'other' are there, a name that m.vtu has not", told)
+        self.assertIn("nodes of 'w' are in m.vtu, and nothing has that name here", told)
+        self.assertIn("nodes of 'other' are here, and nothing has that name in m.vtu", told)
 
     def test_an_element_in_another_set(self):
         """The first element of `lower` goes to the end of `upper`."""
+        head = "*ELEMENT, TYPE=C3D4, ELSET=lower\n"
+
         def move(text):
-            head = "*ELEMENT, TYPE=C3D4, ELSET=lower\n"
-            before, after = text.split(head)
-            first, rest = after.split("\n", 1)
-            return before + first + "\n" + head + rest
+            line, rest = self.first_line_after(text, head)
+            return rest.replace(head, line + "\n" + head)
 
         told = self.faults_after("inp", move)
-        self.assertIn("1 of region 'upper' are in one of this file and m.vtu alone", told)
-        self.assertIn("1 of region 'lower' are in one of this file and m.vtu alone", told)
+        self.assertIn("1 elements of region 'upper' are here or in m.vtu alone", told)
+        self.assertIn("1 elements of region 'lower' are here or in m.vtu alone", told)
 
     def test_a_face_that_is_gone(self):
         def drop(text):
-            head = "*SURFACE, NAME=xmin.faces, TYPE=ELEMENT\n"
-            before, after = text.split(head)
-            return before + head + after.split("\n", 1)[1]
+            return self.first_line_after(text, "*SURFACE, NAME=xmin.faces, TYPE=ELEMENT\n")[1]
 
-        self.assertIn("1 of surface 'xmin' are in one of this file and m.vtu alone", self.faults_after("inp", drop))
+        self.assertIn("1 faces of surface 'xmin' are here or in m.vtu alone", self.faults_after("inp", drop))
 
     def test_a_node_in_the_middle_of_an_edge_that_is_elsewhere(self):
         """The last node of a file of second order, by a hair of its x."""
@@ -117,7 +122,7 @@ class SolverFilesJudged(ProgramTest):
             lines[row] = ",".join([number, " " + repr(float(x) + 1e-9), *others])
             return "\n".join(lines)
 
-        self.assertIn("1 nodes in the middle of edges are in one of this file and m.vtu alone", self.faults_after("inp", move, order=2))
+        self.assertIn("nodes in the middle of edges are here or in m.vtu alone", self.faults_after("inp", move, order=2))
 
     def test_a_node_that_is_elsewhere(self):
         def move(text):

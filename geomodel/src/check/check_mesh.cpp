@@ -279,29 +279,6 @@ Velocities velocities_of(const CheckRequest& request) {
   return velocities;
 }
 
-/// The elements of a solver's file, and all else by the .vtu beside it, which has the same.
-void judge_by_vtu(const CheckRequest& request, const MeshFile& file, CheckResult& result) {
-  CheckResult own;
-  JudgedMesh mesh{file, file.tetrahedra, {}, true};
-  check_cells(mesh, own);
-  std::erase_if(own.faults, [](const CheckFault& fault) { return fault.id == "equal_points"; });  // of split surfaces
-  check_second_order(mesh, own);
-  check_regions(mesh, false, own);
-  CheckRequest of_vtu = request;
-  of_vtu.mesh = beside(request.mesh, ".vtu");
-  of_vtu.solver = false;
-  CheckResult rest = check_mesh(of_vtu);
-  const std::string name = of_vtu.mesh.filename().string();
-  for (CheckFault& fault : rest.faults) {
-    fault.what += " (in " + name + ")";
-    own.faults.push_back(std::move(fault));
-  }
-  for (const std::string& text : rest.checks_done) own.checks_done.push_back("by " + name + ": " + text);
-  own.checks_done.insert(own.checks_done.begin(), result.checks_done.begin(), result.checks_done.end());
-  result = std::move(own);
-  if (request.solver) check_for_solvers(file, velocities_of(request), result);
-}
-
 /// The files as they are given, against each other and against the claim where there is one.
 void judge_as_given(const CheckRequest& request, GivenFiles given, std::optional<Claim> claim, CheckResult& result) {
   if (claim) join_sides(*claim, given, result);
@@ -323,6 +300,32 @@ void judge_as_given(const CheckRequest& request, GivenFiles given, std::optional
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
+/// The elements of a solver's file, and all else by the .vtu beside it, which has the same.
+void judge_by_vtu(const CheckRequest& request, const MeshFile& file, Claim claim, CheckResult& result) {
+  CheckResult own;
+  JudgedMesh mesh{file, file.tetrahedra, {}, true};
+  const bool is_understood = check_cells(mesh, own);
+  std::erase_if(own.faults, [](const CheckFault& fault) { return fault.id == "equal_points"; });  // of split surfaces
+  if (is_understood) {
+    check_second_order(mesh, own);
+    check_regions(mesh, false, own);
+  }
+  CheckRequest of_vtu = request;
+  of_vtu.mesh = beside(request.mesh, ".vtu");
+  of_vtu.solver = false;
+  CheckResult rest;
+  judge_as_given(of_vtu, read_files(of_vtu.mesh), std::move(claim), rest);
+  const std::string name = of_vtu.mesh.filename().string();
+  for (CheckFault& fault : rest.faults) {
+    fault.what += " (in " + name + ")";
+    own.faults.push_back(std::move(fault));
+  }
+  for (const std::string& text : rest.checks_done) own.checks_done.push_back("by " + name + ": " + text);
+  own.checks_done.insert(own.checks_done.begin(), result.checks_done.begin(), result.checks_done.end());
+  result = std::move(own);
+  if (request.solver) check_for_solvers(file, velocities_of(request), result);
+}
+
 }  // namespace
 
 CheckResult check_mesh(const CheckRequest& request) {
@@ -334,7 +337,7 @@ CheckResult check_mesh(const CheckRequest& request) {
   if (!request.project.empty()) claim = claim_of_project(request.project);
   const bool is_contract_judged = claim && request.contract == CheckRequest::Contract::judged;
   if (is_contract_judged && check_as_in_vtu(request.mesh, claim->output, result))
-    judge_by_vtu(request, given.mesh, result);
+    judge_by_vtu(request, given.mesh, *std::move(claim), result);
   else
     judge_as_given(request, std::move(given), std::move(claim), result);
   return result;

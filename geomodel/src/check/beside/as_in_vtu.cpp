@@ -121,43 +121,6 @@ class Namer {
   NamedMesh named_;
 };
 
-/// Holds what stands under the names of one file against the other.
-class Comparison {
- public:
-  Comparison(const Places& places, std::string file, CheckResult& result)
-      : places_(places), file_(std::move(file)), result_(result) {}
-
-  void compare(const std::string& what, const NamedParts& given, const NamedParts& due) {
-    std::set<std::string> names;
-    for (const NamedParts* parts : {&given, &due})
-      for (const auto& [name, list] : *parts) names.insert(name);
-    for (const std::string& name : names) {
-      const auto g = given.find(name), d = due.find(name);
-      const std::string named = what + " '" + name + "'";
-      if (g == given.end()) {
-        tell(d->second, "of " + named + " in " + file_ + " are in no part of that name here");
-      } else if (d == due.end()) {
-        tell(g->second, "of " + named + " are there, a name that " + file_ + " has not");
-      } else {
-        std::vector<Corners> different;
-        std::ranges::set_symmetric_difference(g->second, d->second, std::back_inserter(different));
-        tell(different, "of " + named + " are in one of this file and " + file_ + " alone");
-      }
-    }
-  }
-
- private:
-  void tell(const std::vector<Corners>& parts, const std::string& what) {
-    FaultCollector fault(fault_id);
-    for (std::size_t k = 0; k < parts.size(); ++k) fault.add(k, places_[parts[k].front()]);
-    fault.report(result_, what);
-  }
-
-  const Places& places_;
-  std::string file_;
-  CheckResult& result_;
-};
-
 using CurvedEdges = std::vector<std::pair<Corners, std::array<double, 3>>>;
 
 /// Nodes in the middle of edges that are not half-way, by the places of the ends.
@@ -171,14 +134,52 @@ CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& pla
   return edges;
 }
 
-void compare_midpoints(const CurvedEdges& given, const CurvedEdges& due, const Places& places, const std::string& file,
-                       CheckResult& result) {
-  FaultCollector fault(fault_id);
-  CurvedEdges different;
-  std::ranges::set_symmetric_difference(given, due, std::back_inserter(different));
-  for (std::size_t k = 0; k < different.size(); ++k) fault.add(k, places[different[k].first.front()]);
-  fault.report(result, "nodes in the middle of edges are in one of this file and " + file + " alone");
-}
+/// Holds what stands under the names of one file against the other.
+class Comparison {
+ public:
+  Comparison(const Places& places, std::string file, CheckResult& result)
+      : places_(places), file_(std::move(file)), result_(result) {}
+
+  /// `what`: "faces of surface".
+  void compare(const std::string& what, const NamedParts& given, const NamedParts& due) {
+    std::set<std::string> names;
+    for (const NamedParts* parts : {&given, &due})
+      for (const auto& [name, list] : *parts) names.insert(name);
+    for (const std::string& name : names) {
+      const auto g = given.find(name), d = due.find(name);
+      const std::string named = what + " '" + name + "'";
+      if (g == given.end())
+        tell(d->second, named + " are in " + file_ + ", and nothing has that name here");
+      else if (d == due.end())
+        tell(g->second, named + " are here, and nothing has that name in " + file_);
+      else
+        tell(in_one_alone(g->second, d->second), named + " are here or in " + file_ + " alone");
+    }
+  }
+  /// Nodes in the middle of edges that are not half-way.
+  void compare(const CurvedEdges& given, const CurvedEdges& due) {
+    std::vector<Corners> edges;
+    for (const auto& [ends, middle] : in_one_alone(given, due)) edges.push_back(ends);
+    tell(edges, "nodes in the middle of edges are here or in " + file_ + " alone");
+  }
+
+ private:
+  template <class T>
+  static std::vector<T> in_one_alone(const std::vector<T>& a, const std::vector<T>& b) {
+    std::vector<T> different;
+    std::ranges::set_symmetric_difference(a, b, std::back_inserter(different));
+    return different;
+  }
+  void tell(const std::vector<Corners>& parts, const std::string& what) {
+    if (parts.empty()) return;
+    const std::size_t n = parts.size();
+    result_.faults.push_back({fault_id, std::to_string(n) + " " + what, n, {}, places_[parts.front().front()]});
+  }
+
+  const Places& places_;
+  std::string file_;
+  CheckResult& result_;
+};
 
 /// Each point's place; nothing, and a fault, where one is no point of the .vtu.
 std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places& places, const std::string& file,
@@ -209,13 +210,12 @@ bool compare_files(const std::filesystem::path& mesh, const std::filesystem::pat
   const std::vector<Index> due_places = *places_of(due, places, file, result);
   const NamedMesh b = Namer(due, due_places, output).run();
   Comparison comparison(places, file, result);
-  comparison.compare("region", a.solids, b.solids);
-  comparison.compare("group", a.groups, b.groups);
-  comparison.compare("surface", a.faces, b.faces);
-  if (!given.curve_edges.empty()) comparison.compare("curve", a.edges, b.edges);
+  comparison.compare("elements of region", a.solids, b.solids);
+  comparison.compare("elements of group", a.groups, b.groups);
+  comparison.compare("faces of surface", a.faces, b.faces);
+  if (!given.curve_edges.empty()) comparison.compare("edges of curve", a.edges, b.edges);
   comparison.compare("nodes of", a.nodes, b.nodes);
-  if (order == order_due)
-    compare_midpoints(curved_edges_of(given, *given_places), curved_edges_of(due, due_places), places, file, result);
+  if (order == order_due) comparison.compare(curved_edges_of(given, *given_places), curved_edges_of(due, due_places));
   result.checks_done.push_back("what stands under each name was held against " + file);
   return result.faults.size() == n_faults;
 }
