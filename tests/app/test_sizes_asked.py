@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sizes as a geologist asks for them, typed into a project file: elements across a unit, a frequency, depths, a number of elements."""
+import math
 import os
 import random
 import re
 
-from geomesh_program import SOURCE, USAGE, ProgramTest, level, main, triangles_ts
+from geomesh_program import BAD_INPUT, CANNOT_MESH, DONE, SOURCE, USAGE, ProgramTest, level, main, triangles_ts
 
 BOX = "box: {min: [0, 0, -1000], max: [1000, 1000, 0]}\n"
 
@@ -108,6 +109,30 @@ class SizesAsked(ProgramTest):
         self.assertLess(report["tetrahedra"], 14_000)
         self.assertGreater(report["tetrahedra"], 7_000)
         self.assertEqual(sorted(region["name"] for region in report["regions"]), ["a", "b"])
+
+    def test_a_size_beyond_the_model_gives_a_mesh_or_a_message(self):
+        """A size in millimetres, or with a zero too many: settling the horizons in the map ended with a segmentation fault."""
+        with open(os.path.join(SOURCE, "samples", "salt-dome", "project.yaml")) as file:
+            text = file.read().replace("file: surfaces/", "file: " + os.path.join(SOURCE, "samples", "salt-dome", "surfaces/"))
+        for size in ("70000", "1e6", "1e12"):
+            project = self.write("dome.yaml", re.sub(r"(?m)^mesh:.*$", "mesh: {size: %s}" % size, text))
+            self.run_program(project, "--quiet", "-o", self.folder, status=None)
+            self.assertIn(self.last_status, (DONE, USAGE, BAD_INPUT, CANNOT_MESH), size)
+
+    def test_a_coast_where_the_sea_is_at_height_zero(self):
+        """Settling passes corrections on from the land into the sea, where they decay below what exact arithmetic holds."""
+        n = 61
+        def ground(x, y):
+            return max(0.0, 0.02 * (x - 30000 + 4000 * math.sin(y / 9000.0)))
+        for name, height in (("ground", ground), ("base", lambda x, y: -300 + 0.004 * (x - 30000))):
+            points = [(1000.0 * i, 1000.0 * j, height(1000.0 * i, 1000.0 * j)) for j in range(n) for i in range(n)]
+            cells = [i + j * n for j in range(n - 1) for i in range(n - 1)]
+            self.write(name + ".ts", triangles_ts(name, points, [t for c in cells for t in ((c, c + 1, c + n), (c + 1, c + n + 1, c + n))]))
+        text = ("name: model\nbox: {min: [0, 0, -3000], max: [60000, 60000, 1500]}\nsurfaces:\n"
+                "  - {name: ground, kind: horizon, file: ground.ts}\n  - {name: base, kind: horizon, file: base.ts}\n"
+                "column: [air, ground, cover, base, rock]\nrules: {topography: ground}\nmesh: {size: 3000}\n")
+        self.run_program(self.write("model.yaml", text), "--quiet", "-o", self.folder)
+        self.assertEqual(sorted(r["name"] for r in self.report(self.path("model.report.json"))["regions"]), ["cover", "rock"])
 
 
 if __name__ == "__main__":

@@ -205,6 +205,7 @@ void write_reports(const OutputPlan& plan, Report& report, const PreparedModel& 
   for (const auto& file : result.files) report.files.push_back(file.filename().string());
   report.stages = recorder.records();
   if (model.stack.settled) report.stack = &model.stack;
+  report.continued = model.continued;
   report.notes = model.notes;
   report.warnings = model.warnings;
   result.warnings = model.warnings;

@@ -37,6 +37,7 @@ struct PreparedModel {
   ZScale z_scale{1};  ///< of everything but naming.seeds, from after `build` until the mesh is named
   ModelRules rules;
   SettledStack stack;  ///< as stage build settled it
+  std::vector<ContinuedSurface> continued;  ///< by stage build
   ModelVolume volume;
   BuiltRows built_rows;  ///< which triangles of the input surfaces rules made
   double sparse_growth = 0, sparse_ratio = 10, sparse_surfaces = 1;  ///< RefineOptions

@@ -30,6 +30,7 @@ void read_extent(const YamlValue& value, SurfaceSpec& spec) {
     return value.problem("only a fault has an extent; for other surfaces see 'extend'");
   if (*text == "as_given") {
     spec.rules.extend = Extend::none;
+    spec.rules.continues = false;
     return;
   }
   if (spec.rules.extend == Extend::none) spec.rules.extend = Extend::flat;
@@ -62,6 +63,7 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
                         : word == "tangent" ? Extend::tangent
                         : word == "nearest" ? Extend::nearest
                                             : Extend::none;
+    spec.rules.continues = word != "none";
     if (spec.kind == SurfaceKind::body && spec.rules.extend != Extend::none && spec.rules.thickness == 0)
       v->problem("a body is not extended: its open ends are closed beyond the box");
   }
@@ -107,7 +109,7 @@ void read_cuts(const YamlValue& value, SurfaceSpec& spec) {
 
 void read_model_rules(const YamlValue& value, Project& project) {
   const YamlMap map(value, {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume",
-                            "small_regions", "min_thickness", "thin_layers", "stack"});
+                            "small_regions", "min_thickness", "thin_layers", "stack", "continue_within"});
   if (const auto v = map.find("on_crossing")) {
     const auto word = v->choice({"leave", "clip_younger", "clip_older", "error"});
     project.rules.on_crossing = word == "clip_younger" ? OnCrossing::clip_younger
@@ -116,6 +118,7 @@ void read_model_rules(const YamlValue& value, Project& project) {
                                                        : OnCrossing::leave;
   }
   if (const auto v = map.find("trim_overshoot")) read_measure(*v, project.rules.trim_overshoot);
+  if (const auto v = map.find("continue_within")) read_measure(*v, project.rules.continue_within);
   if (const auto v = map.find("topography")) {
     project.naming.topography = v->text().value_or("");
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {

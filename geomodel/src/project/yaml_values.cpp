@@ -23,7 +23,7 @@ Place place_of(const YAML::Node& node, Place fallback) {
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> homes{
     {"rules",
      {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness",
-      "thin_layers"}},
+      "thin_layers", "continue_within"}},
     {"an entry of surfaces", {"kind", "file"}},
     {"an entry of surfaces", surface_rule_keys()},
     {"box", {"min", "max", "margin", "polygon", "azimuth", "center"}},

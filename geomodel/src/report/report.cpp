@@ -120,6 +120,19 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
                           {"spots", spots_json(a.spots, names)}};
 }
 
+/// What was continued to what bounds it, and gaps that were filled.
+json continued_json(std::span<const ContinuedSurface> continued) {
+  json list = json::array();
+  for (const ContinuedSurface& c : continued) {
+    json entry{{"surface", c.name}, {"to", c.walls}, {"border", c.length}, {"farthest", c.farthest}, {"area", c.area}};
+    if (c.area > 0) entry["where"] = {c.place.x, c.place.y, c.place.z};
+    entry["area_filled"] = c.area_filled;
+    if (c.area_filled > 0) entry["where_filled"] = {c.place_filled.x, c.place_filled.y, c.place_filled.z};
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 json stack_json(const SettledStack& stack) {
   json horizons = json::array(), units = json::array();
   for (const SettledHorizon& h : stack.horizons)
@@ -219,6 +232,7 @@ std::string to_json(const Report& report) {
   if (report.mesh) add_mesh(*report.mesh, root);
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
   if (report.stack) root["stack"] = stack_json(*report.stack);
+  if (!report.continued.empty()) root["continued"] = continued_json(report.continued);
   if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);

@@ -6,6 +6,7 @@
 #include "naming/sheets.hpp"
 #include "rules/blocks/build_blocks.hpp"
 #include "rules/column_order.hpp"
+#include "rules/continuation/continue_to_walls.hpp"
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
 #include "rules/fault_ends.hpp"
@@ -73,7 +74,10 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   built.rows.n_given_triangles.reserve(surfaces.size());
   for (const TriangulatedSurface& s : surfaces)
     built.rows.n_given_triangles.push_back(static_cast<Index>(s.triangles.size()));
+  built.rows.part_of_triangle.resize(surfaces.size());
+  built.rows.continued_to.resize(surfaces.size());
   warn_of_column_order(surfaces, rules, log);
+  continue_faults(built, rules, log);
   continue_throw_faults(built, rules);
   std::vector<std::size_t> order;  // horizons with throw after the faults that they are sorted by
   for (const bool has_throw : {false, true})
@@ -103,6 +107,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
     }
   }
   pass_on();
+  continue_horizons(built, rules, log);
   if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
   if (!settle_stack(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
     apply_min_thickness(built, rules);

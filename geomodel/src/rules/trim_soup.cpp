@@ -10,6 +10,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/blocks/part_blocks.hpp"
+#include "rules/continuation/end_at_walls.hpp"
 #include "rules/order/column_heights.hpp"
 #include "rules/planar/height_vote.hpp"
 #include "rules/planar/pieces.hpp"
@@ -325,6 +326,8 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
+  for (Index s = 0; s < built.part_of_triangle.size(); ++s)
+    if (!built.part_of_triangle[s].empty()) work.removed[s] += end_at_walls(work.working, surfaces, built, s);
   for (Index s = 0; s < work.n_given(); ++s)
     if (!is_end(s)) part_blocks(parting, s);
   remove_continuations(parting);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geomesh/geomodel/ask_stack.hpp"
 
+#include <algorithm>
+
 namespace geomesh::geomodel {
 namespace {
 
@@ -16,14 +18,30 @@ double size_in_map(const NamedSizes& sizes, const std::vector<std::string>& colu
   return least;
 }
 
+/// The sides of a box as one surface.
+TriangulatedSurface box_surface(const Box3& b) {
+  TriangulatedSurface s;
+  for (int corner = 0; corner < 8; ++corner)
+    s.points.push_back(
+        {corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z});
+  constexpr VertexIndex quads[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                       {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+  for (const auto& q : quads) {
+    s.triangles.push_back({q[0], q[1], q[2]});
+    s.triangles.push_back({q[0], q[2], q[3]});
+  }
+  return s;
+}
+
 }  // namespace
 
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume) {
   if (!refinement.refine || refinement.honour != Honour::tolerance || volume.bounds.empty()) return;
   StackRules& stack = rules.stack;
   stack.tolerance = refinement.tolerance;
-  stack.size = size_in_map(refinement.size, rules.column);
+  // Triangles larger than the model have no place in its map: the map's shorter side is the largest size there.
   const Box3& b = volume.bounds;
+  stack.size = std::min({size_in_map(refinement.size, rules.column), b.max.x - b.min.x, b.max.y - b.min.y});
   stack.outline_is_box = volume.box.has_value();
   if (stack.outline_is_box) {
     stack.outline = {{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}};
@@ -31,6 +49,21 @@ void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const Mo
   }
   for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i)  // zmin and zmax are the last
     stack.outline.push_back({volume.sides[i].points[0].x, volume.sides[i].points[0].y});
+}
+
+void ask_continuation(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume) {
+  constexpr double share_of_model = 0.05;
+  if (volume.bounds.empty()) return;
+  ContinuationRules& how = rules.continuation;
+  how.bounds = volume.bounds;
+  how.sides = volume.sides;
+  if (volume.box) how.sides.push_back(box_surface(*volume.box));
+  const Vec3 extent = volume.bounds.max - volume.bounds.min;
+  const double shorter = std::min(extent.x, extent.y), share = share_of_model * shorter;
+  const double size = refinement.refine ? std::min(size_in_map(refinement.size, rules.column), shorter) : 0;
+  how.within_of_horizons = std::max(size, share);
+  how.within_of_faults = size > 0 ? std::min(size, share) : share;
+  if (rules.continue_within >= 0) how.within_of_horizons = how.within_of_faults = rules.continue_within;
 }
 
 }  // namespace geomesh::geomodel

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "geomesh/core/predicates.hpp"
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
 #include "stack/map/map_frame.hpp"
@@ -76,6 +78,13 @@ bool faces_upward(const TriangulatedSurface& s) {
   return up >= 0;
 }
 
+/// Settling passes corrections on from vertex to vertex, so that beside a level place (the sea at height 0) they decay
+/// below what exact arithmetic can hold. Such heights are zero up to rounding by any measure, and are set to it.
+void flush_heights_that_vanish(std::vector<Vec3>& points) {
+  for (Vec3& p : points)
+    if (p.z != 0 && std::isfinite(p.z) && !exponents_are_safe(std::span(&p, 1)) && std::abs(p.z) < 1) p.z = 0;
+}
+
 /// The horizon's part of the sheets, oriented as the horizon was.
 TriangulatedSurface sheet_of(const MapSheets& sheets, std::size_t horizon, const MapSamples& samples,
                              const TriangulatedSurface& given, const MapFrame& frame) {
@@ -101,6 +110,7 @@ TriangulatedSurface sheet_of(const MapSheets& sheets, std::size_t horizon, const
     if (!faces_up) std::swap(own[1], own[2]);
     s.triangles.push_back(own);
   }
+  flush_heights_that_vanish(s.points);
   return s;
 }
 
@@ -114,6 +124,7 @@ TriangulatedSurface surface_of(SidedHorizon sided, const TriangulatedSurface& gi
     const Vec2 q = frame.to_model(Vec2{p.x, p.y});
     p = {q.x, q.y, p.z};
   }
+  flush_heights_that_vanish(s.points);
   if (!faces_up)
     for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
   return s;
@@ -261,6 +272,8 @@ class Group {
       const Vec2 place = frame_.to_model(Vec2{told.place.x, told.place.y});
       told.place = {place.x, place.y, told.place.z};
       told.n_triangles_given = s.triangles.size();
+      built_.rows.part_of_triangle[row].clear();  // settled horizons are made anew, to their walls
+      built_.rows.continued_to[row].clear();
       if (!data_[k].has_throw()) {
         s = sheet_of(sheets, k, samples, s, frame_);
         built_.rows.n_given_triangles[row] = static_cast<Index>(s.triangles.size());

@@ -58,6 +58,8 @@ struct SurfaceRules {
   bool throw_auto = false;  ///< throw_at is found from the data (find_throws)
   /// Horizons with fault polygons: faults that pass through them are added to throw_at, where that is no list.
   bool throw_at_polygons = false;
+  /// The surface is continued where it stops a little short of what bounds it (ContinuationRules).
+  bool continues = true;
   bool has_throw() const { return throw_auto || throw_at_polygons || !throw_at.empty(); }
   /// Horizons with throw_at: where one runs on across a fault as a ramp, the throw is restored in its place. False: the
   /// ramp stays.
@@ -69,6 +71,14 @@ enum class ThinLayers {
   keep,      ///< a warning tells where
   collapse,  ///< the younger horizon comes down onto the older one there
   error,     ///< Error{invalid_input} with both names, the area and the place
+};
+
+/// How far surfaces without a rule of their own are continued to what bounds them.
+struct ContinuationRules {
+  double within_of_horizons = 0;           ///< m; 0: borders stay as they are
+  double within_of_faults = 0;             ///< m
+  Box3 bounds;                             ///< of the model volume
+  std::vector<TriangulatedSurface> sides;  ///< of the model volume
 };
 
 struct ModelRules {
@@ -84,6 +94,10 @@ struct ModelRules {
   double min_thickness = 0;  ///< m, along the vertical; 0: no rule
   ThinLayers thin_layers = ThinLayers::keep;
   StackRules stack;
+  /// `rules.continue_within` of the project, m: in place of the distances that follow from the model; negative: not
+  /// given.
+  double continue_within = -1;
+  ContinuationRules continuation;
 
   SurfaceRules of(std::size_t row) const { return row < surfaces.size() ? surfaces[row] : SurfaceRules{}; }
   /// Whether any rule acts on the soup.
@@ -109,6 +123,16 @@ struct BuiltRows {
   /// none was.
   std::vector<Index> first_only_parting;
 
+  /// Per surface that was continued to what bounds it: 0 for triangles given or filled in, k for those that continue
+  /// its k-th run of border. Empty for others.
+  std::vector<std::vector<Index>> part_of_triangle;
+  /// Per surface: rows of the surfaces at which its continuations end, ascending.
+  std::vector<std::vector<Index>> continued_to;
+  bool any_continued() const {
+    return std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
+                       [](const auto& part) { return !part.empty(); });
+  }
+
   static constexpr Index of_every_block = no_index;   ///< runs on beyond the end of a fault with throw
   static constexpr Index of_no_block = no_index - 1;  ///< given, but at a fault that ends inside: made anew there
   static Index n_blocks(const std::vector<Index>& block_of) {
@@ -119,12 +143,26 @@ struct BuiltRows {
   }
 };
 
+/// A surface that was continued to what bounds it, for the report and the page.
+struct ContinuedSurface {
+  std::string name;
+  std::string walls;    ///< names of what it was continued to, with commas
+  double length = 0;    ///< of border, m
+  double farthest = 0;  ///< m
+  Vec3 place;           ///< of the farthest
+  double area = 0;      ///< of the continuation before it is cut off at the walls, m2
+  std::size_t n_filled = 0;
+  double area_filled = 0;  ///< of gaps in it, m2
+  Vec3 place_filled;       ///< of the largest
+};
+
 struct BuiltSurfaces {
   /// Rows of points and triangles as given stay, and what rules add follows; but layers that collapse give their
   /// horizons new triangles.
   std::vector<TriangulatedSurface> surfaces;
   BuiltRows rows;
   SettledStack stack;
+  std::vector<ContinuedSurface> continued;
   /// The surfaces without what only served to part blocks: what the model is to hold before anything is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
   std::vector<std::string> notes;     ///< what each rule did, with areas

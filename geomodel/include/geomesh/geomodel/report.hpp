@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "geomesh/geomodel/arrangement.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/solver_verdict.hpp"
 #include "geomesh/geomodel/stack.hpp"
 #include "geomesh/geomodel/tops.hpp"
@@ -50,7 +52,8 @@ struct Report {
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
   const ModelMesh* mesh = nullptr;
-  const SettledStack* stack = nullptr;  ///< where the stack was settled
+  const SettledStack* stack = nullptr;            ///< where the stack was settled
+  std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to what bounds them
   std::vector<std::string>
       surface_names;            ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
   std::vector<FittedTop> tops;  ///< of wells, with their misfits

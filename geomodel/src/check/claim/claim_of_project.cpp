@@ -137,7 +137,10 @@ Claim claim_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
                Vec3{});
-  if (claim.volume) ask_stack(rules, refinement, *claim.volume);
+  if (claim.volume) {
+    ask_stack(rules, refinement, *claim.volume);
+    ask_continuation(rules, refinement, *claim.volume);
+  }
   inputs.add_throws(rules);
   std::vector<std::string> found, doubts;  // the run tells them
   find_throws(inputs.surfaces, rules, found, doubts);
@@ -154,6 +157,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
+    claim.trims.back().continuation |= !built.rows.part_of_triangle[row].empty();
     claim.trims.back().partings = partings_of(built, built.rows.parted_at[row]);
     const auto& settled = built.stack.horizons;
     const bool is_new = std::any_of(settled.begin(), settled.end(),

@@ -93,17 +93,23 @@ void note_findings(PreparedModel& model, const RunContext& context) {
 void drop_spots_of_blocks(PreparedModel& model) {
   ArrangementResult& found = model.arrangement;
   const auto& blocks = model.built_rows.block_of_triangle;
+  const auto& continued = model.built_rows.part_of_triangle;
   std::erase_if(found.spots, [&](const Spot& spot) {
-    const bool of_blocks =
-        spot.surface_a == spot.surface_b && spot.surface_a < blocks.size() && !blocks[spot.surface_a].empty();
-    if (of_blocks) std::erase(found.warnings, describe(spot, model.surfaces));
-    return of_blocks;
+    const Index s = spot.surface_a;
+    const bool of_blocks = s == spot.surface_b && ((s < blocks.size() && !blocks[s].empty()) ||
+                                                   (s < continued.size() && !continued[s].empty()));
+    // The overshoot of a continuation beyond its wall is cut off later.
+    const bool of_overshoot = spot.what == "free border" && s < continued.size() && !continued[s].empty();
+    if (of_blocks || of_overshoot) std::erase(found.warnings, describe(spot, model.surfaces));
+    return of_blocks || of_overshoot;
   });
 }
 
 /// Blocks of horizons with throw, and what continues faults only to part them.
 std::vector<std::vector<Index>> parts_that_may_go(const PreparedModel& model) {
   std::vector<std::vector<Index>> parts = model.built_rows.block_of_triangle;
+  for (std::size_t s = 0; s < parts.size() && s < model.built_rows.part_of_triangle.size(); ++s)
+    if (parts[s].empty()) parts[s] = model.built_rows.part_of_triangle[s];
   const std::vector<Index>& first_only_parting = model.built_rows.first_only_parting;
   parts.resize(model.surfaces.size());
   for (std::size_t s = 0; s < first_only_parting.size() && s < parts.size(); ++s) {
@@ -159,6 +165,7 @@ void build(PreparedModel& model, const RunContext& context) {
   model.surfaces = std::move(built.surfaces);
   model.built_rows = std::move(built.rows);
   model.stack = std::move(built.stack);
+  model.continued = std::move(built.continued);
   if (model.stack.settled) {
     for (std::string& text : notes_of(model.stack)) note(model.notes, context, std::move(text));
     model.refinement.tolerance_used += stack_share * model.refinement.tolerance;
@@ -183,7 +190,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
   note_findings(model, context);
-  if (model.rules.trims()) {
+  if (model.rules.trims() || model.built_rows.any_continued()) {
     TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.built_rows, model.rules);
     model.arrangement.soup = std::move(trimmed.soup);
     model.arrangement.area_clipped_by_rules = std::move(trimmed.area_removed);

@@ -140,6 +140,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   for (std::string& text : found) note(model.notes, context, std::move(text));
   for (std::string& text : doubts) warn(model.warnings, context, std::move(text));
   ask_stack(model.rules, model.refinement, model.volume);
+  ask_continuation(model.rules, model.refinement, model.volume);
   model.input_json = describe_input(project, model);
   build(model, context);
   model.z_scale = ZScale(project.crs.z_scale);

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/border_chains.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "common/union_find.hpp"
+#include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// A border edge in the order of its loop.
+struct LoopEdge {
+  VertexIndex a, b;
+  Index triangle;
+  double length;
+  bool goes_on = true;              ///< false where the surface has met its wall
+  bool counts = true;               ///< false outside of the model, where what is continued is cut off with the rest
+  std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is the distance in m
+};
+
+Vec3 normalized(const Vec3& v) {
+  const double length = norm(v);
+  return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
+}
+
+/// Direction away from the surface at a border edge, in the plane of its triangle.
+Vec3 outward(const TriangulatedSurface& s, const LoopEdge& e) {
+  const Vec3 along = normalized(s.points[e.b] - s.points[e.a]);
+  Vec3 centre{0, 0, 0};
+  for (const VertexIndex v : s.triangles[e.triangle]) centre = centre + (1.0 / 3) * s.points[v];
+  const Vec3 inward = centre - s.points[e.a];
+  return normalized(dot(inward, along) * along - inward);
+}
+
+bool is_within(const Box3& box, const Vec3& p, double room) {
+  return p.x > box.min.x - room && p.y > box.min.y - room && p.z > box.min.z - room && p.x < box.max.x + room &&
+         p.y < box.max.y + room && p.z < box.max.z + room;
+}
+
+/// Border vertices that a wall cuts off from all inner vertices: the surface has met its wall before it ends there, or
+/// ends on it. A wall that ends inside the surface cuts nothing off: round its end a vertex hangs together with others.
+class CutOffBorder {
+ public:
+  CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
+      : merged_(merge_equal_points(s.points)), joined_(s.points.size() + 1) {
+    const auto inner = static_cast<Index>(s.points.size());  // stands for all inner vertices
+    std::vector<std::pair<Index, Index>> crossed;
+    std::vector<std::uint8_t> is_border(s.points.size(), 0);
+    for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;
+    for (const Triangle& t : s.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VertexIndex v = merged_[t[i]], w = merged_[t[(i + 1) % 3]];
+        if (!is_border[v] && !is_border[w]) continue;
+        const Index a = is_border[v] ? v : inner, b = is_border[w] ? w : inner;
+        if (joined_.find(a) == joined_.find(b)) continue;
+        // Both ways: a way that begins on a wall does not meet it.
+        if (!walls.first_surface(s.points[v], s.points[w], row) && !walls.first_surface(s.points[w], s.points[v], row))
+          joined_.unite(a, b);
+        else
+          crossed.emplace_back(a, b);
+      }
+    inner_ = joined_.find(inner);
+    for (const auto& [a, b] : crossed)
+      for (const auto& [out, in] : {std::pair(a, b), std::pair(b, a)})
+        if (joined_.find(in) == inner_) cut_off_.insert(joined_.find(out));
+    cut_off_.erase(inner_);
+  }
+  bool holds(VertexIndex v) { return cut_off_.contains(joined_.find(merged_[v])); }
+
+ private:
+  std::vector<VertexIndex> merged_;
+  UnionFind joined_;
+  Index inner_ = 0;
+  std::set<Index> cut_off_;  ///< of sets of vertices
+};
+
+/// The nearest wall before an edge, with its distance as share.
+std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, Index row, const Walls& walls,
+                                      double within) {
+  const Vec3 middle = 0.5 * (s.points[e.a] + s.points[e.b]);
+  const Vec3 out = outward(s, e), along = normalized(s.points[e.b] - s.points[e.a]);
+  std::optional<Walls::Hit> nearest;
+  for (const double turn : {0.0, 1.0, -1.0}) {
+    const Vec3 way = within * normalized(out + turn * along);
+    std::optional<Walls::Hit> hit = walls.first_hit(middle, middle + way, row);
+    if (!hit) continue;
+    hit->share *= within;
+    if (!nearest || hit->share < nearest->share) nearest = hit;
+  }
+  return nearest;
+}
+
+/// Whether the border has come round to the other side of a wall between two edges.
+bool turns_round(const LoopEdge& before, const LoopEdge& after) {
+  return before.hit && after.hit && before.hit->surface != Walls::side_of_volume &&
+         before.hit->surface == after.hit->surface && before.hit->from_above != after.hit->from_above;
+}
+
+/// Edges without a wall between edges that have one take the wall of the edge before, as far as they are few.
+void close_short_runs(std::vector<LoopEdge>& loop, double within) {
+  const std::size_t n = loop.size();
+  const auto first = std::find_if(loop.begin(), loop.end(), [](const LoopEdge& e) { return e.hit.has_value(); });
+  if (first == loop.end()) return;
+  std::rotate(loop.begin(), first, loop.end());
+  for (std::size_t k = 0; k < n; ++k) {
+    if (loop[k].hit) continue;
+    std::size_t end = k;
+    double length = 0;
+    for (; end < n && !loop[end].hit; ++end) length += loop[end].length;
+    const LoopEdge& after = loop[end % n];
+    if (length <= within && !turns_round(loop[k - 1], after)) {
+      for (std::size_t i = k; i < end; ++i) {
+        loop[i].hit = loop[k - 1].hit;
+        loop[i].hit->share = 0;
+      }
+    }
+    k = end;
+  }
+}
+
+BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& edges) {
+  BorderChain chain;
+  for (const LoopEdge& e : edges) {
+    chain.vertices.push_back(e.a);
+    chain.triangles.push_back(e.triangle);
+    chain.goes_on.push_back(e.goes_on);
+    if (!e.goes_on || !e.counts) continue;
+    chain.walls.push_back(e.hit->surface);
+    chain.length += e.length;
+    if (e.hit->share < chain.farthest) continue;
+    chain.farthest = e.hit->share;
+    chain.place = 0.5 * (s.points[e.a] + s.points[e.b]);
+  }
+  chain.closed = edges.back().b == edges.front().a;
+  if (!chain.closed) chain.vertices.push_back(edges.back().b);
+  std::sort(chain.walls.begin(), chain.walls.end());
+  chain.walls.erase(std::unique(chain.walls.begin(), chain.walls.end()), chain.walls.end());
+  return chain;
+}
+
+/// Cuts a loop where edges have no wall and where it comes round to the other side of one.
+void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vector<BorderChain>& chains) {
+  const std::size_t n = loop.size();
+  const auto keep = [&](const std::vector<LoopEdge>& run) {
+    if (std::any_of(run.begin(), run.end(), [](const LoopEdge& e) { return e.goes_on && e.counts; }))
+      chains.push_back(chain_of(s, run));
+  };
+  const auto ends_after = [&](std::size_t k) {  // between edge k and the next
+    const LoopEdge &e = loop[k], &next = loop[(k + 1) % n];
+    return !e.hit || !next.hit || turns_round(e, next);
+  };
+  std::size_t cut = n;
+  for (std::size_t k = 0; k < n && cut == n; ++k)
+    if (ends_after(k)) cut = k;
+  if (cut == n) {
+    if (loop.front().hit) keep(loop);
+    return;
+  }
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>((cut + 1) % n), loop.end());
+  std::vector<LoopEdge> run;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (loop[k].hit) run.push_back(loop[k]);
+    if (!run.empty() && (k + 1 == n || ends_after(k))) {
+      keep(run);
+      run.clear();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
+                                             const Box3& box, double within) {
+  const std::vector<BorderEdge> edges = border_edges(surface);
+  std::map<std::pair<VertexIndex, VertexIndex>, Index> triangle_at;
+  for (const BorderEdge& e : edges) triangle_at[{e.a, e.b}] = e.triangle;
+  CutOffBorder cut_off(surface, edges, row, walls);
+  std::vector<BorderChain> chains;
+  for (const std::vector<VertexIndex>& vertices : border_loops(edges).loops) {
+    std::vector<LoopEdge> loop;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const VertexIndex a = vertices[k], b = vertices[(k + 1) % vertices.size()];
+      LoopEdge e{a, b, triangle_at.at({a, b}), norm(surface.points[b] - surface.points[a])};
+      const Vec3 middle = 0.5 * (surface.points[a] + surface.points[b]);
+      e.goes_on = !(cut_off.holds(a) && cut_off.holds(b));
+      if (!e.goes_on)
+        e.hit = Walls::Hit{};
+      else if (is_within(box, middle, std::max(within, e.length)))
+        e.hit = wall_before(surface, e, row, walls, within);
+      const bool is_beyond = !is_within(box, middle, 0);
+      if (is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
+        e.hit = Walls::Hit{};
+        e.counts = false;
+      }
+      loop.push_back(e);
+    }
+    close_short_runs(loop, within);
+    cut_loop(surface, std::move(loop), chains);
+  }
+  return chains;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Runs of a surface's border that stop short of walls.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rules/continuation/walls.hpp"
+#include "rules/planar/borders.hpp"
+
+namespace geomesh::geomodel {
+
+/// A run of border edges with walls before them. A surface that is continued from one chain never continues another
+/// one's side of a wall: chains end where the border comes round from one side of a wall to the other.
+struct BorderChain {
+  std::vector<VertexIndex> vertices;  ///< rows of the surface; edge k joins vertex k and the next
+  std::vector<Index> triangles;       ///< per edge: the triangle of the surface there
+  std::vector<std::uint8_t> goes_on;  ///< per edge: 0 where the surface has met its wall already
+  bool closed = false;                ///< the last vertex is joined to the first
+  std::vector<Index> walls;  ///< surfaces before its edges in the model, ascending; Walls::side_of_volume among them
+  double farthest = 0;       ///< distance to the farthest wall that its edges meet first, m
+  double length = 0;         ///< m
+  Vec3 place;                ///< on the edge whose wall is farthest
+  std::size_t n_edges() const { return triangles.size(); }
+};
+
+/// Chains of the border whose edges have a wall within `within`, straight ahead or half to the left or right in the
+/// surface's own plane. An edge without a wall between two that have one belongs to the chain as far as no more than
+/// `within` of the border is without. Edges outside of the model belong to a chain that passes them, and so
+/// do edges that a wall cuts off from their own triangle. A chain has an edge in the model that goes on. O(edges)
+/// searches.
+std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
+                                             const Box3& box, double within);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/bridges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "geomesh/core/predicates.hpp"
+#include "naming/sums.hpp"
+#include "rules/planar/planar_fill.hpp"
+#include "rules/throw/sheet_sides.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+using Corners = std::array<Index, 3>;
+
+double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double u = std::hypot(b.x - a.x, b.y - a.y), v = std::hypot(c.x - b.x, c.y - b.y),
+               w = std::hypot(a.x - c.x, a.y - c.y);
+  const double area2 = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  return area2 > 0 ? u * v * w / (2 * area2) : std::numeric_limits<double>::infinity();
+}
+
+/// Where the way from p to q meets the triangle, its border included.
+std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Sign from = orient3d(a, b, c, p), to = orient3d(a, b, c, q);
+  if (from == to || from == Sign::zero || to == Sign::zero) return std::nullopt;
+  const Sign s0 = orient3d(p, q, a, b), s1 = orient3d(p, q, b, c), s2 = orient3d(p, q, c, a);
+  const bool any_left = s0 == Sign::positive || s1 == Sign::positive || s2 == Sign::positive;
+  const bool any_right = s0 == Sign::negative || s1 == Sign::negative || s2 == Sign::negative;
+  if (any_left == any_right) return std::nullopt;
+  const Vec3 n = cross(b - a, c - a);
+  const double d = dot(p - a, n), e = dot(q - a, n);
+  return p + (d / (d - e)) * (q - p);
+}
+
+/// The border of a part of the surface in the map, and the gaps in its triangulation.
+class Gaps {
+ public:
+  Gaps(const TriangulatedSurface& surface, const std::vector<BorderEdge>& edges) : surface_(surface) {
+    std::map<VertexIndex, Index> index;
+    const auto row = [&](VertexIndex v) {
+      const auto [at, is_new] = index.emplace(v, static_cast<Index>(rows_.size()));
+      if (is_new) {
+        rows_.push_back(v);
+        points_.push_back(surface.points[v]);
+      }
+      return at->second;
+    };
+    for (const BorderEdge& e : edges) {
+      const Index a = row(e.a), b = row(e.b);
+      constraints_.emplace_back(a, b);
+      is_border_.insert({std::min(a, b), std::max(a, b)});
+    }
+  }
+
+  /// False where the border crosses itself in the map.
+  bool find(double within, const Box3& box) {
+    std::vector<Vec2> places;
+    for (const Vec3& p : points_) places.push_back({p.x, p.y});
+    const auto all = triangulate_plane(places, constraints_);
+    if (!all) return false;
+    gaps_.clear();
+    for (const PlanarTriangle& t : *all) {
+      const auto& v = t.vertices;
+      if (t.depth % 2 != 0 || circumradius(places[v[0]], places[v[1]], places[v[2]]) > within) continue;
+      Box3 own;
+      for (const Index i : v) own.add(points_[i]);
+      const bool is_in_box = own.max.x > box.min.x && own.min.x < box.max.x && own.max.y > box.min.y &&
+                             own.min.y < box.max.y && own.max.z > box.min.z && own.min.z < box.max.z;
+      if (is_in_box) gaps_.push_back(v);
+    }
+    return true;
+  }
+
+  /// Adds the places where tips end in the gaps. False where there are none.
+  bool add_tips(const std::vector<TriangulatedSurface>& tips) {
+    std::vector<Box3> boxes;
+    for (const Corners& t : gaps_) {
+      Box3& box = boxes.emplace_back();
+      for (const Index i : t) box.add(points_[i]);
+    }
+    if (boxes.empty()) return false;
+    const arrangement::BoxTree tree(boxes);
+    std::vector<Vec3> found;
+    for (const TriangulatedSurface& wall : tips)
+      for (const BorderEdge& e : border_edges(wall)) {
+        Box3 way;
+        way.add(wall.points[e.a]);
+        way.add(wall.points[e.b]);
+        tree.boxes_meeting(way, [&](Index k) {
+          const Corners& t = gaps_[k];
+          const auto p = piercing(wall.points[e.a], wall.points[e.b], points_[t[0]], points_[t[1]], points_[t[2]]);
+          if (p && !is_on_border(t, *p)) found.push_back(*p);
+        });
+      }
+    std::sort(found.begin(), found.end(), [](const Vec3& a, const Vec3& b) { return compare_lexicographic(a, b) < 0; });
+    const auto same_place = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; };
+    found.erase(std::unique(found.begin(), found.end(), same_place), found.end());
+    points_.insert(points_.end(), found.begin(), found.end());
+    return !found.empty();
+  }
+
+  void append(TriangulatedSurface& to, const Walls& walls, Bridged& bridged) const {
+    std::vector<VertexIndex> row(points_.size(), no_vertex);
+    std::copy(rows_.begin(), rows_.end(), row.begin());
+    double largest = 0;
+    for (const Corners& t : gaps_) {
+      if (crosses_wall(t, walls)) continue;
+      Triangle own;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (row[t[i]] == no_vertex) {
+          row[t[i]] = static_cast<VertexIndex>(to.points.size());
+          to.points.push_back(points_[t[i]]);
+        }
+        own[i] = row[t[i]];
+      }
+      const double area = norm(cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]])) / 2;
+      if (!faces_up_) std::swap(own[1], own[2]);
+      to.triangles.push_back(own);
+      ++bridged.n_triangles;
+      bridged.area += area;
+      if (area > largest) bridged.place = (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
+      largest = std::max(largest, area);
+    }
+  }
+
+  void set_faces_up(bool up) { faces_up_ = up; }
+
+ private:
+  /// Whether a place in a gap triangle lies on one of its sides that is part of the border, seen in the map.
+  bool is_on_border(const Corners& t, const Vec3& p) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = t[i], b = t[(i + 1) % 3];
+      const Vec3 &from = points_[a], &to = points_[b];
+      if (orient2d({from.x, from.y}, {to.x, to.y}, {p.x, p.y}) != Sign::zero) continue;
+      if ((p.x == from.x && p.y == from.y) || (p.x == to.x && p.y == to.y)) return true;
+      if (is_border_.contains({std::min(a, b), std::max(a, b)})) return true;
+    }
+    return false;
+  }
+
+  bool crosses_wall(const Corners& t, const Walls& walls) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
+      // Ways begin and end a little inside: a tip of a wall is a corner of the triangles that begin there.
+      const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
+      if (walls.first_surface(from, to, no_index)) return true;
+    }
+    return false;
+  }
+
+  const TriangulatedSurface& surface_;
+  std::vector<VertexIndex> rows_;
+  std::vector<Vec3> points_;  ///< those of the border, then tips
+  std::vector<std::pair<Index, Index>> constraints_;
+  std::set<std::pair<Index, Index>> is_border_;
+  std::vector<Corners> gaps_;
+  bool faces_up_ = true;
+};
+
+bool faces_up(const TriangulatedSurface& s) {
+  double up = 0;
+  for (const Triangle& t : s.triangles) up += cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]).z;
+  return up >= 0;
+}
+
+/// False where the edges cross each other in the map.
+bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Walls& walls,
+            const std::vector<TriangulatedSurface>& tips, const Box3& box, double within, Bridged& bridged) {
+  Gaps gaps(surface, edges);
+  gaps.set_faces_up(faces_up(surface));
+  if (!gaps.find(within, box)) return false;
+  if (gaps.add_tips(tips) && !gaps.find(within, box)) return false;
+  gaps.append(surface, walls, bridged);
+  return true;
+}
+
+}  // namespace
+
+Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<TriangulatedSurface>& tips,
+                    const Box3& box, double within) {
+  Bridged bridged;
+  const std::vector<BorderEdge> edges = border_edges(surface);
+  if (edges.empty() || bridge(surface, edges, walls, tips, box, within, bridged)) return bridged;
+  const std::vector<Index> sheet =
+      sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
+  std::map<Index, std::vector<BorderEdge>> edges_of;
+  for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
+  for (const auto& [_, own] : edges_of) bridge(surface, own, walls, tips, box, within, bridged);
+  return bridged;
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A run of border in a plane: its nearest point, which side of it lies outside, and the height of its continuation.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rules/continuation/border_chains.hpp"
+
+namespace geomesh::geomodel {
+
+class ChainInPlane {
+ public:
+  /// Slopes are those of the triangles at the border, averaged along the chain over `within` to both sides.
+  ChainInPlane(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame, double within);
+
+  struct Nearest {
+    Index edge = no_index;
+    double along = 0;  ///< of the edge, from 0 to 1
+    double distance = 0;
+  };
+  /// The nearest point of the chain, where that is no farther than twice `within`; farther ones may be found or not.
+  std::optional<Nearest> nearest(const Vec2& p) const;
+  /// Whether p lies outside of the surface beside the chain, seen from its nearest point. False beyond an open end and
+  /// beside edges that do not go on.
+  bool is_outside(const Vec2& p, const Nearest& at) const;
+  /// The nearest point itself, in the frame.
+  Vec3 foot(const Nearest& at) const;
+  double height(const Vec2& p, const Nearest& at) const;
+
+  const std::vector<Vec3>& points() const { return points_; }  ///< in the frame, per vertex of the chain
+  std::size_t n_edges() const { return slopes_.size(); }
+  double mean_edge() const;
+  std::size_t end_of(std::size_t edge) const { return (edge + 1) % points_.size(); }
+
+ private:
+  void find_slopes(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame);
+  void smooth_slopes(double within);
+  std::pair<std::int64_t, std::int64_t> cell_of(const Vec2& p) const;
+  double length(std::size_t edge) const;
+
+  std::vector<Vec3> points_;
+  std::vector<Vec2> slopes_, out_;     ///< per edge; `out_` has length one
+  std::vector<std::uint8_t> goes_on_;  ///< per edge
+  bool closed_;
+  double cell_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Index>> edges_in_cell_;
+};
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Surfaces that stop a little short of what bounds them are continued to it: faults to other faults and to the sides
+/// of the model, horizons to those, to bodies and to other horizons. This is the default; `extend: none` and
+/// `extent: as_given` keep borders open.
+#pragma once
+
+#include "rules/extend/extend.hpp"
+
+namespace geomesh::geomodel {
+
+/// Faults without an extent of their own, up to ContinuationRules::within_of_faults. A fault that ends inside the
+/// model farther from everything keeps its tip.
+void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
+
+/// Horizons without `extend` and without throw, up to ContinuationRules::within_of_horizons. Gaps in them that no
+/// fault or body explains are filled first.
+void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Continuations in the arranged soup: what lies beyond the wall is removed.
+#pragma once
+
+#include "geomesh/geomodel/model_rules.hpp"
+#include "rules/planar/pieces.hpp"
+
+namespace geomesh::geomodel {
+
+/// Removes from the soup the parts of continuations of surface `row` that the walls at which they end
+/// (BuiltRows::continued_to) cut off from what was given. A continuation hangs together with what was given where both
+/// share a corner of the surface, and with nothing else that it crosses: continuations from both sides of a fault cross
+/// each other beyond it. Gives the area removed. O(n log n) in the soup's edges.
+double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                    Index row);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/walls.hpp"
+
+#include <algorithm>
+
+#include "geomesh/core/predicates.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Whether the line through p and q meets the triangle, its border included.
+bool line_meets(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Sign s0 = orient3d(p, q, a, b), s1 = orient3d(p, q, b, c), s2 = orient3d(p, q, c, a);
+  const bool any_left = s0 == Sign::positive || s1 == Sign::positive || s2 == Sign::positive;
+  const bool any_right = s0 == Sign::negative || s1 == Sign::negative || s2 == Sign::negative;
+  return !(any_left && any_right);
+}
+
+}  // namespace
+
+Walls::Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
+             const std::vector<TriangulatedSurface>& sides) {
+  std::vector<Box3> boxes;
+  for (const TriangulatedSurface& side : sides) add(side, side_of_volume, boxes);
+  for (const Index row : rows) add(surfaces[row], row, boxes);
+  if (!boxes.empty()) tree_ = std::make_unique<arrangement::BoxTree>(boxes);
+}
+
+void Walls::add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxes) {
+  for (const Triangle& t : s.triangles) {
+    triangles_.push_back({s.points[t[0]], s.points[t[1]], s.points[t[2]], row});
+    Box3& box = boxes.emplace_back();
+    for (const VertexIndex v : t) box.add(s.points[v]);
+  }
+}
+
+template <class F>
+std::optional<Walls::Hit> Walls::first_of(const Vec3& a, const Vec3& b, F&& counts) const {
+  std::optional<Hit> first;
+  if (!tree_ || a == b) return first;
+  Box3 way;
+  way.add(a);
+  way.add(b);
+  tree_->boxes_meeting(way, [&](Index k) {
+    const Wall& wall = triangles_[k];
+    if (!counts(wall.surface)) return;
+    const Sign from = orient3d(wall.a, wall.b, wall.c, a), to = orient3d(wall.a, wall.b, wall.c, b);
+    if (from == to || from == Sign::zero || !line_meets(a, b, wall.a, wall.b, wall.c)) return;
+    const Vec3 normal = cross(wall.b - wall.a, wall.c - wall.a);
+    const double d = dot(a - wall.a, normal), e = dot(b - wall.a, normal);
+    const double share = d == e ? 0 : std::clamp(d / (d - e), 0.0, 1.0);
+    if (first && (first->share < share || (first->share == share && first->surface <= wall.surface))) return;
+    first = Hit{wall.surface, from == Sign::positive, share};
+  });
+  return first;
+}
+
+std::optional<Walls::Hit> Walls::first_hit(const Vec3& a, const Vec3& b, Index but_not) const {
+  return first_of(a, b, [&](Index surface) { return surface == side_of_volume || surface != but_not; });
+}
+
+std::optional<Walls::Hit> Walls::first_surface(const Vec3& a, const Vec3& b, Index but_not) const {
+  return first_of(a, b, [&](Index surface) { return surface != side_of_volume && surface != but_not; });
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The surfaces on which another surface may end, asked by straight ways in space.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "arrangement/search/bvh.hpp"
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+/// Triangles of the model volume's sides and of surfaces (faults, bodies, horizons). It refers to nothing: the
+/// triangles are copied. Whether a way meets a triangle is decided by exact orientations.
+class Walls {
+ public:
+  static constexpr Index side_of_volume = no_index;  ///< as Hit::surface
+
+  struct Hit {
+    Index surface = side_of_volume;  ///< row of the surface
+    bool from_above = false;         ///< the way begins on the side to which the triangle's normal points
+    double share = 0;                ///< of the way up to the hit, from 0 to 1
+  };
+
+  /// `rows`: which of the surfaces are walls. `sides`: of the model volume.
+  Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
+        const std::vector<TriangulatedSurface>& sides);
+
+  bool empty() const { return triangles_.empty(); }
+  /// The first wall on the way from a to b, other than surface `but_not`. Walls that hold a itself do not count where
+  /// the way leaves them.
+  std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
+  /// The same without the sides of the model volume.
+  std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
+
+ private:
+  template <class F>
+  std::optional<Hit> first_of(const Vec3& a, const Vec3& b, F&& counts) const;
+  struct Wall {
+    Vec3 a, b, c;
+    Index surface;
+  };
+  void add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxes);
+
+  std::vector<Wall> triangles_;
+  std::unique_ptr<arrangement::BoxTree> tree_;
+};
+
+}  // namespace geomesh::geomodel
