@@ -269,7 +269,7 @@ class Overshoot(RulesTest):
         report, _ = self.mesh("""surfaces:
   - {name: top, kind: horizon, file: top.ts}
   - {name: base, kind: horizon, file: base.ts}
-  - {name: f, kind: fault, file: f.ts}
+  - {name: f, kind: fault, file: f.ts, extent: as_given}
 column: [u1, top, u2, base, u3]
 rules: {trim_overshoot: 1}
 """)
