@@ -81,6 +81,7 @@ class PageTest(ProgramTest):
     """A page is run in the test's folder."""
 
     bare = False
+    first_commands = set()  # the first commands of pages that have been run: several pages begin alike, in like folders
 
     def setUp(self):
         super().setUp()
@@ -124,5 +125,13 @@ class PageTest(ProgramTest):
         return ""
 
     def run_page(self, page):
-        """All that the page prints, in order."""
-        return "".join(self.run_block(block, number) for number, block in enumerate(blocks_of(page), 1))
+        """All that the page prints, in order. Commands with which another page began too are run once."""
+        blocks, printed = blocks_of(page), ""
+        first = next((b for b in blocks if not b.title), None)
+        for number, block in enumerate(blocks, 1):
+            if block is first and block.language == "sh" and len(block.text.splitlines()) == 1:
+                if block.text in PageTest.first_commands:
+                    continue
+                PageTest.first_commands.add(block.text)
+            printed += self.run_block(block, number)
+        return printed

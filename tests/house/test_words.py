@@ -14,8 +14,8 @@ import unittest
 import prose
 
 # Rooms whose comments have been rewritten. The list grows until it is core, geomodel, app and python.
-ROOMS_DONE = ("core/src/plc", "core/src/mesh", "core/src/classify", "core/src/quality", "core/src/search", "geomodel/src/voronoi", "geomodel/src/partition",
-              "geomodel/src/fault_zones", "geomodel/src/coordinates")
+ROOMS_DONE = ("core/src/plc", "core/src/mesh", "core/src/classify", "core/src/quality", "core/src/search", "core/src/remesh/conforming",
+              "core/src/remesh/driver", "core/src/remesh/rescue", "geomodel/src/voronoi", "geomodel/src/partition", "geomodel/src/fault_zones", "geomodel/src/coordinates")
 
 WORDS = {
     r"brought together|bring(s|ing)? together|(go|goes|went|come|came) together": "merged; of vertices, snapped",
