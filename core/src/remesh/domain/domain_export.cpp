@@ -76,7 +76,7 @@ class Exporter {
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
 
-  /// An input vertex that moved, or a curve's, is told by its kind now.
+  /// Input vertices that moved, and vertices of curves, get the origin of their kind.
   VertexOrigin origin_of(VertexIndex v) const {
     if (input_of(v) != no_vertex) return VertexOrigin::input;
     switch (domain_.kind(v)) {

@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of the tolerance: lower faces have no direction of their own.
+/// Share of the tolerance. Lower faces have no direction of their own.
 constexpr double narrow_share = 0.5;
 
 using Edge = std::array<VertexIndex, 2>;
@@ -162,7 +162,7 @@ class Importer {
     return face_directions(input_.points, faces_, patches, uses, narrow_);
   }
 
-  /// Not where a face is so narrow that it has no direction.
+  /// Returns false for faces too narrow to have a reliable normal.
   bool is_sharp(const EdgeUse& a, const EdgeUse& b, const std::vector<Vec3>& directions) const {
     if (exact_) return false;
     const Vec3 &n = directions[a.face], &m = directions[b.face];
@@ -211,7 +211,7 @@ class Importer {
     return -dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
 
-  /// Else it stays a corner.
+  /// Otherwise the vertex remains a corner.
   void classify(VertexIndex v, const std::vector<Index>& faces) {
     const auto& curves = curve_ends_[v];
     const bool is_given = input_.input_vertex[v] != no_vertex;

@@ -92,7 +92,7 @@ class PlaneGroups {
     return k;
   }
 
-  /// Where nothing but two facets are at an edge, oriented alike, and both could be of one facet.
+  /// Joins facets across edges that have exactly two facets, oriented alike, both of which could be of one facet.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;

@@ -151,7 +151,7 @@ class SurfaceInsertion {
     return tools_.guard.admits(before, surface_of(mesh_, cavity, p_));
   }
 
-  /// All vertices of the cells are asked: those that are not on the cavity's border may not be there at all.
+  /// Examines all vertices of the cells, because those that are not on the cavity's border may disappear.
   bool keeps_spacing(double spacing) const {
     const double limit = spacing * spacing;
     for (const CellIndex c : tools_.work.cells)
