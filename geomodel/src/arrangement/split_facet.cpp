@@ -38,8 +38,8 @@ class FacetSplitter {
       if (rows_.contains(a) && rows_.contains(b)) mesh_.insert_constraint(rows_.at(a), rows_.at(b), 0);
   }
 
-  /// Whether each edge of the closed walk is there whole. Along an axis its vertices can be on one line in another
-  /// order than on their edge. The walk then goes to and fro, and what lies between its edges would be lost.
+  /// Returns whether each edge of the closed walk is there as a whole. Along an axis, vertices can be collinear in
+  /// another order than on their edge; the walk then alternates, and the space between its edges would be lost.
   bool has_edges_of(const std::vector<VertexIndex>& walk) const {
     for (std::size_t k = 0; k < walk.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(walk[k]), rows_.at(walk[(k + 1) % walk.size()]));

@@ -13,7 +13,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a pocket: what one of its two walls takes
+constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a thin void: the share of one of its two walls
 
 /// Calls see(edge, facets) for each edge of the facets, ascending.
 template <class See>

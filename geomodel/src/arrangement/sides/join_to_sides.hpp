@@ -19,10 +19,10 @@ namespace geomesh::geomodel::arrangement {
 std::optional<SnapOutcome> join_to_sides(Complex& complex, const Joining& joining,
                                          std::vector<VertexIndex>& vertex_now);
 
-/// Vertices within reach of a corner of the volume go to it, else to an edge between two sides, else to a side (Reach).
-/// They do so from either side of it, but for rounding. Ends of an edge of a surface that is as near to a side's plane
-/// go to it, also where they are beyond the volume. join_to_sides() does the rest. What would turn a triangle over
-/// stays. Cost as above.
+/// Vertices within reach of a corner of the volume move to it, otherwise to an edge between two sides, otherwise to a
+/// side (Reach). They do so from either side of it, apart from rounding. Ends of an edge of a surface that is as near
+/// to a side's plane move to it, even if they are beyond the volume. join_to_sides() does the rest. Movements that
+/// would turn a triangle over are left out. Cost as above.
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance);
 
 /// Facets that run along an edge between two sides within reach are drawn to it. They are split at its ends, where

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which surfaces may be brought together: all, or those alone that meet somewhere.
+/// Which surfaces may be merged: all, or only those that meet somewhere.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ inline SurfacePair surface_pair(Index a, Index b) { return a < b ? SurfacePair{a
 
 /// Pairs of surfaces of which facets touch, cross or overlap.
 std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts);
-/// Those, and pairs of surfaces that share a vertex.
+/// Returns those pairs, and pairs of surfaces that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
 /// Two things may join where one of them is a free border, and a surface of the one meets another surface of the
@@ -64,9 +64,8 @@ class JoinRule {
   }
 
   bool restricts() const { return restricts_; }
-  /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
-  /// a side of the box. `asked`, where it is not empty, marks the vertices that will be asked for: what has another one
-  /// is left out.
+  /// Indexes the complex as it is now. Edges with one facet are borders, except those that `lies_on_box` places on a
+  /// side of the box. `asked`, if not empty, marks the vertices that will be needed; others are left out.
   void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
              std::vector<std::uint8_t> asked = {});
   /// The edges alone: vertices stay what they were.
@@ -87,12 +86,13 @@ class JoinRule {
   std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
   bool restricts_ = false, joins_all_ = false, needs_border_ = true;
-  std::vector<std::uint8_t> asked_;  ///< by vertex; empty: all may be asked for
+  std::vector<std::uint8_t> asked_;  ///< by vertex; empty: all may be needed
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
   std::vector<std::pair<EdgeKey, Thing>> of_edge_;  // ascending by edge
-  /// Of two sets, without and with a border: 1 allowed, 2 not, 0 not asked yet. Only while there are few sets.
+  /// For pairs of sets, without and with a border: 1 allowed, 2 not, 0 not known yet. Used only while there are few
+  /// sets.
   mutable std::vector<std::uint8_t> known_;
 };
 

@@ -27,7 +27,7 @@ class Rebuilding {
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
 
-  /// Where a facet cannot be split its edges stay whole, so that surfaces hang together there. Each round leaves
+  /// If a facet cannot be split, its edges are not divided, so that surfaces remain connected there. Each round leaves
   /// insertions out, so there are no more rounds than insertions.
   void leave_out_what_splits_nothing() {
     for (std::vector<Index> open = split_all(); !open.empty();) {
@@ -91,7 +91,7 @@ class Rebuilding {
     return std::any_of(edges.begin(), edges.end(), [&](const EdgeKey& e) { return insertions_.on_edge.contains(e); });
   }
 
-  /// Facets that cannot be split as asked.
+  /// Splits all facets. Returns those that cannot be split as required.
   std::vector<Index> split_all() {
     std::vector<Index> facets;
     is_of_split_.assign(complex_.points.size(), 0);
@@ -102,7 +102,7 @@ class Rebuilding {
     }
     return split_these(facets);
   }
-  /// The same, of facets at edges that stay whole now.
+  /// Splits facets at edges that are no longer divided.
   std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
     std::vector<Index> facets;
     for (const auto& [f, split] : splits_) {
