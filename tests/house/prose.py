@@ -95,7 +95,7 @@ def sentences(text):
     """Yields (line from 0, sentence) of a text. Headings, rows of tables and items of lists end a sentence."""
     paragraph, first = [], 0
     for number, line in enumerate(text.split("\n") + [""]):
-        begins = re.match(r"\s*(?:[-*]|\d+\.|#+|\||!\[)\s*", line)
+        begins = re.match(r"\s*(?:[-*]\s|\d+\.\s|#+\s|\||!\[)\s*", line)
         if (begins or not line.strip()) and paragraph:
             for sentence in re.split(r"(?<=[.!?])[)\"*]*\s+(?=[A-Z`\"(])", " ".join(paragraph)):
                 yield first, sentence
