@@ -76,6 +76,16 @@ class Words(unittest.TestCase):
         self.assertGreater(len(prose.documents()), 20)
         self.assertEqual(listing(prose.documents(), are_comments=False), [])
 
+    def test_descriptions_in_schemas_use_the_words_of_the_field(self):
+        schemas = sorted((prose.ROOT / "docs").glob("*.schema.json"))
+        self.assertEqual(len(schemas), 3)
+        found = []
+        for path in schemas:
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                for description in re.findall(r'"description": "((?:[^"\\]|\\.)*)"', line):
+                    found += [f"{path.name}:{number}: '{word}': write {instead}" for _, word, instead in words_found(description)]
+        self.assertEqual(found, [])
+
     def test_comments_of_finished_rooms_use_the_words_of_the_field(self):
         for room in ROOMS_DONE:
             self.assertTrue((prose.ROOT / room).exists(), room)
