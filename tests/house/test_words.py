@@ -16,8 +16,7 @@ import prose
 # Rooms whose comments have been rewritten. The list grows until it is core, geomodel, app and python.
 ROOMS_DONE = ("core/src/plc", "core/src/mesh", "core/src/classify", "core/src/quality", "core/src/search", "core/src/remesh/conforming",
               "core/src/remesh/domain", "core/src/remesh/driver", "core/src/remesh/operations", "core/src/remesh/passes", "core/src/remesh/rescue",
-              "core/src/remesh/start", "core/src/remesh/tolerance", "geomodel/src/arrangement", "geomodel/src/voronoi", "geomodel/src/partition", "geomodel/src/fault_zones",
-              "geomodel/src/coordinates")
+              "core/src/remesh/start", "core/src/remesh/tolerance", "geomodel/src/arrangement", "geomodel/src/voronoi", "geomodel/src/partition", "geomodel/src/fault_zones")
 
 WORDS = {
     r"brought together|bring(s|ing)? together|(go|goes|went|come|came) together": "merged; of vertices, snapped",

@@ -72,7 +72,7 @@ std::optional<HorizontalCrs> by_code(int code) {
   return crs;
 }
 
-/// Parses the text after "utm": empty, or a zone from 1 to 60 with N or S.
+/// Behind "utm": nothing, or a zone from 1 to 60 with N or S.
 std::optional<HorizontalCrs> utm_of(std::string_view rest) {
   HorizontalCrs crs;
   crs.kind = HorizontalCrs::Kind::utm;
@@ -172,7 +172,7 @@ Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& p) {
     bool north = true;
     GeographicLib::UTMUPS::Forward(p.y, p.x, zone, north, q.x, q.y, crs.zone);
     if (north != crs.north)
-      q.y += north ? 1e7 : -1e7;  // beyond the equator the other hemisphere's false northing continues
+      q.y += north ? 1e7 : -1e7;  // across the equator the other hemisphere's false northing goes on
   } catch (const std::exception& e) {
     out_of_range(crs, p, e.what());
   }

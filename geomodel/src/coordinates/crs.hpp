@@ -26,27 +26,27 @@ struct HorizontalCrs {
   std::string text;     ///< as written
 
   bool converts() const { return kind == Kind::geographic || kind == Kind::utm || kind == Kind::polar; }
-  /// Returns "utm 32N", "geographic", or the name as written.
+  /// "utm 32N", "geographic", else as written.
   std::string name() const;
 };
 
-/// Parses "local", "geographic", "utm", "utm 32N" (also "UTM zone 32N", "utm32n"), "epsg:CODE", ignoring case and
-/// blanks. Any other text is of kind other.
+/// "local", "geographic", "utm", "utm 32N" (also "UTM zone 32N", "utm32n"), "epsg:CODE"; case and blanks do not matter.
+/// Anything else is of kind other.
 HorizontalCrs parse_crs(std::string_view text);
-/// Says why such a text is wrong in a project, or returns an empty text.
+/// What is wrong with such a text in a project; empty where nothing is.
 std::string complaint_about_crs(std::string_view text);
 
-/// Returns whether both are the same system, up to the datum.
+/// The same system, up to the datum.
 bool same_system(const HorizontalCrs& a, const HorizontalCrs& b);
 
-/// Returns longitude and latitude in degrees. Throws Error{invalid_input} if the point is beyond the system's range.
+/// Longitude and latitude in degrees. Throws Error{invalid_input} where the point is beyond the system's range.
 /// Precondition: crs.converts(), zone known. Accurate to a micrometre (Karney, "Transverse Mercator with an accuracy of
 /// a few nanometers", J. Geodesy 85, 2011).
 Vec2 to_geographic(const HorizontalCrs& crs, const Vec2& p);
-/// Returns metres, or degrees. Errors and precondition as above.
+/// Metres, or degrees. Errors and precondition as above.
 Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& longitude_latitude);
 
-/// Returns the UTM system of the zone of a place (with the exceptions near Norway and Svalbard).
+/// The UTM system of the zone that a place lies in (with the exceptions about Norway and Svalbard).
 HorizontalCrs utm_at(const Vec2& longitude_latitude);
 
 }  // namespace geomesh::geomodel

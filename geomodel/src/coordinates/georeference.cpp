@@ -41,13 +41,13 @@ bool is_named(const std::string& unit) {
 }
 double metres_of(const std::string& unit) { return is_named(unit) ? length_unit_in_metres(unit).value_or(1) : 1; }
 
-/// Returns the unit along an axis as the file says, or an empty text.
+/// What the file says its unit is along an axis; empty where it says nothing.
 std::string own_unit(const SourceFrame& frame, bool z) {
   const std::string& unit = z && is_named(frame.z_unit) ? frame.z_unit : frame.unit;
   return is_named(unit) ? unit : std::string();
 }
 
-/// Returns whether the coordinates can only be degrees: no projected system has places so near its origin.
+/// Coordinates that can only be degrees: no projected system has its places so near its origin.
 bool looks_like_degrees(const Box3& b) { return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90; }
 
 constexpr double guessed_factors[] = {0.3048, 1 / 0.3048, 1000, 0.001};
@@ -125,8 +125,7 @@ void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from
   }
 }
 
-/// Returns a conversion by PROJ for systems that GeographicLib does not serve; nothing if it does, or if nothing is to
-/// be converted.
+/// What GeographicLib does not serve; nothing where it does, or nothing is to be converted.
 std::optional<ProjConversion> ModelFrame::proj_between(const SourceInput& input, const HorizontalCrs& from) const {
   if (same_system(from, system_) || (from.converts() && system_.converts())) return std::nullopt;
   const HorizontalCrs& stranger = from.converts() ? system_ : from;
@@ -165,7 +164,7 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
     warnings.push_back(input.name + ": the file says z is " + (contents.frame.depth ? "depth" : "elevation") +
                        "; taken as " + (depth ? "depth" : "elevation") + " as the project says");
   }
-  // The reader has converted what the file says. Here the rest is converted, to metres with elevation up.
+  // The reader has converted by what the file says; here follows what is still missing to metres with elevation up.
   AxisScale scale{metres_of(xy_unit) / metres_of(own_xy), metres_of(z_unit) / metres_of(own_z)};
   if (is_geographic(from)) scale.xy = 1;
   if (depth != contents.frame.depth) scale.z = -scale.z;

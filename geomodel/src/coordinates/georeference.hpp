@@ -23,27 +23,27 @@ struct SourceInput {
 /// The frame of the model: the project's system, unit and origin, elevation up.
 class ModelFrame {
  public:
-  /// Finds the zone if the project leaves it open (`utm`, `geographic`): the zone of the box's centre if the project is
-  /// geographic and has a box with corners, otherwise that of the first input in longitude and latitude. Throws
-  /// Error{usage} if it cannot be found.
+  /// Finds the zone where the project leaves it open (`utm`, `geographic`): of the box's centre where the project is
+  /// geographic and has one with corners, else of the first input in longitude and latitude. Throws Error{usage} where
+  /// it cannot be found.
   ModelFrame(const Project& project, const std::vector<SourceInput>& inputs);
 
-  /// Converts all contents of the input to the frame. Throws Error{invalid_input} if its coordinates cannot be what the
-  /// project says (longitude and latitude in a UTM project, a place outside the system), and Error{usage} if a
-  /// conversion is not offered.
+  /// Brings everything in the input's contents into the frame. Throws Error{invalid_input} where its coordinates
+  /// cannot be what the project says (longitude and latitude in a UTM project, a place outside the system). Throws
+  /// Error{usage} where a conversion is not offered.
   void place(const SourceInput& input, std::vector<std::string>& notes, std::vector<std::string>& warnings) const;
 
-  /// Converts a point of the project file.
+  /// A point of the project file.
   Vec3 point(const Vec3& p) const;
-  /// Returns the project's model volume. In a geographic project a box becomes the largest upright rectangle inside its
-  /// outline on the map, which `note` reports; corners of a polygon and centres are converted.
+  /// The project's model volume. In a geographic project a box becomes the largest upright rectangle inside its outline
+  /// on the map, which `note` tells; corners of a polygon and centres are converted.
   VolumeSpec volume(const VolumeSpec& spec, std::string& note) const;
 
-  /// The system in which the mesh is written, with the zone that was found.
+  /// The system in which the mesh is written; what was found where the project left it open.
   const HorizontalCrs& system() const { return system_; }
 
-  /// Returns a hint if the surface lies outside the box and another unit or direction of z would bring it in; otherwise
-  /// an empty text. `bounds` and `box` are in the frame.
+  /// A hint where the surface lies outside the box and another unit or direction of z would bring it in; empty else.
+  /// `bounds` and `box` in the frame.
   std::string guess_why_outside(const Box3& bounds, const Box3& box) const;
 
  private:

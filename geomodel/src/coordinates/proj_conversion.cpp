@@ -17,7 +17,7 @@ struct DestroyObject {
 };
 using Object = std::unique_ptr<PJ, DestroyObject>;
 
-/// PROJ's state for one thread. It collects what PROJ would print.
+/// PROJ's state of one thread, which collects what PROJ would print.
 class Context {
  public:
   Context() : context_(proj_context_create()) {
@@ -49,7 +49,7 @@ int code_of(const HorizontalCrs& crs) {
 
 bool is_geographic_type(PJ_TYPE type) { return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS; }
 
-/// The system of places in the map: of a compound system, its horizontal part. Null if the register does not have the
+/// The system of places in the map; of a compound one its horizontal part. Null where the register has none of the
 /// code.
 Object horizontal_system(const Context& context, int code) {
   Object system(proj_create_from_database(context, "EPSG", std::to_string(code).c_str(), PJ_CATEGORY_CRS, 0, nullptr));
@@ -68,7 +68,7 @@ Object reference(const Context& context, const HorizontalCrs& crs) {
   return system;
 }
 
-/// The unit of the system's first axis in metres; 1 for degrees.
+/// A unit of the system's first axis in metres; 1 for degrees.
 double metres(const Context& context, const Object& system) {
   if (is_geographic_type(proj_get_type(system.get()))) return 1;
   const Object axes(proj_crs_get_coordinate_system(context, system.get()));
@@ -83,7 +83,7 @@ std::string datum(const Context& context, const Object& system) {
   return name ? name : "an unnamed datum";
 }
 
-/// Returns whether the datum is within a metre of WGS84, so that docs/coordinates.md says enough about it.
+/// The datums that are within a metre of WGS84: not worth a word beyond that of docs/coordinates.md.
 bool is_one_datum(const std::string& a, const std::string& b) {
   const auto is_global = [](const std::string& d) {
     return d.find("World Geodetic System 1984") == 0 || d.find("European Terrestrial Reference System 1989") == 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Conversion between any two systems of the EPSG register, by PROJ: systems that GeographicLib does not serve, and all
-/// conversions that change the datum.
+/// Conversion between any two systems of the EPSG register, by PROJ: what GeographicLib does not serve, and all that
+/// changes the datum.
 #pragma once
 
 #include <memory>
@@ -11,21 +11,20 @@
 
 namespace geomesh::geomodel {
 
-/// Returns whether the register knows the system as one of longitude and latitude; false if it does not know the
-/// system.
+/// Whether the register knows the system as one of longitude and latitude. False where it does not know it.
 bool is_geographic(const HorizontalCrs& crs);
 
 class ProjConversion {
  public:
-  /// Throws Error{usage} with PROJ's reason if it does not know a system, or no way between their datums.
+  /// Throws Error{usage} with PROJ's reason where it does not know a system, or knows no way between their datums.
   ProjConversion(const HorizontalCrs& from, const HorizontalCrs& to);
   ~ProjConversion();
   ProjConversion(ProjConversion&&) noexcept;
 
-  /// Converts metres, or degrees of longitude and latitude, both ways; x is east and y north whatever the register
-  /// says. Throws Error{invalid_input} if PROJ cannot convert the point.
+  /// Metres, or degrees of longitude and latitude, both ways; x east and y north whatever the register says. Throws
+  /// Error{invalid_input} where PROJ cannot convert the point.
   Vec2 convert(const Vec2& p) const;
-  /// "; datum shift from A to B by PROJ", empty if the datum is the same.
+  /// "; datum shift from A to B by PROJ", empty where the datum is the same.
   const std::string& datum_shift() const { return datum_shift_; }
 
  private:

@@ -16,8 +16,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the object of the list that the entry means: the one of the requested name, the one named as the entry, or
-/// the only one; otherwise nullptr.
+/// The object of the list that the entry means: the one of the name asked for, the one named as the entry, the only
+/// one; nullptr else.
 template <class Object>
 Object* object_of(std::vector<Object>& objects, const SurfaceSpec& spec, bool only_one) {
   const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
@@ -110,7 +110,7 @@ TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec
   return surface;
 }
 
-/// Surfaces outside the box for which one and the same guess is made.
+/// Surfaces outside of the box for which one and the same guess is made.
 struct Outside {
   std::vector<std::string> names;
   Box3 bounds;
@@ -130,7 +130,7 @@ void find_outside(const TriangulatedSurface& surface, const Box3& box, const Mod
 
 std::string range_words(double from, double to) { return short_words(from) + " to " + short_words(to); }
 
-/// Gives the hint once for all surfaces, with the heights that suggest it.
+/// Once for all surfaces, with the heights that tell.
 void warn_of_outside(const OutsideByGuess& outside, const Box3& box, std::vector<std::string>& warnings) {
   constexpr std::size_t most_named = 3;
   for (const auto& [guess, what] : outside) {
@@ -158,7 +158,7 @@ void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyli
   }
 }
 
-/// Returns the tops of the table that are on a well and of a horizon of the project, in the order of the table.
+/// The tops of the table that are on a well and of a horizon of the project, in its order.
 std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs) {
   std::vector<FittedTop> tops;
   std::map<std::string, std::size_t> unknown;
@@ -187,7 +187,7 @@ std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs)
   return tops;
 }
 
-/// Moves the horizons to their tops and reports how far.
+/// Moves the horizons to their tops and says how far.
 void fit_tops(const Project& project, ProjectInputs& inputs) {
   if (project.tops.file.empty()) return;
   const std::vector<FittedTop> placed = place_tops(project, inputs);
@@ -218,7 +218,7 @@ void fit_tops(const Project& project, ProjectInputs& inputs) {
   }
 }
 
-/// Removes the parts of the horizons in their fault polygons, which are read and placed as `read` does.
+/// Takes out of the horizons what lies in their fault polygons, which are read and placed as `read` does.
 template <class Read>
 void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   inputs.faults_of_polygons.resize(project.surfaces.size());

@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// All inputs in the frame, less the origin.
+/// Everything in the frame, less the origin.
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface>
@@ -24,15 +24,15 @@ struct ProjectInputs {
   std::vector<FittedTop> tops{};  ///< horizons have been moved to pass through them
   std::vector<NamedPoint> points{};
   std::optional<VolumeSpec> volume{};                          ///< for make_volume with the origin (0, 0, 0)
-  std::vector<std::vector<std::string>> faults_of_polygons{};  ///< by surface: faults found by its fault polygons
+  std::vector<std::vector<std::string>> faults_of_polygons{};  ///< per surface: those that its fault polygons tell
   std::vector<std::string> notes{}, warnings{};
 
   /// Adds these faults to throw_at of horizons that have no list of their own.
   void add_throws(ModelRules& rules) const;
 };
 
-/// Throws as the readers, ModelFrame and grid_points do, and Error{invalid_input} if a file does not hold the object
-/// that its entry means.
+/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} where a file does not hold what its
+/// entry means.
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context);
 
 }  // namespace geomesh::geomodel
