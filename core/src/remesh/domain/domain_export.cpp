@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the domain, or a piece of it, to a mesh in the caller's terms, declared in remesh/domain/domain_io.hpp.
+// Converts the domain, or a part of it, to a mesh in the caller's terms. Declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"

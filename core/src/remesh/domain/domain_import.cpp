@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a mesh in the caller's terms to the domain, declared in remesh/domain/domain_io.hpp.
+// Converts a mesh in the caller's terms to the domain. Declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -50,7 +50,8 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Whether the faces about v join at edges: else two sheets touch there, or a curve touches a sheet.
+/// Returns whether the faces at v are connected across edges. Otherwise two sheets touch there, or a curve touches a
+/// sheet.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -67,7 +68,7 @@ bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vecto
   return left.empty();
 }
 
-/// By vertex of the mesh: whether it is to stay for itself, whatever is about it.
+/// Returns, for each vertex of the mesh, whether it must be kept whatever is around it.
 std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                                   const RefineOptions& options) {
   std::vector<bool> pinned_input(plc.points.size(), false), pinned(input.points.size(), false);
@@ -82,7 +83,7 @@ std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const Const
   return pinned;
 }
 
-/// The faces and curves of the mesh given, and what they make of the domain's vertices.
+/// Derives the kinds of the domain's vertices from the faces and curves of the given mesh.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
@@ -154,7 +155,7 @@ class Importer {
     return uses;
   }
 
-  /// By face; empty where edges are not sharp whatever their faces' directions.
+  /// Returns directions by face; empty if edges are not sharp whatever their faces' directions.
   std::vector<Vec3> directions(const std::vector<EdgeUse>& uses) const {
     if (exact_) return {};
     std::vector<Index> patches;

@@ -44,7 +44,7 @@ struct DomainAttributes {
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
-  /// Room for so many cells; what they carry is to be set.
+  /// Makes room for so many cells, whose attributes have to be set.
   void grow_to(std::size_t n) {
     component.grow_to(n);
     tags.grow_to(n);
@@ -73,7 +73,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   // Vertices.
   std::size_t n_vertices() const { return points_.size(); }
   VertexKind kind(VertexIndex v) const { return kinds_[v]; }
-  /// Patch of a surface vertex, curve class of a curve vertex, else no_index.
+  /// Patch of a surface vertex, curve class of a curve vertex, otherwise no_index.
   Index support(VertexIndex v) const { return supports_[v]; }
   CellIndex incident_cell(VertexIndex v) const { return cell_of(v); }
   VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
@@ -118,7 +118,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     if (!tag(f).above()) std::swap(t[1], t[2]);
     return t;
   }
-  /// Whether the face is constrained and seen from the side that stands for both: above, or the only one.
+  /// Returns whether the face is constrained and seen from the side that represents both sides: above, or the only one.
   bool is_surface(FaceRef f) const {
     const FaceTag t = tag(f);
     return t.constrained() && (t.above() || !mesh_.mirror(f).valid());
@@ -168,7 +168,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// @{
   /// A clock and free slots for a block: to be called for all before any is worked on.
   void open_block(BlockEdit& block, std::size_t n_slots);
-  /// To be called for all once they have been worked on.
+  /// Must be called for all blocks once they have been processed.
   void close_block(BlockEdit& block);
   /// @}
 
@@ -228,8 +228,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// @{
   void begin_trial();
   void keep_trial() { journal_.is_open = false; }
-  /// Everything is as it was when the trial began, the order of free slots and the mesh's time included. O(what was
-  /// changed).
+  /// Restores the state in which the trial began, including the order of free slots and the mesh's time. O(changes).
   void undo_trial();
   /// Cells that were made, changed or removed since the trial began.
   template <class Visit>
@@ -314,7 +313,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<FaceTag> border_tags_;  // scratch
 };
 
-/// Whether a cell was made, or has moved, at one of the vertices since that moment of the mesh.
+/// Returns whether a cell at one of the vertices was made, or has moved, since that time of the mesh.
 template <class Vertices>
 bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
   return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });

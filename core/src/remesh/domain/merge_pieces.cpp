@@ -45,7 +45,7 @@ std::vector<EdgeUse> edge_uses(const PiecewiseLinearComplex& plc) {
   return uses;
 }
 
-/// Triangles of one parent that join where nothing else is, grown in one plane.
+/// Triangles of one parent that are connected across edges without other facets, grown in one plane.
 class PlaneGroups {
  public:
   PlaneGroups(const PiecewiseLinearComplex& plc, std::span<const Index> parent, std::span<const EdgeUse> uses)
@@ -142,7 +142,8 @@ class PlaneGroups {
   std::vector<std::array<Index, 3>> joined_;  // by facet, across the edges of its loop
 };
 
-/// Borders of groups, with what others need of their insides. Groups are known by their first facet.
+/// Borders of groups, with the data that other groups need of their insides. Groups are identified by their first
+/// facet.
 class Outlines {
  public:
   Outlines(const PiecewiseLinearComplex& plc, std::span<const EdgeUse> uses)
@@ -166,7 +167,7 @@ class Outlines {
   }
 
   Index group_of(Index f) const { return group_[f]; }
-  /// Nothing where the facet is of no group.
+  /// Returns nothing if the facet is in no group.
   const Outline* find(Index f) const {
     const auto at = outlines_.find(f);
     return at == outlines_.end() ? nullptr : &at->second;

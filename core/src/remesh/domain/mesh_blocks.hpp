@@ -61,11 +61,11 @@ class MeshBlocks {
 
   std::size_t size() const { return n_blocks_; }
   Block block_of(VertexIndex v) const { return block_[v]; }
-  /// Whether the cell with these vertices is of the block.
+  /// Returns whether the cell with these vertices belongs to the block.
   bool has(Block block, const Tetrahedron& t) const {
     return block_[t[0]] == block && block_[t[1]] == block && block_[t[2]] == block && block_[t[3]] == block;
   }
-  /// By vertex whether all cells about it are of its block. O(cells / threads).
+  /// Returns, for each vertex, whether all cells at it belong to its block. O(cells / threads).
   std::vector<std::uint8_t> find_inner(const DomainMesh& mesh, unsigned threads) const;
 
  private:
@@ -73,7 +73,7 @@ class MeshBlocks {
   std::size_t n_blocks_ = 1;
 };
 
-/// Who has written which face of which cell: a check of invariants 1 and 3.
+/// Records which block has written which face of which cell: a check of invariants 1 and 3.
 class FaceClaims {
  public:
   explicit FaceClaims(std::size_t n_slots) : owner_(std::make_unique<std::atomic<std::uint16_t>[]>(4 * n_slots)) {}
@@ -94,9 +94,9 @@ struct BlockEdit {
   FaceClaims* claims = nullptr;
   FacePairing<FaceTag> pairing;
 
-  /// Whether so many cells may be made in place of these; notes it where not.
+  /// Returns whether so many cells may be made in place of these; notes it if not.
   bool may_exchange(const DomainMesh& mesh, std::span<const CellIndex> removed, std::size_t n_added);
-  /// Whether the block has the cells; notes it where not.
+  /// Returns whether the cells belong to the block; notes it if not.
   bool owns(const DomainMesh& mesh, std::span<const CellIndex> cells);
 };
 

@@ -29,7 +29,7 @@ class Collapse {
     cells_.clear();
   }
 
-  /// For one neighbour after the other, as long as each was refused: the cells about u are gathered once.
+  /// Tries one neighbour. Call it for further neighbours as long as it returns false: the cells at u are gathered once.
   bool attempt(VertexIndex v, CollapseRule rule, double floor) {
     v_ = v;
     if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;

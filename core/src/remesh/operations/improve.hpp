@@ -27,9 +27,9 @@ struct SmoothRule {
       false;  ///< where surfaces are kept: vertices on input edges move along these, and else not at all
 };
 
-/// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over those exchanged, however many
-/// they become, the sum of what their worths are above `mean` must rise. No shape may fall below `floor` and the worst
-/// that was there.
+/// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over the exchanged cells, however many
+/// they become, the sum of their worths above `mean` must rise. No shape may fall below both `floor` and the worst
+/// shape before.
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
@@ -60,8 +60,9 @@ bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b
 /// than 180 degrees and a little, so that ties are left alone.
 bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b, VertexIndex x, VertexIndex y);
 
-/// Moves a vertex within its patch to the centroid of its faces where their worst shape (4 sqrt 3 area / sum of squared
-/// sides) rises. No cell about it may fall below `floor` and what it was. Beside others as smooth_beside_others.
+/// Moves a vertex within its patch to the centroid of its faces if their worst shape (4 sqrt 3 area / sum of squared
+/// sides) rises. No cell at it may fall below both `floor` and its former shape. May run concurrently, like
+/// smooth_beside_others.
 bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work);
 
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite:

@@ -56,7 +56,7 @@ struct RescueLimits {
   double detour = 0.2;             ///< flat cells that the place may lack more, if a search continues from another cell
   unsigned steps = 40;             ///< operations of one sequence
   unsigned bad_sweeps = 4;         ///< over all bad cells; the third mends one in a hundred
-  unsigned free_sweeps = 64;       ///< over those that nothing forces; the budget of trials ends before
+  unsigned free_sweeps = 64;       ///< over those that the input does not impose; the budget of trials ends before
   std::size_t first_trials = 200;  ///< about one cell in the first sweep, twice as many after each sweep in vain
   std::size_t least_trials = 500;  ///< of all cells together, whatever the size of the mesh
   std::size_t most_trials = 60'000;
@@ -76,7 +76,7 @@ struct ImproveSchedule {
   unsigned poor_mean_factor = 4;   ///< times as many rounds after a repair that left many poor cells
   double mean_floor_angle = 30;    ///< no cell falls below this for the mean
   double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
-  double much_gained = 3;          ///< of the least gain worth a move: what gained more is looked at again
+  double much_gained = 3;          ///< of the least gain worth a move: vertices that gained more are examined again
   double many_poor = 0.1;          ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
 
   // Repair, the worst cell first.

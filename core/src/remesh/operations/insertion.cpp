@@ -95,8 +95,8 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
   });
 }
 
-/// Whether points are not wanted at p: it is between two surfaces less than a quarter of the size apart: points there
-/// only make more flat elements. Looks at the faces of the cavity's cells and of their neighbours.
+/// Returns whether p is between two surfaces less than a quarter of the size apart, where points only make more flat
+/// elements. Examines the faces of the cavity's cells and of their neighbours.
 bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
   if (tools.points_in_thin_gaps) return false;
   const DomainMesh& mesh = tools.mesh;

@@ -26,8 +26,8 @@ struct Toolbox {
     Index patch = no_index, facet = no_index;
   };
   std::vector<NearestFacet> nearest_facet;
-  /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all
-  /// over, and else not.
+  /// Whether the worst shape may be raised at the price of more bad cells: only where kept surfaces impose bad cells
+  /// all over.
   bool bad_cells_may_spread = false;
   bool borders_stay = false;  ///< whether curves and faces of no facet get no points
   bool points_in_thin_gaps =
@@ -69,17 +69,17 @@ struct Toolbox {
   }
   /// DomainMesh::tick, of the block where there is one.
   std::uint64_t tick() { return block ? block->clock++ : mesh.tick(); }
-  /// Whether all of the cells are of the block, where there is one. (Others may be changed meanwhile: do not look at
-  /// their neighbours.)
+  /// Returns whether all of the cells belong to the block, if there is one. (Others may change concurrently: do not
+  /// look at their neighbours.)
   bool may_touch(std::span<const CellIndex> cells) { return !block || block->owns(mesh, cells); }
-  /// Whether a star of p in the cavity would have more bad cells than go, and may not.
+  /// Returns whether a star of p in the cavity would have more bad cells than are removed, which is not allowed.
   bool spoils(const StarCavity& cavity, const Vec3& p) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);
   }
   bool spoils(const StarCavity& cavity, std::span<const double> shapes) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, shapes);
   }
-  /// Whether the edge that the cavity is about gets no points.
+  /// Returns whether the edge of the cavity must get no points.
   bool stays(const StarCavity& cavity, Index curve) const {
     if (!borders_stay) return false;
     return curve != no_index || (!cavity.spokes.empty() && mesh.patch_of_facet(cavity.spokes[0].facet) == hull_patch);

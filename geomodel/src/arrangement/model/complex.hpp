@@ -22,7 +22,7 @@ using Origin = PolygonSoup::Origin;
 /// An edge or a well's segment by its ends, the lesser one first.
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
-/// From each corner to the next.
+/// The edges from each corner to the next.
 inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
   return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
 }
@@ -48,7 +48,7 @@ struct Complex {
   OriginLists origins;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// Per facet and per segment: not known to be free of crossings with the others that are not dirty either.
+  /// By facet and by segment: not known to be free of crossings with the others that are not dirty either.
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Three quarters of the machine's memory, or of what the container that the program runs in may use.
+/// Three quarters of the machine's memory, or of the limit of the container that the program runs in.
 std::size_t default_memory_bound();
 
 /// Memory that one step may still take, counted by all threads. Bytes for each item were measured on crossing grids and

@@ -25,7 +25,8 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 constexpr int most_halvings = 24;  ///< of a facet, until each piece is near one edge of the hinge
 
-/// Whether all of the triangle is within the distance of the edges: what is that near to one of them is convex.
+/// Returns whether all of the triangle is within the distance of the edges. The places that near to one of them are
+/// convex.
 bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 2>>& edges, double distance,
                int halvings = most_halvings) {
   for (const auto& e : edges) {

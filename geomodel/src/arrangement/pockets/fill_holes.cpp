@@ -26,7 +26,7 @@ class Holes {
   Holes(const Complex& complex, double distance)
       : complex_(complex), height_(2 * distance), ends_(surface_ends(complex)) {}
 
-  /// By facet the origins that fill holes.
+  /// Returns the origins that fill holes, by facet.
   std::map<Index, std::vector<Origin>> find() const {
     std::map<Index, std::vector<Origin>> found;
     for (Index f = 0; f < complex_.facets.size(); ++f)

@@ -76,7 +76,7 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
   return best;
 }
 
-/// Facets of one list of surfaces, joined across edges on which nothing else hangs.
+/// Facets of one list of surfaces, connected across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
   const auto row = [&](Index facet) {  // in the shell, which is ascending
     return static_cast<Index>(

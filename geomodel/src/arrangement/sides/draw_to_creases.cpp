@@ -57,7 +57,7 @@ class Drawing {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  /// `orientation`: zero where the vertex lies on what it is inserted in.
+  /// `orientation` is zero if the vertex lies on the edge or facet that it is inserted in.
   void insert(const EdgeKey& e, VertexIndex v, Sign orientation) {
     if (on_edges_.is_on(e, v)) return;
     on_edges_.insert(e, v);

@@ -109,7 +109,7 @@ class SidePlaces {
   Reach reach_;
 };
 
-/// Moves of vertices, less those that would turn a facet over.
+/// Moves of vertices, without those that would turn a facet over.
 class Moves {
  public:
   Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}
@@ -154,7 +154,7 @@ class Moves {
   std::unordered_set<Vec3, PointHash> taken_;
 };
 
-/// Vertices of surfaces that are on no side, by what may be done with them.
+/// Vertices of surfaces that are on no side, by the way in which they may move.
 class VerticesToMove {
  public:
   VerticesToMove(const Complex& complex, const SideFacets& sides, const std::vector<SurfaceEnd>& ends)

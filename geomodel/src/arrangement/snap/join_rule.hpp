@@ -23,10 +23,10 @@ std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts
 /// Returns those pairs, and pairs of surfaces that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
-/// Two things may join where one of them is a free border, and a surface of the one meets another surface of the
-/// other somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
-/// triangles beside their curve are for remeshing to take out. Surfaces from the row `first_fixed` on stay what they
-/// are, and nothing joins them: sides of a model volume, which would leave their planes. For one thread at a time.
+/// Two things may be merged if one of them is a free border, and a surface of the one meets another surface of the
+/// other somewhere. So overshoots are removed, and borders that stop short reach. Where surfaces cross and nothing
+/// ends, remeshing removes fine triangles beside their curve. Surfaces from the row `first_fixed` on are never merged:
+/// sides of a model volume, which would leave their planes. For one thread at a time.
 class JoinRule {
  public:
   using Set = Index;  ///< of surfaces, by number
@@ -44,7 +44,7 @@ class JoinRule {
     rule.needs_border_ = false;
     return rule;
   }
-  /// Everything else may join.
+  /// A rule that allows everything else to be merged.
   static JoinRule all_but(Index first_fixed) {
     JoinRule rule({}, first_fixed);
     rule.joins_all_ = true;
@@ -68,7 +68,7 @@ class JoinRule {
   /// side of the box. `asked`, if not empty, marks the vertices that will be needed; others are left out.
   void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
              std::vector<std::uint8_t> asked = {});
-  /// The edges alone: vertices stay what they were.
+  /// Indexes the edges alone: vertices are as before.
   void index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
 
   Thing of_vertex(VertexIndex v) const { return v < of_vertex_.size() ? of_vertex_[v] : Thing{}; }

@@ -19,10 +19,10 @@ std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::
   return found;
 }
 
-/// The facets and segments of a complex with what is inserted in them.
+/// The facets and segments of a complex with the vertices inserted in them.
 class Rebuilding {
  public:
-  /// `edges`: of the facets that were snapped; `touched`: facets of which a corner merged.
+  /// `edges` are those of the facets that were snapped, `touched` the facets of which a corner merged.
   Rebuilding(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
@@ -136,7 +136,7 @@ class Rebuilding {
     return all;
   }
 
-  /// From a to b with what is inserted between; without b.
+  /// Walks from a to b with the vertices inserted between, without b.
   void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
     walk.push_back(a);
     const auto on = insertions_.on_edge.find(edge_key(a, b));
