@@ -83,6 +83,16 @@ class Documents(PageTest):
         self.assertEqual(sorted(page for page in listed if page not in written and not page.startswith("reference/")), [])
         self.assertEqual(sorted(written - set(listed)), [], "pages that the site does not lead to")
 
+    def test_messages_that_are_quoted_are_those_of_the_program(self):
+        sources = ""
+        for folder in ("core/src", "geomodel/src", "app"):
+            for where, _, names in os.walk(os.path.join(SOURCE, folder)):
+                sources += "".join(read(os.path.join(where, name)) for name in names if name.endswith((".cpp", ".hpp")))
+        sources = re.sub(r'"\s*\n\s*"', "", sources)  # adjacent literals are one text
+        quoted = re.findall(r'(?m)^\| "([^"]+)"', read("docs/messages.md"))
+        self.assertGreater(len(quoted), 2)
+        self.assertEqual([text for text in quoted if text not in sources], [], "the program says it otherwise")
+
     def test_all_documents_together_have_at_most_35000_words(self):
         words = {page: len(re.findall(r"\S*\w\S*", read(page))) for page in pages() if page.startswith("docs/")}  # not the bars of tables
         self.assertLessEqual(sum(words.values()), 35_000, sorted(words.items(), key=lambda item: -item[1])[:10])
