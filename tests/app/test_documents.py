@@ -4,6 +4,7 @@
 
 The tutorials are run by test_tutorials.py, which looks at their results too.
 """
+import glob
 import os
 import re
 import unittest
@@ -82,6 +83,14 @@ class Documents(PageTest):
         written = {page[len("docs/"):] for page in pages() if page.startswith("docs/")} | {"tutorials/gempy-arrays.md"}
         self.assertEqual(sorted(page for page in listed if page not in written and not page.startswith("reference/")), [])
         self.assertEqual(sorted(written - set(listed)), [], "pages that the site does not lead to")
+
+    def test_files_of_the_tree_that_are_named_exist(self):
+        missing = []
+        for page in pages():
+            for path in re.findall(r"`((?:scripts|tests|docs|samples|packaging|core|geomodel|app|python)/[\w./*-]+)", read(page)):
+                if "/out/" not in path and "NAME" not in path and not glob.glob(os.path.join(SOURCE, path.rstrip("/"))):
+                    missing.append("%s: %s" % (page, path))
+        self.assertEqual(missing, [])
 
     def test_messages_that_are_quoted_are_those_of_the_program(self):
         sources = ""
