@@ -51,7 +51,7 @@ class Site(ProgramTest):
         for words in ("geomesh picture", "--quality", "--solver"):
             self.assertIn(words, options)
         calls = self.text_of("reference/python-calls")
-        for call in ("add_surface", "from_gempy", "delaunay", "to_meshio"):
+        for call in ("add_surface", "from_gempy", "delaunay", "to_meshio", "Examples", "model.add_grid"):
             self.assertIn(call, calls)
         self.assertNotRegex(calls, r"Parameters\s+-{3,}")  # sections of docstrings become tables and lists
         front = self.text_of(".")
