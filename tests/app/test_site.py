@@ -24,6 +24,20 @@ class Site(ProgramTest):
                               stderr=subprocess.STDOUT, text=True, timeout=self.timeout, env=environment)
         self.assertEqual(done.returncode, 0, done.stdout)
 
+    def html_of(self, page):
+        with open(self.path("site", page, "index.html"), encoding="utf-8") as file:
+            return file.read()
+
+    def test_code_is_highlighted_pictures_are_there_and_pages_lead_on(self):
+        self.build()
+        self.assertRegex(self.html_of("."), r'<img [^>]*src="pictures/')
+        self.assertIn('data-md-color-scheme="slate"', self.html_of(".").replace("data-md-color-scheme=slate", 'data-md-color-scheme="slate"'))
+        tutorial = self.html_of("tutorials/faulted-field")
+        self.assertRegex(tutorial, r'<span class="nt">')  # a key of YAML
+        self.assertRegex(tutorial, r"md-footer__link--next")
+        self.assertRegex(self.html_of("reference/python-calls"), r"<th>type</th>")
+        self.assertRegex(self.html_of("model-building"), r'<img [^>]*src="[^"]*rules/extend.svg"')
+
     def text_of(self, page):
         with open(self.path("site", page, "index.html"), encoding="utf-8") as file:
             return re.sub(r"<[^>]+>", "", file.read())
@@ -37,8 +51,12 @@ class Site(ProgramTest):
         for words in ("geomesh picture", "--quality", "--solver"):
             self.assertIn(words, options)
         calls = self.text_of("reference/python-calls")
-        for call in ("add_surface", "from_gempy", "delaunay", "to_meshio"):
+        for call in ("add_surface", "from_gempy", "delaunay", "to_meshio", "Examples", "model.add_grid"):
             self.assertIn(call, calls)
+        self.assertNotRegex(calls, r"Parameters\s+-{3,}")  # sections of docstrings become tables and lists
+        front = self.text_of(".")
+        for words in ("Install", "./geomesh samples/salt-dome/project.yaml", "Python"):
+            self.assertIn(words, front)
         self.assertIn("from_gempy(geo_model)", self.text_of("tutorials/gempy-arrays"))
 
     @unittest.skipUnless(NIGHTLY, "skipped: pages of the C++ interface are made in the nightly preset")

@@ -1,75 +1,79 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The commands of each tutorial run as they are printed, one shell for the whole page."""
+"""The tutorials run as they are printed, and give what they promise."""
 import os
 import re
 import shutil
 import subprocess
 import unittest
 
-from geomesh_program import PROGRAM, SOURCE, ProgramTest
+from document_pages import PageTest, blocks_of
+from geomesh_program import PROGRAM, SOURCE
 
 
-class Tutorials(ProgramTest):
-    def run_page(self, name):
-        with open(os.path.join(SOURCE, "docs", "tutorials", name), encoding="utf-8") as file:
-            blocks = re.findall(r"^```sh\n(.*?)^```$", file.read(), re.M | re.S)
-        self.assertTrue(blocks, "the page has commands")
-        script = self.write("page.sh", "\n".join(blocks))
-        path = os.pathsep.join([os.path.dirname(PROGRAM), "/usr/bin", os.environ["PATH"]])  # the system's Python has the distribution's modules
-        done = subprocess.run(["bash", "-eu", "-o", "pipefail", script], cwd=self.folder, env={**os.environ, "PATH": path}, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, timeout=self.timeout)
-        self.assertEqual(done.returncode, 0, done.stdout)
-        return done.stdout
-
+class Tutorials(PageTest):
     def test_every_tutorial_is_run_by_a_test_of_its_own(self):
-        self.assertEqual(sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))), ["faulted-reservoir.md", "first-mesh.md", "gempy-arrays.ipynb", "horizons-to-calculix.md", "horizons-to-dolfinx.md",
-                          "rasters-in-degrees.md"])  # the notebook by python/tests/test_notebooks.py
+        names = [name for name in sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))) if name.endswith((".md", ".ipynb"))]
+        self.assertEqual(names, ["faulted-field.md", "gempy-arrays.ipynb", "horizons-to-calculix.md", "horizons-to-dolfinx.md",
+                                 "rasters-in-degrees.md"])  # the notebook by python/tests/test_notebooks.py
 
-    def test_every_page_of_the_site_is_there(self):
-        with open(os.path.join(SOURCE, "mkdocs.yml"), encoding="utf-8") as file:
-            pages = re.findall(r": ([a-z0-9/-]+\.md)$", file.read(), re.M)
-        self.assertGreater(len(pages), 15)
-        def source(page):  # app.site makes the pages of reference/ and those of notebooks
-            return page.replace(".md", ".ipynb") if page == "tutorials/gempy-arrays.md" else page
+    def test_every_tutorial_has_a_picture_of_its_result(self):
+        for name in sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))):
+            if name.endswith((".md", ".ipynb")):
+                with open(os.path.join(SOURCE, "docs", "tutorials", name), encoding="utf-8") as file:
+                    pictures = re.findall(r"!\[[^\]]*\]\(\.\./(pictures/[^)]+)\)", file.read())
+                self.assertTrue(pictures, name)
+                for picture in pictures:
+                    self.assertTrue(os.path.exists(os.path.join(SOURCE, "docs", picture)), picture)
 
-        written = [source(page) for page in pages if not page.startswith("reference/")]
-        self.assertEqual([page for page in written if not os.path.exists(os.path.join(SOURCE, "docs", page))], [])
+    def test_a_faulted_field_has_each_unit_in_each_block_with_the_throw_restored(self):
+        said = self.run_page("docs/tutorials/faulted-field.md")
+        self.assertIn("The mesh passes", said)
+        report = self.report(self.path("out", "field.report.json"))
+        units = ("cover", "chalk", "lower_cretaceous", "bunter")
+        self.assertEqual(self.region_names(report), sorted("%s__B%d" % (unit, block) for unit in units for block in (1, 2, 3)))
+        restored = re.findall(r"restored: least ([0-9.]+), mean ([0-9.]+), largest ([0-9.]+) m", said)
+        self.assertEqual(len(restored), 6)  # three horizons at two faults
+        for least, mean, largest in restored:
+            self.assertAlmostEqual(float(mean), 60, delta=2)
+            self.assertTrue(50 < float(least) and float(largest) < 70)
+        self.assertLessEqual({"W1", "W2"}, {curve["name"] for curve in report["curves"]})
+        self.assertEqual(len(re.findall(r"chalk__B\d: [0-9.e+]+ m3 of pores", said)), 3)
 
-    def test_the_first_mesh_passes_the_check_and_has_its_picture(self):
-        if not shutil.which("xvfb-run") and not os.environ.get("DISPLAY"):
-            self.skipTest("skipped: no display and no xvfb-run")
-        if not os.path.exists(os.path.join(os.path.dirname(PROGRAM), "geomesh-picture")):
-            self.skipTest("skipped: no geomesh-picture beside the program")
-        self.assertIn("The mesh passes", self.run_page("first-mesh.md"))
-        self.assertTrue(os.path.getsize(self.path("my-model.png")) > 0)
+    def test_the_project_of_the_faulted_field_is_shipped_with_its_data(self):
+        printed = next(block.text for block in blocks_of("docs/tutorials/faulted-field.md") if block.title == "field.yaml")
+        with open(os.path.join(SOURCE, "docs", "tutorials", "data", "field", "field.yaml"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), printed)
+
+    def test_the_data_are_those_that_their_script_writes(self):
+        folder = os.path.join(SOURCE, "docs", "tutorials")
+        shutil.copy(os.path.join(folder, "make_data.py"), self.path("make_data.py"))
+        subprocess.run(["/usr/bin/python3", self.path("make_data.py")], check=True, timeout=self.timeout)
+        for where, _, names in os.walk(os.path.join(folder, "data")):
+            for name in names:
+                made = self.path("data", os.path.relpath(os.path.join(where, name), os.path.join(folder, "data")))
+                if name.endswith((".tif", ".yaml")):
+                    continue  # GDAL's bytes depend on its version
+                with open(os.path.join(where, name), "rb") as shipped, open(made, "rb") as file:
+                    self.assertEqual(shipped.read(), file.read(), name)
 
     @unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
     def test_horizons_in_csv_become_a_solved_model_with_the_temperature_of_flat_layers(self):
-        said = self.run_page("horizons-to-calculix.md")
+        said = self.run_page("docs/tutorials/horizons-to-calculix.md")
         temperature = float(re.search(r"mean temperature of top_sand: ([0-9.]+)", said).group(1))
         self.assertAlmostEqual(temperature, 10 + 60 * 400 / (400 + 75 + 450), delta=0.5)
 
     @unittest.skipUnless(subprocess.run(["/usr/bin/python3", "-c", "import dolfinx"], stderr=subprocess.DEVNULL).returncode == 0,
                          "skipped: python3-dolfinx is not installed")
     def test_horizons_in_csv_become_a_solved_dolfinx_model_with_the_same_temperature(self):
-        said = self.run_page("horizons-to-dolfinx.md")
+        said = self.run_page("docs/tutorials/horizons-to-dolfinx.md")
         temperature = float(re.search(r"mean temperature of top_sand: ([0-9.]+)", said).group(1))
         self.assertAlmostEqual(temperature, 10 + 60 * 400 / (400 + 75 + 450), delta=0.5)
 
-    def test_a_faulted_reservoir_passes_the_check_and_has_the_pore_volumes_of_the_page(self):
-        said = self.run_page("faulted-reservoir.md")
-        self.assertIn("The mesh passes", said)
-        for block, volume in (("B1", 1.39e8), ("B2", 1.47e8)):
-            found = float(re.search(r"reservoir__%s: ([0-9.e+]+) m3 of pores" % block, said).group(1))
-            self.assertAlmostEqual(found / volume, 1, delta=0.01)
-        curves = {curve["name"] for curve in self.report(self.path("out", "field.report.json"))["curves"]}
-        self.assertLessEqual({"injector", "producer"}, curves)
-
-    @unittest.skipUnless(shutil.which("gdal_translate"), "skipped: gdal-bin is not installed")
+    @unittest.skipUnless(shutil.which("gdaltransform"), "skipped: gdal-bin is not installed")
     @unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(PROGRAM), "geomesh-gdal.so")), "skipped: built without GDAL")
     def test_rasters_in_degrees_are_meshed_on_a_national_grid_where_they_lie(self):
-        said = self.run_page("rasters-in-degrees.md")
+        said = self.run_page("docs/tutorials/rasters-in-degrees.md")
         self.assertIn("The mesh passes", said)
         corners = [list(map(float, line.split())) for line in said.splitlines()[-2:]]
         for found, wanted in zip(corners, ((10.03, 48.02), (10.37, 48.28))):

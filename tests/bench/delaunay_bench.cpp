@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes the tables of the Delaunay section of docs/history/0.1-measurements.md to standard output; `--help` lists the
+/// Writes the tables of the Delaunay section of docs/performance.md to standard output; `--help` lists the
 /// options.
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes the tables of the Refinement section of docs/history/0.1-measurements.md to standard output:
+/// Writes the tables of the Refinement section of docs/performance.md to standard output:
 ///     quality_bench [--section peers|levels|growth]... [--model NAME] [--limit SECONDS]
 /// peers: beside `tetgen -pq1.414`, `gmsh -3 -optimize_netgen` (command-line programs) and Netgen on the same surfaces
 /// and, within a tenth, the same number of tetrahedra; `--model`: on the models whose names contain NAME. levels: fast,

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions have at most six parameters; no class over 150 lines is a long function in disguise (a member run()).
+"""Functions have at most six parameters, and classes at most 150 lines.
 
-EXCEPTIONS lists what is over either limit today. It can only shrink: an entry that is no longer needed fails the test, as a new one does.
-Run with `--list` for what is over the limits.
+ALLOWED lists what exceeds a limit today. It can only shrink: an entry that is no longer needed fails the test, as does a new offender.
+Run with `--list` for everything that exceeds a limit, with its place and size.
 """
 import os
 import re
@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(os.environ.get("GEOMESH_SOURCE_DIR", Path(__file__).resolve().parents[2]))
 MOST_PARAMETERS = 6
-MOST_LINES_WITH_RUN = 150
+MOST_LINES_OF_CLASS = 150
 FOLDERS = ("core", "geomodel", "app", "python")
 
 NO_FUNCTION = {"if", "for", "while", "switch", "catch", "return", "sizeof", "alignof", "decltype", "static_assert", "constexpr", "requires",
@@ -72,15 +72,15 @@ def functions(text):
             yield text.count("\n", 0, match.start()) + 1, name, n_parameters(text[match.end():end])
 
 
-def classes_with_run(text):
-    """(line, name, number of lines) of every class or struct with a member run()."""
-    for match in re.finditer(r"\b(?:class|struct)\s+(\w+)[^;{}()]*\{", text):
+def classes(text):
+    """Yields (line, name, number of lines) of every class or struct that is defined."""
+    for match in re.finditer(r"(?<!enum )\b(?:class|struct)\s+(?:\[\[[^\]]*\]\]\s*)?(\w+)[^;{}()]*\{", text):
         end = closing(text, match.end() - 1)
-        if re.search(r"\brun\(\)\s*(?:const\s*)?[{;]", text[match.end():end]):
-            yield text.count("\n", 0, match.start()) + 1, match.group(1), text.count("\n", match.start(), end) + 1
+        yield text.count("\n", 0, match.start()) + 1, match.group(1), text.count("\n", match.start(), end) + 1
 
 
 def over_the_limits():
+    """Offender: (line, size)."""
     found = {}
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
@@ -90,14 +90,53 @@ def over_the_limits():
             name = path.relative_to(ROOT).as_posix()
             for line, function, count in functions(text):
                 if count > MOST_PARAMETERS:
-                    found[f"{name}: {function}() has {count} parameters"] = line
-            for line, kind, count in classes_with_run(text):
-                if count > MOST_LINES_WITH_RUN:
-                    found[f"{name}: class {kind} with run() is over {MOST_LINES_WITH_RUN} lines"] = line
+                    found[f"{name}: {function}()"] = (line, f"{count} parameters")
+            for line, kind, count in classes(text):
+                if count > MOST_LINES_OF_CLASS:
+                    found[f"{name}: class {kind}"] = (line, f"{count} lines")
     return found
 
 
-EXCEPTIONS = set()
+# Classes over 150 lines on 27 November 2026. Split them into parts with names, and take them out of the list.
+ALLOWED = {
+    "core/src/recover/constrained/facets.cpp: class FacetRecovery",
+    "core/src/recover/model/constrained_mesh.hpp: class ConstrainedMesh",
+    "core/src/remesh/domain/domain_export.cpp: class Exporter",
+    "core/src/remesh/domain/domain_import.cpp: class Importer",
+    "core/src/remesh/domain/domain_mesh.hpp: class DomainMesh",
+    "core/src/remesh/operations/edge_removal.cpp: class EdgeRemoval",
+    "core/src/remesh/operations/smooth.cpp: class Smoother",
+    "core/src/remesh/passes/inside_pass.cpp: class InsideRefiner",
+    "core/src/remesh/sizes/build_size_field.cpp: class SizeFieldBuilder",
+    "core/src/remesh/start/sample_surfaces.cpp: class SurfaceSampler",
+    "geomodel/src/arrangement/clip/cut_by_bodies.cpp: class BodyCutter",
+    "geomodel/src/arrangement/snap/rebuilding.cpp: class Rebuilding",
+    "geomodel/src/check/splits/join_splits.cpp: class SplitJoiner",
+    "geomodel/src/check/zones/close_zones.cpp: class ZoneCloser",
+    "geomodel/src/fault_zones/fault_zones.cpp: class ZoneOpener",
+    "geomodel/src/formats/exodus/exodus.cpp: class ExodusWriter",
+    "geomodel/src/formats/gmsh41_parts.cpp: class PartWriter",
+    "geomodel/src/formats/med.cpp: class MedWriter",
+    "geomodel/src/formats/openfoam.cpp: class FoamCase",
+    "geomodel/src/mesh_readers/abaqus.cpp: class AbaqusReader",
+    "geomodel/src/mesh_readers/exodus.cpp: class ExodusReader",
+    "geomodel/src/mesh_readers/gmsh.cpp: class GmshReader",
+    "geomodel/src/mesh_readers/to_model_mesh.cpp: class ModelMeshBuilder",
+    "geomodel/src/project/read_project.cpp: class ProjectReader",
+    "geomodel/src/readers/cad/dxf.cpp: class DxfReader",
+    "geomodel/src/readers/gocad/gocad_objects.cpp: class ObjectParser",
+    "geomodel/src/readers/omf/omf.cpp: class OmfReader",
+    "geomodel/src/readers/triangles/tetgen.cpp: class TetgenParser",
+    "geomodel/src/rules/blocks/smeared_throw.cpp: class Restorer",
+    "geomodel/src/solver_mesh/curved_edges.cpp: class EdgeCurver",
+    "geomodel/src/solver_mesh/solver_mesh.cpp: class SolverMeshBuilder",
+    "geomodel/src/solver_mesh/split_faults.cpp: class FaultSplitter",
+    "geomodel/src/stack/settle_stack.cpp: class Group",
+    "geomodel/src/stack/sheets/centred_sheets.cpp: class Centring",
+    "geomodel/src/stack/throw/both_sides.cpp: class StripTriangles",
+    "geomodel/src/stack/throw/both_sides.cpp: class BothSides",
+    "app/picture/scene.cpp: class SceneBuilder",
+}
 
 
 class Sizes(unittest.TestCase):
@@ -110,17 +149,18 @@ void declared(int, int, int, int, int, int, int, int);  // int more(int, int, in
         counts = {name: count for _, name, count in functions(text)}
         self.assertEqual({k: v for k, v in counts.items() if k in ("seven", "S", "run", "declared", "more")},
                          {"seven": 7, "S": 2, "run": 0})
-        self.assertEqual([(name, n) for _, name, n in classes_with_run(text)], [("S", 1)])
+        self.assertEqual([(name, n) for _, name, n in classes(text)], [("S", 1)])
+        self.assertEqual([(name, n) for _, name, n in classes("class A : public B<C> {\n int a;\n};\nenum class E { a };\nclass D;\n")], [("A", 3)])
 
-    def test_nothing_but_the_listed_exceptions_is_over_the_limits(self):
+    def test_nothing_but_the_listed_exceptions_exceeds_the_limits(self):
         found = over_the_limits()
-        self.assertEqual(sorted(set(found) - EXCEPTIONS), [], "give these fewer parameters, or parts with names")
-        self.assertEqual(sorted(EXCEPTIONS - set(found)), [], "these are mended: take them out of EXCEPTIONS")
+        self.assertEqual(sorted(set(found) - ALLOWED), [], "give these fewer parameters, or parts with names")
+        self.assertEqual(sorted(ALLOWED - set(found)), [], "these are within the limits now: take them out of ALLOWED")
 
 
 if __name__ == "__main__":
     if "--list" in sys.argv:
-        for what, line in over_the_limits().items():
-            print(f"{what} (line {line})")
+        for what, (line, size) in over_the_limits().items():
+            print(f"{what} (line {line}): {size}")
     else:
         unittest.main()

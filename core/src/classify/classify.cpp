@@ -17,7 +17,8 @@ using recover::Subsegment;
 
 constexpr Index unvisited = no_index, outside = no_index - 1, dropped = no_index - 2;
 
-/// The component of each cell: the cells that locked faces part from all others, numbered by the facets about them.
+/// Numbers the components: cells that locked faces separate from all others are one component. The facets around a
+/// component decide its number.
 class Components {
  public:
   Components(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
@@ -33,10 +34,10 @@ class Components {
   bool kept(CellIndex c) const { return label_[c] < n_; }
   /// Live subfacets by facet, so that numbers and output do not depend on the course of recovery.
   const std::vector<Index>& subfacets() const { return subfacets_; }
-  /// Of each of `subfacets()` the face on its upper side.
+  /// The face on the upper side of each of `subfacets()`.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
-  /// The region seed in each component (no_index: none).
+  /// The region seed in each component, or no_index.
   std::vector<Index> seeds() const {
     std::vector<Index> out(n_, no_index);
     for (const auto& seed : plc_.region_seeds) {
@@ -164,7 +165,8 @@ class Arrays {
           out_.edges.push_back({point_[s.a], point_[s.b], row});
       }
   }
-  /// Faces that follow each other as near as rounding may leave a point that was added on one of them beside it.
+  /// Marks added points on no kept face or edge as inside. Where two faces follow each other as closely as rounding, a
+  /// point that was added on one of them may end up beside it.
   void tell_points_off_constraints() {
     std::vector<bool> is_on(out_.points.size(), false);
     for (const auto& face : out_.faces)
@@ -173,7 +175,7 @@ class Arrays {
     for (VertexIndex v = 0; v < is_on.size(); ++v)
       if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
-  /// Some cell about the edge is kept; both ends may be though none is.
+  /// Returns whether some cell at the edge is kept. Both of its ends may be kept although no such cell is.
   bool is_kept_edge(Index subsegment) const {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;

@@ -10,9 +10,9 @@
 
 namespace geomesh::classify {
 
-/// Components of the recovered mesh between its locked faces, numbered, seeded, without the outside, as
-/// ConstrainedTetrahedralization documents. Throws Error{cannot_mesh} where nothing is enclosed, Error{invalid_input}
-/// for a hole seed on a facet.
+/// Finds the components of the recovered mesh between its locked faces, numbers and seeds them, and drops the outside,
+/// as ConstrainedTetrahedralization documents. Throws Error{cannot_mesh} if nothing is enclosed, and
+/// Error{invalid_input} if a hole seed lies on a facet.
 ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, recover::DeclaredModel& model,
                                        const PiecewiseLinearComplex& plc, const RunContext& context);
 

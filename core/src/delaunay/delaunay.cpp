@@ -62,7 +62,7 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
 
 /// The cluster distance `auto`: 2^-44 of the model's extent, where any two points that follow each other on the curve
 /// are that near; else none. Differences of coordinates keep no more than nine bits there. Waiting costs more than it
-/// saves at larger distances (docs/history/0.1-measurements.md).
+/// saves at larger distances (docs/decisions/delaunay.md, "Deferred points").
 double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   Box3 box;
   double least = std::numeric_limits<double>::infinity();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A set of cells that is to be refilled: it grows over faces by a predicate (in-sphere, visibility). It gives cells
-/// up until a point sees its whole border, so that the star of that point fills it.
+/// A set of cells that is to be refilled. It grows over faces by a predicate (in-sphere, visibility), then gives up
+/// cells until a point sees its whole border, so that the star of that point fills it.
 ///
-/// The Delaunay base has its own (delaunay/cavity_insertion.hpp): four faces at a time in lanes, vertices in insertion
-/// order. ConstrainedMesh::find_cavity marks cells in their flags, which replace_by_star turns by.
+/// The Delaunay base has a cavity of its own (delaunay/cavity_insertion.hpp), which tests four faces at a time in
+/// lanes. ConstrainedMesh::find_cavity marks cells in their flags, as replace_by_star needs them.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,11 @@
 
 namespace geomesh {
 
-/// Works on marks and a list of the caller, which is the result: the same marks hold for the cells that are in it.
+/// Works on marks and a list that belong to the caller. The list is the result, and the same marks are set for exactly
+/// the cells in it.
 class Cavity {
  public:
-  /// Begins with `bases`, which stay. The mesh must not change meanwhile.
+  /// Begins with `bases`, which are never given up. The mesh must not change while the cavity is used.
   Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
       : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
     cells_.assign(bases.begin(), bases.end());
@@ -40,9 +41,9 @@ class Cavity {
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
-  /// Takes in each cell that takes(cell) holds for and that is reached through faces that may_cross(face) holds for,
-  /// both sides of which have cells. Ends where there are `most` cells, and a few more. will_ask(cell) is called a
-  /// little before: what takes() reads can be fetched from memory meanwhile.
+  /// Adds each cell for which takes(cell) is true and that can be reached through faces for which may_cross(face) is
+  /// true and that have cells on both sides. Ends soon after there are `most` cells. will_ask(cell) is called shortly
+  /// before takes(cell), so that memory can be fetched meanwhile.
   template <class MayCross, class Takes, class WillAsk>
   void grow(std::size_t most, const MayCross& may_cross, const Takes& takes, const WillAsk& will_ask) {
     const auto announce = [&](CellIndex c) {
@@ -65,9 +66,9 @@ class Cavity {
     grow(most, may_cross, takes, [](CellIndex) {});
   }
 
-  /// Gives up cells with a face at the border that sees(face) does not hold for. Then go those whose faces are at the
-  /// border by that, and in the end those cut off from the bases. Faces that may_cross does not hold for are at the
-  /// border but for those that is_inner(face) holds for. False where a base would have to go.
+  /// Gives up cells with a border face for which sees(face) is false, then those whose faces are at the border because
+  /// of that, and at last those separated from the bases. Faces for which may_cross is false count as border, except
+  /// those for which is_inner(face) is true. Returns false if a base would have to be given up.
   template <class MayCross, class IsInner, class Sees>
   bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
     std::vector<CellIndex> given_up;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Circumcentres in doubles, for places to put points at; nothing is decided by them.
+/// Circumcentres in doubles, as candidates for places of points. They decide nothing.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace geomesh {
 
-/// In the triangle's plane; nothing where its points are (nearly) on a line.
+/// Returns the circumcentre in the plane of the triangle, or nothing if its points are (nearly) collinear.
 inline std::optional<Vec3> circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);
   const double nn = dot(n, n);
@@ -17,7 +17,7 @@ inline std::optional<Vec3> circumcentre(const Vec3& a, const Vec3& b, const Vec3
   return a + (0.5 / nn) * (dot(v, v) * cross(n, u) + dot(u, u) * cross(v, n));
 }
 
-/// Nothing where the points are (nearly) in a plane.
+/// Returns the circumcentre of the tetrahedron, or nothing if its points are (nearly) coplanar.
 inline std::optional<Vec3> circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double det = dot(cross(u, v), w);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The shell of an edge, refilled without the edge: each triangle of a triangulated polygon of ring vertices stands for
-/// two cells, one with either end of the edge. The best triangulation is found by dynamic programming over spans of the
-/// polygon (Klincsek 1980; Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of
-/// tetrahedral meshes"). What is best, the goal says:
+/// The shell of an edge, refilled without the edge. Each triangle of a triangulation of the polygon of ring vertices
+/// stands for two cells, one with either end of the edge. The best triangulation is found by dynamic programming over
+/// spans of the polygon (Klincsek 1980; Shewchuk 2002, "Two discrete optimization algorithms for the topological
+/// improvement of tetrahedral meshes"). The goal defines what is best:
 ///
 ///   recovery   positive   any triangulation of positive cells without forbidden diagonals
 ///   remeshing  worst      the largest worst shape
@@ -16,13 +16,13 @@
 
 namespace geomesh {
 
-/// Of polygons of at most `max_vertices`. The goal gives
+/// Best triangulations of polygons of at most `max_vertices` vertices. The goal defines
 ///   edge()                    the value of a side of the polygon
-///   none()                    that of a span that has no triangulation
+///   none()                    the value of a span that has no triangulation
 ///   allows(i, j)              whether a triangulation may have the diagonal i-j
-///   is_enough(value)          whether no better is looked for in this span
-///   value(span, left, right)  of triangle (i, k, j) with what is best on its sides (i, k) and (k, j), to be above
-///                             span.best, else it does not count
+///   is_enough(value)          whether no better triangulation is searched for in this span
+///   value(span, left, right)  the value of triangle (i, k, j) with the best on its sides (i, k) and (k, j);
+///                             it counts only if it exceeds span.best
 template <class Value, std::size_t max_vertices>
 class EdgeShell {
  public:
@@ -31,7 +31,7 @@ class EdgeShell {
     Value best;
   };
 
-  /// The best value of the whole polygon of n vertices. O(n^3).
+  /// Returns the best value of the whole polygon of n vertices. O(n^3).
   template <class Goal>
   Value triangulate(std::size_t n, const Goal& goal) {
     n_ = n;
@@ -49,7 +49,7 @@ class EdgeShell {
     return n < 3 ? goal.edge() : best_[0][n - 1];
   }
 
-  /// visit(i, k, j) for each triangle of the triangulation, i < k < j.
+  /// Calls visit(i, k, j) for each triangle of the triangulation, i < k < j.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {
     if (n_ >= 3) descend(0, n_ - 1, visit);

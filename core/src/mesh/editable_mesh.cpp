@@ -5,8 +5,8 @@ namespace geomesh {
 
 namespace {
 
-/// From `start` forward until the ring closes or ends outside: in cell k, positive in the order (a, b, x, y), across
-/// the face opposite x.
+/// Walks from `start` until the ring closes or ends outside. Each step enters cell k, positive in the order (a, b, x,
+/// y), and leaves it across the face opposite x.
 bool turn_forward(const TetMesh& mesh, CellIndex start, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
                   std::vector<VertexIndex>& ring) {
   cells.clear();

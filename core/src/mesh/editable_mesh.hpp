@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The one tetrahedral mesh that is edited in place: under recovery with locked faces, under remeshing with surfaces,
-/// curves and components. Cells, points, and for each vertex a cell that has it.
+/// curves and components. It holds cells, points, and for each vertex one cell that has it.
 ///
-/// There is one change of connectivity, `exchange`: a set of cells for another that fills the same region. The caller
-/// answers for the region and for positive cells, both decided by exact predicates.
+/// There is one change of connectivity, `exchange`: a set of cells is replaced by another that fills the same region.
+/// The caller is responsible for the region and for positive cells, and decides both by exact predicates.
 ///
 /// Invariants:
 ///   1. cell_of(v) of a vertex in the mesh is a live cell that has v;
@@ -22,24 +22,24 @@
 
 namespace geomesh {
 
-/// even_completion[i][j]: the other two local vertices k, l such that (i, j, k, l) is an even permutation.
+/// even_completion[i][j] has the other two local vertices k, l such that (i, j, k, l) is an even permutation.
 inline constexpr std::uint8_t even_completion[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
                                                           {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
                                                           {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
                                                           {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
 
-/// Cells and vertices about the edge (a, b) of cell `start`, turning the same way: cell k lies between ring vertices k
-/// and k + 1 (modulo the size where closed) and is positive as (a, b, ring[k], ring[k + 1]). Where the edge is on the
-/// outside of a mesh without ghosts the ring is open, and starts and ends there. Returns whether it is closed.
+/// Cells and vertices around the edge (a, b) of cell `start`, in one sense of rotation: cell k lies between ring
+/// vertices k and k + 1 (modulo the size if closed) and is positive as (a, b, ring[k], ring[k + 1]). If the edge is on
+/// the outside of a mesh without ghosts, the ring is open, and starts and ends there. Returns whether it is closed.
 bool turn_about_edge(const TetMesh& mesh, CellIndex start, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
                      std::vector<VertexIndex>& ring);
 
-/// `Attributes` keeps what cells and faces carry:
-///   FaceMark                        what a face of the region's border hands on to the new face there;
-///   FaceMark mark(cells, face)      of a face of a cell that goes;
-///   join(cells, added, other)       a new face, and what it has met: they are linked (`other.face` may be invalid);
-///   is_closed                       whether each face has two cells (ghosts outside), as against an open outside;
-///   keeps_inner_marks               whether a face inside the region that is made again keeps its mark.
+/// `Attributes` preserves the data of cells and faces:
+///   FaceMark                        the data that a face of the region's border passes on to the new face in its place
+///   FaceMark mark(cells, face)      the mark of a face of a removed cell
+///   join(cells, added, other)       links a new face with the one it has met (`other.face` may be invalid)
+///   is_closed                       whether each face has two cells (ghosts outside); otherwise the outside is open
+///   keeps_inner_marks               whether a face inside the region that is made again keeps its mark
 template <class Attributes>
 class EditableMesh {
  public:
@@ -50,9 +50,10 @@ class EditableMesh {
   const Vec3& point(VertexIndex v) const { return points_[v]; }
   CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
 
-  /// All cells that are reached from cell_of(v) through faces with v, in an order that depends on the mesh alone.
+  /// All cells that can be reached from cell_of(v) through faces with v, in an order that depends on the mesh alone.
   void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
-  /// The same step by step: the first cell, then for each k < out.size() those beside out[k] that are not there yet.
+  /// Finds these cells step by step: the first cell, then for each k < out.size() the neighbours of out[k] that are not
+  /// in the list yet.
   void begin_star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
   void grow_star(VertexIndex v, std::size_t k, EpochMarks& marks, std::vector<CellIndex>& out) const;
 
@@ -62,8 +63,8 @@ class EditableMesh {
     End end;
     CellIndex cell;  ///< the last
   };
-  /// Walks towards p, exactly, from a finite cell: through a face that has p beyond it, of several the first one from
-  /// face first_face() on. Stops before a face that is_barrier(face) holds for. Ends at most after `most_steps`.
+  /// Walks towards p, exactly, from a finite cell, each time through a face that has p beyond it: the first such face
+  /// from first_face() on. Stops before a face for which is_barrier(face) is true, and after `most_steps` steps.
   template <class FirstFace, class IsBarrier>
   Walk walk(const Vec3& p, CellIndex start, std::size_t most_steps, const FirstFace& first_face,
             const IsBarrier& is_barrier) const;
@@ -77,7 +78,7 @@ class EditableMesh {
 
   /// Exchanges the cells `removed` for the cells make(0), make(1) ... below `n_added`, which it makes with their
   /// attributes. note_neighbor(cell) is called before a cell beside the region is linked anew, note_removal(cell)
-  /// before one is freed. Throws InternalError where the two regions have not the same border. O(cells).
+  /// before one is freed. Throws InternalError if the two regions do not have the same border. O(cells).
   template <class Make, class NoteNeighbor, class NoteRemoval>
   void exchange(std::span<const CellIndex> removed, std::size_t n_added, const Make& make,
                 const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal) {
@@ -86,7 +87,8 @@ class EditableMesh {
       mesh_.free_cell(c);
     });
   }
-  /// The same with a table and slots of the caller's, who frees cells too: for changes that are made side by side.
+  /// Exchanges cells with a table and slots that belong to the caller, who also frees the removed cells. For changes
+  /// that are made concurrently.
   template <class Make, class NoteNeighbor, class Free>
   void exchange_by(FacePairing<FaceMark>& pairing, std::span<const CellIndex> removed, std::size_t n_added,
                    const Make& make, const NoteNeighbor& note_neighbor, const Free& free);

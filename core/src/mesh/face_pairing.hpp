@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Which faces of a set of cells are the same: how cells that are exchanged are linked with those about them, and with
-/// each other.
+/// Finds the equal faces of a set of cells, so that exchanged cells are linked with those around them and with each
+/// other.
 #pragma once
 
 #include <bit>
@@ -12,14 +12,14 @@
 
 namespace geomesh {
 
-/// Vertices of a face in ascending order, packed so that comparing is cheap.
+/// The vertices of a face in ascending order, packed so that comparing is cheap.
 struct FaceKey {
   std::uint64_t low_and_middle = 0;
   VertexIndex high = 0;
   friend constexpr auto operator<=>(const FaceKey&, const FaceKey&) = default;
 };
 
-/// Of the face opposite vertex i.
+/// The key of the face opposite vertex i.
 inline FaceKey face_key(const Tetrahedron& t, unsigned i) {
   const VertexIndex a = t[face_vertices[i][0]], b = t[face_vertices[i][1]], c = t[face_vertices[i][2]];
   const VertexIndex less = a < b ? a : b, more = a < b ? b : a;
@@ -28,14 +28,14 @@ inline FaceKey face_key(const Tetrahedron& t, unsigned i) {
   return {std::uint64_t{low} << 32 | middle, high};
 }
 
-/// Faces wait here, with a mark, for the new face that takes their place: an open-addressing table that is kept from
-/// one exchange to the next and never cleared. O(1) a face.
+/// Faces wait in this table, with a mark, for the new face that takes their place. It is an open-addressing table that
+/// is kept from one exchange to the next and never cleared. O(1) for each face.
 template <class Mark>
 class FacePairing {
  public:
   enum class Role : std::uint8_t {
-    outer,   ///< of a cell that stays; of none where the face is on the outside
-    inner,   ///< between two cells that go: its mark alone waits
+    outer,   ///< of a cell that is kept; of none if the face is on the outside
+    inner,   ///< between two removed cells: its mark alone waits
     added,   ///< of a new cell
     linked,  ///< has been met
   };
@@ -47,7 +47,7 @@ class FacePairing {
     std::uint32_t epoch = 0;
   };
 
-  /// Before the first of at most `n_faces` faces of an exchange.
+  /// Must be called before the first of at most `n_faces` faces of an exchange.
   void begin(std::size_t n_faces) {
     const std::size_t size = std::bit_ceil(n_faces + 1);
     if (entries_.size() < size) entries_.assign(size, Entry{}), epoch_ = 0;
@@ -68,7 +68,8 @@ class FacePairing {
     Entry& e = at(key);
     if (e.epoch != epoch_) e = {key, {}, mark, Role::inner, epoch_};
   }
-  /// A face of a new cell: what it meets, which is linked from now on, or null where it waits itself.
+  /// Adds a face of a new cell. Returns the face that it meets, which is linked from now on, or null if it has to wait
+  /// itself.
   const Entry* meet(const FaceKey& key, FaceRef face) {
     Entry& e = at(key);
     if (e.epoch != epoch_ || e.role == Role::inner) {
@@ -85,7 +86,7 @@ class FacePairing {
     e.role = Role::linked;
     return &met_;
   }
-  /// Faces of cells that stay which have lost theirs, and new faces that have found none.
+  /// Faces of kept cells that have lost their neighbour, and new faces that have found none.
   std::size_t n_outer_waiting() const { return n_outer_; }
   std::size_t n_added_waiting() const { return n_added_; }
 
@@ -96,7 +97,7 @@ class FacePairing {
     return entries_[i];
   }
 
-  std::vector<Entry> entries_;  ///< of another epoch: free
+  std::vector<Entry> entries_;  ///< an entry of another epoch is free
   std::size_t mask_ = 0, n_outer_ = 0, n_added_ = 0;
   std::uint32_t epoch_ = 0;
   Entry met_;

@@ -9,8 +9,8 @@ namespace geomesh {
 
 namespace {
 
-/// The even orders of four vertices: [i][j] begins with i and, of the three rotations of the others that keep
-/// orientation, is the j-th.
+/// The even orders of four vertices. [i][j] begins with i and is the j-th of the three rotations of the others that
+/// keep the orientation.
 constexpr std::uint8_t even_orders[4][3][4] = {{{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}},
                                                {{1, 0, 3, 2}, {1, 3, 2, 0}, {1, 2, 0, 3}},
                                                {{2, 0, 1, 3}, {2, 1, 3, 0}, {2, 3, 0, 1}},

@@ -46,7 +46,7 @@ constexpr HilbertAutomaton make_automaton() {
 
 constexpr HilbertAutomaton hilbert = make_automaton();
 
-/// Places of points on the curve that fills the cube about their box, 2^levels cells a side.
+/// Places of points on the curve that fills the cube around their box, 2^levels cells a side.
 class HilbertPlaces {
  public:
   HilbertPlaces(std::span<const Vec3> points, std::span<const VertexIndex> subset, int levels) : levels_(levels) {
@@ -79,11 +79,11 @@ class HilbertPlaces {
   double extent_, scale_;
 };
 
-/// About 2^6 cells of the curve a point.
+/// Number of levels at which the curve has about 2^6 cells for each point.
 int levels_for(std::size_t n) { return std::clamp((static_cast<int>(std::bit_width(n)) + 2) / 3 + 2, 3, 11); }
 
-/// A well mixed hash of the coordinates, measured from the low corner of the points' box. The unit is a power of two
-/// near its extent; -0 counts as 0.
+/// A well mixed hash of the coordinates, measured from the low corner of the points' box in a unit that is a power of
+/// two near its extent. -0 counts as 0.
 class CoordinateHash {
  public:
   CoordinateHash(const Vec3& low, double extent)
@@ -103,13 +103,13 @@ class CoordinateHash {
   double scale_;
 };
 
-// An item is a key in the high bits and a position below 2^28 in the low ones.
+// An item has a key in the high bits and a position below 2^28 in the low ones.
 constexpr int index_bits = 28;
 constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
 constexpr unsigned n_rounds = 8;
 
-/// Stable sort by the key's low `bits` bits: least significant digit first. Either span may hold the result: it is
-/// `items` at the end.
+/// Stable sort by the low `bits` bits of the key, least significant digit first. At the end `items` refers
+/// to the span that holds the result.
 void radix_sort(std::span<std::uint64_t>& items, std::span<std::uint64_t> other, int bits) {
   constexpr int digit = 12;
   std::vector<std::size_t> start(std::size_t{1} << digit);
@@ -130,7 +130,7 @@ void sort_small(std::span<const Vec3> points, std::span<VertexIndex> run) {
   });
 }
 
-/// Orders points that share a cell of a coarser curve by a curve of their own.
+/// Orders points that share a cell of a coarser curve along a curve of their own.
 void refine_run(std::span<const Vec3> points, std::span<VertexIndex> run) {
   if (run.size() <= 4) return sort_small(points, run);
   const HilbertPlaces place(points, run, levels_for(run.size()));
@@ -146,7 +146,7 @@ void refine_run(std::span<const Vec3> points, std::span<VertexIndex> run) {
   }
 }
 
-/// Cuts the curve where the largest round has equal shares, and gives each point the number of its part.
+/// Cuts the curve so that the largest round has equal shares, and gives each point the number of its part.
 void assign_places(std::span<const std::uint64_t> items, std::uint64_t place_mask, SpatialOrder& result) {
   const std::size_t first = result.round_begin[result.round_begin.size() - 2], n = items.size() - first;
   std::vector<std::uint64_t> cut;

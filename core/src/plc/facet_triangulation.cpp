@@ -13,7 +13,7 @@ namespace geomesh {
 
 namespace {
 
-/// Drops the coordinate in which the normal is largest; the outer loop turns left in what remains.
+/// Projects along the coordinate in which the normal is largest. The outer loop is counter-clockwise in the projection.
 PlaneProjection projection_along(const Vec3& normal) {
   using Handedness = PlaneProjection::Handedness;
   const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
@@ -83,8 +83,8 @@ class FacetTriangulator {
     }
     out_.deviation = 0.5 * (high - low);
   }
-  /// Of the points in space where they are exactly planar, so that a facet that is present equals its draft; else of
-  /// their projections.
+  /// Triangulates the points in space if they are exactly planar, so that a facet that is present equals its draft;
+  /// otherwise their projections.
   ConstrainedTriangulation plane_of(const Vec3& normal) const {
     const PlaneProjection projection = projection_along(normal);
     std::vector<Vec3> points;
@@ -105,7 +105,7 @@ class FacetTriangulator {
          culprits);
     return false;
   }
-  /// From the left of the outer loop, not over any loop.
+  /// Keeps the triangles inside: those reached from the left of the outer loop without crossing any loop.
   void take_inside(const ConstrainedTriangulation& plane) {
     std::vector<Edge> sides;
     const auto add_sides = [&](const std::vector<VertexIndex>& loop) {

@@ -26,13 +26,14 @@ struct FacetTriangulation {
   double deviation = 0;  ///< largest distance of a vertex from the mean plane; zero where exactly planar
 };
 
-/// What makes a polygon unusable; the vertices are those to blame.
+/// Why a polygon cannot be used, with the vertices that cause it.
 struct FacetFault {
   std::string message;
   std::vector<VertexIndex> vertices;
 };
 
-/// O(n log n) plus flips. Without a value: `fault` says why (zero area, loop crosses itself, vertex on an edge ...).
+/// O(n log n) plus flips. Returns no value for a polygon that cannot be used; then `fault` has the reason (zero area, a
+/// loop that crosses itself, a vertex on an edge ...).
 std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon,
                                                     FacetFault& fault);
 

@@ -24,14 +24,14 @@ class CrossingSearch {
  public:
   explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
 
-  /// Those of the first edge that has some.
+  /// The crossings of the first edge that has any.
   std::vector<PlcCrossing> first() {
     const search::ClosestPointTrees tree = prepare();
     std::vector<PlcCrossing> crossings;
     for (std::size_t k = 0; k < edges_.size() && crossings.empty(); ++k) append_of(edges_[k], tree, crossings);
     return crossings;
   }
-  /// By edge, then facet.
+  /// All crossings, ordered by edge, then by facet.
   std::vector<PlcCrossing> all(unsigned threads) {
     constexpr std::size_t chunk = 2048;
     const search::ClosestPointTrees tree = prepare();
@@ -85,7 +85,7 @@ class CrossingSearch {
     }
     for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
   }
-  /// Along the longest axis, each once, as the first facet has it.
+  /// Sorts the edges along the longest axis and keeps each once, as the first facet has it.
   void sort_edges() {
     const std::size_t axis = longest_axis();
     const auto key = [axis](const Item& e) {

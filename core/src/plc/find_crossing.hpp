@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Exact search for items of a PLC that meet where they may not. Recovery does without: it asks only where it has had
-/// to add more points than a valid model is likely to need.
+/// Exact search for items of a PLC that meet where they must not. Recovery calls it only after it has added more points
+/// than a valid model is likely to need.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,21 @@
 
 namespace geomesh {
 
-/// A segment or facet border and a triangular facet that meet outside shared vertices and edges.
+/// A segment or an edge of a facet, and a triangular facet, that meet outside shared vertices and edges.
 struct PlcCrossing {
   VertexIndex a = no_vertex, b = no_vertex;  ///< the edge
   Index edge_facet = no_index;               ///< a facet that has it, or no_index for a segment of its own
   Index facet = no_index;                    ///< the facet met
 };
 
-/// The first one by edge, then facet. Triangles are searched; polygons are not, nor triangles with points or segments
-/// inside (declaring them has checked them within). O(n log n) plus pairs whose boxes overlap along the longest axis.
+/// Returns the first crossing, ordered by edge, then facet. Triangles are searched. Polygons and triangles with points
+/// or segments inside are not, because their declaration has checked them. O(n log n) plus the pairs whose boxes
+/// overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
-/// All of them, in that order.
+/// All crossings, in that order.
 std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads = 1);
 
-/// The same, searched for when first asked for, and once.
+/// Searches for crossings when they are first requested, and remembers them.
 class CrossingsOf {
  public:
   explicit CrossingsOf(const PiecewiseLinearComplex& plc) : plc_(plc) {}

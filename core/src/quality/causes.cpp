@@ -12,8 +12,8 @@ namespace geomesh {
 
 namespace {
 
-constexpr double share_of_size = 0.25;      // gaps below this share of the asked size force
-constexpr double angle_at_short_edge = 20;  // degrees, below which it forces
+constexpr double share_of_size = 0.25;      // a gap below this share of the target size imposes bad elements
+constexpr double angle_at_short_edge = 20;  // degrees; a smaller angle imposes bad elements
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double sha
 }
 
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle) {
-  // The measure is not above the least sine.
+  // The quality measure is never above the least sine.
   if (remesh::shape_of_cell<remesh::DihedralMeasure>(a, b, c, d) > remesh::DihedralMeasure::of_angle(bad_angle))
     return std::nullopt;
   const double least = tetrahedron_shape(a, b, c, d).min_dihedral;

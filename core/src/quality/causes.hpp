@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Why an element is bad, or an edge short: an input angle or a thin gap that nothing but a change of the input could
-/// widen.
+/// Why an element is bad, or an edge short: an input angle or a thin gap that only a change of the input could widen.
 #pragma once
 
 #include <limits>
@@ -16,28 +15,29 @@
 
 namespace geomesh {
 
-/// Those that count as sides of facets: none where surfaces are kept, since facets that are kept as one lie in one
-/// plane.
+/// The feature edges that count as sides of facets. There are none if surfaces are kept, because facets that are kept
+/// as one are coplanar.
 InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOptions& options);
 
 class CauseFinder {
  public:
-  /// All of them must outlive this.
+  /// All arguments must outlive this object.
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
-  /// Sets the cause of an element and what goes with it. What is found at a vertex is kept for the next element there.
+  /// Sets the cause of an element and the data that belong to it. Results at a vertex are kept for the next element
+  /// there.
   void explain(WorstElement& w);
-  /// The same for an edge that is shorter than `share` of its size, with the cells at it.
+  /// Sets the cause of an edge that is shorter than `share` of its size, with the cells at it.
   void explain(ShortEdge& e, std::span<const Index> cells, double share);
 
  private:
   const MeetingAngle& angle_at(VertexIndex v);
   bool explain_by_angle(WorstElement& w);  ///< whether that is its cause
   void explain_by_gap(WorstElement& w) const;
-  /// Whether the curve along the edge would leave the tolerance without either end.
+  /// Returns whether the curve along the edge would leave the tolerance without either end.
   bool is_between_bends(const ShortEdge& e) const;
   bool is_needed_on_curve(VertexIndex v, double tolerance) const;
   bool are_ends_of_near_curves(const ShortEdge& e, bool have_common_neighbour) const;
-  /// The narrowest gap that the element spans and that the tolerance does not allow to close.
+  /// Returns the narrowest gap that the element spans and that the tolerance does not allow to close.
   Gap gap_of(Index tetrahedron) const {
     return gaps_.narrowest(tetrahedron, options_.tolerance_share > 0 ? 0 : 2 * options_.tolerance);
   }
@@ -46,14 +46,14 @@ class CauseFinder {
   const QualityOptions& options_;
   SoupStars stars_;
   GapFinder gaps_;
-  std::vector<MeetingAngle> angles_;  // by vertex; negative: not looked for yet
+  std::vector<MeetingAngle> angles_;  // by vertex; negative: not computed yet
 };
 
-/// The least dihedral angle (degrees) of the tetrahedron a b c d where it is below `bad_angle`. Quick where it is not.
+/// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`. Fast otherwise.
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle);
 
-/// Rows of the elements (of the first `n_judged`) below the bad angle that nothing forces, the worst first. O(n) but
-/// for what CauseFinder costs.
+/// Returns rows of the elements (among the first `n_judged`) below the bad angle that the input does not impose, the
+/// worst first. O(n), plus the cost of CauseFinder.
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const InputCreases& creases,
                                          std::size_t n_judged = std::numeric_limits<std::size_t>::max());

@@ -15,14 +15,14 @@ namespace geomesh {
 
 namespace {
 
-/// Of the dual of an edge, listed by its first vertex.
+/// A part of the dual face of an edge, listed by the first vertex of the edge.
 struct Part {
   VertexIndex second;
   double area;
 };
 
-/// The piece of the dual of edge a-b in a cell, next to face a,b,c: a right triangle from the edge's middle over the
-/// face's circumcentre to the cell's. Each leg has a sign: towards c in the face, towards the apex off it.
+/// The part of the dual face of edge a-b in a cell, next to face a,b,c: a right triangle from the edge's middle over
+/// the face's circumcentre to the cell's. Each leg has a sign: towards c in the face, towards the apex off it.
 double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex, const Vec3& cell_centre) {
   const auto face_centre = circumcentre(a, b, c);
   const Vec3 u = b - a, n = cross(u, c - a);
@@ -33,15 +33,15 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
   return 0.5 * along * up;
 }
 
-/// Vertices from `from` to before `to`, and the parts of edges that have them first.
+/// Vertices from `from` up to but excluding `to`, and the parts of edges whose first vertex is one of them.
 struct Window {
   std::size_t from, to;
-  std::vector<std::size_t>& end_of;  ///< by vertex, from `from` on: where its parts end in `parts`
+  std::vector<std::size_t>& end_of;  ///< by vertex, from `from` on: the end of its parts in `parts`
   std::vector<Part>& parts;
-  bool has(VertexIndex v) const { return v - from < to - from; }  // of unsigned numbers
+  bool has(VertexIndex v) const { return v - from < to - from; }  // unsigned: wraps around below `from`
 };
 
-/// Those of the edges whose first vertex is in the window.
+/// Adds the parts of the edges whose first vertex is in the window.
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
   if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;  // one branch, not four
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
@@ -59,7 +59,7 @@ void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& windo
   }
 }
 
-/// Edges of faces that only one tetrahedron has, sorted.
+/// Edges of faces that belong to one tetrahedron only, sorted.
 std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron> tetrahedra) {
   std::vector<Triangle> faces;
   for (const Tetrahedron& t : tetrahedra)
@@ -90,7 +90,7 @@ void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedro
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;
   const std::size_t at_once = std::max(least_at_once, 6 * tetrahedra.size() / n_windows);
-  // For the largest of all windows, so that it never grows.
+  // Reserves memory for the largest of all windows, so that it never grows.
   std::vector<Part> parts(
       points.empty()
           ? 0

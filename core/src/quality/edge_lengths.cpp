@@ -16,15 +16,15 @@ namespace geomesh {
 
 namespace {
 
-constexpr std::size_t n_blocks = 8;  ///< of vertices; one that is at work takes its share of 48 bytes a tetrahedron
+constexpr std::size_t n_blocks = 8;  ///< number of vertices; a window in use takes its share of 48 bytes a tetrahedron
 
-/// A group with a component: parts that some tetrahedron is in.
+/// A pair of group and component that some tetrahedron has.
 struct Part {
   Index group, component;
   friend auto operator<=>(const Part&, const Part&) = default;
 };
 
-/// The parts that there are, ascending, and the row of that of each tetrahedron.
+/// The pairs that occur, ascending, and the row of the pair of each tetrahedron.
 struct PartTable {
   explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
     const auto at = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
@@ -41,8 +41,8 @@ struct PartTable {
   std::size_t n_groups;
 };
 
-/// An edge's upper vertex, and below it the row of a part that the edge is in: sorted, the uses of an edge stand side
-/// by side, by group.
+/// An edge's upper vertex, and in the lower bits the row of a pair that the edge is in. When sorted, the uses of an
+/// edge are adjacent, ordered by group.
 using Use = std::uint64_t;
 constexpr Use use_of(VertexIndex upper, Index part) { return Use{upper} << 32 | part; }
 constexpr VertexIndex upper_of(Use use) { return static_cast<VertexIndex>(use >> 32); }
@@ -53,8 +53,8 @@ std::uint8_t bin_of(double ratio) {
   return static_cast<std::uint8_t>(std::upper_bound(bounds.begin(), bounds.end(), ratio) - bounds.begin());
 }
 
-/// The edges whose lower vertex is in [begin, end). Their uses are sorted by that vertex (a counting sort), then each
-/// vertex's own.
+/// The edges whose lower vertex is in [begin, end). Their uses are sorted by that vertex (a counting sort), then within
+/// each vertex.
 class EdgeBlock {
  public:
   EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,
@@ -84,7 +84,7 @@ class EdgeBlock {
         [&](std::size_t row, VertexIndex upper, std::size_t t) { uses_[next[row]++] = use_of(upper, parts.row[t]); });
   }
 
-  /// Of the whole, then of each group.
+  /// Statistics of the whole, then of each group.
   std::vector<EdgeLengths> measure() && {
     for (std::size_t row = 0; row + 1 < first_.size(); ++row) {
       const auto begin = uses_.begin() + static_cast<std::ptrdiff_t>(first_[row]);
@@ -120,7 +120,7 @@ class EdgeBlock {
     add(0, least);
   }
 
-  /// Sooner by the size at the lower vertex, which all edges at hand share.
+  /// Searches the size first from that at the lower vertex, which all edges at hand share.
   double size_at(const Vec3& p, Index component, const Vec3& lower) {
     if (size_here_.component != component || !(size_here_.size > 0))
       size_here_ = {component, size_->at(lower, component)};
@@ -146,7 +146,8 @@ std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<c
                                        const CellParts& parts, const SizeField* size, unsigned threads) {
   const PartTable table(parts);
   std::array<std::vector<EdgeLengths>, n_blocks> blocks;
-  const bool asks_caller = size && size->limits().background;  // who is asked on one thread alone
+  const bool asks_caller =
+      size && size->limits().background;  // a size function of the caller, which is evaluated on one thread alone
   for_each_task(n_blocks, asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     const std::size_t begin = points.size() * k / n_blocks, end = points.size() * (k + 1) / n_blocks;
     blocks[k] = EdgeBlock(points, tetrahedra, table, size, begin, end).measure();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Lengths of a mesh's edges beside those that are asked for.
+/// Lengths of a mesh's edges compared with the target sizes.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@
 
 namespace geomesh {
 
-/// Edges of a set of tetrahedra, each once, in ascending order of their vertices.
+/// Lengths of the edges of a set of tetrahedra, each counted once, in ascending order of their vertices.
 struct EdgeLengths {
   std::vector<double> length;
-  /// By length over asked size, which is the least that is asked at the edge's middle in the components that it is in:
-  /// below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size field.
+  /// Counts of edges by length over target size, which is the least target at the edge's middle in the components that
+  /// it is in: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size field.
   std::array<std::size_t, 8> by_size{};
 };
 
-/// What the tetrahedra are parted by: a component (for the size field) and a group (for the statistics) of each; no
+/// How the tetrahedra are divided: a component (for the size field) and a group (for the statistics) of each. Without a
 /// component: no_index.
 struct CellParts {
   std::span<const Index> component, group;
   std::size_t n_groups = 0;
 };
 
-/// Of the whole, then of each group. O(n) but for size lookups, on `threads` threads; the result does not depend on
-/// their number.
+/// Returns the statistics of the whole, then of each group. O(n) plus size look-ups, on `threads` threads; the result
+/// does not depend on their number.
 std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                                        const CellParts& parts, const SizeField* size, unsigned threads);
 

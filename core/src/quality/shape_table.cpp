@@ -9,10 +9,10 @@ namespace geomesh {
 namespace {
 
 constexpr std::size_t n_steps = 65536;
-/// The greatest value of each measure; what rounding puts beyond shares the last step.
+/// The greatest value of each measure. Values that rounding puts beyond it share the last step.
 constexpr std::array<double, n_shape_measures> top{180, 180, 1, 1, 1, 360};
 
-/// Of N equal ones from 0 to `greatest`.
+/// The step of a value among N equal ones from 0 to `greatest`.
 template <std::size_t N>
 std::size_t bin_of(double value, double greatest) {
   const double bin = value / greatest * static_cast<double>(N);
@@ -21,7 +21,7 @@ std::size_t bin_of(double value, double greatest) {
 
 constexpr std::size_t index_of(ShapeMeasure m) { return static_cast<std::size_t>(m); }
 
-/// Where the result of each measure stands.
+/// The member that holds the result of each measure.
 constexpr std::array<Distribution ShapeStatistics::*, n_shape_measures> results{
     &ShapeStatistics::min_dihedral, &ShapeStatistics::max_dihedral, &ShapeStatistics::radius_ratio,
     &ShapeStatistics::aspect,       &ShapeStatistics::mean_ratio,   &ShapeStatistics::solid_angle};
@@ -44,7 +44,7 @@ double value_of(const TetrahedronShape& s, ShapeMeasure which, std::size_t corne
   return s.solid_angle[corner];
 }
 
-/// visit(measure, corner, value) for all values of a tetrahedron.
+/// Calls visit(measure, corner, value) for all values of a tetrahedron.
 template <class Visit>
 void for_each_value(const TetrahedronShape& s, const Visit& visit) {
   for (std::size_t m = 0; m < n_shape_measures; ++m) {

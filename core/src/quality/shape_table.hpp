@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Shapes of all tetrahedra of a mesh in 18 bytes each: enough to find any percentile exactly by measuring few again.
+/// Shapes of all tetrahedra of a mesh in 18 bytes each: enough to find any percentile exactly by measuring few of them
+/// again.
 #pragma once
 
 #include <array>
@@ -12,14 +13,14 @@
 
 namespace geomesh {
 
-/// What shapes are measured by; a tetrahedron has one value of each, and four solid angles.
+/// The measured quantities. A tetrahedron has one value of each, and four solid angles.
 enum class ShapeMeasure : std::uint8_t { min_dihedral, max_dihedral, radius_ratio, aspect, mean_ratio, solid_angle };
 inline constexpr std::size_t n_shape_measures = 6;
 
-/// Where the statistics have the distribution of a measure.
+/// The member of the statistics that holds the distribution of a measure.
 Distribution& result_of(ShapeStatistics& statistics, ShapeMeasure which);
 
-/// Statistics of a set of tetrahedra, but for percentiles, whose parts can be joined.
+/// Statistics of a set of tetrahedra without percentiles, which can be combined from parts.
 struct ShapeSums {
   ShapeStatistics counts;  ///< histograms, the number of tetrahedra and their volume
   std::array<double, n_shape_measures> sum{}, least, greatest;
@@ -28,24 +29,24 @@ struct ShapeSums {
   ShapeSums();
   void add(const TetrahedronShape& shape);
   void join(const ShapeSums& other);
-  /// With shares, means, least and greatest values.
+  /// Completes shares, means, least and greatest values.
   ShapeStatistics statistics() const;
 };
 
-/// Values are kept as steps on scales of 65,536: order is kept, so that a percentile lies in the step of its rank.
+/// Stores values as steps on scales of 65,536. Steps preserve the order, so a percentile lies in the step of its rank.
 class ShapeTable {
  public:
   ShapeTable(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
 
-  /// Measures the tetrahedra in `rows` and adds them to `sums`. Calls for rows apart from each other may run at once.
+  /// Measures the tetrahedra in `rows` and adds them to `sums`. Calls for disjoint rows may run concurrently.
   void measure(std::span<const Index> rows, ShapeSums& sums);
 
-  /// The value that a hundredth of those of the tetrahedra in `rows` lie below. Precondition: they were measured.
-  /// O(n); few tetrahedra are measured again.
+  /// Returns the value below which a hundredth of the values of the tetrahedra in `rows` lie. Precondition: they were
+  /// measured. O(n); few tetrahedra are measured again.
   double first_percentile(ShapeMeasure which, std::span<const Index> rows) const;
 
-  /// Tetrahedra whose least dihedral angle is below `angle` (degrees), and the `n_least` with the least angles whatever
-  /// they are, with that angle; the least first, then by row. Precondition: all were measured.
+  /// Returns tetrahedra whose least dihedral angle is below `angle` (degrees), and in any case the `n_least` with the
+  /// least angles, with that angle; the least first, then by row. Precondition: all were measured.
   std::vector<std::pair<double, Index>> with_least_angles(double angle, std::size_t n_least) const;
 
   TetrahedronShape shape(Index row) const;

@@ -15,7 +15,7 @@ namespace geomesh {
 
 namespace {
 
-/// Each edge that may be short once, by its ends, with the cells at it.
+/// Lists each edge that may be short once, by its ends, with the cells at it.
 using EdgeCells = std::map<std::array<VertexIndex, 2>, std::vector<Index>>;
 
 double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh, const Vec3& p,
@@ -25,8 +25,8 @@ double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh,
   return least;
 }
 
-/// No edge that is longer is short: no size above this is asked anywhere. Where sizes jump from one component to the
-/// next, an edge may be short for some of its cells alone: all of them are listed.
+/// No longer edge can be short, because no target size is above this. Where sizes jump from one component to the next,
+/// an edge may be short for some of its cells alone, so all of them are listed.
 EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share, unsigned threads) {
   constexpr std::size_t chunk = 16384;
   using Ends = std::array<VertexIndex, 2>;
@@ -42,7 +42,8 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
     }
   };
   std::vector<std::vector<std::pair<Ends, Index>>> found((mesh.tetrahedra.size() + chunk - 1) / chunk);
-  const bool asks_caller = size.limits().background != nullptr;  // who is asked on one thread alone
+  const bool asks_caller =
+      size.limits().background != nullptr;  // a size function of the caller, which is evaluated on one thread alone
   for_each_task(found.size(), asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     for_each_edge(k, [&](const Ends& ends, double l, Index c) {
       if (l < share * size.at(0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]), mesh.component[c]))
@@ -61,7 +62,7 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
   return edges;
 }
 
-/// What sizes are where they grow from the edges that the input forces, by the gradation of `size`.
+/// Sizes that grow, by the gradation of `size`, from the edges that the input imposes.
 SizeField grown_from_forced(const std::vector<ShortEdge>& edges, const SizeField& size) {
   std::vector<SizeSource> sources;
   for (const ShortEdge& e : edges)
@@ -69,10 +70,10 @@ SizeField grown_from_forced(const std::vector<ShortEdge>& edges, const SizeField
   return {std::move(sources), {.gradation = size.limits().gradation}};
 }
 
-/// Of the size grown from forced edges: what elements of good shape have. Shorter edges are not excused by it.
+/// Share of the size grown from imposed edges that elements of good shape have. Shorter edges are not excused by it.
 constexpr double share_of_grown = 0.5;
 
-/// Forced are those too that are long enough for their distance from a forced one.
+/// Edges that are long enough for their distance from an imposed edge are imposed too.
 void excuse_near_forced(std::vector<ShortEdge>& edges, const SizeField& size) {
   const SizeField grown = grown_from_forced(edges, size);
   if (grown.n_sources() == 0) return;

@@ -20,7 +20,7 @@ double angle_to_sector(const Vec3& d, const Vec3& a, const Vec3& b) {
   if (!(nn > 0)) return at_sides;
   const Vec3 foot = d - (dot(d, n) / nn) * n;  // within the sector where it turns from a towards b and not beyond
   if (dot(cross(a, foot), n) < 0 || dot(cross(foot, b), n) < 0) return at_sides;
-  const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // a direction along the normal has no foot to speak of
+  const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // a direction along the normal has no reliable projection
   return std::min(at_sides, std::atan2(height, length(foot)) * degrees_per_radian);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What of the input there is at each vertex of a mesh: the facets and segments that a user drew, not how they were
-/// meshed.
+/// The facets and segments of the input at each vertex of a mesh, as the user drew them, however they were meshed.
 #pragma once
 
 #include <span>
@@ -12,8 +11,8 @@
 
 namespace geomesh {
 
-/// A mesh edge on a segment of the input: the side of a facet (or of a patch, where facets were remeshed together, or a
-/// sharp crease of it), or a listed one.
+/// A mesh edge on a segment of the input: the side of a facet (or of a patch, if facets were remeshed together, or a
+/// sharp feature edge of it), or a listed one.
 struct SoupEdge {
   VertexIndex other;
   Index segment;  ///< where listed
@@ -32,13 +31,13 @@ double angle_between(const Vec3& a, const Vec3& b);
 
 class SoupStars {
  public:
-  /// `facet_patch`: per facet of the input what it was meshed as one with; empty: each for itself. O(n log n) in the
-  /// faces of the mesh, which must outlive this, as must the creases.
+  /// `facet_patch`: for each facet of the input, the patch that it was meshed with; empty if each was meshed alone. O(n
+  /// log n) in the faces of the mesh, which must outlive this object, as must the feature edges.
   SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch,
             const InputCreases* creases = nullptr);
 
-  /// The least angle at which two facets or segments of the input meet at v: two sides; a side and a facet that it is
-  /// no side of; two facets along a common side. 180 where no two meet. O(k^2) in the faces at v.
+  /// Returns the least angle at which two facets or segments of the input meet at v: two sides; a side and a facet that
+  /// it is no side of; two facets along a common side. 180 if no two meet. O(k^2) in the faces at v.
   MeetingAngle least_angle(VertexIndex v) const;
   std::span<const Index> faces(VertexIndex v) const { return faces_at_[v]; }
   std::span<const SoupEdge> edges(VertexIndex v) const { return edges_at_[v]; }
@@ -47,7 +46,7 @@ class SoupStars {
   Index facet_of(Index face) const { return face == no_index ? no_index : mesh_.faces[face].facet; }
 
  private:
-  /// Faces of one patch at a vertex that hang together there: one sector of a facet.
+  /// Connected faces of one patch at a vertex: one sector of a facet.
   struct Fan {
     Index patch;
     std::vector<Index> faces;
@@ -60,7 +59,7 @@ class SoupStars {
   Vec3 direction(VertexIndex v, VertexIndex to) const { return mesh_.points[to] - mesh_.points[v]; }
   void compare_edges(VertexIndex v, MeetingAngle& least) const;
   void compare_edge_with_fan(VertexIndex v, const SoupEdge& edge, const Fan& fan, MeetingAngle& least) const;
-  /// Along sides that they have in common; with itself where a fan hangs together around a crease.
+  /// Angle along sides that both fans share; of a fan with itself if it is connected around a feature edge.
   void compare_fans(VertexIndex v, const Fan& a, const Fan& b, MeetingAngle& least) const;
 
   const ConstrainedTetrahedralization& mesh_;

@@ -53,7 +53,7 @@ std::vector<Block> blocks_of(const std::vector<std::vector<Index>>& rows) {
   return blocks;
 }
 
-/// Of the whole, then of each group.
+/// Statistics of the whole, then of each group.
 std::vector<ShapeStatistics> summarize_shapes(ShapeTable& table, const CellParts& parts, unsigned threads) {
   std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
   const std::vector<Block> blocks = blocks_of(rows);
@@ -75,7 +75,8 @@ std::vector<ShapeStatistics> summarize_shapes(ShapeTable& table, const CellParts
   return out;
 }
 
-/// Of the whole, then of each group. Edges come first: their tables are gone when those of shapes are made.
+/// Statistics of the whole, then of each group. Edges come first, so that their tables are freed before those of shapes
+/// are made.
 std::vector<ShapeStatistics> summarize_all(std::optional<ShapeTable>& table, std::span<const Vec3> points,
                                            std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
                                            const SizeField* size, unsigned threads) {
@@ -105,8 +106,7 @@ ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tet
 
 namespace {
 
-/// Elements below the bad angle, and the worst whatever they are up to the number that is to be listed; the worst
-/// first.
+/// Elements below the bad angle, and in any case the worst up to the number to be listed; the worst first.
 std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const ShapeTable& shapes) {
   std::vector<WorstElement> worst;
@@ -144,7 +144,8 @@ MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const Constrained
     q.n_bad += w.min_dihedral < options.bad_angle;
     q.n_bad_forced += w.min_dihedral < options.bad_angle && w.cause != ShapeCause::free;
   }
-  // Those that nothing forces are what a user should look at: they lead the list, each kind the worst first.
+  // Elements that the input does not impose are those that a user should look at. They lead the list, each kind with
+  // the worst first.
   std::stable_partition(q.worst.begin(), q.worst.end(),
                         [](const WorstElement& w) { return w.cause == ShapeCause::free; });
   if (q.worst.size() > options.max_worst) q.worst.resize(options.max_worst);

@@ -59,7 +59,8 @@ bool GapFinder::is_fixed(VertexIndex v) const {
          (!stars_.edges(v).empty() || !stars_.faces(v).empty());
 }
 
-/// A facet at the way's start that faces the one with `opposite_normal`. `step` is the way, of length one.
+/// Finds a facet at the start of the path that faces the one with `opposite_normal`. `step` is the unit direction of
+/// the path.
 bool GapFinder::leaves_facet(const Way& way, const Vec3& step, const Vec3& opposite_normal, Gap& found) const {
   for (const Index f : stars_.faces(way.from)) {
     if (is_on(way.to, stars_.patch_of(f))) continue;
@@ -71,7 +72,7 @@ bool GapFinder::leaves_facet(const Way& way, const Vec3& step, const Vec3& oppos
   return false;
 }
 
-/// A segment at v that the way leaves, along the facet with the normal or parallel to the direction, where given.
+/// Finds a segment at v that the path leaves, along the facet with the normal or parallel to the direction, if given.
 bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel,
                                Gap& found) const {
   for (const SoupEdge& e : stars_.edges(v)) {
@@ -85,8 +86,8 @@ bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* norm
   return false;
 }
 
-/// Where the segment ends that leaves the way's end by an edge: points that were added to it do not end it, a corner or
-/// a turn does, or the way's start.
+/// The end of the segment that leaves the end of the path along an edge. Points added to the segment do not end it; a
+/// corner, a turn, or the start of the path does.
 VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) const {
   VertexIndex before = way.to, at = first.other;
   while (at != way.from && mesh_.input_vertex[at] == no_vertex) {

@@ -17,27 +17,28 @@ struct Gap {
   Index segment_a = no_index, segment_b = no_index;  ///< or listed segments
 };
 
-/// An element spans a gap between two parts of the input where it has a vertex on each and they face each other across
-/// it: their local feature size. Parts are facets, segments (sides of facets and listed ones) and vertices of
-/// the input. They face each other where
-///   - the shortest way from the vertex on the one to the other is within 60 degrees of the normals of facets. It must
-///     be on the side of each on which the
-///     element lies, and at 60 degrees at least to segments;
-///   - facets and segments are parallel but for 16 degrees: parts that converge faster meet at an angle, which is a
-///   cause of its own.
-/// So an element over the hollow of one curved surface spans none.
+/// An element spans a gap between two parts of the input if it has a vertex on each and they face each other across it
+/// (their local feature size). Parts are facets, segments (sides of facets and listed ones) and vertices of the input.
+/// Two parts face each other if
+///   - the shortest path from the vertex on one to the other is within 60 degrees of the normals of facets, on the side
+///     of
+///     each on which the element lies, and at 60 degrees at least to segments;
+///   - facets and segments are parallel up to 16 degrees. Parts that converge faster meet at an angle, which is a cause
+///     of
+///     its own.
+/// So an element over the hollow of one curved surface spans no gap.
 class GapFinder {
  public:
-  /// `angle` in degrees: from there on parts are not parallel. `fixed_vertices`: whether vertices of the input are
-  /// parts by themselves, as where no surface may move. O(n log n) in the faces of the mesh.
+  /// `angle` in degrees: parts at this angle or more are not parallel. `fixed_vertices`: whether vertices of the input
+  /// are parts by themselves, as they are where no surface may move. O(n log n) in the faces of the mesh.
   GapFinder(const SoupStars& stars, double angle, bool fixed_vertices);
 
-  /// The narrowest gap wider than `above` that the element spans; of infinite width where it spans none. O(k^2 log n)
-  /// in the faces at its vertices.
+  /// Returns the narrowest gap wider than `above` that the element spans; of infinite width if it spans none. O(k^2 log
+  /// n) in the faces at its vertices.
   Gap narrowest(Index tetrahedron, double above) const;
 
  private:
-  /// From a vertex to the nearest point of a part at another.
+  /// A path from a vertex to the nearest point of a part at another.
   struct Way {
     VertexIndex from, to;
     Vec3 inside;  ///< a point of the element

@@ -17,7 +17,8 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = d - c, w = a - c;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w), det = uu * vv - uv * uv;
-  // On the first line nearest to the second (anywhere where they are parallel), then back and forth within the ends.
+  // Starts at the point of the first line that is nearest to the second (at any point if they are parallel), then
+  // alternates between both within their ends.
   const double s = det > 0 ? std::clamp((uv * vw - vv * uw) / det, 0.0, 1.0) : 0.0;
   const Vec3 q = closest_on_segment(a + s * u, c, d), p = closest_on_segment(q, a, b);
   return {p, closest_on_segment(p, c, d)};
@@ -30,8 +31,8 @@ PreparedTriangle::PreparedTriangle(const std::array<Vec3, 3>& corners, double wi
       abab_(dot(ab_, ab_)),
       abac_(dot(ab_, ac_)),
       acac_(dot(ac_, ac_)) {
-  // Of a triangle h times as wide as long, rounding turns n by about 1e-16 / h radians. It moves what barycentric
-  // coordinates give by 1e-16 / h^2 of the length.
+  // Rounding turns the normal n of a triangle h times as wide as long by about 1e-16 / h radians, which moves the
+  // result of barycentric coordinates by 1e-16 / h^2 of the length.
   constexpr double width_of_line = 1e-13;
   const Vec3 n = cross(ab_, ac_), bc = corners[2] - corners[1];
   const double square = dot(n, n), longest_square = std::max({abab_, acac_, dot(bc, bc)});
@@ -56,7 +57,7 @@ Vec3 PreparedTriangle::closest_in_needle(const Vec3& p) const {
     const Vec3& from = corners_[i];
     if (!(dot(cross(corners_[(i + 1) % 3] - from, p - from), normal_) > 0)) return on_side;
   }
-  // A turned normal leads astray where p is far off. The true place is at most the needle's width from the side.
+  // A turned normal leads astray if p is far off. The true place is at most the needle's width from the side.
   const Vec3 foot = p - dot(normal_, p - on_side) * normal_;
   return dot(foot - on_side, foot - on_side) <= square_of_width_ ? foot : on_side;
 }

@@ -14,7 +14,7 @@
 
 namespace geomesh::search {
 
-/// Of p from the nearest point of the box; 0 inside.
+/// Squared distance of p from the nearest point of the box; 0 inside.
 inline double squared_distance_to(const Box3& b, const Vec3& p) {
   double s = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -24,7 +24,7 @@ inline double squared_distance_to(const Box3& b, const Vec3& p) {
   return s;
 }
 
-/// Of all that is within reach of a triangle, and some more.
+/// Box around all places within reach of a triangle, and some more.
 inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
   Box3 box;
   for (const Vec3& p : corners) {
@@ -34,30 +34,30 @@ inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
   return box;
 }
 
-/// Point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5), right to rounding
-/// of the coordinates for needles, too. The corners may be equal in pairs.
+/// Returns the point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5),
+/// accurate up to rounding of the coordinates even for needles. Corners may be equal in pairs.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
-/// Nearest points of the segments ab and cd, which may be points (Ericson 2005, section 5.1.9).
+/// Returns the nearest points of the segments ab and cd, which may be points (Ericson 2005, section 5.1.9).
 std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// A triangle with what its nearest points take, computed once. Line pieces have their last two corners equal, points
-/// all three.
+/// A triangle with the values that its nearest points need, computed once. Line pieces have their last two corners
+/// equal, points all three.
 class PreparedTriangle {
  public:
-  /// Of a triangle narrower than `width_of_needle` times its length, the nearest point is right to rounding of the
-  /// coordinates, at four times the cost. Of others, to 1e-16 times the length over the square of that share: 1e-6 of
-  /// the length at worst.
+  /// In a triangle narrower than `width_of_needle` times its length, the nearest point is accurate up to rounding of
+  /// the coordinates, at four times the cost. In others it is accurate to 1e-16 times the length over the square of
+  /// that share: 1e-6 of the length at worst.
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners, double width_of_needle = 1e-5);
   const std::array<Vec3, 3>& corners() const { return corners_; }
   Vec3 closest_to(const Vec3& p) const;
-  /// Of length one; of a triangle without area zero.
+  /// The unit normal; zero for a triangle without area.
   const Vec3& normal() const { return normal_; }
 
  private:
   Vec3 closest_on_sides(const Vec3& p) const;
-  /// Where the triangle is so narrow that barycentric coordinates lose their digits: along the normal, from the side
-  /// that is near.
+  /// Used if the triangle is so narrow that barycentric coordinates lose their digits: starts along the normal, from
+  /// the side that is near.
   Vec3 closest_in_needle(const Vec3& p) const;
 
   std::array<Vec3, 3> corners_;
@@ -72,8 +72,8 @@ struct ClosestPoint {
   Index item = no_index;  ///< the caller's id of the triangle or piece
 };
 
-/// Bounding-box trees, one a group (a patch, or a curve class). A line piece is a triangle with its last two corners
-/// equal.
+/// Bounding-box trees, one for each group (a patch, or a curve class). A line piece is a triangle with its last two
+/// corners equal.
 class ClosestPointTrees {
  public:
   struct Item {
@@ -85,15 +85,15 @@ class ClosestPointTrees {
   /// O(n log n).
   ClosestPointTrees(std::vector<Item> items, std::size_t n_groups);
 
-  /// Nearest item of the group within `limit`; distance is infinite where there is none. O(log n) for limits of the
-  /// size of an item.
+  /// Returns the nearest item of the group within `limit`; the distance is infinite if there is none. O(log n) for
+  /// limits of the size of an item.
   ClosestPoint closest(const Vec3& p, Index group, double limit = std::numeric_limits<double>::infinity()) const;
   /// Calls visit(item) for the items of a group whose boxes meet the box.
   template <class Visit>
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// The same with their rows in items(), which are those of prepared().
+  /// Calls visit with the rows of these items in items(), which are those of prepared().
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

@@ -13,7 +13,7 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-constexpr std::size_t few = 24;             ///< items about a piece from which it is not halved before it is cut
+constexpr std::size_t few = 24;             ///< items near a piece up to which it is cut without being halved first
 constexpr std::size_t most_cut = 4;         ///< nearest items whose sides are tried
 constexpr std::size_t pieces_per_item = 8;  ///< allowed for each item about a piece, and some more
 constexpr std::size_t pieces_besides = 200;
@@ -42,7 +42,8 @@ struct Plane {
   Vec3 point, normal;  ///< normal of length one, to the side that is over the item
 };
 
-/// On the sides of the triangle (ends of the line piece), at right angles to it. None for a triangle of no height.
+/// Directions at right angles to the sides of the triangle (at the ends of the line piece), in its plane. None for a
+/// triangle without height.
 std::vector<Plane> planes_on_sides(const Corners& t) {
   std::vector<Plane> planes;
   if (is_line(t)) {
@@ -61,8 +62,8 @@ struct Cut {
   Polygon over, beyond;
 };
 
-/// The parts of a convex polygon (of two points: of a line) on both sides of the plane. Points within `tiny` of it are
-/// of both. A part of such points alone is none.
+/// Divides a convex polygon (or a line, given by two points) into its parts on both sides of the plane. Points within
+/// `tiny` of the plane belong to both. A part of such points alone is empty.
 Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   Cut parts;
   bool is_over = false, is_beyond = false;
@@ -85,7 +86,7 @@ Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   return parts;
 }
 
-/// Across its longest side.
+/// Halves the piece across its longest side.
 std::array<Corners, 2> halves(const Corners& t) {
   std::size_t a = 0;
   for (std::size_t i = 1; i < 3; ++i)
@@ -154,7 +155,7 @@ bool CoverProver::covers_large(const Corners& item) {
     look_at(centre, d);
     if (d + r <= limit_) return true;
     if (d > limit_) return fails_at(centre, d);
-    // Of many about a small piece the one that has all of it over itself is looked for as well.
+    // Among many items near a small piece, one that has all of it above itself is searched for as well.
     const bool is_small = r <= least_piece * limit_;
     const auto has_all = [&](const PreparedTriangle* other) {
       return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proof that a triangle lies within a distance of a set of triangles, all of it and not at samples only.
+/// Proof that a whole triangle, not only samples of it, lies within a distance of a set of triangles.
 ///
-/// The distance to one triangle is a convex function, and that to any set changes by no more than the way one goes. So
-/// a triangle is within the limit where (a) its corners are within the limit of one and the same triangle of the set.
-/// It is too where (b) a ball about one of its points holds it. That point must be nearer than the limit by the ball's
-/// radius. (c) It is too where two corners lie by X and the third by Y. X and Y must share an edge, and the chords
-/// between their nearest points must pass near it. The triangle of the three nearest points is cut by that edge but for
-/// that distance. Its parts lie on X and Y. (d) And where the set is a smooth surface without a border over all of it
-/// (sheet_proof.hpp). Where none of these tells, the triangle is halved across its longest edge.
+/// The distance to one triangle is a convex function, and the distance to any set changes by no more than the way one
+/// moves. So a triangle is within the limit in each of these cases:
+///   (a) its corners are within the limit of one triangle of the set;
+///   (b) a ball around one of its points contains it, and that point is nearer than the limit by the radius of the
+///     ball;
+///   (c) two corners lie by X and the third by Y, which share an edge, and the chords between their nearest points pass
+///     near that edge. The edge cuts the triangle of the three nearest points up to that distance into parts on X and
+///     Y;
+///   (d) the set is a smooth surface without a border over all of it (sheet_proof.hpp).
+/// If none of these applies, the triangle is halved across its longest edge.
 #pragma once
 
 #include <array>
@@ -30,13 +33,13 @@ class DistanceProver {
 
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Whether all of `triangle` is proven to be within the limit of the set. False where a point of it is not. False
-  /// also where that is not decided by halves down to a 16th of the limit, or by a hundred of them. O(pieces * set).
+  /// Returns whether all of `triangle` is proven to be within the limit of the set. False if a point of it is not, or
+  /// if halves down to a 16th of the limit, or a hundred of them, do not decide. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
-  /// Where that was told in one look, as the set is a sheet over all of the triangle (test d), a triangle of that
-  /// sheet. Else no_index. The triangles over it are all turned from it by less than 53 degrees, or all from its other
-  /// side.
+  /// If the last triangle was proven at once, because the set is a sheet over all of it (test d): a triangle of that
+  /// sheet; otherwise no_index. The triangles over it are all turned from it by less than 53 degrees, or all from its
+  /// other side.
   Index sheet_row() const { return sheet_row_; }
 
  private:
@@ -44,12 +47,12 @@ class DistanceProver {
     double distance;
     Vec3 point;  ///< of the triangle of the set that is nearest to a corner
   };
-  /// A triangle of the set that may be near to a piece, and where it is nearest to the corners of that.
+  /// A triangle of the set that may be near to a piece, and its points nearest to the corners of that piece.
   struct Candidate {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// Of candidates_, those of one piece; those of the half that is looked at follow.
+  /// The candidates_ of one piece; those of the half that is examined follow.
   struct Range {
     std::size_t first, last;
   };
@@ -57,7 +60,7 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  /// A triangle of the sheet that is over all of the piece; no_index: there is none.
+  /// A triangle of the sheet that is over all of the piece, or no_index.
   Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a function has at places that it was asked for lately.
+/// Remembers the values of a function at places where it was evaluated recently.
 #pragma once
 
 #include <algorithm>
@@ -14,17 +14,17 @@
 
 namespace geomesh::search {
 
-/// One memory is for one function, whose values are not negative, and for one thread: neighbours share their corners.
-/// No result depends on what is remembered.
+/// One memory serves one function, whose values are not negative, and one thread: neighbours share their corners. No
+/// result depends on what is remembered.
 class RecentPlaces {
  public:
-  /// Of at most so many places, above 0.
+  /// Remembers at most so many places, above 0.
   explicit RecentPlaces(std::size_t n_places = 1024) : known_(n_places) {}
   struct Known {
     Vec3 place;
     double value = -1;  ///< negative: nothing is known
   };
-  /// The value at p; `value_at(last)` computes it where it is not known, with what was asked for last.
+  /// Returns the value at p; `value_at(last)` computes it if it is not known, with the place of the last evaluation.
   template <class ValueAt>
   double at(const Vec3& p, const ValueAt& value_at) {
     const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),

@@ -13,8 +13,8 @@ namespace geomesh::search {
 namespace {
 
 constexpr double smooth_cosine = 0.82;  ///< of the angle between two triangles at an edge
-/// Of the angle between the surface and F. Let two triangles turn to opposite sides of F's plane. They would be
-/// inclined to each other by more than the edges that are not open allow.
+/// Limit on the angle between the surface and F. If two triangles turned to opposite sides of F's plane, they would be
+/// inclined to each other by more than edges that are not open allow.
 constexpr double steep_cosine = 0.6;
 constexpr double on_side = 1e-9;  ///< of F's longest edge
 
@@ -77,7 +77,7 @@ bool SheetProof::is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_
   return false;
 }
 
-/// Whether a part of the segment is inside F by more than next to nothing.
+/// Returns whether a part of the segment is inside F by more than rounding.
 bool SheetProof::has_within(const Point& p, const Point& q) const {
   double first = 0, last = 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +91,7 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 
 Over SheetProof::judge(const SheetTriangle& t) {
   const auto& corners = t.triangle->corners();
-  std::array<std::array<Point, most_corners>, 2> parts;  // what is left before a side and after it, in turns
+  std::array<std::array<Point, most_corners>, 2> parts;  // the part before a side and the part after it, in turn
   if (is_beside(corners, parts[0])) return Over::nothing;
   for (std::size_t i = 0; i < 3; ++i) parts[0][i].height = dot(corners[i] - corners_[0], normal_);
   for (unsigned k = 0; k < 3; ++k)

@@ -32,12 +32,13 @@ void check_box(const Box3& box) {
       throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
 }
 
-/// What is still improper is a few ulps thin: new points go to old ones nearby, from wider about each time.
+/// Distance of mending in a round. Overlaps that remain are a few ulps thin, so new points snap to old ones nearby,
+/// from farther in each round.
 double mending_distance(const Complex& complex, unsigned round) {
   return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
 
-/// Surfaces that lie in each other are a few ulps apart.
+/// Surfaces that nearly coincide are a few ulps apart.
 constexpr double joining_ulps = 32;
 
 /// Facets with all sides below this share of the tolerance are no features of a model.
@@ -52,7 +53,7 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
   merging.facets_merged += closed.n_facets_removed;
 }
 
-/// What needles that vanished left of surfaces. `rounding`: a distance that rounding leaves.
+/// Mends what needles that vanished have left of surfaces. `rounding` is a distance that rounding leaves.
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
@@ -72,7 +73,7 @@ void log_round(const RunContext& context, unsigned round, const Complex& complex
                                     std::to_string(contacts.overlaps.size()) + " overlaps");
 }
 
-/// Where rounding finds no end.
+/// Ends the run if rounding does not converge.
 [[noreturn]] void refuse(const SurfaceList& surfaces, const Complex& complex, const Contacts& contacts) {
   ErrorContext context;
   ModelItems items;
@@ -131,7 +132,7 @@ std::vector<std::uint8_t> all_facets(const Complex& complex) {
   return std::vector<std::uint8_t>(complex.facets.size(), 1);
 }
 
-/// Of the box or the volume. Throws where the box is empty.
+/// Returns the sides of the box or the volume. Throws if the box is empty.
 std::vector<TriangulatedSurface> sides_of(const ArrangementOptions& options) {
   if (!options.box) return options.volume;
   check_box(*options.box);
@@ -146,8 +147,8 @@ std::optional<Box3> bounds_of(const ArrangementOptions& options) {
   return bounds;
 }
 
-/// The planes of the bounds in which triangles of sides lie; others are as far away as can be. The creases of a turned
-/// box touch its bounds.
+/// Returns the planes of the bounds in which triangles of sides lie; others are as far away as possible. The edges of a
+/// turned box touch its bounds.
 std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, const std::optional<Box3>& bounds) {
   if (!bounds) return std::nullopt;
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -177,7 +178,7 @@ std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& comp
 
 constexpr unsigned most_snaps = 6;  // in one round
 
-/// Brings together what lies within the mending distance among the facets that still meet.
+/// Merges everything within the mending distance among the facets that still meet.
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
                             const std::optional<Box3>& bounds) {
   if (contacts.empty()) return {};
@@ -192,7 +193,7 @@ class MendingBounds {
         fewest_contacts_(contacts.facets.size()),
         most_rounds_(most_rounds) {}
   bool grows(const Complex& complex) const { return complex.facets.size() > most_facets_; }
-  /// Of what is left after a round.
+  /// Returns whether the state after a round shows that rounding does not converge.
   bool has_no_end(unsigned round, const Complex& complex, const Contacts& contacts) {
     const std::size_t n = contacts.facets.size(), most = 4 * fewest_contacts_ + 1000;
     fewest_contacts_ = std::min(fewest_contacts_, n);
@@ -300,7 +301,7 @@ class Arrangement {
     book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
   }
 
-  /// Of what vanished since it was booked last.
+  /// Records the movement of parts that have vanished since the last call.
   void book_lost_parts(const Complex& complex) {
     if (!(options_.tolerance > 0)) return;
     add(lost_with(std::span(book_.vanished).subspan(n_booked_), complex, options_.tolerance),

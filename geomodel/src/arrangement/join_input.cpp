@@ -12,7 +12,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double twin_share = 0.01;  // of the tolerance: surfaces that follow each other as near are one given twice
+constexpr double twin_share = 0.01;  // of the tolerance: surfaces that follow each other as near are duplicates
 constexpr unsigned most_passes = 8;  // what one splits may be near to more; three do mostly
 constexpr double least_ulps = 1024;  // of a tolerance: rounding may undo less
 
@@ -49,7 +49,7 @@ JoinRule InputJoiner::rule(const Contacts& contacts) const {
   return rule_restricts_ ? join_rule(contacts) : JoinRule();
 }
 
-/// What was given twice is told.
+/// Warns of duplicates.
 InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warnings) const {
   const std::vector<TriangulatedSurface>& surfaces = surfaces_.given;
   const double nearest = twin_share * options_.tolerance;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What is brought together before anything is intersected, and what was done so far by bringing together.
+/// Merging before anything is intersected, and the record of all merging so far.
 #pragma once
 
 #include <set>
@@ -27,18 +27,18 @@ class InputJoiner {
               const Joining& joining, const RunContext& context)
       : ingested_(ingested), surfaces_(surfaces), options_(options), joining_(joining), context_(context) {}
 
-  /// Within the tolerance, where there is one: patches of faults, ends, what was given twice. Else ends within rounding
-  /// of other surfaces. Then what lies on sides but for rounding. Throws Error{usage} where the tolerance is no greater
+  /// Merges, within the tolerance if there is one: patches of faults, ends, duplicates. Otherwise ends within rounding
+  /// of other surfaces. Then everything on sides up to rounding. Throws Error{usage} if the tolerance is no greater
   /// than rounding. Cost: that of snap_near, a few times.
   void join(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound);
 
-  /// What the tolerance joins from now on. `contacts`: of the input as it is now.
+  /// The rule for merging within the tolerance from now on. `contacts` are those of the input as it is now.
   JoinRule rule(const Contacts& contacts) const;
 
  private:
-  /// What joins besides surfaces that meet where one of them ends.
+  /// Pairs that are merged besides surfaces that meet where one of them ends.
   struct PairsToJoin {
-    std::set<SurfacePair> wherever_near;  ///< given twice
+    std::set<SurfacePair> wherever_near;  ///< duplicates
     std::set<SurfacePair> where_they_end;
   };
   PairsToJoin find_pairs(std::vector<std::string>& warnings) const;

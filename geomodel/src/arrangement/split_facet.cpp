@@ -38,8 +38,8 @@ class FacetSplitter {
       if (rows_.contains(a) && rows_.contains(b)) mesh_.insert_constraint(rows_.at(a), rows_.at(b), 0);
   }
 
-  /// Whether each edge of the closed walk is there whole. Along an axis its vertices can be on one line in another
-  /// order than on their edge. The walk then goes to and fro, and what lies between its edges would be lost.
+  /// Returns whether each edge of the closed walk is there as a whole. Along an axis, vertices can be collinear in
+  /// another order than on their edge; the walk then alternates, and the space between its edges would be lost.
   bool has_edges_of(const std::vector<VertexIndex>& walk) const {
     for (std::size_t k = 0; k < walk.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(walk[k]), rows_.at(walk[(k + 1) % walk.size()]));
@@ -103,7 +103,7 @@ class FacetSplitter {
     mesh_.start(n_vertices(), n_vertices() + 1, n_vertices() + 2);
   }
 
-  /// Nothing where the walk's left reaches the frame: it winds the wrong way about somewhere.
+  /// Returns nothing if the left side of the walk reaches the frame, because it winds the wrong way somewhere.
   std::vector<Triangle> collect(const std::vector<std::uint8_t>& in) const {
     std::vector<Triangle> triangles;
     for (std::size_t f = 0; f < in.size(); ++f) {
@@ -147,7 +147,7 @@ void remove_spikes(std::vector<VertexIndex>& walk) {
   }
 }
 
-/// Nothing where the walk crosses itself as seen, or winds the wrong way.
+/// Returns nothing if the walk crosses itself as seen, or winds the wrong way.
 std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame,
                                                std::vector<VertexIndex> walk, const std::vector<VertexIndex>& inside,
                                                const std::vector<EdgeKey>& wanted) {
@@ -199,7 +199,7 @@ std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points
   };
   if (auto triangles = split_as_seen(projection_of(points[facet[0]], points[facet[1]], points[facet[2]])))
     return triangles;
-  // A needle's plane is not that of its border once vertices near it are on that.
+  // A needle's plane differs from that of its border once near vertices have been inserted in the border.
   for (const Projection& frame : frames_of_walk(points, walk))
     if (auto triangles = split_as_seen(frame)) return triangles;
   return std::nullopt;

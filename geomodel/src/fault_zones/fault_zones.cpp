@@ -71,8 +71,8 @@ class ZoneOpener {
   }
 
  private:
-  /// Edges with both ends on walls become straight, as those of the elements between the walls are. The middle of
-  /// another curved edge goes the mean of the ways of its ends.
+  /// Straightens edges with both ends on walls, as those of the elements between the walls are. The middle of another
+  /// curved edge moves by the mean of the movements of its ends.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
     std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {
@@ -80,8 +80,8 @@ class ZoneOpener {
     });
     for (CurvedEdge& edge : mesh_.curved_edges) edge.middle = edge.middle + 0.5 * (way(edge.a) + way(edge.b));
   }
-  /// At an end of the fault, where all three nodes of a face are one on both sides: there is no zone, and the face is
-  /// there once, on the minus wall.
+  /// At an end of the fault all three nodes of a face are one on both sides. There is no zone, and the face exists
+  /// once, on the minus wall.
   void join_closed_faces() {
     std::map<Triangle, std::size_t> first;
     std::set<std::size_t> second;
@@ -100,7 +100,7 @@ class ZoneOpener {
     std::size_t row = 0;
     std::erase_if(mesh_.faces, [&](const ModelMesh::Face&) { return second.contains(row++); });
   }
-  /// Surfaces, curves and points give way: renumber_ids() follows.
+  /// Makes room among the ids of surfaces, curves and points; renumber_ids() follows.
   void add_regions() {
     const auto n = static_cast<std::int32_t>(zones_.size());
     for (NamedSurface& s : mesh_.surfaces) s.id += n;
@@ -135,8 +135,8 @@ class ZoneOpener {
     mesh_.tetrahedra.push_back(t);
     mesh_.tet_region.push_back(region_of(zone));
   }
-  /// A side of a prism is cut from the lower end of the column that comes first to the upper end of the other.
-  /// So neighbours agree.
+  /// Cuts a side of a prism from the lower end of the column that comes first to the upper end of the other, so that
+  /// neighbours agree.
   void add_elements() {
     for (const ZonePrism& prism : columns_.prisms) {
       std::array<std::size_t, 3> c = prism.columns;
@@ -179,7 +179,7 @@ class ZoneOpener {
                 {{}, {}, {}, {p}});
   }
 
-  /// Where the fault ends at a side of the model the zone shows there.
+  /// If the fault ends at a side of the model, the zone appears there.
   void add_side_faces() {
     struct Side {
       std::size_t a, b;  ///< columns, as their prism has them
@@ -206,7 +206,7 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      GEOMESH_CHECK(f != no_face);  // all tetrahedra about an edge inside are one sector: the columns are closed there
+      GEOMESH_CHECK(f != no_face);  // all tetrahedra around an edge inside are one sector: the columns are closed there
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }
   }
@@ -225,7 +225,7 @@ class ZoneOpener {
     }
   }
 
-  /// Walls look into the zone, which has the highest region id.
+  /// Normals of walls point into the zone, because it has the highest region id.
   void close_walls() {
     for (auto& face : mesh_.faces) {
       if (!is_wall(face)) continue;
@@ -236,7 +236,7 @@ class ZoneOpener {
   }
   bool is_wall(const ModelMesh::Face& face) const { return columns_.zone_of_wall.contains(in_order(face.vertices)); }
 
-  /// A well that meets the fault in a node goes on along the column there.
+  /// A well that meets the fault in a node continues along the column there.
   void carry_wells_across() {
     std::map<VertexIndex, std::set<std::int32_t>> wells_at;
     for (const NamedCurve& curve : mesh_.curves)
@@ -263,7 +263,7 @@ class ZoneOpener {
   ModelMesh mesh_;
   ZoneColumns columns_;
   std::vector<ModelMesh::Face> added_;
-  EdgeSet edges_;  // of walls and of the zones' faces on sides of the model
+  EdgeSet edges_;  // faces of walls, and of zones on sides of the model
 };
 
 }  // namespace

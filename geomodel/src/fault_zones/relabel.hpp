@@ -10,21 +10,22 @@
 
 namespace geomesh::geomodel {
 
-/// Ids in the order of docs/output-files.md: regions as they stand, from 1, then surfaces, curves, points and sets.
+/// Assigns ids in the order of docs/output-files.md: regions as they are, from 1, then surfaces, curves, points and
+/// sets.
 void renumber_ids(ModelMesh& mesh);
 
-/// Patches from 1, in the order of their first faces: faces joined across edges where exactly two faces of one set
-/// meet.
+/// Numbers patches from 1 in the order of their first faces. A patch has faces joined across edges where exactly two
+/// faces of one set meet.
 void number_patches(ModelMesh& mesh);
 
-/// Edges by their ends, the lesser first.
+/// Edges by their ends, the smaller first.
 using EdgeSet = std::set<std::pair<VertexIndex, VertexIndex>>;
 
-/// Names the intersections among these edges anew, by the faces about each; wells and tips stay. Curves that are left
-/// without an edge go.
+/// Names the intersections among these edges anew, by the faces around each. Wells and tips are kept, and curves left
+/// without an edge are removed.
 void name_intersections(ModelMesh& mesh, const EdgeSet& edges);
 
-/// Tetrahedra and volume of each region, area of each surface, length of each curve.
+/// Computes tetrahedra and volume of each region, area of each surface, length of each curve.
 void measure_again(ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

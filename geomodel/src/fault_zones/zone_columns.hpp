@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel {
 
-/// A pair of nodes on the two sides of a fault, one node where the fault ends there.
+/// A pair of nodes on the two sides of a fault; one node where the fault ends.
 struct ZoneColumn {
   VertexIndex minus, plus;
   std::size_t zone;                ///< row of the first zone that has it
@@ -33,11 +33,11 @@ struct ZoneColumns {
   std::map<Triangle, std::size_t> zone_of_wall;  ///< of each face of a wall, by its nodes in rising order
 };
 
-/// From the prisms of a mesh split along the zones' faults. Throws Error{cannot_mesh} where more than two sides meet in
-/// a node, or zones of unlike thickness or layers share one; and where a fault has one side alone.
+/// Finds columns from the prisms of a mesh split along the zones' faults. Throws Error{cannot_mesh} if more than two
+/// sides meet in a node, if zones of different thickness or layers share a node, or if a fault has one side alone.
 ZoneColumns columns_of(const SplitMesh& split, const std::vector<FaultZone>& zones);
 
-/// Adds the nodes between the sides of each column, on the straight line, evenly; once the sides have moved.
+/// Adds the nodes between the sides of each column, evenly on the straight line. Call it once the sides have moved.
 void fill_columns(ModelMesh& mesh, ZoneColumns& zone, const std::vector<FaultZone>& zones);
 
 }  // namespace geomesh::geomodel

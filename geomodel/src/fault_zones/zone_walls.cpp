@@ -13,11 +13,11 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Longest move, over half of the thickness: along surfaces that may give way, and along sides of the model.
+/// Longest movement, over half of the thickness: along surfaces that may be ignored, and along sides of the model.
 constexpr double longest_along_surfaces = 2, longest_along_sides = 4;
-/// A fault's faces at a node are inclined to their mean by 60 degrees at most.
+/// Limit on the inclination of a fault's faces at a node to their mean: 60 degrees.
 constexpr double longest_miter = 2;
-/// The sine of the angle between planes that count as one.
+/// Sine of the largest angle between planes that count as one.
 constexpr double nearly_parallel = 0.1;
 
 Vec3 area_vector(const ModelMesh& mesh, const Triangle& t) {
@@ -30,7 +30,7 @@ double angle_at(const ModelMesh& mesh, const Triangle& t, std::size_t i) {
   return std::atan2(norm(cross(u, v)), dot(u, v));
 }
 
-/// Of unit length; exact along an axis.
+/// A unit vector; exact along an axis.
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
   return {v.x / length, v.y / length, v.z / length};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which cells and nodes each part of a mesh has, and what it shares with others.
+/// The cells and nodes of each part of a mesh, and which of them it shares with other parts.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace geomesh::geomodel {
 
-/// Whether a part also has the cells of others that touch its own in a node.
+/// Whether a part also has the cells of other parts that touch its own in a node (ghosts).
 enum class Ghosts { none, one_layer };
 
 struct MeshPart {
@@ -23,40 +23,40 @@ struct MeshPart {
   std::size_t n_own = 0;
   std::vector<VertexIndex> nodes;  ///< rows of points and midpoints, ascending
 
-  /// The place of a row in `nodes`; no_vertex where it is not there.
+  /// Returns the place of a row in `nodes`, or no_vertex.
   VertexIndex local(VertexIndex row) const;
 };
 
-/// A face between two parts, as one of them has it.
+/// A face between two parts, as seen from one of them.
 struct BorderFace {
   std::size_t cell;
-  unsigned opposite;  ///< the vertex of `cell` that the face is opposite to
+  unsigned opposite;  ///< the vertex of `cell` opposite to the face
   std::int32_t other_part;
 };
 
-/// One part where no process has the whole mesh: the mesh has the part's tetrahedra and ghosts alone, and all points,
-/// faces and edges of the model.
+/// One part of a mesh that no process has as a whole: the mesh has the tetrahedra and ghosts of the part alone, and all
+/// points, faces and edges of the model.
 struct GivenPart {
   std::int32_t number = 0, n_parts = 1;
   std::vector<std::int32_t> part_of_cell;              ///< by row
   std::vector<std::int64_t> cell_number, node_number;  ///< in the whole, by row; cells are numbered region by region
   std::vector<std::size_t> first_at_node{0};           ///< by row, into parts_at
   std::vector<std::int32_t> parts_at;                  ///< of each node, ascending
-  std::uint64_t n_cells = 0, n_nodes = 0;              ///< of the whole
+  std::uint64_t n_cells = 0, n_nodes = 0;              ///< of the whole mesh
 };
 
 class MeshParts {
  public:
   /// The mesh must outlive this. Throws as parts_by_metis.
   MeshParts(const ModelMesh& mesh, std::int32_t n_parts);
-  /// One part alone. Rows of its own cells ascend with their numbers, and before those of ghosts. Of midpoints there
-  /// are none.
+  /// Describes one part alone. The rows of its own cells ascend with their numbers, and precede those of ghosts. There
+  /// are no midpoints.
   MeshParts(const ModelMesh& mesh, GivenPart given);
 
   std::int32_t n_parts() const { return n_parts_; }
-  /// Parts whose cells are there: all, or the one given.
+  /// Parts whose cells are here: all of them, or the one given.
   std::vector<std::int32_t> parts_here() const;
-  /// In the whole mesh, from 0.
+  /// Number of the cell in the whole mesh, from 0.
   std::size_t cell_number(std::size_t row) const {
     return is_given_ ? static_cast<std::size_t>(given_.cell_number[row]) : row;
   }
@@ -65,9 +65,9 @@ class MeshParts {
   }
   std::size_t n_nodes_of_whole() const;
   std::size_t n_cells_of_whole() const;
-  /// Of a region, in the whole.
+  /// Number of cells of a region, in the whole mesh.
   std::size_t n_cells_of_region(std::int32_t id) const;
-  /// The number of a tetrahedron within its region, from 0; `row_in_block` where the whole is here.
+  /// Number of a tetrahedron within its region, from 0; equal to `row_in_block` if the whole mesh is here.
   std::size_t number_in_region(std::size_t row, std::size_t row_in_block) const;
   std::int32_t part_of_cell(std::size_t row) const { return part_of_cell_[row]; }
   /// Parts with cells of their own at a node, ascending.
@@ -91,7 +91,7 @@ class MeshParts {
   std::int32_t n_parts_;
   GivenPart given_;
   bool is_given_ = false;
-  std::vector<std::size_t> first_of_region_;  // where given, by region id - 1: the number of its first cell
+  std::vector<std::size_t> first_of_region_;  // if given: the number of the first cell of each region, by region id - 1
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
   std::vector<std::size_t> first_;  // by node, into parts_at_

@@ -17,13 +17,13 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Up to this many parts METIS' recursive bisection cuts fewer faces than its k-way method.
+/// Up to this many parts, METIS' recursive bisection cuts fewer faces than its k-way method.
 constexpr std::int32_t most_parts_by_bisection = 8;
 
-/// The sum of all weights that METIS is given at most: its numbers may have 32 bits.
+/// Largest sum of all weights that METIS is given, because its numbers may have 32 bits.
 constexpr double most_weight = 1e9;
 
-/// Whole numbers from 1, in the same ratios as far as these allow.
+/// Whole numbers from 1 in the same ratios, as far as the limit allows.
 std::vector<idx_t> whole_weights(const std::vector<double>& weights) {
   double sum = 0;
   for (const double w : weights) sum += w;

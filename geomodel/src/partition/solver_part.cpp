@@ -7,8 +7,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Number in the part of each solid of the whole mesh; no_cell where it is not there. Solids are numbered block by
-/// block.
+/// Number in the part of each solid of the whole mesh, or no_cell. Solids are numbered block by block.
 struct Solids {
   std::vector<std::size_t> row;      ///< of each solid: its tetrahedron
   std::vector<std::uint32_t> local;  ///< of each solid: its number in the part

@@ -12,8 +12,8 @@
 
 namespace geomesh::geomodel {
 
-/// The blocks, groups and names are those of the whole mesh in every part, so that numbers agree between files; blocks
-/// have the cells of the part alone, and may be empty.
+/// Blocks, groups and names are those of the whole mesh in every part, so that numbers agree between files. Blocks have
+/// the cells of the part alone, and may be empty.
 struct SolverPart {
   MeshPart part;
   SolverMesh mesh;                               ///< nodes numbered in the part
@@ -21,12 +21,12 @@ struct SolverPart {
   std::vector<std::vector<std::int32_t>> owner;  ///< of these
 };
 
-/// Solids: all of the part. Faces: where an element of the part lies at one; owned with the element that the normal
-/// points away from (at the boundary the only one). Edges and points: where the part has all their nodes; owned with
-/// the lowest owner of their nodes.
+/// Solids: all of the part. Faces: those at an element of the part, owned with the element that the normal points away
+/// from (at the boundary, the only one). Edges and points: those whose nodes all belong to the part, owned with the
+/// lowest owner of their nodes.
 SolverPart part_of(const SolverMesh& whole, const MeshParts& parts, std::int32_t number, Ghosts ghosts);
 
-/// Nodes of a group of the whole mesh that a part has, numbered in the part.
+/// Nodes of a group of the whole mesh that belong to the part, numbered in the part.
 std::vector<VertexIndex> nodes_in_part(const std::vector<VertexIndex>& nodes_of_whole, const MeshPart& part);
 
 }  // namespace geomesh::geomodel

@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Of the squared length of the edge: an area of less is one of cospherical points, rounded.
+/// Share of the squared length of the edge. A smaller area is that of cospherical points after rounding.
 constexpr double rounding = 1e-12;
 
 double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
@@ -30,7 +30,7 @@ double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
               {{}, {}, {}, {place}});
 }
 
-/// Faces across which a vertex lies strictly inside the circumsphere of the tetrahedron on the other side.
+/// Throws if a vertex lies strictly inside the circumsphere of the tetrahedron across a face.
 void require_delaunay(const ModelMesh& mesh) {
   const auto across = tetrahedra_across(mesh.tetrahedra);
   std::size_t n = 0;
@@ -52,7 +52,7 @@ void require_delaunay(const ModelMesh& mesh) {
   if (n > 0) refuse(std::to_string(n) + " faces are not Delaunay", first);
 }
 
-/// The region that has the largest share of each point's cell; of equal ones the first.
+/// Returns the region with the largest share of each point's cell; among equal ones the first.
 std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
   constexpr std::int32_t none = 0, several = -1;
   std::vector<std::int32_t> largest(mesh.points.size(), none);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finite volumes about the points of a mesh: the cells of its Voronoi dual.
+/// Finite volumes around the points of a mesh: the cells of its Voronoi dual.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@ struct ControlVolumes {
     VertexIndex a, b;
     double area;  ///< of the face between the cells, which is perpendicular to the edge at its middle
   };
-  std::deque<Connection> connections;  ///< those with an area above zero; a deque is not copied as it grows
-  std::size_t n_negative_areas = 0;    ///< left out: at edges of the boundary beyond which circumcentres lie
+  std::deque<Connection> connections;  ///< those with an area above zero; a deque, because it does not copy as it grows
+  std::size_t n_negative_areas = 0;    ///< faces left out at the boundary, where circumcentres lie beyond it
 };
 
-/// Fluxes between two cells along their edge are consistent only where the mesh is Delaunay. Throws Error{cannot_mesh}
-/// with the place and what to do where that is not so: a vertex is strictly inside the circumsphere of a neighbouring
-/// tetrahedron, decided exactly. Likewise where a cell would have no volume.
+/// Fluxes between two cells along their edge are consistent only in a Delaunay mesh. Throws Error{cannot_mesh} with the
+/// place and what to do if a vertex lies strictly inside the circumsphere of a neighbouring tetrahedron, decided
+/// exactly, or if a cell would have no volume.
 ControlVolumes control_volumes(const ModelMesh& mesh);
 
-/// Share of a surface's outer area that each point has, a third of each of its faces: where conditions apply.
+/// Share of a surface's outer area that each point has, a third of each of its faces: where boundary conditions apply.
 struct BoundaryShare {
   VertexIndex point;
   double area;

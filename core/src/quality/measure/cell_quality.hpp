@@ -20,8 +20,8 @@ inline constexpr double poor_weight = 3;
 /// Least dihedral angle in degrees below which a cell is bad.
 inline constexpr double bad_angle = 8;
 
-/// One cell at a time. The default measure is inlined; the others cost a call. What a link needs at once is in
-/// link_kernels.hpp.
+/// Measures one cell at a time. The default measure is inlined; the others cost a call. The shapes of a whole link are
+/// computed by link_kernels.hpp.
 class CellQuality {
  public:
   explicit CellQuality(QualityMeasure measure = QualityMeasure::dihedral);
@@ -29,32 +29,32 @@ class CellQuality {
   QualityMeasure measure() const { return measure_; }
   const LinkKernels& kernels() const { return *kernels_; }
 
-  /// The measure of (a, b, c, p): above 0 for positive cells, at most `largest`; six times the volume for others.
+  /// The measure of (a, b, c, p): above 0 for positive cells and at most `largest`; for others, six times the volume.
   double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) const {
     if (measure_ == QualityMeasure::dihedral) [[likely]]
       return shape_of_cell<DihedralMeasure>(a, b, c, p);
     return rules_->shape(a, b, c, p);
   }
-  /// Appends the gradients, by the apex p, of all terms of the least of which the shape is made and that are at most
-  /// `limit`: six for dihedral angles, one for the ratios. The cell must be positive.
+  /// Appends the gradients, by the apex p, of all terms of the shape that are at most `limit`: six terms for dihedral
+  /// angles, one for the ratios. The cell must be positive.
   void append_gradients(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out) const {
     rules_->append_gradients(face, p, limit, out);
   }
 
-  /// What a cell counts in a sum over many: its shape, but below 12 degrees less, so that few slivers come for the good
-  /// of many.
+  /// The weight of a cell in a sum over many: its shape, reduced below 12 degrees, so that few slivers are made to
+  /// improve many others.
   double worth(double shape) const { return shape < poor_ ? poor_weight * shape - (poor_weight - 1) * poor_ : shape; }
-  /// The shape that limits given as a dihedral angle in degrees stand for: that of the sliver with this least angle.
+  /// The shape that stands for a limit given as a dihedral angle in degrees: that of the sliver with this least angle.
   double of_angle(double degrees) const { return rules_->of_angle(degrees); }
-  /// of_angle(bad_angle).
+  /// The shape of_angle(bad_angle).
   double bad() const { return bad_; }
 
   /// The shape of the regular tetrahedron, or a little more. No cell is better.
   double largest() const { return largest_; }
-  /// More than the worths of three cells about one edge can sum to.
+  /// More than the sum of the worths of three cells at one edge.
   double most_of_three() const { return most_of_three_; }
-  /// Let two cells share the dihedral angle that cell (a, b, x, y) has at its edge (x, y). Then the worse of them is
-  /// no better than this, nor is half of what their worths sum to. NaN where a face has no area.
+  /// Upper bound of the shape of the worse of two cells that share the dihedral angle that cell (a, b, x, y) has at its
+  /// edge (x, y); also of half of the sum of their worths. NaN if a face has no area.
   double most_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const {
     constexpr double rounding = 1e-6;
     const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);

@@ -4,7 +4,7 @@
 ///
 /// The measure of a tetrahedron is the least sine of its six dihedral angles, the sines of obtuse angles weighted down
 /// (Klingner and Shewchuk 2007, section 2, the "biased minimum sine"). The weight is sin 24.85 / sin 145, so that the
-/// two bounds users ask for, 24.85 and 145 degrees, are one value of the measure. Let a tetrahedron be positive, with
+/// two bounds that users want, 24.85 and 145 degrees, are one value of the measure. Let a tetrahedron be positive, with
 /// det = 6 volume, and e an edge between faces with normals m and n, of length twice the area. The sine at e is det |e|
 /// / (|m| |n|).
 #pragma once
@@ -23,7 +23,8 @@ struct DihedralMeasure {
   static constexpr double largest = 0.94281;        ///< of the regular tetrahedron, and a little for rounding
   static constexpr double poor = 0.2079;            ///< sin 12 degrees; see CellQuality::worth
   static constexpr double obtuse_weight = 0.73265;  ///< sin(24.85 degrees) / sin(145 degrees)
-  /// Three cells about one edge sum to less: angles of 90, 135 and 135 degrees there, and no cell above `largest`.
+  /// Upper bound of the sum over three cells at one edge: angles of 90, 135 and 135 degrees there, and no cell above
+  /// `largest`.
   static constexpr double most_of_three = 1.9792;
 
   /// Value for an acute angle in degrees.
@@ -31,13 +32,13 @@ struct DihedralMeasure {
   /// No cell with this dihedral angle, of at most 90 degrees, is better. Concave in the angle.
   static double most_with_angle(double sine, double /*cosine*/) { return sine; }
 
-  /// Of a positive cell. Squares are compared, so that one root is enough.
+  /// Value of a positive cell. Squares are compared, so that one root is enough.
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     return t.det * root(Squares<Real>(base, t).least);
   }
 
-  /// With respect to the apex. Each factor of the least sine contributes its own logarithmic derivative.
+  /// Gradient with respect to the apex. Each factor of the least sine contributes its own logarithmic derivative.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Squares<Real> s(base, t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Four doubles side by side, for the instruction set of the file that includes this.
+/// Four doubles in one vector, for the instruction set of the file that includes this.
 ///
 /// Lanes are IEEE doubles without contraction, whatever the registers, so all versions compute the same bits.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The loops over the faces of a link, four at a time, that smoothing spends its time in.
+/// Loops over the faces of a link, four at a time. Smoothing spends most of its time in them.
 #pragma once
 
 #include <array>
@@ -11,37 +11,37 @@
 
 namespace geomesh::remesh {
 
-/// Four faces, a face a lane, with what all tetrahedra over them have in common (as Base has for one).
+/// Four faces, one in each lane, with the values that all tetrahedra over them share (as Base has for one).
 struct alignas(32) FourFaces {
   using Lanes = double[4];
   Lanes corner[3][3];  ///< by corner and coordinate
   Lanes normal[3];     ///< inward, of length twice the area
-  Lanes inverse;       ///< of the normal's square
+  Lanes inverse;       ///< one over the squared length of the normal
   Lanes squared[3];    ///< lengths of the edges ab, bc, ca
   Lanes share;         ///< 1; 0 in lanes that repeat a face to fill the last four
 };
 
 /// The loops over a link, for one measure and one instruction set.
 struct LinkKernels {
-  /// All but corners and shares.
+  /// Computes all members except corners and shares.
   void (*prepare)(FourFaces* faces, std::size_t n_fours);
   void (*shapes)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* shapes);
-  /// The least, or some shape that is at most `enough`.
+  /// Returns the least shape, or some shape that is at most `enough`.
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
-  /// Of CellQuality::worth; minus infinity where a shape is not above `floor`.
+  /// Returns the sum of CellQuality::worth; minus infinity if a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);
-  /// With respect to p, which must make all cells positive.
+  /// Gradient with respect to p, which must make all cells positive.
   Vec3 (*gradient_of_sum)(const FourFaces* faces, std::size_t n_fours, const Vec3& p);
 };
 
-/// By measure.
+/// The kernels of each measure.
 using LinkKernelTable = std::array<LinkKernels, n_quality_measures>;
 
 namespace detail {
 extern const LinkKernelTable baseline_link_kernels, avx2_link_kernels;
 }
 
-/// The version for this machine; all compute the same bits.
+/// The version for this machine; all versions compute the same bits.
 const LinkKernels& link_kernels(QualityMeasure measure);
 
 }  // namespace geomesh::remesh

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "quality/measure/cell_quality.hpp"
-#include "quality/measure/lanes.hpp"  // before all others: it silences a warning about vectors
+#include "quality/measure/lanes.hpp"  // must come before all other headers: it silences a warning about vectors
 #include "quality/measure/measures.hpp"
 
 namespace geomesh::remesh {

@@ -10,17 +10,17 @@
 
 namespace geomesh::remesh {
 
-/// Faces (a, b, c) with (a, b, c, p) positive for an admissible apex p, and the shapes of these cells, the
-/// same bits as CellQuality::shape.
+/// Holds faces (a, b, c) for which (a, b, c, p) is positive for an admissible apex p, and computes the shapes of these
+/// cells, the same bits as CellQuality::shape.
 class LinkShapes {
  public:
-  /// No face, and the measure that shapes are asked of from now on.
+  /// Removes all faces, and sets the measure for all shapes from now on.
   void clear(const LinkKernels& kernels) {
     n_ = 0;
     kernels_ = &kernels;
   }
   void add(const Vec3& a, const Vec3& b, const Vec3& c);
-  /// To be called once after the last face, before any shape is asked for.
+  /// Must be called once after the last face, before any shape is computed.
   void prepare();
   std::size_t size() const { return n_; }
   Vec3 corner(std::size_t face, unsigned k) const {
@@ -37,7 +37,7 @@ class LinkShapes {
     return kernels_->sum_of_worths(fours_.data(), n_fours(), p, floor);
   }
   Vec3 gradient_of_sum(const Vec3& p) const { return kernels_->gradient_of_sum(fours_.data(), n_fours(), p); }
-  /// By face, and beyond the last up to three more. Valid until the next call.
+  /// Shapes by face, followed by up to three more values. Valid until the next call.
   const std::vector<double>& shapes(const Vec3& p) const {
     shapes_.resize(4 * n_fours());
     kernels_->shapes(fours_.data(), n_fours(), p, shapes_.data());

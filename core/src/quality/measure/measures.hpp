@@ -3,8 +3,8 @@
 /// The list of quality measures, and those that are one smooth function of the apex.
 ///
 /// A measure is a struct with the members of MeanRatioMeasure below. Its `value` and `gradient` are written once and
-/// compiled for one cell and for four side by side. A further measure takes a struct here, a row of QualityMeasures,
-/// and its name in geomesh/core/quality_measure.hpp.
+/// compiled for one cell and for four at a time. A further measure needs a struct here, a row of QualityMeasures, and
+/// its name in geomesh/core/quality_measure.hpp.
 #pragma once
 
 #include "quality/measure/dihedral_measure.hpp"
@@ -12,8 +12,8 @@
 namespace geomesh::remesh {
 
 /// Value of the measure for the sliver with this least dihedral angle in degrees: the regular tetrahedron flattened
-/// along the line between the middles of two opposite edges. Slivers are the bad cells of Delaunay meshes. They give
-/// limits that are asked for as angles one meaning for all measures.
+/// along the line between the middles of two opposite edges. Slivers are the bad cells of Delaunay meshes, so limits
+/// given as angles mean the same for all measures.
 template <class Measure>
 double value_of_sliver(double degrees);
 
@@ -35,14 +35,14 @@ struct MeanRatioMeasure {
     return std::numbers::sqrt2 * sine / (1.5 - 0.5 * cosine);
   }
 
-  /// Of a positive cell.
+  /// Value of a positive cell.
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     const Real s = sum_of_squares(base, t);
     return all<Real>(12 * std::numbers::sqrt3) * t.det / (s * root(s));
   }
 
-  /// With respect to the apex, where the value is given.
+  /// Gradient with respect to the apex, given the value.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Vectors<Real> volume = times(1 / t.det, base.normal), edges = plus(plus(t.a, t.b), t.c);
@@ -66,7 +66,7 @@ struct RadiusRatioMeasure {
 
   static double of_angle(double degrees) { return value_of_sliver<RadiusRatioMeasure>(degrees); }
 
-  /// By the bound radius ratio <= (mean ratio)^(3/4) of Liu and Joe 1994: not the least bound, and concave.
+  /// Follows from radius ratio <= (mean ratio)^(3/4) (Liu and Joe 1994). It is not the least bound, but concave.
   static double most_with_angle(double sine, double cosine) {
     return std::sqrt(MeanRatioMeasure::most_with_angle(sine, cosine));
   }
@@ -107,7 +107,7 @@ struct RadiusRatioMeasure {
   }
 };
 
-/// Value of the measure for a cell that need not be positive: six times the volume where it is not.
+/// Value of the measure for a cell that need not be positive: for others, six times the volume.
 template <class Measure, class Real>
 GEOMESH_INLINE Real shape_at(const Base<Real>& base, const Apex<Real>& t) {
   if constexpr (Arithmetic<Real>::is_scalar)
@@ -135,14 +135,14 @@ double value_of_sliver(double degrees) {
 template <class... Measures>
 struct MeasureList {
   static constexpr std::size_t size = sizeof...(Measures);
-  /// Make<Measure>::entry of each.
+  /// Makes Make<Measure>::entry of each measure.
   template <class Entry, template <class> class Make>
   static constexpr std::array<Entry, size> table() {
     return {Make<Measures>::entry...};
   }
 };
 
-/// In the order of the enumeration.
+/// The measures in the order of the enumeration.
 using QualityMeasures = MeasureList<DihedralMeasure, RadiusRatioMeasure, MeanRatioMeasure>;
 static_assert(QualityMeasures::size == n_quality_measures);
 

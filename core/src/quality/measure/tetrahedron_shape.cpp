@@ -15,15 +15,14 @@ namespace {
 /// The edges at each vertex, in the order of edge_vertices.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> edges_at{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
 
-/// An angle from 0 to 180 degrees by its sine and cosine, both times the same length. It is greater the more it is
-/// turned.
+/// An angle from 0 to 180 degrees, given by its sine and cosine times a common length. Angles compare by their size.
 struct Turned {
   double sine = 0, cosine = 0;
   bool is_less_than(const Turned& o) const { return o.sine * cosine > sine * o.cosine; }
   double degrees() const { return std::atan2(sine, cosine) * degrees_per_radian; }
 };
 
-/// Of the faces, of length twice the area.
+/// Normals of the faces, of length twice the area.
 std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
   for (unsigned i = 0; i < 4; ++i) {
@@ -33,7 +32,7 @@ std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-/// `n`: inward_normals(p), or more careful ones. The volume is that seen from the first corner.
+/// `n` are inward_normals(p), or more careful ones. The volume is computed from the first corner.
 TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& n) {
   TetrahedronShape s{};
   const Vec3 &a = p[0], &b = p[1], &c = p[2], &d = p[3];
@@ -54,8 +53,8 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
     s.shortest_edge = std::min(s.shortest_edge, length);
     s.longest_edge = std::max(s.longest_edge, length);
     squares += length * length;
-    // The angle from its sine and cosine, both scaled by the lengths of the normals: accurate for flat and for sharp
-    // ones.
+    // The angle from its sine and cosine, both scaled by the lengths of the normals. Accurate for flat and for sharp
+    // angles.
     s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees_per_radian;
     if (!(det > 0)) s.dihedral[e] = dot(n[k], n[l]) > 0 ? 180 : 0;
     s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);
@@ -98,14 +97,14 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 namespace {
 
-/// The edge between two corners, by its row.
+/// The row of the edge between two corners.
 unsigned edge_between(unsigned i, unsigned j) {
   unsigned e = 0;
   while (!(edge_vertices[e][0] == std::min(i, j) && edge_vertices[e][1] == std::max(i, j))) ++e;
   return e;
 }
 
-/// As inward_normals, each by the two shorter edges of its face: products of long edges would hide the area of a
+/// As inward_normals, but each by the two shorter edges of its face: products of long edges would lose the area of a
 /// needle.
 std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
@@ -124,7 +123,8 @@ std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-/// Of corners of which some are much nearer to each other than to the rest: seen from the one with the shortest edges.
+/// The volume of corners of which some are much nearer to each other than to the rest, computed from the one with the
+/// shortest edges.
 TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
   constexpr std::array<std::array<unsigned, 4>, 4> even_orders{
       {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
@@ -146,7 +146,8 @@ TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
   return s;
 }
 
-/// Of the cube of the longest edge: below it rounding could decide six volumes that are seen from any corner.
+/// Share of the cube of the longest edge. Below it, rounding could decide the sign of six volumes computed from any
+/// corner.
 constexpr double needle_share = 1e-9;
 
 }  // namespace

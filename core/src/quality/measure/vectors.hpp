@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Arithmetic that quality measures are written in once, for one cell (Real = double) and for several side by side (a
-/// vector of lanes).
+/// The arithmetic of quality measures, written once for one cell (Real = double) and for several at a time (a vector of
+/// lanes).
 ///
-/// Every function is inlined into its caller, whatever the optimisation. So no version of it for one instruction set
-/// can be linked into code for another.
+/// Every function is inlined into its caller, whatever the optimisation, so that no version for one instruction set can
+/// be linked into code for another.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace geomesh::remesh {
 
-/// What the language offers for doubles alone. Specialised for lanes in lanes.hpp.
+/// Functions that the language offers for doubles alone. Specialised for lanes in lanes.hpp.
 template <class Real>
 struct Arithmetic;
 
@@ -74,12 +74,12 @@ GEOMESH_INLINE Vectors<Real> place(const Vec3& p) {
   return {all<Real>(p.x), all<Real>(p.y), all<Real>(p.z)};
 }
 
-/// A face (a, b, c) with what all cells (a, b, c, p) over it have in common.
+/// A face (a, b, c) with the values that all cells (a, b, c, p) over it share.
 template <class Real>
 struct Base {
   Vectors<Real> corner[3];
   Vectors<Real> normal;  ///< inward, of length twice the area
-  Real inverse;          ///< of the normal's square
+  Real inverse;          ///< one over the squared length of the normal
   Real squared[3];       ///< lengths of the edges ab, bc, ca
 };
 
@@ -89,8 +89,8 @@ GEOMESH_INLINE Base<Real> base_of(const Vectors<Real>& a, const Vectors<Real>& b
   return {{a, b, c}, n, 1 / product(n, n), {product(u, u), product(v, v), product(w, w)}};
 }
 
-/// The apex p seen from: vectors to the corners of the base, outward normals of the faces beside it (na on the face
-/// without a), six times the volume.
+/// A cell as seen from its apex p: vectors to the corners of the base, outward normals of the faces beside it (na on
+/// the face without a), six times the volume.
 template <class Real>
 struct Apex {
   Vectors<Real> a, b, c, na, nb, nc;

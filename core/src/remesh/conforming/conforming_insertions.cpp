@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 using recover::Subsegment;
 using recover::VertexRecord;
 
-/// The cells that p conflicts with, where no vertex of theirs is too near; p's nearest vertex is one of them.
+/// Finds the cells in conflict with p if none of their vertices is too near; p's nearest vertex is one of them.
 std::optional<ConformingRefiner::Place> ConformingRefiner::find_place(const Vec3& p, CellIndex start, double size) {
   Place place{p, recover::conflict_cells(mesh_, p, start)};
   if (place.cavity.empty()) return std::nullopt;
@@ -23,8 +23,8 @@ std::optional<ConformingRefiner::Place> ConformingRefiner::find_place(const Vec3
   return place;
 }
 
-/// A subsegment in whose diametral sphere p lies conflicts: the cell about it towards p has p in its circumsphere, so
-/// the edge is in the cavity. no_index: none.
+/// Finds a subsegment whose diametral sphere contains p: the cell at it towards p has p in its circumsphere, so the
+/// edge is in the cavity. Returns no_index if there is none.
 Index ConformingRefiner::encroached_subsegment(const Place& place) const {
   Index least = no_index;
   for (const CellIndex c : place.cavity)
@@ -64,7 +64,7 @@ bool ConformingRefiner::insert_in_cell(CellIndex c, const Vec3& centre) {
   return true;
 }
 
-/// The face of the same facet across the edge a-b.
+/// Returns the face of the same facet across the edge a-b.
 std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::next_face(const FaceOfFacet& face, VertexIndex a,
                                                                            VertexIndex b) {
   const CellIndex c = mesh_.find_edge(a, b);
@@ -77,7 +77,7 @@ std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::next_face(const
   return std::nullopt;
 }
 
-/// Walks in the facet to the circumcentre of the face; a subsegment on the way is split instead.
+/// Walks in the facet to the circumcentre of the face. A subsegment on the way is split instead.
 bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   const auto at = [&](unsigned i) -> const Vec3& { return mesh_.point(face.vertices[i]); };
   const auto found = circumcentre(at(0), at(1), at(2));
@@ -110,12 +110,12 @@ bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   return true;
 }
 
-/// Splits the subsegment in its middle, or on a shell about a sharp end.
+/// Splits the subsegment in its middle, or on a shell around a sharp end.
 bool ConformingRefiner::split_long(Index si) {
   const Subsegment s = constraints_.subsegments[si];
   const bool is_inner = s.segment == no_index;
   if (!s.live || (!is_inner && segment_is_given_up_[s.segment])) return false;
-  if (mesh_.find_edge(s.a, s.b) == no_cell) return false;  // queued: recovery comes to it
+  if (mesh_.find_edge(s.a, s.b) == no_cell) return false;  // queued, so recovery will handle it
   const Vec3 p = split_place(s);
   double size = size_at(p, no_index);
   for (const Index f : s.subfacets) size = std::min(size, size_on_facet(p, constraints_.subfacets[f].facet));
@@ -132,8 +132,8 @@ bool ConformingRefiner::split_long(Index si) {
   return true;
 }
 
-/// Inserts the vertex, declares what it lies on, and looks after what has gone: subsegments, and faces of facets. Where
-/// the vertex lies on the facet, its star in it takes their place as a rule; else the facet is queued for recovery.
+/// Inserts the vertex, declares what it lies on, and handles lost subsegments and faces of facets. If the vertex lies
+/// on the facet, its star in the facet usually replaces them; otherwise the facet is queued for recovery.
 void ConformingRefiner::put(const Place& place, VertexRecord record, const std::function<void(VertexIndex)>& declare,
                             const std::vector<Index>& on_subfacets, std::array<VertexIndex, 2> split) {
   recover::insert_into(mesh_, place.p, place.cavity, insertion_);
@@ -160,8 +160,8 @@ void ConformingRefiner::put(const Place& place, VertexRecord record, const std::
   }
 }
 
-/// Registers the star of x in the facet: x with each border edge of the faces that have gone, but for the subsegment
-/// that x splits. False where one of these is no face of the mesh.
+/// Registers the star of x in the facet: x with each border edge of the lost faces, except for the subsegment that x
+/// splits. Returns false if one of these is no face of the mesh.
 bool ConformingRefiner::renew_faces(VertexIndex x, Index subfacet, const std::vector<Triangle>& lost,
                                     std::array<VertexIndex, 2> split) {
   if (facet_queued_[subfacet]) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The driver of refinement that stays Delaunay, declared in geomesh/core/refine_conforming.hpp.
+// The driver of refinement that keeps the mesh Delaunay, declared in geomesh/core/refine_conforming.hpp.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -17,10 +17,11 @@ namespace geomesh {
 
 namespace {
 
-/// Points of recovery that a facet may take while it is refined: its parts are then many, and each may lose faces once.
+/// Most points of recovery on one facet during refinement. Each point divides the facet further, and each part may lose
+/// faces once.
 constexpr std::size_t steiner_per_refined_facet = 2000;
 
-/// Per facet of the caller's model.
+/// By facet of the caller's model.
 remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh) {
   remesh::FacetComponents components(plc.n_facets(), {no_index, no_index});
   std::vector<std::uint8_t> seen(plc.n_facets(), 0);
@@ -38,7 +39,7 @@ remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, cons
   return components;
 }
 
-/// Per facet as recovery has it.
+/// By facet as recovery has it.
 remesh::FacetComponents in_terms_of(const ModelNames& names, const remesh::FacetComponents& callers) {
   remesh::FacetComponents components;
   for (Index f = 0; f < names.facet.size(); ++f) {
@@ -65,8 +66,8 @@ double share_within_size(const ConstrainedTetrahedralization& mesh, const SizeFi
   return edges.empty() ? 1 : static_cast<double>(n) / static_cast<double>(edges.size());
 }
 
-/// Small angles forbid Delaunay here as in tetrahedralize: the model is meshed and refined in constrained mode, and the
-/// facets that are not Delaunay are listed.
+/// Small angles forbid Delaunay here as in tetrahedralize. The model is then meshed and refined in constrained mode,
+/// and the facets that are not Delaunay are listed.
 RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, TetrahedralizeOptions meshing,
                                         const RefineOptions& options, const RunContext& context) {
   context.note(LogLevel::warning,

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index unlabelled = no_index, outside = no_index - 1;
 
-/// A place that was refused is tried again only a few times: its neighbourhood may have changed.
+/// A refused place is tried again only a few times, because its neighbourhood may have changed.
 constexpr std::size_t max_rounds = 40;
 
 }  // namespace
@@ -66,8 +66,8 @@ void ConformingRefiner::flood(CellIndex start, Index label) {
               [&](FaceRef f) { return facet_of(f.cell(), f.face()) == no_index; });
 }
 
-/// Each cell's component, from the sides of the facets whose components are known; cells outside and in holes have
-/// none. Returns how many have one.
+/// Computes each cell's component from the facets whose components are known. Cells outside and in holes have none.
+/// Returns how many cells have one.
 std::size_t ConformingRefiner::label_cells() {
   const TetMesh& cells = mesh_.cells();
   label_.assign(cells.n_slots(), unlabelled);

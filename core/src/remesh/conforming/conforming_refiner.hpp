@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Refinement to sizes that keeps the mesh Delaunay: circumcentres of cells, faces and middles of segments are inserted
-/// into the Delaunay triangulation of conforming recovery (Ruppert 1995; Shewchuk 1998; Si 2009 for sizes).
+/// Refinement to sizes that keeps the mesh Delaunay. Circumcentres of cells and faces, and middles of segments, are
+/// inserted into the Delaunay triangulation of conforming recovery (Ruppert 1995; Shewchuk 1998; Si 2009 for sizes).
 ///
-/// A place is not used where it is in the diametral sphere of a subsegment, or of a face of a facet: that is split
-/// instead (encroachment). No point is put nearer to another than `min_spacing` times the size asked there. So the
-/// refinement ends for any input angles, by packing; and where small angles would ask for ever smaller elements, cells
-/// stay as they are.
+/// A place in the diametral sphere of a subsegment, or of a face of a facet, is not used; that subsegment or face is
+/// split instead (encroachment). No point is put nearer to another than `min_spacing` times the target size there. So
+/// refinement ends for any input angles, by packing; where small angles would need ever smaller elements, cells remain
+/// as they are.
 ///
-/// An insertion may all the same take something from segments or facets. Conforming recovery brings it back with
-/// points of its own, on concentric shells about sharp vertices; these count towards its budgets.
+/// An insertion may still remove parts of segments or facets. Conforming recovery restores them with points of its own,
+/// on concentric shells around sharp vertices; these count towards its budgets.
 #pragma once
 
 #include <functional>
@@ -21,29 +21,29 @@
 
 namespace geomesh::remesh {
 
-/// The components below and above a facet: no_index outside, or where it is not the same along the facet.
+/// The components below and above a facet; no_index outside, or if it varies along the facet.
 using FacetComponents = std::vector<std::array<Index, 2>>;
 
 class ConformingRefiner : public recover::ConformingRecovery {
  public:
-  /// Shares of the asked size: a cell or face with a greater circumradius, a subsegment with a greater length, is
+  /// Shares of the target size: a cell or face with a greater circumradius, or a subsegment with a greater length, is
   /// split.
   static constexpr double max_radius = 0.75, max_length = 1.3;
-  /// Cells whose circumradius exceeds their shortest edge by more are split too, spacing allowing.
+  /// Cells whose circumradius exceeds their shortest edge by a larger factor are split too, if spacing allows.
   static constexpr double max_radius_to_edge = 2;
   static constexpr double min_spacing = 0.45;
 
-  /// `components` per facet of recovery.plc; `size` in the caller's frame and components.
+  /// `components` is by facet of recovery.plc; `size` is in the caller's frame and components.
   ConformingRefiner(recover::Recovery& recovery, const RecoverOptions& options, const SizeField& size,
                     FacetComponents components, std::size_t max_cells);
 
-  /// After run(). False: stopped at more than max_cells elements.
+  /// Valid after run(). False: stopped at more than max_cells elements.
   bool refine();
 
   struct Counts {
     std::size_t on_segments = 0, on_facets = 0, inside = 0;
     std::size_t rounds = 0;
-    std::size_t too_large = 0;  ///< cells left larger than asked, spacing or budgets forbidding more
+    std::size_t too_large = 0;  ///< cells left larger than requested, because spacing or budgets forbid more
   };
   const Counts& counts() const { return counts_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the domain, or a piece of it, to a mesh in the caller's terms, declared in remesh/domain/domain_io.hpp.
+// Converts the domain, or a part of it, to a mesh in the caller's terms. Declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"
@@ -76,7 +76,7 @@ class Exporter {
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
 
-  /// An input vertex that moved, or a curve's, is told by its kind now.
+  /// Input vertices that moved, and vertices of curves, get the origin of their kind.
   VertexOrigin origin_of(VertexIndex v) const {
     if (input_of(v) != no_vertex) return VertexOrigin::input;
     switch (domain_.kind(v)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a mesh in the caller's terms to the domain, declared in remesh/domain/domain_io.hpp.
+// Converts a mesh in the caller's terms to the domain. Declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of the tolerance: lower faces have no direction of their own.
+/// Share of the tolerance. Lower faces have no direction of their own.
 constexpr double narrow_share = 0.5;
 
 using Edge = std::array<VertexIndex, 2>;
@@ -50,7 +50,8 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Whether the faces about v join at edges: else two sheets touch there, or a curve touches a sheet.
+/// Returns whether the faces at v are connected across edges. Otherwise two sheets touch there, or a curve touches a
+/// sheet.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -67,7 +68,7 @@ bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vecto
   return left.empty();
 }
 
-/// By vertex of the mesh: whether it is to stay for itself, whatever is about it.
+/// Returns, for each vertex of the mesh, whether it must be kept whatever is around it.
 std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                                   const RefineOptions& options) {
   std::vector<bool> pinned_input(plc.points.size(), false), pinned(input.points.size(), false);
@@ -82,7 +83,7 @@ std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const Const
   return pinned;
 }
 
-/// The faces and curves of the mesh given, and what they make of the domain's vertices.
+/// Derives the kinds of the domain's vertices from the faces and curves of the given mesh.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
@@ -154,7 +155,7 @@ class Importer {
     return uses;
   }
 
-  /// By face; empty where edges are not sharp whatever their faces' directions.
+  /// Returns directions by face; empty if edges are not sharp whatever their faces' directions.
   std::vector<Vec3> directions(const std::vector<EdgeUse>& uses) const {
     if (exact_) return {};
     std::vector<Index> patches;
@@ -162,7 +163,7 @@ class Importer {
     return face_directions(input_.points, faces_, patches, uses, narrow_);
   }
 
-  /// Not where a face is so narrow that it has no direction.
+  /// Returns false for faces too narrow to have a reliable normal.
   bool is_sharp(const EdgeUse& a, const EdgeUse& b, const std::vector<Vec3>& directions) const {
     if (exact_) return false;
     const Vec3 &n = directions[a.face], &m = directions[b.face];
@@ -211,7 +212,7 @@ class Importer {
     return -dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
 
-  /// Else it stays a corner.
+  /// Otherwise the vertex remains a corner.
   void classify(VertexIndex v, const std::vector<Index>& faces) {
     const auto& curves = curve_ends_[v];
     const bool is_given = input_.input_vertex[v] != no_vertex;

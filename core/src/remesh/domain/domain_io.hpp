@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// From a ConstrainedTetrahedralization to the mesh that operations work on, and back.
+/// Conversion of a ConstrainedTetrahedralization to the mesh that operations work on, and back.
 #pragma once
 
 #include "common/epoch_marks.hpp"
@@ -10,8 +10,8 @@
 
 namespace geomesh::remesh {
 
-/// Patch of each facet as the options say: exact: what is kept as one facet; else facet_patch, or facets of equal
-/// provenance.
+/// Returns the patch of each facet as the options say. Exact: facets that are kept as one are one patch; otherwise
+/// facet_patch, or facets of equal provenance.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
 /// The patches that users name (sizes), whatever the honour mode.
@@ -39,8 +39,8 @@ struct ExportScratch {
   std::vector<VertexIndex> vertex_row;
   std::vector<Index> cell_row;
 };
-/// A piece of the mesh: the given cells, in their order, then those that share a vertex with them, and so on by rings;
-/// with points, faces and edges of them alone. O(k log k) in what it has.
+/// Exports a part of the mesh: the given cells, in their order, then the cells that share a vertex with them, and so on
+/// by rings, with points, faces and edges of these alone. O(k log k) in its size.
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
                                            const ConstrainedTetrahedralization& before, ExportScratch& scratch);
 

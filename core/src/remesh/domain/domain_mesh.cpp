@@ -37,7 +37,7 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, dou
   return c;
 }
 
-/// What a cell in a slot that is taken has, but for its neighbours.
+/// Sets everything in a used slot except the cell's neighbours.
 void DomainMesh::set_cell(CellIndex c, const NewCell& cell, std::uint64_t time) {
   attributes_.component[c] = cell.component;
   attributes_.tags[c] = cell.tags;
@@ -206,7 +206,7 @@ std::string DomainMesh::validate(unsigned threads) const {
   return {};
 }
 
-/// What holds beside valid topology and geometry.
+/// Checks the invariants besides valid topology and geometry.
 std::string DomainMesh::validate_domain() const {
   std::vector<std::array<VertexIndex, 2>> edges;
   for (const CellIndex c : live_cells()) {

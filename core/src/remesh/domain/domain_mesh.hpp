@@ -27,7 +27,7 @@
 
 namespace geomesh::remesh {
 
-/// Of cells: component, tags of the faces, cached shape.
+/// Attributes of cells: component, tags of the faces, cached shape.
 struct DomainAttributes {
   using FaceMark = FaceTag;
   static constexpr bool is_closed = false;
@@ -44,7 +44,7 @@ struct DomainAttributes {
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
-  /// Room for so many cells; what they carry is to be set.
+  /// Makes room for so many cells, whose attributes have to be set.
   void grow_to(std::size_t n) {
     component.grow_to(n);
     tags.grow_to(n);
@@ -73,7 +73,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   // Vertices.
   std::size_t n_vertices() const { return points_.size(); }
   VertexKind kind(VertexIndex v) const { return kinds_[v]; }
-  /// Patch of a surface vertex, curve class of a curve vertex, else no_index.
+  /// Patch of a surface vertex, curve class of a curve vertex, otherwise no_index.
   Index support(VertexIndex v) const { return supports_[v]; }
   CellIndex incident_cell(VertexIndex v) const { return cell_of(v); }
   VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
@@ -94,7 +94,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   Vec3 middle(const Tetrahedron& t) const {
     return 0.25 * (points_[t[0]] + points_[t[1]] + points_[t[2]] + points_[t[3]]);
   }
-  /// Of twice its area.
+  /// Normal of a face, of length twice its area.
   Vec3 normal(const Triangle& t) const { return triangle_normal(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
   // Cells.
@@ -118,7 +118,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     if (!tag(f).above()) std::swap(t[1], t[2]);
     return t;
   }
-  /// Whether the face is constrained and seen from the side that stands for both: above, or the only one.
+  /// Returns whether the face is constrained and seen from the side that represents both sides: above, or the only one.
   bool is_surface(FaceRef f) const {
     const FaceTag t = tag(f);
     return t.constrained() && (t.above() || !mesh_.mirror(f).valid());
@@ -142,7 +142,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// Cached shape of a live cell.
   double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
-  /// The same where the shape is known.
+  /// Sets a shape that is known.
   void set_shape(CellIndex c, double shape);
   /// The mesh's time when a cell with the vertex was last made, or one of the vertices of such a cell moved.
   std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
@@ -154,11 +154,11 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
   /// log k). Throws InternalError where the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
-  /// The same for cells of a block, beside others that change theirs. The caller has asked whether it may.
+  /// Replaces cells of a block, concurrently with changes of other blocks. The caller has checked that it may.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
                BlockEdit& block);
-  /// The same for cells of one component, none of whose faces inside is constrained, and the star of `apex`: a cell for
-  /// each face of their border, in this order, with the `shapes`, of which there may be more. O(k).
+  /// Replaces cells of one component without constrained faces inside by the star of `apex`: a cell for each face of
+  /// their border, in this order, with the `shapes`, of which there may be more. O(k).
   void replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
                        std::span<const double> shapes, std::vector<CellIndex>& created);
   /// The vertex must be in no live cell.
@@ -168,7 +168,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// @{
   /// A clock and free slots for a block: to be called for all before any is worked on.
   void open_block(BlockEdit& block, std::size_t n_slots);
-  /// To be called for all once they have been worked on.
+  /// Must be called for all blocks once they have been processed.
   void close_block(BlockEdit& block);
   /// @}
 
@@ -202,9 +202,9 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     return possible ? curves_.find({a, b}) : no_index;
   }
   /// @name Where the outside passes through.
-  /// Cells may meet at a vertex, or at an edge, that no way through faces about it joins, since the outside is between
-  /// them. `star` and `edge_ring` find those alone that are joined with the cell they start from. So such a vertex, or
-  /// one of such an edge, is a corner, told here. A curve's edge between two of them is not split.
+  /// Cells may meet at a vertex, or at an edge, that no sequence of faces at it joins, because the outside is between
+  /// them. `star` and `edge_ring` find only those joined with the cell they start from. So such a vertex, or a vertex
+  /// of such an edge, is a corner; `is_pinched` returns it. A curve's edge between two of them is not split.
   /// @{
   bool is_pinched(VertexIndex v) const { return v < pinched_.size() && pinched_[v]; }
   bool is_pinched(VertexIndex a, VertexIndex b) const {
@@ -228,8 +228,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// @{
   void begin_trial();
   void keep_trial() { journal_.is_open = false; }
-  /// Everything is as it was when the trial began, the order of free slots and the mesh's time included. O(what was
-  /// changed).
+  /// Restores the state in which the trial began, including the order of free slots and the mesh's time. O(changes).
   void undo_trial();
   /// Cells that were made, changed or removed since the trial began.
   template <class Visit>
@@ -237,7 +236,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (const SavedCell& s : journal_.cells) visit(s.cell);
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c) visit(c);
   }
-  /// Of these the live ones that are not what they were, as those are of which only a neighbour was exchanged.
+  /// Calls visit for the live cells among these that have changed. Cells of which only a neighbour was exchanged have
+  /// not.
   template <class Visit>
   void for_each_cell_of_trial(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells)
@@ -278,7 +278,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   struct CellCopies;
   void copy_cell(const CellCopies& from, CellIndex c, std::vector<OpenFace>& open);
   void append(MeshPart part, unsigned threads, std::vector<OpenFace>& open);
-  /// Those that are the same face with each other.
+  /// Links equal faces with each other.
   void link_faces(std::vector<OpenFace> faces);
   std::string validate_domain() const;
   void note_vertex(VertexIndex v) {
@@ -313,7 +313,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<FaceTag> border_tags_;  // scratch
 };
 
-/// Whether a cell was made, or has moved, at one of the vertices since that moment of the mesh.
+/// Returns whether a cell at one of the vertices was made, or has moved, since that time of the mesh.
 template <class Vertices>
 bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
   return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orders of a DomainMesh's cells and vertices in which what is near in space is near in memory.
+// Orders of a DomainMesh's cells and vertices in which neighbours in space are neighbours in memory.
 #include <algorithm>
 
 #include "common/parallel.hpp"
@@ -10,7 +10,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Room for what blocks are given (mesh_blocks.hpp), so that no array doubles for it.
+/// Number of slots including spare ones for blocks (mesh_blocks.hpp), so that no array has to double for them.
 std::size_t with_spare_slots(std::size_t n) { return n + n / 32; }
 
 template <class Value>

@@ -9,7 +9,7 @@
 
 namespace geomesh::remesh {
 
-/// Where cells are copied from, and the rows of its vertices and cells here.
+/// The mesh that cells are copied from, and the rows of its vertices and cells here.
 struct DomainMesh::CellCopies {
   const DomainMesh& from;
   const std::vector<VertexIndex>& row;

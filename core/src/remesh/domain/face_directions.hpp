@@ -19,12 +19,12 @@ struct EdgeUse {
 /// Whether the face runs along the edge from a to b, and not from b to a.
 bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b);
 
-/// Normals of length one by face. A face lower than `narrow` could be taken away by moving a point by less than that:
-/// its own normal tells nothing, as where a crossing met the side of a triangle. It takes that of the face beyond its
-/// longest edge. That edge must have one other face, and both must be of one patch; zero where no such one is found
-/// within a few steps.
+/// Returns unit normals by face. A face lower than `narrow` could be removed by moving a point by less than that, so
+/// its own normal means nothing, as where a crossing met the side of a triangle. It takes the normal of the face beyond
+/// its longest edge. That edge must have one other face, and both must be of one patch; the normal is zero if none is
+/// found within a few steps.
 ///
-/// Preconditions: `uses` in ascending order of edges, three a face. O(n).
+/// Preconditions: `uses` in ascending order of edges, three for each face. O(n).
 std::vector<Vec3> face_directions(const std::vector<Vec3>& points, std::span<const Triangle> faces,
                                   std::span<const Index> patch_of_face, std::span<const EdgeUse> uses, double narrow);
 

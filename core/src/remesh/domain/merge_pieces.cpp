@@ -45,7 +45,7 @@ std::vector<EdgeUse> edge_uses(const PiecewiseLinearComplex& plc) {
   return uses;
 }
 
-/// Triangles of one parent that join where nothing else is, grown in one plane.
+/// Triangles of one parent that are connected across edges without other facets, grown in one plane.
 class PlaneGroups {
  public:
   PlaneGroups(const PiecewiseLinearComplex& plc, std::span<const Index> parent, std::span<const EdgeUse> uses)
@@ -92,7 +92,7 @@ class PlaneGroups {
     return k;
   }
 
-  /// Where nothing but two facets are at an edge, oriented alike, and both could be of one facet.
+  /// Joins facets across edges that have exactly two facets, oriented alike, both of which could be of one facet.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
@@ -142,7 +142,8 @@ class PlaneGroups {
   std::vector<std::array<Index, 3>> joined_;  // by facet, across the edges of its loop
 };
 
-/// Borders of groups, with what others need of their insides. Groups are known by their first facet.
+/// Borders of groups, with the data that other groups need of their insides. Groups are identified by their first
+/// facet.
 class Outlines {
  public:
   Outlines(const PiecewiseLinearComplex& plc, std::span<const EdgeUse> uses)
@@ -166,7 +167,7 @@ class Outlines {
   }
 
   Index group_of(Index f) const { return group_[f]; }
-  /// Nothing where the facet is of no group.
+  /// Returns nothing if the facet is in no group.
   const Outline* find(Index f) const {
     const auto at = outlines_.find(f);
     return at == outlines_.end() ? nullptr : &at->second;

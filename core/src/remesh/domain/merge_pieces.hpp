@@ -15,10 +15,10 @@ struct MergedFacets {
   std::vector<Index> row_of_facet;  ///< per facet as it was: its row in `plc`
 };
 
-/// Merges triangles of equal parent (`parent` per facet, no_index: none; empty: nothing is merged) that join across
-/// edges where nothing else is, and lie in one plane within two ulps of the largest coordinate. What joins is merged
-/// where its border passes no point twice and can be triangulated with what is inside. Sides within a merged facet at
-/// which others end are kept as its inner segments, and vertices that others use as its inner points; vertices that
+/// Merges triangles of equal parent (`parent` by facet, no_index: none; empty: nothing is merged) that are connected
+/// across edges without other facets, and that are coplanar within two ulps of the largest coordinate. A group is
+/// merged if its border passes no point twice and it can be triangulated with everything inside. Sides within a merged
+/// facet at which others end become its inner segments, and vertices that others use its inner points; vertices that
 /// nothing else uses are in no facet any more. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
@@ -26,7 +26,7 @@ MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Ind
 /// Whether there was any. O(n log m) for m rows.
 bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector<Index>& parent);
 
-/// The complex but for its facets and what is inside them.
+/// Copies the complex without its facets and their contents.
 PiecewiseLinearComplex without_facets(const PiecewiseLinearComplex& plc);
 
 /// visit(facet, a, b) for each side of each loop, in the order of the facets.

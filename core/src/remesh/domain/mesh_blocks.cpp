@@ -13,8 +13,8 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned most_halvings = 6;
-/// Where a range of vertices is cut, as a share of it, by division. Cuts of the others are not near those of the first,
-/// which are at halves, quarters, eighths.
+/// Share of a range of vertices at which it is cut, by division. The cuts of the others are not near those of the
+/// first, which are at halves, quarters, eighths.
 constexpr std::array<double, MeshBlocks::n_divisions> cuts{0.5, 0.36, 0.64};
 
 std::size_t widest_axis(const DomainMesh& mesh, std::span<const VertexIndex> vertices) {

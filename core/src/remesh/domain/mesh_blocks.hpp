@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Blocks of a mesh that threads change side by side, in place, with the same result whatever the number of threads.
+/// Blocks of a mesh that threads change concurrently, in place, with the same result whatever the number of threads.
 ///
-/// Each vertex is of one block, by its place alone. A cell is of a block where all four vertices are; the others are
-/// frozen while blocks are worked on. What reaches a frozen cell is put off until blocks have other borders (as
-/// cavities in Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion tetrahedra").
+/// Each vertex belongs to one block, by its place alone. A cell belongs to a block if all four vertices do; the others
+/// are frozen while blocks are processed. Operations that reach a frozen cell are put off until blocks have other
+/// borders (as cavities in Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion tetrahedra").
 ///
-/// Invariants while blocks are worked on:
-///   1. an operation exchanges cells of its own block alone, for cells of the same vertices: these are of it again;
-///   2. a vertex is moved, or removed, by its block alone, and only where all cells about it are of the block;
-///   3. no frozen cell changes, but for the neighbour entries and tags of faces whose three vertices are of one block:
-///      beyond these are cells of that block, and the block alone writes them;
+/// Invariants while blocks are processed:
+///   1. an operation exchanges cells of its own block alone, for cells of the same vertices, which belong to it again;
+///   2. a vertex is moved or removed by its block alone, and only if all cells at it belong to the block;
+///   3. no frozen cell changes, except for the neighbour entries and tags of faces whose three vertices are of one
+///      block: beyond these are cells of that block, and the block alone writes them;
 ///   4. no array of the mesh changes its length: each block has a stock of free slots, and makes no vertices;
-///   5. each block has a clock of its own, which goes on from the mesh's. The times of a vertex are those of its block.
-/// So a walk about a vertex or an edge of a block reads nothing that another block writes: each face that it crosses
-/// has a vertex of the block, and so has no three of another. What reads a cell beyond the face opposite to its vertex
-/// asks first whose it is.
+///   5. each block has a clock of its own, which continues that of the mesh. The times of a vertex are those of its
+///      block.
+/// So a walk around a vertex or an edge of a block reads nothing that another block writes: each face that it crosses
+/// has a vertex of the block, so it cannot have three of another. Code that reads a cell beyond the face opposite to
+/// its vertex checks first which block it belongs to.
 ///
-/// Operations that reach a frozen cell, or find no free slot, are put off: noted in BlockEdit::was_stopped, done later
-/// by other blocks or by one thread.
+/// Operations that reach a frozen cell, or find no free slot, are noted in BlockEdit::was_stopped, and done later by
+/// other blocks or by one thread.
 #pragma once
 
 #include <atomic>
@@ -51,7 +52,7 @@ class MeshBlocks {
     std::size_t vertices_a_block = 4096;  ///< on average, or more. 64 blocks at most
     /// Sweeps over fewer vertices are done by one thread, in one order: in small meshes blocks gain little.
     std::size_t least_inside = 50'000, least_on_surfaces = 60'000;
-    bool is_checked = checks_by_default;  ///< each face that is written is claimed by its block
+    bool is_checked = checks_by_default;  ///< each face that is written must belong to its block
   };
 
   /// Halves the mesh's vertices by the widest coordinate, again and again; not in the middle for divisions above 0, so
@@ -60,11 +61,11 @@ class MeshBlocks {
 
   std::size_t size() const { return n_blocks_; }
   Block block_of(VertexIndex v) const { return block_[v]; }
-  /// Whether the cell with these vertices is of the block.
+  /// Returns whether the cell with these vertices belongs to the block.
   bool has(Block block, const Tetrahedron& t) const {
     return block_[t[0]] == block && block_[t[1]] == block && block_[t[2]] == block && block_[t[3]] == block;
   }
-  /// By vertex whether all cells about it are of its block. O(cells / threads).
+  /// Returns, for each vertex, whether all cells at it belong to its block. O(cells / threads).
   std::vector<std::uint8_t> find_inner(const DomainMesh& mesh, unsigned threads) const;
 
  private:
@@ -72,7 +73,7 @@ class MeshBlocks {
   std::size_t n_blocks_ = 1;
 };
 
-/// Who has written which face of which cell: a check of invariants 1 and 3.
+/// Records which block has written which face of which cell: a check of invariants 1 and 3.
 class FaceClaims {
  public:
   explicit FaceClaims(std::size_t n_slots) : owner_(std::make_unique<std::atomic<std::uint16_t>[]>(4 * n_slots)) {}
@@ -83,7 +84,7 @@ class FaceClaims {
   std::unique_ptr<std::atomic<std::uint16_t>[]> owner_;  // one more than the block; 0: nobody
 };
 
-/// What one block changes the mesh with.
+/// The state with which one block changes the mesh.
 struct BlockEdit {
   const MeshBlocks* blocks = nullptr;
   MeshBlocks::Block block = 0;
@@ -93,9 +94,9 @@ struct BlockEdit {
   FaceClaims* claims = nullptr;
   FacePairing<FaceTag> pairing;
 
-  /// Whether so many cells may be made in place of these; notes it where not.
+  /// Returns whether so many cells may be made in place of these; notes it if not.
   bool may_exchange(const DomainMesh& mesh, std::span<const CellIndex> removed, std::size_t n_added);
-  /// Whether the block has the cells; notes it where not.
+  /// Returns whether the cells belong to the block; notes it if not.
   bool owns(const DomainMesh& mesh, std::span<const CellIndex> cells);
 };
 

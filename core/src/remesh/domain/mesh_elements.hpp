@@ -42,7 +42,7 @@ inline constexpr Index hull_patch = 0x7FFFFFFEu;
 
 /// How free a vertex is to move or go.
 enum class VertexKind : std::uint8_t {
-  corner,   ///< stays: ends and junctions of curves, isolated points, in `exact` every input vertex
+  corner,   ///< never removed: ends and junctions of curves, isolated points, in `exact` every input vertex
   curve,    ///< along its curve
   surface,  ///< within its patch
   inside,   ///< freely
@@ -68,8 +68,8 @@ struct NewCell {
 /// A face at the border of cells that go: (vertices, apex) is to be a positive cell.
 struct StarFace {
   Triangle vertices;
-  FaceRef inner;  ///< as seen from the cell that goes
-  FaceRef outer;  ///< as seen from the cell that stays; invalid where there is none
+  FaceRef inner;  ///< as seen from the removed cell
+  FaceRef outer;  ///< as seen from the kept cell; invalid if there is none
 };
 
 }  // namespace geomesh::remesh

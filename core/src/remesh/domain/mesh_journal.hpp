@@ -61,7 +61,7 @@ struct MeshJournal {
     vertex_marks_.begin();
     cell_marks_.begin();
   }
-  /// Whether it was there at the start and is not saved yet; it counts as saved from now on.
+  /// Returns whether the vertex existed at the start and is not saved yet; it counts as saved from now on.
   bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }
   bool is_new_cell(CellIndex c) { return c < n_slots && cell_marks_.mark_first(c); }
   void note_freed(CellIndex c) { slots.push_back({c, SlotEvent::What::freed}); }

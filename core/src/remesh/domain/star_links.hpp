@@ -11,8 +11,8 @@
 
 namespace geomesh::remesh {
 
-/// The border's vertices get numbers as they come; cells find each other in a square table by directed edge, each entry
-/// of which is written before it is read. So nothing is hashed, sorted or cleared.
+/// The border's vertices are numbered in order of appearance. Cells find each other in a square table by directed edge,
+/// each entry of which is written before it is read, so nothing is hashed, sorted or cleared.
 class StarLinks {
  public:
   static constexpr std::size_t most_faces = 124;  ///< a sphere of so many triangles has 64 vertices
@@ -54,7 +54,7 @@ class StarLinks {
   FaceRef& entry(std::size_t k, unsigned from, unsigned to) {
     return table_[of_face_[k][from] * side + of_face_[k][to]];
   }
-  /// Whether what stands in the table is a face on the edge (j, j + 1) of the border's face, from this star.
+  /// Returns whether the entry of the table is a face on the edge (j, j + 1) of the border's face, from this star.
   static bool is_across(TetMesh& mesh, const StarFace& f, VertexIndex apex, FaceRef across, unsigned j) {
     if (!across.valid() || across.cell() >= mesh.n_slots()) return false;
     const Tetrahedron& t = mesh.vertices(across.cell());

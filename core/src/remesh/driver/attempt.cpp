@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run of refinement with surfaces held within the tolerance, declared in remesh/driver/hold_surfaces.hpp.
+// One run of refinement with surfaces kept within the tolerance, declared in remesh/driver/hold_surfaces.hpp.
 #include <algorithm>
 #include <cstdio>
 #include <optional>
@@ -27,7 +27,7 @@ double worst_shape(const DomainMesh& mesh) {
   return worst;
 }
 
-/// `context` is told what is to come.
+/// `context` receives the number of elements to come.
 void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                 const LocalTolerance& tolerance, const RunContext& context, RefineResult& result) {
   SizeFields sizes = build_size_field(plc, mesh, options, tolerance);
@@ -39,7 +39,7 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   if (options.sparse_growth > 0) result.size_field = result.size_field.times(options.sparse_surfaces);
 }
 
-/// Passes the stage's counts of elements on as shares of the estimate. `context` must outlive what is returned.
+/// Passes the stage's counts of elements on as shares of the estimate. `context` must outlive the result.
 RunContext counting_towards(double estimate, const RunContext& context) {
   RunContext counted = context;
   if (context.progress)
@@ -49,13 +49,13 @@ RunContext counting_towards(double estimate, const RunContext& context) {
   return counted;
 }
 
-/// Where surfaces may move, a few points are as well added one by one: there is no need to mesh anew.
+/// If surfaces may move, a few points can as well be added one by one, without meshing anew.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
-/// Meshes anew with points on edges and facets at the asked distances: a constrained Delaunay start, where adding them
-/// one by one would start from the slivers between them. Points are rounded: pieces of an edge may run through a
-/// facet that all but touches it. Then facets and edges there stay whole, what was merged there comes apart, and all is
-/// tried again. False where that cannot be; the mesh is then as it was.
+/// Meshes anew with points on edges and facets at the target distances. A constrained Delaunay start is better than
+/// adding the points one by one among the slivers between them. Points are rounded, so pieces of an edge may pierce a
+/// facet that nearly touches it. Then facets and edges there are not divided, merged vertices there are separated, and
+/// the start is made again. Returns false if that is impossible; the mesh is then unchanged.
 bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged, const RefineOptions& options,
                         ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {
   constexpr unsigned most_rounds = 16;
@@ -88,8 +88,8 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
   return false;
 }
 
-/// Edges that long stay where the front was stuck. A few are mended by the improvement; so large a share of the cells
-/// is worth meshing anew.
+/// Edges of this length remain where the front was stuck. Improvement mends a few of them; if their cells exceed this
+/// share, meshing anew is worthwhile.
 constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
 
 bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
@@ -112,7 +112,7 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
   return false;
 }
 
-/// Once it is imported: what an export asks of it is its points, and what they stand for.
+/// Used once the mesh is imported, because an export needs its points and what they stand for.
 void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.tetrahedra = {};
   mesh.component = {};
@@ -120,9 +120,9 @@ void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.edges = {};
 }
 
-/// Where far too long edges are left, cells are far from Delaunay and points beside them too near for more: flips do
-/// not get there any more. The same points are meshed anew, and refinement goes on from there. What the engine needs
-/// memory for is let go before: where it fails, the mesh comes back from what it was given.
+/// If edges that are far too long are left, cells are far from Delaunay, and flips no longer help because points beside
+/// them are too near for more. The same points are meshed anew, and refinement continues from there. Memory that the
+/// engine needs is freed before; if it fails, the mesh is restored from its input.
 void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options,
                       const std::vector<Index>& patches, ConstrainedTetrahedralization& input,
                       const RunContext& context) {
@@ -162,7 +162,7 @@ void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const Constrained
   result.mesh = export_domain(tools.mesh, input, threads);
 }
 
-/// Of the estimate: what is beyond makes the rest of the run as much longer, and is told before it begins.
+/// Factor of the estimate. More elements make the rest of the run as much longer, and are reported before it begins.
 constexpr double far_more = 2, worth_telling = 50000;  // elements
 
 void tell_growth(const DomainMesh& mesh, const RunContext& context, RefineResult& result) {
@@ -189,7 +189,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   find_sizes(plc, mesh, options, tolerance, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  std::optional<DomainMesh> given;  // surfaces as they were given, for reference
+  std::optional<DomainMesh> given;  // surfaces as given, for reference
   if (options.refine && add_surface_points(plc, merged, options, input, context, result))
     given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
   const SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, tolerance, hold);

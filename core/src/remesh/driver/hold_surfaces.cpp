@@ -17,7 +17,7 @@ Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
     context.check_cancelled();
-    // Vertices that cover now the one place and now the other would be moved to and fro.
+    // Number of moves of a vertex, which would otherwise alternate between two places that it has to cover.
     const MendBy by = found.breaches.size() < n_before ? MendBy::moves_and_splits : MendBy::splits;
     n_before = found.breaches.size();
     if (mend_surfaces(tools, found.breaches, by) == 0) break;
@@ -88,7 +88,7 @@ void tighten(Hold& hold, const Attempt& attempt, double tolerance) {
 }
 
 std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options) {
-  std::vector<Box3> boxes;  // of what does not hold
+  std::vector<Box3> boxes;  // of the places that are not within the tolerance
   for (const Breach& b : attempt.breaches) boxes.push_back(grown({b.place, b.place}, 2 * options.tolerance));
   for (const TightZone& zone : attempt.crossings) boxes.push_back(grown(zone.box, 2 * options.tolerance));
   std::vector<Index> n_of_patch;

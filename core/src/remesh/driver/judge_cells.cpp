@@ -12,8 +12,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr unsigned rings =
-    2;  ///< of cells about those that are judged: faces at their vertices are all there, and what gaps are to is mostly
+constexpr unsigned rings = 2;  ///< Layers of cells around those that are checked. They complete the faces at their
+                               ///< vertices, and contain most gaps.
 
 class Judge {
  public:
@@ -28,7 +28,7 @@ class Judge {
   }
 
   std::vector<CellIndex> find(const DomainMesh& mesh) const {
-    if (!has_bad_cell(mesh)) return {};  // most meshes: no copy of them is made
+    if (!has_bad_cell(mesh)) return {};  // most meshes, for which no copy is made
     std::vector<CellIndex> cells, bad;
     for (const CellIndex c : mesh.live_cells()) cells.push_back(c);
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Which bad cells of a mesh in work nothing of the input forces: judged as users will judge the result
+/// Finds the bad cells of a mesh in work that the input does not impose, as users will see them in the result
 /// (unforced_bad_elements).
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace geomesh::remesh {
 
-/// For a mesh imported from `input` and sizes and patches as `result` has them. All of them must outlive what is
-/// returned.
+/// For a mesh imported from `input`, with sizes and patches as in `result`. All of them must outlive the returned
+/// object.
 FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                               const RefineOptions& options, const RefineResult& result);
 

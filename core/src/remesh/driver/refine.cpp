@@ -14,8 +14,8 @@ namespace geomesh {
 
 namespace {
 
-/// Of the model's diagonal: beyond it nothing but the box would be left of most surfaces, and nearly every place of one
-/// is near to every other.
+/// Share of the model's diagonal. With a larger tolerance only the box would be left of most surfaces, and nearly every
+/// place of one would be near to every other.
 constexpr double greatest_tolerance = 0.1;
 
 std::string rounded(double x) {
@@ -65,7 +65,8 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
 
 namespace {
 
-/// Runs that hold surfaces more and more closely; from this one on, facets are kept where the run before was off.
+/// Runs that keep surfaces within smaller and smaller tolerances. From this run on, facets are kept where the previous
+/// run failed.
 constexpr unsigned first_run_that_keeps = 3, most_runs = 6;
 
 RefineResult refine_within(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,

@@ -44,7 +44,7 @@ std::vector<FaceOfCell> faces_of_cells(const TetrahedraPart& part) {
   return faces;
 }
 
-/// Marks the points of faces without a neighbour, and of what else stays.
+/// Marks the points of faces without a neighbour, and of everything else that is kept.
 void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
   for (std::size_t i = 0, j; i < faces.size(); i = j) {
     for (j = i; j < faces.size() && faces[j].corners == faces[i].corners;) ++j;
@@ -58,7 +58,7 @@ void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
     for (const VertexIndex v : e) part.is_kept[v] = 1;
 }
 
-/// In the caller's terms for import_domain: what stays is input, kept faces are part of no facet.
+/// Translates to the caller's terms for import_domain: kept parts are input, kept faces belong to no facet.
 struct Imported {
   PiecewiseLinearComplex plc;
   ConstrainedTetrahedralization mesh;
@@ -123,7 +123,7 @@ void export_part(const DomainMesh& mesh, const Imported& in, TetrahedraPart& par
     for (VertexIndex& v : e) v = row[v];
 }
 
-/// Tetrahedra that are not refined stay with all of their faces and points, until the others are.
+/// Tetrahedra that are not refined keep all of their faces and points until the others are done.
 class Settled {
  public:
   explicit Settled(TetrahedraPart& part) : n_faces_(part.kept_faces.size()) {
@@ -144,7 +144,7 @@ class Settled {
       if (part.is_kept[v]) is_free_later_.push_back(!was_kept[v]);
     part.is_settled.clear();
   }
-  /// Of what has come out of refinement: points that stay are first, in their order.
+  /// The refined tetrahedra: points that are kept come first, in their order.
   void release(TetrahedraPart& part) const {
     for (std::size_t v = 0; v < is_free_later_.size(); ++v)
       if (is_free_later_[v]) part.is_kept[v] = 0;
@@ -153,10 +153,10 @@ class Settled {
 
  private:
   std::size_t n_faces_;
-  std::vector<bool> is_free_later_;  // by point that stays
+  std::vector<bool> is_free_later_;  // by kept point
 };
 
-/// What is constrained in the mesh: faces without neighbour, faces with one, curves; in order.
+/// The constraints of the mesh: faces without neighbour, faces with one, curves; in order.
 struct Constrained {
   std::vector<Corners> border, faces;
   std::vector<std::array<VertexIndex, 2>> edges;
@@ -177,10 +177,10 @@ Constrained constrained_of(const DomainMesh& mesh) {
   return found;
 }
 
-/// Points inside that were made for larger sizes are in the way of those that sizes ask for: the front begins at the
-/// border, as in a mesh that has no others yet.
+/// Removes points inside that were made for larger sizes, because they obstruct those for the target sizes. The front
+/// begins at the border, as in a mesh without other points.
 void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
-  constexpr double far_larger = 4;  // sizes by which nearly every point inside is one too many
+  constexpr double far_larger = 4;  // sizes for which nearly every point inside is superfluous
   constexpr unsigned rounds = 2;
   const SizeField loose = tools.size.times(far_larger);
   remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
@@ -191,7 +191,7 @@ void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
   }
 }
 
-/// Does `work` to the part, and proves that what is to stay has.
+/// Calls `work` for the part, and proves that everything to be kept is kept.
 template <class Work>
 void run_on_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
                  RefineStatistics& statistics, const Work& work) {

@@ -10,7 +10,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of the constrained faces at v the sides opposite to it, ends in ascending order.
+/// Appends the sides opposite to v of the constrained faces at v, with their ends in ascending order.
 void surface_link(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells,
                   std::vector<std::array<VertexIndex, 2>>& sides) {
   mesh.star(v, marks, cells);
@@ -29,7 +29,7 @@ class Collapse {
     cells_.clear();
   }
 
-  /// For one neighbour after the other, as long as each was refused: the cells about u are gathered once.
+  /// Tries one neighbour. Call it for further neighbours as long as it returns false: the cells at u are gathered once.
   bool attempt(VertexIndex v, CollapseRule rule, double floor) {
     v_ = v;
     if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
@@ -74,9 +74,8 @@ class Collapse {
     return joined;
   }
 
-  /// Surfaces must not be pinched: a surface edge of u that becomes one of v may not be one already, but for those
-  /// beside the edge. No face may be there already. (Two faces with nothing but the outside between them are told by no
-  /// cell.)
+  /// Surfaces must not be pinched: a surface edge of u that becomes one of v must not be one already, except for those
+  /// beside the edge. Nor may the face exist already. (No cell shows two faces with only the outside between them.)
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
     if (mesh_.is_pinched(v_)) return false;  // its star is not all of its surface
@@ -100,8 +99,8 @@ class Collapse {
     return rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
   }
 
-  /// By the cells about u alone: most collapses are told by them. The first one that would be turned over ends it,
-  /// often before all are gathered.
+  /// Decides by the cells at u alone, which is enough for most collapses. The first cell that would be inverted ends
+  /// it, often before all are gathered.
   bool shapes_may_allow(CollapseRule rule, double floor) {
     double least = std::numeric_limits<double>::infinity();
     if (cells_.empty()) mesh_.begin_star(u_, tools_.work.marks, cells_);

@@ -13,8 +13,7 @@ namespace {
 struct RemovalRule {
   double worst_before = 1;         ///< where lower: all new shapes must be above it, whatever they were
   const MeanGoal* goal = nullptr;  ///< the mean must rise instead
-  bool for_surface = false;        ///< the exchange on the surface that its Delaunay criterion asks for, at a price in
-                                   ///< the shapes of cells down to `floor`
+  bool for_surface = false;        ///< exchange by the surface's Delaunay criterion, with shapes down to `floor`
   double floor = 0;
 };
 
@@ -112,8 +111,8 @@ class EdgeRemoval {
     return true;
   }
 
-  /// A flat cell whose two faces at the edge are both on the outside goes for nothing: the faces that it has with its
-  /// neighbours are the surface then.
+  /// Removes a flat cell whose two faces at the edge are both on the outside, without replacement: the faces between it
+  /// and its neighbours become the surface.
   bool shell_off(CellIndex c) {
     if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < mesh_.measure().bad())) return false;
     const TetMesh& topology = mesh_.cells();
@@ -142,10 +141,10 @@ class EdgeRemoval {
     return true;
   }
 
-  /// The new surface edge x-y must not be one already, nor an edge of a curve (a well): its faces would fold onto
-  /// others, or two surfaces would come to share an edge that no curve lists. Where the edge removed is inside, x-y is
-  /// in the mesh only where a cell about that edge has both. Faces of other surfaces at it may be beyond those cells:
-  /// all at x are asked, or at y where those are not found.
+  /// Returns whether x-y is already an edge of the surface or of a curve (a well). Then the faces of the exchange would
+  /// fold onto others, or two surfaces would share an edge that no curve lists. If the removed edge is inside, x-y is
+  /// in the mesh only if a cell at that edge has both. Faces of other surfaces at x-y may be beyond those cells, so all
+  /// cells at x are examined, or at y if those cannot be found.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
     if (mesh_.curve_of(x, y) != no_index) return true;
     const auto has_both = [&](CellIndex c) { return mesh_.cells().has_vertex(c, x) && mesh_.cells().has_vertex(c, y); };

@@ -10,7 +10,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of a face that is not constrained.
+/// Removes one unconstrained face by a multi-face flip.
 class FaceRemoval {
  public:
   FaceRemoval(Toolbox& tools, CellIndex c, unsigned i)
@@ -23,7 +23,7 @@ class FaceRemoval {
 
   double shape_before(std::size_t k) const { return mesh_.shape_of(removed_[k]); }
 
-  /// Where all new shapes are above `least` and their worths sum to more than `needed`.
+  /// Makes the flip if all new shapes are above `least` and their worths sum to more than `needed`.
   bool attempt(double least, double needed = -std::numeric_limits<double>::infinity()) {
     const auto sum = worth_of_new(least);
     if (!sum || !(*sum > needed)) return false;

@@ -27,9 +27,9 @@ struct SmoothRule {
       false;  ///< where surfaces are kept: vertices on input edges move along these, and else not at all
 };
 
-/// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over those exchanged, however many
-/// they become, the sum of what their worths are above `mean` must rise. No shape may fall below `floor` and the worst
-/// that was there.
+/// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over the exchanged cells, however many
+/// they become, the sum of their worths above `mean` must rise. No shape may fall below both `floor` and the worst
+/// shape before.
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
@@ -40,15 +40,15 @@ struct MeanGoal {
 /// with the optimal place as well as the centroid. Returns whether it moved.
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 
-/// The same with scratch of its own, for vertices that are smoothed at once: allowed beside others where no two of them
-/// share an edge and sizes are looked up by none. The move is not counted in the statistics. Returns by how much it
-/// raised the sum of worths, where that is the goal (else 0), or nothing where v stayed.
+/// Smooths v with scratch of its own, for vertices that are smoothed concurrently: allowed if no two of them share an
+/// edge and none evaluates sizes. The move is not counted in the statistics. Returns how much it raised the sum of
+/// worths, if that is the goal (otherwise 0), or nothing if v was not moved.
 std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980;
 /// Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"): 3-2,
-/// 4-4 and n-to-m flips. An edge in the inside of a patch is exchanged on the surface too (2-2) where the guard admits
-/// it. Only where the worst shape rises.
+/// 4-4 and n-to-m flips. An edge inside a patch is exchanged on the surface too (2-2) if the envelope admits it. Only
+/// if the worst shape rises.
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 
 /// Exchanges an edge inside a patch for the other diagonal of its two faces where the surface is more nearly Delaunay
@@ -56,19 +56,20 @@ bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 /// surfaces that have just been split and whose neighbourhood is still to be filled.
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 
-/// Whether that criterion asks for it: the angles at x and y, opposite the edge in its faces, sum to more than half a
-/// turn. A little more is asked, so that ties stay.
+/// Returns whether that criterion requires a flip: the angles at x and y, opposite the edge in its faces, sum to more
+/// than 180 degrees and a little, so that ties are left alone.
 bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b, VertexIndex x, VertexIndex y);
 
-/// Moves a vertex within its patch to the centroid of its faces where their worst shape (4 sqrt 3 area / sum of squared
-/// sides) rises. No cell about it may fall below `floor` and what it was. Beside others as smooth_beside_others.
+/// Moves a vertex within its patch to the centroid of its faces if their worst shape (4 sqrt 3 area / sum of squared
+/// sides) rises. No cell at it may fall below both `floor` and its former shape. May run concurrently, like
+/// smooth_beside_others.
 bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work);
 
 /// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite:
 /// the 2-3 flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
 
-/// The same with whatever comes of it, as long as the new shapes are above `floor`: openings of sequences that look
+/// Removes the edge whatever the result, as long as the new shapes are above `floor`: an opening of sequences that look
 /// ahead.
 bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
@@ -76,8 +77,7 @@ bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
 bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal);
 
-/// A new point keeps this share of the asked size from the vertices about it: where less room is left, points only
-/// crowd.
+/// A new point keeps this share of the target size from the vertices around it. With less room, points only crowd.
 inline constexpr double usual_room = 0.5;
 
 /// Inserts a vertex into the cell so that the worst shape about it rises: the cavity grows over the faces that would

@@ -25,7 +25,7 @@ struct AscentLimits {
   double lengthen = 1.5;            ///< factor of the next step where it did, > 1
   double lengthen_mean = 2;         ///< the same for the mean, which is smoother
   double least_slope = 1e-6;        ///< rise of the shape over the whole reach, from which a step is tried
-  double mean_reach_by_gain = 7.5;  ///< least reach for the mean, as a multiple of the least gain that is asked
+  double mean_reach_by_gain = 7.5;  ///< least reach for the mean, as a multiple of the least gain required
   unsigned hull_steps = 40;         ///< of Gilbert's iteration; a dozen mostly do
   double hull_accuracy = 1e-3;      ///< relative, of its squared distance: a direction needs no more
 };
@@ -33,7 +33,7 @@ inline constexpr AscentLimits ascent_limits{};
 
 /// New points that improvement adds (insertion.cpp); how near to others they may be is `usual_room` (improve.hpp).
 struct PointLimits {
-  double thin_gap = 0.25;       ///< of the asked size, 0..1: between surfaces nearer than this points make flat cells
+  double thin_gap = 0.25;       ///< of the target size, 0..1: between surfaces nearer than this points make flat cells
   double least_rise = 1.01;     ///< factor of the worst shape, > 1: less is not worth a point
   std::size_t most_cells = 40;  ///< of the cavity; larger ones have never been the best
   unsigned most_places = 3;     ///< cavity and place are found in turns, this often
@@ -43,7 +43,7 @@ inline constexpr PointLimits point_limits{};
 
 /// Sequences of operations that look ahead (rescue.hpp).
 struct RescueLimits {
-  double room = 0.03;             ///< of the asked size, 0..1: a bad cell is worse than a point too near
+  double room = 0.03;             ///< of the target size, 0..1: a bad cell is worse than a point too near
   double notable_rise = 1.05;     ///< factor of the worst shape, > 1, that is worth a sequence
   double notable_relief = 0.02;   ///< of one cell's way from flat to good, 0..1, that is worth a sequence of a search
   std::size_t most_given_up = 3;  ///< cells about which all was in vain, before a sequence ends
@@ -51,12 +51,12 @@ struct RescueLimits {
   std::size_t trials_a_clearing = 4;  ///< one trial of so many removes all points about the cell first
   double hopeless = 2;                ///< cells as flat that the place may lack more than before, until a trial ends
   unsigned most_vain_openings = 12;
-  /// An unforced bad cell may be traded for at most this many additional bad cells, all of them forced by the input.
+  /// A bad cell that the input does not impose may be traded for at most this many additional ones that it imposes.
   std::size_t forced_instead = 1;
-  double detour = 0.2;        ///< flat cells that the place may lack more, where a search goes on from another cell
-  unsigned steps = 40;        ///< operations of one sequence
-  unsigned bad_sweeps = 4;    ///< over all bad cells; the third mends one in a hundred
-  unsigned free_sweeps = 64;  ///< over those that nothing forces; the budget of trials ends before
+  double detour = 0.2;             ///< flat cells that the place may lack more, if a search continues from another cell
+  unsigned steps = 40;             ///< operations of one sequence
+  unsigned bad_sweeps = 4;         ///< over all bad cells; the third mends one in a hundred
+  unsigned free_sweeps = 64;       ///< over those that the input does not impose; the budget of trials ends before
   std::size_t first_trials = 200;  ///< about one cell in the first sweep, twice as many after each sweep in vain
   std::size_t least_trials = 500;  ///< of all cells together, whatever the size of the mesh
   std::size_t most_trials = 60'000;
@@ -69,14 +69,14 @@ struct RescueLimits {
 };
 inline constexpr RescueLimits rescue_limits{};
 
-/// What a level of quality does, pass by pass; by default the standard one.
+/// Settings of a level of quality, pass by pass; by default those of the standard level.
 struct ImproveSchedule {
   // Passes that raise the mean.
   unsigned mean_rounds = 2;        ///< before the repair: it sees the worst cells alone
   unsigned poor_mean_factor = 4;   ///< times as many rounds after a repair that left many poor cells
   double mean_floor_angle = 30;    ///< no cell falls below this for the mean
   double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
-  double much_gained = 3;          ///< of the least gain worth a move: what gained more is looked at again
+  double much_gained = 3;          ///< of the least gain worth a move: vertices that gained more are examined again
   double many_poor = 0.1;          ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
 
   // Repair, the worst cell first.
@@ -96,15 +96,15 @@ struct ImproveSchedule {
   // Slivers, with points closer to others than sizes ask.
   unsigned sliver_rounds = 8;  ///< for each room
   double sliver_angle = 12;
-  std::array<double, 2> sliver_rooms{0.15, 0.03};  ///< of the asked size, the next where the last was too narrow
-  double few_slivers = 0.05;                       ///< of all cells, 0..1; more are forced by the surfaces
-  double forced_share = 0.001;  ///< of all cells, 0..1: so many of the worst are mended where they are forced
-  double forced_room = 0.01;    ///< of the asked size
+  std::array<double, 2> sliver_rooms{0.15, 0.03};  ///< of the target size; the next if the last was too narrow
+  double few_slivers = 0.05;                       ///< of all cells, 0..1; more are imposed by the surfaces
+  double forced_share = 0.001;  ///< of all cells, 0..1: number of the worst repaired if they are imposed
+  double forced_room = 0.01;    ///< of the target size
   double flat_angle = 1.5;      ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
   double few_flat = 0.01;  ///< of all cells, 0..1; where more are flat the input forces them: `forced_share` is mended
-  /// Where few cells are below, they are mended as those are. No more may be below where points too near go again.
+  /// If few cells are below, they are repaired like those. Removing points that are too near must not make more.
   double aim_angle = 20;
-  double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are forced by the surfaces
+  double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are imposed by the surfaces
   unsigned thinning_rounds = 4;  ///< take points out again that were put near others in vain
 };
 

@@ -104,8 +104,9 @@ class SurfaceInsertion {
     return true;
   }
 
-  /// The cells whose circumsphere has p, less what p does not see, with no vertex nearer than `spacing`. A shape
-  /// criterion in doubles decides which cells to take; what p sees is decided exactly. False where there is none.
+  /// Finds the cells whose circumsphere contains p, without those that p does not see, if no vertex is nearer than
+  /// `spacing`. A shape criterion in doubles selects the cells; visibility is decided exactly. Returns false if there
+  /// is none.
   bool find_cavity(double spacing) {
     constexpr std::size_t most_cells = 400;
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
@@ -151,7 +152,7 @@ class SurfaceInsertion {
     return tools_.guard.admits(before, surface_of(mesh_, cavity, p_));
   }
 
-  /// All vertices of the cells are asked: those that are not on the cavity's border may not be there at all.
+  /// Examines all vertices of the cells, because those that are not on the cavity's border may disappear.
   bool keeps_spacing(double spacing) const {
     const double limit = spacing * spacing;
     for (const CellIndex c : tools_.work.cells)

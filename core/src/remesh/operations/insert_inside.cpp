@@ -34,8 +34,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 
 namespace {
 
-/// A constrained Delaunay cavity without anything on surfaces, and its star. A shape criterion in doubles decides which
-/// cells to take; what p sees is decided exactly.
+/// A constrained Delaunay cavity without anything on surfaces, and its star. A shape criterion in doubles selects the
+/// cells; visibility is decided exactly.
 class InsideInsertion {
  public:
   InsideInsertion(Toolbox& tools, const Vec3& p, const InsertionRule& rule)

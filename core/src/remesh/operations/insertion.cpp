@@ -44,7 +44,7 @@ class CavityDigger {
     bool is_constrained = false;
   };
 
-  /// Of the cell that came last.
+  /// Adds the border faces of the last cell.
   void add_border(const Vec3& p) {
     const CellIndex c = cells_.back();
     for (unsigned i = 0; i < 4; ++i) {
@@ -67,8 +67,8 @@ class CavityDigger {
   std::vector<BorderFace> border_;
 };
 
-/// Whether a point put on the edge, at any place, leaves a cell hardly better than the worst that goes: each cell about
-/// the edge hands the angle at its opposite edge on to two.
+/// Returns whether a point on the edge, at any place, leaves a cell hardly better than the worst removed one: each cell
+/// at the edge passes the angle at its opposite edge on to two cells.
 bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
   const DomainMesh& mesh = tools.mesh;
   const auto& cells = tools.work.cells;
@@ -95,8 +95,8 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
   });
 }
 
-/// Whether points are not wanted at p: it is between two surfaces less than a quarter of the size apart: points there
-/// only make more flat elements. Looks at the faces of the cavity's cells and of their neighbours.
+/// Returns whether p is between two surfaces less than a quarter of the size apart, where points only make more flat
+/// elements. Examines the faces of the cavity's cells and of their neighbours.
 bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
   if (tools.points_in_thin_gaps) return false;
   const DomainMesh& mesh = tools.mesh;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double least_shape = 1e-3;  ///< a worse cell is not made for the sake of a breach
 
-/// Of a face or a curve's edge: a cell that has it and its vertices.
+/// A face or an edge of a curve: a cell that has it, and its vertices.
 struct Place {
   CellIndex cell;
   std::vector<VertexIndex> vertices;
@@ -77,7 +77,7 @@ class Mender {
   }
 
  private:
-  /// What mends is ranked by the faces off the input that it leaves, then by the worst new shape.
+  /// A possible repair, ranked by the number of faces off the input that it leaves, then by the worst new shape.
   struct Option {
     std::ptrdiff_t more_off = 0;
     double shape = least_shape;
@@ -111,7 +111,7 @@ class Mender {
                          [&](const SurfaceFace& f) { return !tools_.guard.is_proven_near_reference(f); });
   }
 
-  /// No more faces may be off than were; where some were, fewer.
+  /// Accepts an option if fewer faces are off the input than before, or none before and after.
   void consider(const StarCavity& cavity, const std::vector<SurfaceFace>& before, std::function<void()> change) {
     const double shape = star_shape(mesh_, cavity, target_, least_shape);
     if (!(shape > least_shape) || !star_is_positive(mesh_, cavity, target_)) return;

@@ -12,22 +12,22 @@
 
 namespace geomesh::remesh {
 
-/// What an operation works with.
+/// The objects that operations work with.
 struct Toolbox {
   DomainMesh& mesh;
   const SurfaceGuard& guard;
   const SizeField& size;
   RefineStatistics& statistics;
   Workspace work;
-  std::vector<double> vertex_size;  ///< asked size per vertex, negative where not yet asked for
-  /// By vertex, what of its patch is nearest at a place: kept, since it is asked for again and again.
+  std::vector<double> vertex_size;  ///< target size by vertex, negative if not evaluated yet
+  /// The nearest item of its patch, by vertex and place. Kept because it is needed again and again.
   struct NearestFacet {
     Vec3 place;
     Index patch = no_index, facet = no_index;
   };
   std::vector<NearestFacet> nearest_facet;
-  /// Whether the worst shape may be raised at the price of more bad cells: where kept surfaces force bad cells all
-  /// over, and else not.
+  /// Whether the worst shape may be raised at the price of more bad cells: only where kept surfaces impose bad cells
+  /// all over.
   bool bad_cells_may_spread = false;
   bool borders_stay = false;  ///< whether curves and faces of no facet get no points
   bool points_in_thin_gaps =
@@ -37,21 +37,22 @@ struct Toolbox {
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
       : mesh(m), guard(g), size(s), statistics(st) {}
-  /// Asked size at a vertex: at its place, of the component of a cell there. Cached; forgotten by forget_size.
+  /// Target size at a vertex: at its place, of the component of a cell there. Cached; forget_size clears it.
   double size_at(VertexIndex v) {
     if (v >= vertex_size.size() || vertex_size[v] < 0) [[unlikely]]
       ask_size(v);
     return vertex_size[v];
   }
-  /// Asks for those of all vertices that are not known, on all cores: size_at is then const in all but name.
+  /// Evaluates the sizes of all vertices that are not known, on all cores. Afterwards size_at changes nothing.
   void know_sizes(unsigned threads);
-  /// Where it has been asked for already, at its place.
+  /// Sets a size that was evaluated already, at the place of the vertex.
   void set_size(VertexIndex v, double size);
   void forget_size(VertexIndex v) {
     if (v < vertex_size.size()) vertex_size[v] = -1;
   }
   double size_of_edge(VertexIndex a, VertexIndex b) { return 0.5 * (size_at(a) + size_at(b)); }
-  /// Of the guard at a vertex on a surface. At once for several vertices, once there is room for all.
+  /// Normal of the envelope at a vertex on a surface. May be called for several vertices concurrently, once there is
+  /// room for all.
   Vec3 normal_at(VertexIndex v);
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
@@ -68,17 +69,17 @@ struct Toolbox {
   }
   /// DomainMesh::tick, of the block where there is one.
   std::uint64_t tick() { return block ? block->clock++ : mesh.tick(); }
-  /// Whether all of the cells are of the block, where there is one. (Others may be changed meanwhile: do not look at
-  /// their neighbours.)
+  /// Returns whether all of the cells belong to the block, if there is one. (Others may change concurrently: do not
+  /// look at their neighbours.)
   bool may_touch(std::span<const CellIndex> cells) { return !block || block->owns(mesh, cells); }
-  /// Whether a star of p in the cavity would have more bad cells than go, and may not.
+  /// Returns whether a star of p in the cavity would have more bad cells than are removed, which is not allowed.
   bool spoils(const StarCavity& cavity, const Vec3& p) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, p);
   }
   bool spoils(const StarCavity& cavity, std::span<const double> shapes) const {
     return !bad_cells_may_spread && adds_bad_cells(mesh, cavity, shapes);
   }
-  /// Whether the edge that the cavity is about gets no points.
+  /// Returns whether the edge of the cavity must get no points.
   bool stays(const StarCavity& cavity, Index curve) const {
     if (!borders_stay) return false;
     return curve != no_index || (!cavity.spokes.empty() && mesh.patch_of_facet(cavity.spokes[0].facet) == hull_patch);
@@ -116,8 +117,8 @@ bool try_collapse_into_any(Toolbox& tools, VertexIndex u, std::span<const Vertex
                            double floor);
 
 /// Moves u away from its neighbour v, within its patch or along its curve, until they are `length` apart. The worst
-/// shape about u does not fall below the lesser of what it was and `floor`. No other edge at u becomes short, and
-/// surfaces stay within the tolerance. Each cell stays positive. Kept surfaces stay as they are.
+/// shape at u does not fall below the lesser of its former value and `floor`. No other edge at u becomes short, and
+/// surfaces remain within the tolerance. Each cell remains positive. Kept surfaces are not changed.
 bool try_stretch(Toolbox& tools, VertexIndex u, VertexIndex v, double length, double floor);
 
 /// Centre of the sphere through the corners, and its radius. Far away where they are nearly coplanar.
@@ -140,18 +141,18 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 /// constrained Delaunay cavity (Bowyer 1981, Watson 1981; the cavity stops at constrained faces and is shrunk until p
 /// sees all of its border).
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
-/// The same where the cell is known that has p (locate).
+/// Inserts p into the cell that contains it, which is known (locate).
 std::optional<VertexIndex> insert_in_cell(Toolbox& tools, const Vec3& p, CellIndex home, const InsertionRule& rule);
 
-/// Inserts p, brought to the patch of the face `start`. One cavity is on the surface (faces of the patch whose
-/// circumcircle has p), one in the cells on both sides. Spacing is asked of the surface's vertices, three tenths of
-/// it of others.
+/// Inserts p, moved to the patch of the face `start`. One cavity is on the surface (faces of the patch whose
+/// circumcircle contains p), one in the cells on both sides. The full spacing is required from the surface's vertices,
+/// three tenths of it from others.
 std::optional<VertexIndex> insert_on_surface(Toolbox& tools, const Vec3& p, FaceRef start, const InsertionRule& rule);
 
 /// Replaces the cavity of the edge by the star of a new vertex at p, which lies on the edge's curve or patch.
 VertexIndex fill_from_edge(Toolbox& tools, const StarCavity& cavity, VertexIndex a, VertexIndex b, const Vec3& p);
 
-/// Faces and curve pieces about a cavity with the apex at p, for the guard.
+/// Faces and curve pieces at a cavity with the apex at p, for the envelope.
 SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
 /// Faces that go where the cavity of the edge is filled from a point of it, each once.
 std::vector<SurfaceFace> faces_at_edge(const DomainMesh& mesh, const StarCavity& cavity, VertexIndex a, VertexIndex b);

@@ -16,8 +16,8 @@ inline constexpr std::size_t max_ring =
     12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
 
 /// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these
-/// two share the angle of one cell that goes, so that one has half of it at most: that rules out most rings before any
-/// shape is asked for.
+/// two share the angle of one removed cell, so that one has half of it at most: that excludes most rings before any
+/// shape is computed.
 class PolygonTriangulation {
  public:
   /// `is_whole_ring`: the side from the last vertex to the first is one of the ring too.

@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The constants of refinement: lengths by the asked size. `quality_bench --section peers` shows what they
-/// reach, in points, bad cells and time, beside tetgen and gmsh.
+/// The constants of refinement: lengths relative to the target size. `quality_bench --section peers` shows the points,
+/// bad cells and time that they lead to, compared with tetgen and gmsh.
 #pragma once
 
 #include <cstddef>
 
 namespace geomesh::remesh {
 
-/// Ratios of lengths to the asked size unless said otherwise. Together they keep refinement finite: what is split is
-/// longer than what is collapsed, and no point is put nearer to others than `spacing`.
+/// Ratios of lengths to the target size unless said otherwise. Together they keep refinement finite: edges that are
+/// split are longer than edges that are collapsed, and no point is put nearer to others than `spacing`.
 struct RefineRatios {
-  double split_edge = 1.4;     ///< length from which an edge is halved: halves are then above 1 / split_edge
-  double collapse_edge = 0.6;  ///< length below which an edge goes; below split_edge / 2, so that halves stay
+  double split_edge = 1.4;  ///< length from which an edge is halved: halves are then above 1 / split_edge
+  double collapse_edge =
+      0.6;  ///< length below which an edge is collapsed; below split_edge / 2, so that halves are kept
   double thin_out_edge = 0.5;  ///< the same for points that improvement turned out not to need
-  /// The same on surfaces: a third is promised, and what is beside an edge takes its share.
+  /// For surfaces. The promise is a third; the surroundings of an edge need a margin.
   double thin_out_surface_edge = 0.4;
-  double promised_edge = 0.34;       ///< length below which an edge is one too many, with a margin over the third told
-  double stretched_edge = 0.355;     ///< length to which an edge is stretched that cannot go
-  double spacing = 0.68;             ///< distance of a new point to all others: half of it again is left to improvement
-  double surface_spacing_off = 0.3;  ///< of the spacing, 0..1: asked of a surface point from vertices off the surface
-  double large_cell = 0.75;          ///< circumradius from which a cell gets a point; 0.61 for the regular one
-  double large_face = 0.72;          ///< circumradius from which a face gets a point; 0.58 for the equilateral one
-  double long_edge = 1.2;            ///< length from which an edge of a face is not done; below split_edge
+  double promised_edge = 0.34;    ///< length below which an edge is one too many, with a margin over the promised third
+  double stretched_edge = 0.355;  ///< length to which an edge is stretched that cannot go
+  double spacing = 0.68;          ///< distance of a new point to all others: half of it again is left to improvement
+  double surface_spacing_off =
+      0.3;                    ///< of the spacing, 0..1: required of a surface point from vertices off the surface
+  double large_cell = 0.75;   ///< circumradius from which a cell gets a point; 0.61 for the regular one
+  double large_face = 0.72;   ///< circumradius from which a face gets a point; 0.58 for the equilateral one
+  double long_edge = 1.2;     ///< length from which an edge of a face is not done; below split_edge
   double hair = 1e-6;         ///< width of a strip of a kept surface below which points between its borders are in vain
-  double least_height = 0.2;  ///< square of a new point's height above its face, by that of the edges asked
-  double least_way = 0.5;     ///< of the height, 0..1: a new point goes at least so far towards the circumcentre
+  double least_height = 0.2;  ///< square of a new point's height above its face, over that of the target edge
+  double least_way = 0.5;     ///< of the height, 0..1: a new point moves at least so far towards the circumcentre
   double inside_shape = 1e-3;    ///< least shape of a cell that a new point inside makes
   double surface_shape = 1e-7;   ///< the same on surfaces, whose neighbourhood is filled later
   double collapse_floor = 0.05;  ///< shape that a contraction may fall to where it was better

@@ -36,7 +36,7 @@ class Smoother {
     return before < rule.good_enough && try_optimal(before, rule);
   }
 
-  /// Of the mean, by the last run.
+  /// Gain of the mean in the last run.
   double gain() const { return gain_; }
 
   bool run_on_surface(double floor) {
@@ -79,8 +79,8 @@ class Smoother {
     return true;
   }
 
-  /// Where the input edge that v is on ends: the first corner along it from v on. An edge of the input is straight, and
-  /// all between its ends was added.
+  /// Returns the end of the input edge that v is on: the first corner along it from v. An edge of the input is
+  /// straight, and all vertices between its ends were added.
   VertexIndex end_of_edge(const CurveSpoke& first) const {
     VertexIndex from = v_, at = first.a;
     std::vector<CellIndex> star;
@@ -99,9 +99,9 @@ class Smoother {
     return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
   }
 
-  /// A place that was found along the line of the vertices before and after. It is brought to that of the input edge's
-  /// own ends, so that rounding does not add up over moves. To find those is a walk, so they are asked for where v is
-  /// about to move and not before.
+  /// Moves a place that was found along the line of the vertices before and after onto the line of the input edge's own
+  /// ends, so that rounding does not add up over moves. Finding these ends is a walk, so it is done only when v is
+  /// about to move.
   Vec3 on_input_edge(const Vec3& p) {
     for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
     const Vec3 d = ends_[1] - ends_[0];

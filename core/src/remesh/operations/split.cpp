@@ -18,7 +18,8 @@ Vec3 Toolbox::normal_at(VertexIndex v) {
 void Toolbox::ask_size(VertexIndex v) { set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)))); }
 
 void Toolbox::know_sizes(unsigned threads) {
-  const bool asks_caller = size.limits().background != nullptr;  // who is asked on one thread alone
+  const bool asks_caller =
+      size.limits().background != nullptr;  // the caller's function is evaluated on one thread alone
   if (vertex_size.size() < mesh.n_vertices()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 16 + 1, -1);
   for_each_index(mesh.n_vertices(), asks_caller ? 1 : thread_count(threads), [&](std::size_t i) {
     const auto v = static_cast<VertexIndex>(i);

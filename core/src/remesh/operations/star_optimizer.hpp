@@ -40,8 +40,8 @@ struct OptimizedPlace {
 /// The start need not be admissible: a shape at most 0 is climbed as far as the gradients of positive terms lead.
 OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits = {});
 
-/// Climbs the sum of the worths (MeanGoal) of all cells about the vertex by its gradient. It starts where all are
-/// above `floor` and goes no further than that. Ends where a step raises the sum by less than `least_gain`.
+/// Climbs the sum of the worths (MeanGoal) of all cells at the vertex by its gradient. It starts where all are above
+/// `floor`, and keeps them above. Ends when a step raises the sum by less than `least_gain`.
 Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps, double least_gain);
 
 /// Centroid of the link weighted by the areas of its faces.

@@ -14,7 +14,7 @@ namespace geomesh::remesh {
 /// Gives each face the facet of its patch that is nearest to it, oriented as it is.
 void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);
 
-/// What brings a vertex to where there is none near enough.
+/// How a vertex is brought to a place that has none near enough.
 enum class MendBy : std::uint8_t {
   moves_and_splits,  ///< a vertex that is moved may leave its old place uncovered
   splits,

@@ -21,7 +21,8 @@ namespace geomesh::remesh {
 /// what comes of the visits. Vertices may neither be made nor removed from the first visit to the last.
 class BlockPass {
  public:
-  /// With a block's own tools: mesh, guard, sizes, rules, statistics, scratch, but no sizes or facets kept by vertex.
+  /// Is called with a block's own tools: mesh, envelope, sizes, rules, statistics, scratch, but no sizes or facets kept
+  /// by vertex.
   using Visit = std::function<void(VertexIndex, Toolbox&)>;
 
   /// Both must outlive this. Exceptions of visits end the pass.

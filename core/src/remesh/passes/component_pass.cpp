@@ -49,7 +49,8 @@ class ComponentRefiner {
   std::size_t run() {
     const std::vector<std::size_t> order = largest_first();
     std::atomic<std::size_t> next = 0;
-    const bool asks_caller = tools_.size.limits().background != nullptr;  // who is asked on one thread alone
+    const bool asks_caller =
+        tools_.size.limits().background != nullptr;  // the caller's function is evaluated on one thread alone
     const unsigned threads = asks_caller ? 1 : thread_count(context_.threads);
     for_each_task(std::min<std::size_t>(threads, order.size()), threads, [&](std::size_t) {
       for (std::size_t k; (k = next++) < order.size();) refine(works_[order[k]]);
@@ -58,7 +59,7 @@ class ComponentRefiner {
   }
 
  private:
-  /// So that no large one is left to a single core in the end.
+  /// Orders components so that no large one is left to a single core in the end.
   std::vector<std::size_t> largest_first() const {
     std::vector<std::size_t> order(works_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -78,7 +79,7 @@ class ComponentRefiner {
     refine_inside(*work.tools, max_cells_, context);
   }
 
-  /// Of all components; told by the caller's own thread alone.
+  /// Reports the counts of all components. Called by the caller's own thread alone.
   void report() const {
     std::size_t n = 0;
     for (const Work& work : works_) n += work.n_cells;

@@ -39,8 +39,8 @@ double share(std::size_t n, const DomainMesh& mesh) {
   return static_cast<double>(n) / static_cast<double>(mesh.n_cells());
 }
 
-/// Where surfaces force poor shapes everywhere, repair only moves them about: rounds that do not lower their number end
-/// it.
+/// Ends repair when its rounds no longer lower the number of poor cells: if surfaces impose poor shapes everywhere,
+/// repair only moves them around.
 class RepairRounds {
  public:
   RepairRounds(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstRepair& repair, bool may_add_points)
@@ -114,7 +114,7 @@ std::size_t flat_cells_to_mend(const DomainMesh& mesh, const RescueRule& rule, c
                     : std::numeric_limits<std::size_t>::max();
 }
 
-/// One step of a pass that takes points out: inside, then on surfaces that may be remeshed. Done when nothing went.
+/// One step of a pass that removes points: inside, then on surfaces that may be remeshed. Done when none was removed.
 template <class Thin>
 Next thin_points(const Toolbox& tools, const Thin& thin) {
   std::size_t n = thin(ShortEdges::inside);
@@ -138,8 +138,8 @@ struct Mending {
   const OutOfTime& out_of_time;
 };
 
-/// What the repair has left is mended by sequences of operations, and points that it put near others in vain are taken
-/// out.
+/// Repairs the remaining cells by sequences of operations, and removes points that repair has put near others without
+/// gain.
 void mend_what_is_left(const Mending& mending) {
   Toolbox& tools = mending.tools;
   const ImproveSchedule& schedule = mending.schedule;
@@ -160,7 +160,7 @@ void mend_what_is_left(const Mending& mending) {
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); }, rescues_bad);
   const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
-  // What solvers refuse is worth it at every level.
+  // Cells that solvers refuse are worth the effort at every level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
       [&] {
@@ -217,7 +217,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   }
   mend_what_is_left({tools, schedule, passes, context, out_of_time});
   const double poor_share = share(count_below(mesh, measure.of_angle(schedule.target_angle)), mesh);
-  // What the repair exchanged about many poor cells that it gave up on is arbitrary but for the worst.
+  // Repair looks at the worst cells alone. Around many that it gave up on, the others are arbitrary: raise their mean.
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
               .round = [&](unsigned) { return raise(schedule.smoothing_steps, poor); },

@@ -13,15 +13,15 @@
 namespace geomesh::remesh {
 
 /// Smooths all vertices that may move, on as many threads as given (0: all cores): block by block, then what lies
-/// between blocks. The blocks do not depend on the threads, and so neither does the result. Ends early where
-/// `out_of_time` says so, which is asked now and then, by one thread at a time. Returns by vertex by how much its move
-/// raised the sum of worths (0: it stayed, or that is not the goal). `leaves(v)` tells which are left as they are. O(n
-/// log n).
+/// between blocks. The blocks do not depend on the threads, so neither does the result. Ends early if `out_of_time`
+/// returns true, which is called now and then by one thread at a time. Returns, by vertex, how much its move raised the
+/// sum of worths (0: not moved, or the sum is not the goal). `leaves(v)` returns which vertices must not move. O(n log
+/// n).
 std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads,
                                const std::function<bool()>& out_of_time,
                                const std::function<bool(VertexIndex)>& leaves = {});
 
-/// What a pass that raises the mean leaves to the next: where it is worth looking again.
+/// State that a pass that raises the mean leaves to the next: the places worth examining again.
 struct RaisedBefore {
   std::vector<double> gains;  ///< by vertex, of its move. Empty before the first pass
   std::uint64_t end = 0;      ///< the mesh's time then
@@ -35,8 +35,8 @@ struct RaisedBefore {
 void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
                 double poor = 1);
 
-/// Runs the schedule of the level. Cooperative with the time budget and the cancel token. What the judge finds in the
-/// end, where given, is worth a longer search.
+/// Runs the schedule of the level. Cooperates with the time budget and the cancel token. Cells that `judge` finds in
+/// the end, if given, are worth a longer search.
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context,
                   const FreeCellJudge* judge = nullptr);
 

@@ -51,8 +51,8 @@ class InsideRefiner {
   }
 
  private:
-  /// Where points are placed in a pass: at their ideal height above the front, at centres of cells at the front, of
-  /// those beyond it.
+  /// Places of points in a pass: at their ideal height above the front, at centres of cells at the front, or of those
+  /// beyond it.
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
 
   /// Two bytes, since each cell has three of them. Passes beyond the last number share it, with the start of the first
@@ -144,7 +144,8 @@ class InsideRefiner {
     return refused[c];
   }
 
-  /// Nearer to a corner of the cell than any size at its corners would allow: told without asking for the size at p.
+  /// Returns whether p is nearer to a corner of the cell than any size at its corners would allow. Avoids evaluating
+  /// the size at p.
   bool crowds_corner(const Vec3& p, CellIndex c) {
     const Tetrahedron& t = mesh_.vertices(c);
     double h = std::numeric_limits<double>::infinity();
@@ -159,8 +160,8 @@ class InsideRefiner {
     return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v), at_most);
   }
 
-  /// Whether a corner of the cell is nearer than the spacing at p, by the sizes at the corners and how fast sizes may
-  /// fall: most refusals are told so, without asking for the size at p.
+  /// Returns whether a corner of the cell is nearer than the spacing at p, by the sizes at the corners and how fast
+  /// sizes may decrease. Decides most refusals without evaluating the size at p.
   bool surely_crowds(const Vec3& p, CellIndex c) {
     constexpr double rounding = 1 - 1e-9;
     const Tetrahedron& t = mesh_.vertices(c);
@@ -201,8 +202,8 @@ class InsideRefiner {
     return std::nullopt;
   }
 
-  /// `centre` of the cell's circumsphere. Above the circumcentre of face i, so far that the new edges have the asked
-  /// length (the mean of those at their ends). It is not beyond the cell's circumcentre.
+  /// `centre` is that of the cell's circumsphere. Returns the place above the circumcentre of face i at which the new
+  /// edges have the target length (the mean of those at their ends), but not beyond the cell's circumcentre.
   std::optional<Vec3> ideal_apex(CellIndex c, unsigned i, const Vec3& centre) {
     const Triangle t = mesh_.face(c, i);
     const Vec3 n = mesh_.normal(t);
@@ -243,9 +244,9 @@ class InsideRefiner {
   std::size_t max_cells_;
   const double steepest_ = tools_.size.steepest();
   std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
-  bool keeps_spheres_;                    // many points: each cell's sphere is asked for again and again
+  bool keeps_spheres_;                    // with many points each cell's sphere is needed again and again
   PodArray<Sphere> spheres_;              // by cell, where they are kept
-  PodArray<std::uint8_t> large_;          // by cell: whether its circumradius over the asked size is
+  PodArray<std::uint8_t> large_;          // by cell: whether its circumradius exceeds the target size
   std::array<std::vector<PassNumber>, 3> refused_;
 };
 

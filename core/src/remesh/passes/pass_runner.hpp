@@ -30,7 +30,7 @@ struct CpuSeconds {
   }
 };
 
-/// What comes after a round of a pass.
+/// Whether a pass needs another round.
 enum class Next : bool { again, done };
 
 struct Pass {

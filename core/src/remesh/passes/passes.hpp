@@ -11,7 +11,7 @@
 
 namespace geomesh::remesh {
 
-/// Where a pass that adds points would go beyond the most cells allowed: throws Error{cannot_mesh}.
+/// Throws Error{cannot_mesh}: a pass that adds points would exceed the number of cells allowed.
 [[noreturn]] void throw_too_many_cells(std::size_t max_cells);
 
 /// The schedule of refinement: all passes below.
@@ -43,7 +43,7 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
 void for_each_block(const DomainMesh& mesh, std::vector<VertexIndex> movable, unsigned threads,
                     const std::function<void(const std::vector<VertexIndex>&, Workspace&)>& visit);
 
-/// What was in vain on surfaces, by vertex: the mesh's time of the last that was.
+/// The mesh's time of the last failed attempt on surfaces, by vertex.
 struct InVainOnSurfaces {
   std::vector<std::uint64_t> flips, moves;
 };
@@ -53,18 +53,18 @@ struct InVainOnSurfaces {
 /// stars of those on surfaces that have changed.
 void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context);
 
-/// Inserts points on faces larger than asked, front by front from curves and small faces.
+/// Inserts points on faces larger than the target size, front by front from curves and small faces.
 std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
 /// How many points are to come: where many are, cells are put in order first and each keeps its circumsphere.
 enum class Insertions : bool { few, many };
 
-/// Inserts points into cells larger than asked until there are none that admit one.
+/// Inserts points into cells larger than the target size until none admits one.
 std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context,
                           Insertions expected = Insertions::many);
 
-/// The same in all components at once, on all cores, with the same result whatever their number. On one where sizes are
-/// a function of the caller.
+/// Does so in all components at once, on all cores, with the same result whatever their number. On one core if sizes
+/// are a function of the caller.
 std::size_t refine_components_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
 }  // namespace geomesh::remesh

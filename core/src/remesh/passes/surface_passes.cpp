@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 namespace {
 
 struct MeasuredEdge {
-  double ratio;  ///< length over asked size
+  double ratio;  ///< length over target size
   VertexIndex a, b;
   bool operator<(const MeasuredEdge& o) const {
     return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b);
@@ -156,7 +156,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
     if (k % 256 == 0) context.check_cancelled(), context.report(mesh.n_cells(), 0);
     VertexIndex u = edges[k].a, v = edges[k].b;
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
-    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex goes
+    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex is removed
     if (cell_with_edge(tools, u, v) == no_cell) continue;
     if (collapse(u, v) || collapse(v, u)) ++n;
   }

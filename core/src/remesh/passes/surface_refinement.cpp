@@ -23,7 +23,7 @@ struct SurfaceItem {
 /// The front of `refine_inside` one dimension down: points at the ideal height over edges that are done, in the plane
 /// of a face.
 class SurfaceRefiner {
-  /// Where points are placed in a pass.
+  /// Places of points in a pass.
   enum class Kind : std::uint8_t { centre, front };
 
  public:
@@ -57,8 +57,8 @@ class SurfaceRefiner {
   }
 
   double size_of(const Triangle& t) { return (tools_.size_at(t[0]) + tools_.size_at(t[1]) + tools_.size_at(t[2])) / 3; }
-  /// By its circumradius, and at least one edge clearly longer than asked: slim faces between short edges are left to
-  /// others.
+  /// Returns whether the circumradius is too large and at least one edge is clearly longer than its target. Slim faces
+  /// between short edges are left to other passes.
   bool is_large(const Triangle& t) {
     const double h = size_of(t);
     double longest = 0;

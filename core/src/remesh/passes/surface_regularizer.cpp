@@ -33,7 +33,7 @@ class SurfaceRegularizer {
 
   void note_counts() const { blocks_.note_counts("flips on surfaces by blocks"); }
 
-  /// A vertex that stays is not tried again before something about it changes after this call.
+  /// Moves vertices. One that could not move is not tried again before something around it changes after this call.
   std::size_t move_all(unsigned threads) {
     std::vector<VertexIndex> asked;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)

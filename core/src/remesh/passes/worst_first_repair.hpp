@@ -17,13 +17,13 @@ enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, poin
 
 class WorstFirstRepair {
  public:
-  /// All must outlive this. `out_of_time` is asked every now and then.
+  /// All arguments must outlive this object. `out_of_time` is called now and then.
   WorstFirstRepair(Toolbox& tools, const ImproveSchedule& schedule, std::function<bool()> out_of_time)
       : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
 
-  /// Tries the operations up to `deepest` about each of the cells that is still there. New points keep the distance
-  /// `room`, by the asked size, from others. What failed before is tried again only where something has changed since.
-  /// Returns the number of cells about which something changed.
+  /// Tries the operations up to `deepest` around each of the cells that still exists. New points keep the distance
+  /// `room`, as a share of the target size, from others. A failed operation is tried again only where something has
+  /// changed since. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
   /// New points may succeed where others failed before, as in less room.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Cells of poor shape: lists of them, as they were when they were listed, sums over them, and what forces them.
+/// Cells of poor shape: lists of them with the shape they had when listed, sums over them, and their causes.
 #pragma once
 
 #include <functional>
@@ -19,26 +19,27 @@ struct BadCell {
 };
 
 std::size_t count_below(const DomainMesh& mesh, double limit);
-/// The shape below which that share of all cells is, 0..1. On all cores. O(n). Precondition: there are cells.
+/// Returns the shape below which that share of all cells (0..1) lies. On all cores. O(n). Precondition: there are
+/// cells.
 double shape_at_percentile(const DomainMesh& mesh, double share, unsigned threads);
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
-/// The same by classes of equal width in shape, the worst class first. Within a class cells come in the order of the
-/// mesh: those that are near to each other are looked at one after the other, which is many times as fast.
+/// Lists cells by classes of equal width in shape, the worst class first. Within a class cells are in the order of the
+/// mesh, so that near cells are examined one after the other, which is many times as fast.
 std::vector<BadCell> cells_below_by_class(const DomainMesh& mesh, double limit, unsigned n_classes);
 BadCell bad_cell(const DomainMesh& mesh, CellIndex c);
 
-/// Whether it is there still; a vertex may have moved.
+/// Returns whether the cell still exists; a vertex may have moved.
 bool is_left(const DomainMesh& mesh, const BadCell& b);
 inline bool changed_since(const DomainMesh& mesh, const BadCell& b, std::uint64_t time) {
   return changed_since(mesh, b.vertices, time);
 }
 
-/// What the bad cells about a place come to, before and after a sequence of repair.
+/// Measures of the bad cells around a place, before and after a sequence of repair.
 struct Tally {
   std::size_t n_bad = 0;
   double worst = 1;
-  double deficit = 0;  ///< sum over the bad cells of what they lack, as a share of the bad shape
+  double deficit = 0;  ///< sum over the bad cells of the shape they lack, as a share of the bad shape
 
   void add(double shape, double bad_shape) {
     n_bad += shape < bad_shape;
@@ -49,17 +50,18 @@ struct Tally {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && worst > rescue_limits.notable_rise * other.worst));
   }
-  /// Beside cells that cannot be mended the worst says nothing. There all bad cells together count.
+  /// Beside cells that cannot be improved the worst shape says nothing; there the sum over all bad cells decides.
   bool is_less_bad_than(const Tally& other) const {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && deficit < other.deficit - rescue_limits.notable_relief));
   }
 };
 
-/// Tells the bad cells that nothing of the input forces: what the search for better cells asks.
+/// Finds the bad cells that the input does not impose. The search for better cells needs them.
 struct FreeCellJudge {
   std::function<std::vector<CellIndex>(const DomainMesh&)> find;
-  /// Those of some cells that are such, the worst first, by what is near to them: quick, and in doubt they are.
+  /// Returns those cells, the worst first, decided by their surroundings alone: fast, and in doubt a cell is one of
+  /// them.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;
 };
 

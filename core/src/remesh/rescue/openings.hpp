@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Changes about a bad cell that may make the place worse: what sequences of repair open with.
+/// Changes around a bad cell that may make the place worse, as the first step of a sequence of repair.
 #pragma once
 
 #include "common/random.hpp"
@@ -8,22 +8,23 @@
 
 namespace geomesh::remesh {
 
-/// No flatter cell may an opening leave: far flatter than bad ones may be, else those themselves could not be opened.
+/// Limit on the flatness of cells that an opening may leave. It is far below that of bad cells, which could not be
+/// opened otherwise.
 inline constexpr double opening_shape = 1e-7;
 
-/// One change about the live cell c, of a kind and at a place that are chosen: a vertex removed (curves and surfaces
-/// keep theirs), an edge split; an edge or a face removed; a point put into a cell or onto a face; in the cell or in
-/// one that shares an edge with it, mostly. Returns whether something changed.
+/// Makes one change around the live cell c, of a chosen kind and at a chosen place: removes a vertex (curves and
+/// surfaces keep theirs), splits an edge, removes an edge or a face, puts a point into a cell or onto a face; mostly in
+/// the cell or in one that shares an edge with it. Returns whether something changed.
 bool open_about_cell(Toolbox& tools, CellIndex c, Random& choose);
 
-/// The cell's vertices and their neighbours that may move. Ascending.
+/// Returns the cell's vertices and their neighbours that may move, in ascending order.
 std::vector<VertexIndex> movable_about(Toolbox& tools, const Tetrahedron& t);
 
-/// The nearest vertex that shares an edge with u; of equally near ones the lowest.
+/// Returns the nearest vertex that shares an edge with u; among equally near ones the lowest.
 VertexIndex nearest_neighbour(Toolbox& tools, VertexIndex u);
 
-/// Removes the points inside about the vertices of a cell, as many as go, each into its nearest neighbour: where
-/// earlier repairs have crowded them.
+/// Removes as many points inside around the vertices of a cell as possible, each into its nearest neighbour. Earlier
+/// repairs may have crowded them.
 bool clear_about(Toolbox& tools, const Tetrahedron& t);
 
 }  // namespace geomesh::remesh

@@ -14,32 +14,32 @@ namespace {
 
 using Edge = std::array<VertexIndex, 2>;
 
-/// The bad cells that a trial mends.
+/// The bad cells that a trial improves.
 enum class MendScope : bool {
-  touched,  ///< all that it touched
-  own,      ///< those that it made or changed
+  touched,  ///< all vertices that it touched
+  own,      ///< the cells that it made or changed
 };
 
 /// Whether repair may put points at a place.
 enum class NewPoints : bool { no, yes };
 
-/// The place about a bad cell during a trial: how it stands beside how it was, and the repair of what is bad there.
+/// The place around a bad cell during a trial: its state compared with that before, and the repair of its bad cells.
 class RescuedPlace {
  public:
   RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule, NewPoints points = NewPoints::yes)
       : tools_(tools), mesh_(tools.mesh), rule_(rule), points_(points), seed_(bad_cell(mesh_, seed)) {}
 
-  /// The cell that the trial is about, as it was.
+  /// The cell of the trial, as it was.
   const BadCell& seed() const { return seed_; }
   void set_seed(CellIndex c) { seed_ = bad_cell(mesh_, c); }
   void set_scope(MendScope scope) { scope_ = scope; }
 
-  /// One operation that raises the worst shape about the cell, the first that there is.
+  /// Makes the first operation that raises the worst shape around the cell.
   bool mend(CellIndex c) {
     return flip_about_cell(tools_, c) || move_vertices(c) || collapse_about_cell(tools_, c) ||
            (points_ == NewPoints::yes && add_point_about_cell(tools_, c, rescue_limits.room));
   }
-  /// Mends the worst, again and again, until none is left or too many were given up.
+  /// Improves the worst cell, again and again, until none is left or too many were given up.
   void mend_all() {
     given_up_.clear();
     for (unsigned step = 1; step < rule_.max_steps; ++step) {
@@ -50,7 +50,7 @@ class RescuedPlace {
       if (given_up_.size() == rescue_limits.most_given_up) break;
     }
   }
-  /// The worst of the bad cells in scope that was not given up, or no_cell.
+  /// Returns the worst bad cell in scope that was not given up, or no_cell.
   CellIndex next_bad() const {
     CellIndex worst = no_cell;
     double least = rule_.bad_shape;
@@ -68,7 +68,7 @@ class RescuedPlace {
   }
   void forget_given_up() { given_up_.clear(); }
 
-  /// Whether the seed is there and hardly better: then others alone have gained.
+  /// Returns whether the seed exists and is hardly better. Then only others have gained.
   bool is_seed_as_it_was() const {
     return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > rescue_limits.notable_rise * seed_.shape);
   }
@@ -109,13 +109,13 @@ class RescuedPlace {
   NewPoints points_;
   BadCell seed_;
   MendScope scope_ = MendScope::touched;
-  std::vector<Tetrahedron> given_up_;  // about which all was in vain
+  std::vector<Tetrahedron> given_up_;  // cells for which every attempt failed
 };
 
-/// Whether operations that mend may make more cells bad.
+/// Whether operations of repair may make more cells bad.
 enum class BadCells : bool { may_not_spread, may_spread };
 
-/// What comes of `open`, mended, is kept where it is worth it.
+/// Repairs the result of `open`, and keeps it if it is worth it.
 template <class Open>
 bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& open) {
   Trial trial(tools);
@@ -127,7 +127,7 @@ bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& o
   return true;
 }
 
-/// Cells with at least two vertices of the cell, it among them. Ascending.
+/// Returns the cells with at least two vertices of the cell, including itself, in ascending order.
 std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   std::vector<CellIndex> star, cells;
   for (const VertexIndex v : t) {
@@ -140,7 +140,7 @@ std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   return cells;
 }
 
-/// Pairs (u, v): each movable vertex of the cell, and of the cells about it, with each of the cell's vertices or its
+/// Pairs (u, v): each movable vertex of the cell, and of the cells around it, with each of the cell's vertices or its
 /// nearest neighbour.
 std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   std::vector<Edge> edges;
@@ -151,7 +151,7 @@ std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   return edges;
 }
 
-/// Sweeps over all bad cells with `rescue`, again where something has changed since.
+/// Sweeps over all bad cells with `rescue`, and repeats that for cells whose surroundings have changed since.
 template <class Rescue>
 void sweep_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time, const Rescue& rescue) {
   std::uint64_t last_sweep = 0;
@@ -167,7 +167,8 @@ void sweep_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& ou
   }
 }
 
-/// What a trial of a search is worth: nothing, no free cell, or one that is elsewhere now, from which to go on.
+/// The result of one trial of a search: no gain, no bad cell that the input does not impose, or such a cell elsewhere,
+/// from which to continue.
 enum class Outcome : std::uint8_t { none, mended, elsewhere };
 
 class Searcher {
@@ -175,8 +176,8 @@ class Searcher {
   Searcher(Toolbox& tools, CellIndex seed, const RescueRule& rule, RescueSearch& search)
       : tools_(tools), search_(search), place_(tools, seed, rule) {}
 
-  /// Openings and repair in turns. Each opening is about the worst cell that the repair before has left; the first may
-  /// be a clearing.
+  /// Alternates openings and repair. Each opening is around the worst cell that the previous repair has left; the first
+  /// may be a clearing.
   Outcome search_once() {
     Trial trial(tools_);
     Random& choose = search_.choose;
@@ -206,9 +207,9 @@ class Searcher {
     return false;
   }
 
-  /// Beside cells that cannot be mended the worst tells nothing, and their number not much. What counts is that nothing
-  /// is left that is not forced. Where one such cell has made way for another, and the place is hardly worse, that one
-  /// is the seed from now on.
+  /// Beside cells that cannot be improved, the worst shape says nothing, and the number of bad cells little. The goal
+  /// is that only bad cells imposed by the input are left. If one other such cell has been replaced by another, and the
+  /// place is hardly worse, the new one is the seed from now on.
   Outcome judge_trial() {
     if (place_.is_seed_as_it_was()) return Outcome::none;
     const Tally was = place_.before(), is = place_.after();
@@ -233,7 +234,7 @@ std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& jud
   return bad;
 }
 
-/// What is done at u is kept where what is about it can be mended.
+/// Keeps the change at u if its surroundings can be repaired.
 template <class Change>
 bool change_mending(Toolbox& tools, VertexIndex u, const RescueRule& rule, const Change& change) {
   RescuedPlace place(tools, tools.mesh.incident_cell(u), rule, NewPoints::no);

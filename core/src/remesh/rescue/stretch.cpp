@@ -32,7 +32,7 @@ class Stretch {
   }
 
  private:
-  static constexpr double least_share = 0.99;  ///< of the length: what bringing the place to the surface may take
+  static constexpr double least_share = 0.99;  ///< share of the length that bringing the place to the surface may cost
 
   Vec3 project(const Vec3& p) const {
     switch (mesh_.kind(u_)) {
@@ -45,7 +45,7 @@ class Stretch {
     }
   }
 
-  /// No other edge becomes short, or shorter where it is.
+  /// Checks that no other edge becomes short, or shorter if it is short.
   bool leaves_room(const Vec3& p) {
     for (const LinkFace& f : star_.link)
       for (const VertexIndex x : f.vertices) {

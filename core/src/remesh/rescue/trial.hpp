@@ -7,9 +7,9 @@
 
 namespace geomesh::remesh {
 
-/// From construction on changes are recorded; they are undone at the end unless `keep` was called: the mesh, what the
-/// toolbox knows of it, and its statistics are then as they were. While it lasts bad cells may spread, and points go
-/// into thin gaps.
+/// Records changes from construction on. They are undone at the end unless `keep` was called: the mesh, the toolbox's
+/// data about it, and its statistics are then as before. While a trial lasts, bad cells may spread, and points may be
+/// put into thin gaps.
 class Trial {
  public:
   explicit Trial(Toolbox& tools)

@@ -25,7 +25,7 @@ bool for_each_side(const ConstrainedTetrahedralization& mesh, const Visit& visit
   return true;
 }
 
-/// `row_of` tells the facet of the complex that a face of the mesh is part of. Nothing where faces of one facet
+/// `row_of` returns the facet of the complex that a face of the mesh is part of. Returns nothing if faces of one facet
 /// disagree.
 template <class RowOf>
 std::optional<ComponentsBeside> components_beside(const ConstrainedTetrahedralization& mesh, std::size_t n_facets,
@@ -39,7 +39,8 @@ std::optional<ComponentsBeside> components_beside(const ConstrainedTetrahedraliz
   return agrees ? std::optional(std::move(beside)) : std::nullopt;
 }
 
-/// Which component each of `fresh` is, told by a facet and its side; no_index: none. Nothing where facets disagree.
+/// Returns for each component of `fresh` the known one that it stands for, decided by a facet and its side; no_index:
+/// none. Nothing if facets disagree.
 std::optional<std::vector<Index>> match_components(const ComponentsBeside& beside,
                                                    const ConstrainedTetrahedralization& fresh) {
   std::vector<Index> match(fresh.n_components, no_index);
@@ -68,7 +69,7 @@ void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<In
     if (match[c] == no_index) plc.hole_seeds.push_back({place[c], no_index});
 }
 
-/// No component is missing, and none is told twice.
+/// Returns whether no component is missing and none occurs twice.
 bool is_complete(std::vector<Index> match, std::size_t n_components) {
   std::sort(match.begin(), match.end());
   std::vector<Index> all(n_components);
@@ -94,7 +95,7 @@ PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   return plc;
 }
 
-/// Nothing where the complex cannot be meshed, or components cannot be told.
+/// Returns nothing if the complex cannot be meshed, or its components cannot be identified.
 std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const ComponentsBeside& beside,
                                                                    std::size_t n_components, PiecewiseLinearComplex plc,
                                                                    unsigned most_attempts, const RunContext& context,
@@ -130,7 +131,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
   }
 }
 
-/// What is told of the components and of the run that made `mesh`.
+/// Copies the data of the components and of the run that made `mesh`.
 void inherit(const ConstrainedTetrahedralization& mesh, ConstrainedTetrahedralization& fresh) {
   fresh.n_components = mesh.n_components;
   fresh.component_seed = mesh.component_seed;

@@ -12,8 +12,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of the size at a seed: a place that does not keep this from others is refused before the size there is asked for.
-/// Sizes that fall by less than 0.5 a unit would refuse it too.
+/// Share of the size at a seed. A place nearer to others than this is refused before its own size is evaluated; sizes
+/// that decrease by less than 0.5 per unit of distance would refuse it too.
 constexpr double surely_crowded = 0.5;
 
 Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
@@ -28,7 +28,8 @@ double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }
 
-/// Of a cell by its column and row, whole numbers. Collisions cost time only: points are compared by distance.
+/// Hash of a cell by its column and row, whole numbers. Collisions cost time only, because points are compared by
+/// distance.
 std::uint64_t key(double column, double row) {
   const auto whole = [](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(c)); };
   return hash_of(std::array{whole(column), whole(row)});

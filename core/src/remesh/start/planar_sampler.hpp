@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Points inside a polygon of the plane at asked distances from each other.
+/// Points inside a polygon of the plane at target distances from each other.
 #pragma once
 
 #include <functional>
@@ -11,20 +11,20 @@
 
 namespace geomesh::remesh {
 
-/// Advances from the border inwards; a point is taken where none is nearer than `spacing_ratio` of the size asked
-/// there, and no edge nearer than `edge_ratio` of it: a point in the middle of an edge longer than asked would be far
-/// enough from its ends.
+/// Advances from the border inwards. A point is accepted if none is nearer than `spacing_ratio` of the target size
+/// there, and no edge nearer than `edge_ratio` of it: a point in the middle of an edge longer than its target would be
+/// far enough from its ends.
 class PlanarSampler {
  public:
   static constexpr double spacing_ratio = 0.75, edge_ratio = 0.4;
-  /// A place and the size asked there.
+  /// A place and the target size there.
   struct Place {
     Vec2 at;
     double size;
   };
-  /// Of p, beside a place nearby where it is known.
+  /// The size at p, given a place nearby where it is known.
   using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
-  /// Loops with vertices at about the asked distances, the outer one turning left, holes turning right.
+  /// Loops with vertices at about the target distances, the outer one counter-clockwise, holes clockwise.
   PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
   /// A point, or an inner segment, that others keep away from.
   void block(const Place& p) { add(p.at, p.size); }

@@ -164,7 +164,7 @@ class SurfaceSampler {
     for (const auto& p : plc_.facet_points) inner_points_[p.facet].push_back(p.v);
   }
 
-  /// What a facet becomes: its loops with the points on its edges, and places inside.
+  /// The sample of a facet: its loops with the points on its edges, and places inside.
   struct FacetSample {
     std::vector<std::vector<VertexIndex>> loops;
     std::vector<Vec3> inside;
@@ -265,7 +265,7 @@ class SurfaceSampler {
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
   std::vector<std::vector<VertexIndex>> inner_points_;
-  std::vector<double> vertex_size_;  // negative: not asked for yet
+  std::vector<double> vertex_size_;  // negative: not evaluated yet
   SampledComplex out_;
 };
 

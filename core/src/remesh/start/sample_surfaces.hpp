@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Points on edges and facets at the asked distances, before anything is meshed: for `exact`, where surfaces stay what
-/// they are.
+/// Points on edges and facets at the target distances, before anything is meshed: for `exact`, where surfaces are kept
+/// as they are.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace geomesh::remesh {
 
-/// What gets no points.
+/// Parts of the complex that get no points.
 struct WholeParts {
   std::set<std::array<VertexIndex, 2>> edges;  ///< of the complex, the lesser end first
   std::set<Index> facets;                      ///< rows before facets were merged: no points inside
@@ -38,18 +38,19 @@ struct SampledComplex {
 /// flip, or stay.
 enum class Slivers : std::uint8_t { may_go, stay };
 
-/// Edges of facets and segments are cut into pieces of about the asked length, equal in units of it. In each facet
-/// points follow from the border inwards at the asked distance from each other. Each has at least 0.75 of it from all
-/// others there: the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
-/// before facets were merged, and tells which components a facet has beside it. Edges of slivers that stay are not cut;
-/// those that go are flipped in `merged`. Edges in `whole` are not cut either, and its facets get no points inside.
-/// Deterministic. Near-linear in the points where sizes vary slowly.
+/// Cuts edges of facets and segments into pieces of about the target length, equal in units of it. In each facet points
+/// follow from the border inwards, at the target distance from each other. Each has at least 0.75 of it from all others
+/// there: this is the front of the inside refinement one dimension down, without a triangulation. `mesh` is of the PLC
+/// before facets were merged, and gives the components beside a facet. Edges of slivers that are kept are not cut; the
+/// others are flipped in `merged`. Edges in `whole` are not cut either, and its facets get no points inside.
+/// Deterministic. Near-linear in the points if sizes vary slowly.
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
                                Slivers slivers, const RunContext& context, WholeParts whole = {});
 
-/// The mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and components as
-/// `mesh` has them, facets by the first of those that were merged, nothing of a component that it lacks. Nothing where
-/// rounding made facets cross, or components cannot be told; `trouble` is then what the engine said of the place.
+/// Returns the mesh of the sampled complex as one of the PLC before facets were merged: vertices, segments and
+/// components as in `mesh`, facets by the first of those that were merged, without components that it lacks. Returns
+/// nothing if rounding made facets cross, or components cannot be identified; `trouble` then has the engine's message
+/// with the place.
 std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& merged,
                                                           const ConstrainedTetrahedralization& mesh,
                                                           const SampledComplex& sampled, const RunContext& context,

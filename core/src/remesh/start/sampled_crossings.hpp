@@ -9,9 +9,9 @@
 
 namespace geomesh::remesh {
 
-/// Facets that cannot be triangulated, that have a triangle of another one, or that meet something outside of shared
-/// vertices and edges: another facet or a segment. Ascending. The engine tells one such place and ends there. O(n log
-/// n) and the pairs whose boxes overlap.
+/// Returns facets that cannot be triangulated, that share a triangle with another one, or that meet another facet or a
+/// segment outside shared vertices and edges. Ascending. The engine reports one such place and ends there. O(n log n),
+/// plus the pairs whose boxes overlap.
 std::vector<Index> facets_that_meet(const PiecewiseLinearComplex& plc, unsigned threads);
 
 }  // namespace geomesh::remesh

@@ -69,7 +69,7 @@ struct Workspace {
 /// Star of v as a cavity, its surfaces and curves as spokes.
 void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity);
 
-/// Leaves out the faces, spokes and curve edges with v: they vanish where the apex goes there. The cells stay.
+/// Leaves out the faces, spokes and curve edges with v, which vanish if the apex moves there. The cells are kept.
 void drop_vertex(StarCavity& cavity, VertexIndex v);
 
 /// Cells about the edge (a, b) of cell c, to be refilled from a point of the edge.
@@ -88,7 +88,7 @@ double removed_shape(const DomainMesh& mesh, const StarCavity& cavity);
 /// Whether the star with its apex at p has more bad cells than are to be removed: where one cell cannot be mended,
 /// raising the worst shape by next to nothing would let its neighbours become as bad.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
-/// The same where its shapes are known, in the order of the link.
+/// Decides by shapes that are known, in the order of the link.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes);
 
 /// Whether a vertex, a curve's edge or a constrained face is inside of a cavity and not on its border. The marks of the

@@ -29,9 +29,9 @@ bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>&
   return true;
 }
 
-/// Where curves stay, faces that come have the border of those that go, about which they wind the same way. Let them
-/// be over sheets, none steep to them, and all turned to the same side. Then that is the side of those that go, and the
-/// reference need not be asked.
+/// If curves are kept, new faces have the border of the removed ones and wind around it in the same way. If they are
+/// over sheets, none steep to them, and all turned to the same side, that is the side of the removed faces, and the
+/// reference need not be examined.
 bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                                    const std::vector<Index>& over, bool curves_stay) const {
   constexpr double least_cosine = 0.2;  // 78 degrees

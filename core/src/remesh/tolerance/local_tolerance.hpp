@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How far surfaces may be from the input, by place: a length everywhere, or a share of the size asked there.
+/// How far surfaces may be from the input, by place: a length everywhere, or a share of the target size at the place.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace geomesh::remesh {
 class LocalTolerance {
  public:
   LocalTolerance() = default;
-  /// The same everywhere.
+  /// One tolerance everywhere.
   explicit LocalTolerance(double everywhere) : greatest_(everywhere) {}
   /// `by_place` holds tolerances, nowhere more than `greatest`.
   LocalTolerance(double greatest, SizeField by_place)
@@ -23,7 +23,7 @@ class LocalTolerance {
   double greatest() const { return greatest_; }
   /// The least at these points.
   double least_at(std::span<const Vec3> points) const;
-  /// The same, sooner where places are asked for again.
+  /// Returns the least tolerance at the points; faster if places are repeated.
   double least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const;
   /// No less than what is allowed at any point of the triangle (a line piece: its last two corners are equal).
   double most_on(const std::array<Vec3, 3>& corners) const;

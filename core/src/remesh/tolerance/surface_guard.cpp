@@ -21,14 +21,14 @@ std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
-/// What is left of the tolerance is for rounding in the distances themselves.
+/// The rest of the tolerance is left for rounding in the distances themselves.
 constexpr double proven_share = 1 - 1e-6;
-/// What new faces are proven to be within, of what samples of the original are held to: all of a face is looked at, so
-/// it may be nearer to the tolerance.
+/// Factor between the limit for new faces and that for samples of the original. All of a face is examined, so it may be
+/// nearer to the tolerance.
 constexpr double faces_over_samples = 1.15;
-/// Of the angle between a reference's normals and their mean up to which no samples are needed.
+/// Cosine of the angle between a reference's normals and their mean, up to which no samples are needed.
 constexpr double even_cosine = 0.9;
-/// What rounding may put a place off its plane by, over the greatest coordinate.
+/// Distance from its plane to which rounding may move a place, over the greatest coordinate.
 constexpr double rounding_share = 64 * std::numeric_limits<double>::epsilon();
 /// Whose tolerance a thread remembers: more than the vertices that it works on in turn.
 constexpr std::size_t n_recent_places = 16384;
@@ -48,7 +48,7 @@ int dropped_axis(const Vec3& normal) {
   return n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
 }
 
-/// Of one patch.
+/// Faces of one patch.
 class FaceSet {
  public:
   FaceSet(const std::vector<SurfaceFace>& faces, Index patch) {
@@ -95,8 +95,8 @@ std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
   return alike;
 }
 
-/// What must stay near to the mesh of a triangle of the original: the usual samples, and where it is large against the
-/// tolerance a lattice no wider than some tolerances.
+/// Visits the places of a triangle of the original that must be near to the mesh: the usual samples, and a lattice no
+/// wider than some tolerances if the triangle is large against the tolerance.
 template <class Visit>
 void for_each_reference_sample(const search::Corners& t, double tolerance, Visit visit) {
   constexpr double wide = 8;
@@ -150,8 +150,8 @@ double SurfaceGuard::share_about(std::span<const Vec3> points) const {
   return least / reach_;
 }
 
-/// Where a patch has several facets: weighted by area, so that none of their points is off the plane by more than
-/// rounding.
+/// Finds planes of patches with several facets, weighted by area, so that none of their points is off the plane by more
+/// than rounding.
 void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc) {
   for (const Vec3& p : plc.points)
     for (std::size_t i = 0; i < 3; ++i) rounding_ = std::max(rounding_, rounding_share * std::abs(p[i]));

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Keeps surfaces and curves where the user allows them to be while they are remeshed.
+/// Keeps surfaces and curves within the tolerance (the envelope) while they are remeshed.
 ///
-/// `exact`: a patch is one facet or several in its plane. So a vertex within a patch moves in that plane, and a curve
-/// is one input edge; no face can leave its plane but by rounding. A strip a few roundings wide has no plane that
-/// doubles can tell: a place must be on the faces that go as well. `tolerance`: every point of a new
-/// face is proven to be within 0.8 of the tolerance of the ORIGINAL triangles of its patch (search/proven_distance.hpp;
-/// what is not proven is refused). The other way round nothing is asked where those are a smooth sheet about the
-/// change; elsewhere samples of the original patch near the faces that go must be near those that come or their
-/// neighbours. The most is 0.7 of the tolerance; they are eight tolerances apart at most where a triangle is not longer
-/// than a hundred. Curves are held to 0.7 of it at samples both ways. Deviations do not add up over operations. No new
-/// face may be turned by 78 degrees or more from the original where it is nearest, which is near enough to a fold:
-/// nothing else keeps surfaces from folding on the side where nothing is meshed. What is promised is proven of the
-/// whole result in the end (verify_surfaces.hpp).
+/// `exact`: a patch is one facet, or several in its plane. So a vertex within a patch moves in that plane, a curve is
+/// one input edge, and no face can leave its plane except by rounding. A strip a few roundings wide has no reliable
+/// plane in doubles, so a place must be on the removed faces as well.
+///
+/// `tolerance`: every point of a new face is proven to be within 0.8 of the tolerance of the ORIGINAL triangles of its
+/// patch (search/proven_distance.hpp); otherwise the change is refused. In the other direction nothing is required if
+/// the original is a smooth sheet around the change. Elsewhere samples of the original patch near the removed faces
+/// must be within 0.7 of the tolerance of the new ones or their neighbours. They are at most eight tolerances apart if
+/// a triangle is not longer than a hundred. Curves are kept within 0.7 of it at samples both ways. Deviations do not
+/// add up over operations. No new face may be turned by 78 degrees or more from the original where it is nearest, which
+/// is close to a fold: nothing else prevents folds on a side where nothing is meshed. The whole result is proven in the
+/// end (verify_surfaces.hpp).
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -40,13 +41,13 @@ struct CurvePiece {
   Vec3 a, b;
   Index curve;
 };
-/// What an operation takes away, or puts in its place.
+/// The part that an operation removes, or puts in its place.
 struct SurfacePart {
   std::vector<SurfaceFace> faces;
   std::vector<CurvePiece> curves;
 };
 
-/// How surfaces are held within the tolerance.
+/// How surfaces are kept within the tolerance.
 struct Hold {
   double margin = 0.7;  ///< of the tolerance, for samples: so that the proof that follows seldom fails and seldom has
                         ///< to look closely
@@ -66,7 +67,7 @@ class SurfaceGuard {
 
   /// Direction in which a vertex on a patch may not move: normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
-  /// The same by what was nearest: nearest_facet, exact: the patch.
+  /// Normal by the nearest item: nearest_facet, in exact the patch.
   Vec3 normal_of(Index row) const;
   /// p brought back to the patch (exact: to the facet's plane; without rounding where that is normal to an axis).
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
@@ -75,16 +76,16 @@ class SurfaceGuard {
   /// Facet of the patch nearest to a place: provenance of a remade face. Not for exact.
   Index nearest_facet(Index patch, const Vec3& p) const;
 
-  /// Not for several threads at once. Whether faces and curve pieces may be exchanged; `around` are faces that stay and
-  /// share a vertex with those that go. Exact: whether corners that come are on the faces that go, but for rounding,
-  /// and no face folds onto others in its plane.
+  /// Must not be called by several threads at once. Returns whether faces and curve pieces may be exchanged. `around`
+  /// are kept faces that share a vertex with removed ones. Exact: whether new corners are on the removed faces up to
+  /// rounding, and no face folds onto others in its plane.
   bool admits(const SurfacePart& before, const SurfacePart& after, const std::vector<SurfaceFace>& around = {}) const;
 
   /// Whether all of a face is proven to be within the tolerance of the reference.
   bool is_proven_near_reference(const SurfaceFace& f) const;
 
-  /// Of the mesh's faces and curves from the references, and the other way round, proven where not listed (exact: of
-  /// corners from their planes, for both). `before`: of the same guard.
+  /// Returns the distances of the mesh's faces and curves from the references, and in the other direction, proven where
+  /// not listed (exact: of corners from their planes, for both). `before` is of the same envelope.
   Deviations deviations(const DomainMesh& mesh, unsigned threads, VerifiedSurfaces* before = nullptr) const;
 
  private:
@@ -95,8 +96,8 @@ class SurfaceGuard {
   };
   /// The least share of the tolerance that holds somewhere about these points.
   double share_about(std::span<const Vec3> points) const;
-  /// Whether each new face is turned from the reference by no more than the faces that go, or not by much. `over`: by
-  /// new face what is_proven_within tells; `curves_stay`: faces that go and that come have the same border.
+  /// Returns whether each new face is turned from the reference by no more than the removed ones, or not by much.
+  /// `over`: by new face, the result of is_proven_within; `curves_stay`: removed and new faces have the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                        const std::vector<Index>& over, bool curves_stay) const;
   /// Whether the patch's faces are all over sheets of the reference (`over`) and turned to the same side.
@@ -116,10 +117,10 @@ class SurfaceGuard {
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
-  /// Whether each corner that comes is within rounding of a face that goes.
+  /// Returns whether each new corner is within rounding of a removed face.
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
-  /// Whether no face that comes is turned over in its plane. Corners are off a plane that leans by rounding: elements
-  /// with all of theirs on it may be positive, so that these do not tell.
+  /// Returns whether no new face is reversed in its plane. Corners are off an inclined plane by rounding, so elements
+  /// with all corners on it may be positive, and do not show a fold.
   bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;

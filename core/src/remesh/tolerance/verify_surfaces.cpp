@@ -14,7 +14,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// What is left of the tolerance is for rounding in the distances and cuts.
+/// The rest of the tolerance is left for rounding in the distances and cuts.
 constexpr double proven_share = 1 - 1e-6;
 constexpr std::size_t chunk = 256;
 
@@ -38,7 +38,7 @@ std::vector<std::size_t> in_order(const Items& items) {
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-/// What is the same in two lists of items, and what is not.
+/// Items that two lists share, and items that they do not.
 struct Difference {
   std::vector<std::size_t> same;        ///< by item of the second: its row in the first, or no_row
   search::ClosestPointTrees exchanged;  ///< those of either that are not in the other
@@ -69,7 +69,7 @@ struct KnownCovers {
   Known result, input;
 };
 
-/// Those of the result's items that were there before, and of the input's that were proven by what is there still.
+/// Items of the result that existed before, and items of the input that were proven by items that still exist.
 KnownCovers known_covers(const search::ClosestPointTrees& before, const search::ClosestPointTrees& now,
                          std::size_t n_groups, const search::ClosestPointTrees& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
@@ -86,7 +86,7 @@ KnownCovers known_covers(const search::ClosestPointTrees& before, const search::
   return known;
 }
 
-/// What is judged: the items, against those of their groups in the set.
+/// The items to be checked, against those of their groups in the set.
 struct Judgement {
   const Items& items;
   const search::ClosestPointTrees& set;

@@ -44,7 +44,7 @@ struct Deviations {
   std::vector<Breach> breaches;  ///< empty: all of both is proven to be within the tolerance of the other
 };
 
-/// What a verification leaves to the next, of the same input and a result that differs in few places.
+/// Data that a verification leaves to the next one, of the same input and a result that differs in few places.
 struct VerifiedSurfaces {
   /// By item of the result, and of the input.
   struct Covers {
@@ -67,9 +67,10 @@ struct TightZone {
   double tolerance;
 };
 
-/// Where faces on the outside of the model meet others beyond shared vertices and edges: nothing is meshed there, so no
-/// cell tells when surfaces that are nearer to each other than the tolerance come to cross. Where this is empty the
-/// mesh fills space once. Exact. Boxes are those of the edges and faces that meet, their tolerance 0. O(n log n).
+/// Returns places where faces on the outside of the model meet others beyond shared vertices and edges. Nothing is
+/// meshed there, so no cell shows when surfaces nearer to each other than the tolerance come to cross. If there are
+/// none, the mesh fills space once. Exact. Boxes are those of the edges and faces that meet, their tolerance 0. O(n log
+/// n).
 std::vector<TightZone> crossings_outside(const DomainMesh& mesh, unsigned threads = 1);
 
 }  // namespace geomesh::remesh

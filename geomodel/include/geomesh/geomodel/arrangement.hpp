@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Exact intersection of all surfaces with each other, with the box and with wells. The result is a polygon soup in
-/// doubles whose facets meet only in shared vertices and edges. CGAL stays behind this header.
+/// doubles whose facets meet only in shared vertices and edges.
 ///
-/// Pipeline: pairs (broad phase) -> exact constructions (narrow phase) -> constrained triangulation inside each
-/// triangle -> identification of vertices -> clipping (box, bodies with cuts_all). Last comes rounding with an exact
-/// check, repeated where needed.
+/// Pipeline: merging of near ends and sides -> pairs (broad phase) -> exact constructions (narrow phase) -> constrained
+/// triangulation inside each triangle -> identification of vertices -> clipping (box, bodies with cuts_all) -> rounding
+/// with an exact check, and merging within the tolerance, repeated until nothing crosses -> thin voids closed, cracks
+/// and holes filled. docs/decisions/arrangement.md has the file of each step.
 #pragma once
 
 #include <array>
@@ -85,20 +86,20 @@ struct ArrangementOptions {
   std::vector<TriangulatedSurface> volume;
   enum class Crossings { resolve, refuse } crossings = Crossings::resolve;
   unsigned max_rounding_rounds = 8;
-  /// Points, edges and facets nearer to each other than this merge (0: only what is equal). The soup is proven free of
-  /// crossings all the same. At least 1024 ulps of the largest coordinate where it is not 0.
+  /// Points, edges and facets nearer to each other than this are merged (0: only equal ones). The soup is proven free
+  /// of crossings in any case. If not 0, at least 1024 ulps of the largest coordinate.
   double tolerance = 0;
-  /// What `tolerance` brings together: everything, with what lies near a side of the box; or places where surfaces that
-  /// meet somewhere are near, and one ends. Faults that end beside another surface count as meeting it. Borders that
-  /// end near a side go to it. Surfaces that follow each other within a hundredth of it join wherever they are near,
-  /// with a warning. So do parts of one fault. Both draw faults to edges of the volume that they run along, and close
-  /// pockets that are thinner than it.
+  /// The places that `tolerance` merges: all of them, including those near a side of the box; or those where one of two
+  /// surfaces that meet somewhere ends near the other. Faults that end beside another surface count as meeting it.
+  /// Borders that end near a side move to it. Surfaces that follow each other within a hundredth of the tolerance are
+  /// merged wherever they are near, with a warning, as are parts of one fault. Both ways move faults to edges of the
+  /// volume that they run along, and close thin voids.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
-  /// Per surface the part of each triangle; a surface without an entry, or with an empty one, is one part. Parts of one
-  /// surface may be taken away later, one without the other: a facet that comes to stand for several names them all.
+  /// The part of each triangle, by surface; a surface without an entry, or with an empty one, is one part. Parts of one
+  /// surface may be removed later, one without the other, so a facet that stands for several parts names them all.
   std::vector<std::vector<Index>> parts;
-  /// Bytes that it may take, or 0: three quarters of the machine's. Counted by step from measured sizes; where more is
-  /// needed it ends with Error{cannot_mesh} and the place.
+  /// Most bytes of memory, or 0: three quarters of the machine's. Counted by step from measured sizes; if more is
+  /// needed, arrange() throws Error{cannot_mesh} with the place.
   std::size_t max_memory = 0;
 };
 
@@ -110,26 +111,26 @@ struct Displacement {
 
 struct ArrangementResult {
   PolygonSoup soup;
-  std::vector<TriangulatedSurface> box_sides;  ///< of the box (six) or the volume that was asked for; surface row n + i
+  std::vector<TriangulatedSurface> box_sides;  ///< of the box (six) or of the requested volume; surface row n + i
   Displacement rounding;
-  /// What `tolerance`, or the mending of places too thin for any rounding, brought together.
+  /// The effect of merging, by `tolerance` or at places too thin for any rounding.
   struct Merging {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;
-    std::size_t pockets_closed = 0;  ///< closed spaces thinner than the tolerance, of which a wall went
+    std::size_t pockets_closed = 0;  ///< thin voids that lost one of their walls
   } merging;
   /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length
   /// left.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
-  std::vector<double> area_clipped_by_rules;  ///< filled by trim_soup's caller; empty where no rule acts on the soup
+  std::vector<double> area_clipped_by_rules;  ///< filled by trim_soup's caller; empty if no rule acts on the soup
   std::vector<Spot> spots;
   std::vector<std::string> warnings;
   std::size_t n_pairs = 0, n_crossing_pairs = 0, n_rounding_rounds = 0;
   std::size_t memory_bound = 0;  ///< bytes it might take
 };
 
-/// Throws Error{invalid_input} where crossings are refused (names the pairs and places) or coordinates are not finite;
-/// Error{cannot_mesh} where no valid rounding is found (with the place).
+/// Throws Error{invalid_input} if crossings are refused (with the pairs and places) or coordinates are not finite, and
+/// Error{cannot_mesh} if no valid rounding is found (with the place).
 ArrangementResult arrange(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
                           const std::vector<NamedPoint>& points, const ArrangementOptions& options,
                           const RunContext& context = {});

@@ -18,7 +18,7 @@ struct ClipContext {
   Arranged& arranged;
   const SurfaceList& surfaces;
   ArrangementResult& result;  ///< areas, spots and warnings go here
-  double tolerance = 0;       ///< within which surfaces were brought together before; 0: they were not
+  double tolerance = 0;       ///< within which surfaces were merged before; 0: they were not
 };
 
 /// Removes facets, wells and points outside the closed box. A piece lies on one side of each box plane, as the sides
@@ -30,14 +30,14 @@ void clip_to_box(ClipContext context, const Box3& box, const std::vector<Polylin
 void clip_to_volume(ClipContext context, const Complex& complex, const Ingested& ingested,
                     const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points);
 
-/// First, inner parts of bodies that cross themselves are removed (winding number not zero on both sides). Then the
-/// parts of horizons and faults strictly inside bodies with cuts_all go, but for scarps (scarps.hpp). `crosses_itself`
-/// is per given surface. Returns how far from what is left of a surface places are that went, though they were outside
-/// of the body as given (lost_beside_body.hpp).
+/// Removes inner parts of bodies that cross themselves (winding number not zero on both sides), then the parts of
+/// horizons and faults strictly inside bodies with cuts_all, except for scarps (scarps.hpp). `crosses_itself` is by
+/// given surface. Returns how far removed places that were outside the body as given are from the rest of their surface
+/// (lost_beside_body.hpp).
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 
-/// Facet f loses the origins that `remove` accepts; where none is left the facet goes (keep[f] = 0).
+/// Facet f loses the origins that `remove` accepts. If none is left the facet is removed (keep[f] = 0).
 template <typename Remove>
 void remove_origins(Arranged& arranged, std::vector<std::uint8_t>& which, Remove&& remove) {
   std::vector<Triangle> facets;
@@ -65,7 +65,7 @@ void remove_origins(Arranged& arranged, std::vector<std::uint8_t>& which, Remove
 /// Facets marked `outside` lose all origins; their area is counted as clipped by the box.
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
 
-/// Pieces of wells marked `outside` go, with a warning that tells their length.
+/// Removes pieces of wells marked `outside`, with a warning that gives their length.
 void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outside,
                      const std::vector<Polyline>& polylines);
 

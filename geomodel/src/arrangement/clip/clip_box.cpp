@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies outside of the box, declared in arrangement/clip/clip.hpp.
+// Clipping at the box, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 
 #include "arrangement/clip/clip.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies outside of a model volume, declared in arrangement/clip/clip.hpp.
+// Clipping at a model volume, declared in arrangement/clip/clip.hpp.
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/clip/facet_components.hpp"
 

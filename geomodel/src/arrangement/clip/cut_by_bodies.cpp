@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies inside of bodies that cut, declared in arrangement/clip/clip.hpp.
+// Clipping by bodies that cut, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 #include <sstream>
 
@@ -138,7 +138,7 @@ class BodyCutter {
       context_.result.area_clipped_by_bodies[o.surface] += facet_area(arranged_, f);
     }
   }
-  /// `body_of` is asked of facets inside of one.
+  /// `body_of` is called for facets inside a body.
   template <typename BodyOf>
   void note_lost(const std::vector<std::uint8_t>& inside, BodyOf&& body_of) {
     std::map<Index, std::map<Index, CutOff>> cut_off;  // by body and surface

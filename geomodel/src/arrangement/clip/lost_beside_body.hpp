@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What was outside of a body as given, and went with what is inside, since it was brought into the body before.
+/// Places that were outside a body as given, and were removed with its inside, because merging had moved them into the
+/// body.
 #pragma once
 
 #include "arrangement/clip/body_shape.hpp"
@@ -14,7 +15,7 @@ struct CutOff {
   std::vector<Index> gone, left;  ///< cut off by a body; those that stay
 };
 
-/// A body where it was given, before anything was brought together within `tolerance`.
+/// A body as given, before anything was merged within `tolerance`.
 class BodyAsGiven {
  public:
   /// `body` outlives this. O(n log n).

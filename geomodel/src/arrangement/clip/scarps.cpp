@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-constexpr double least_share = 0.01;  // of the length of ends that tell otherwise
+constexpr double least_share = 0.01;  // of the length: ends that say otherwise may have so much
 
 int number(Sign sign) { return sign == Sign::zero ? 0 : sign == Sign::positive ? 1 : -1; }
 
@@ -89,7 +89,7 @@ class FaultAtEnd {
     return agree(0) || agree(1);
   }
 
-  /// What orient3d tells of places above the facet.
+  /// The sign of orient3d for places above the facet.
   int up_side(Index facet) const {
     const Triangle& t = arranged_.facets[facet];
     const auto in_map = [&](std::size_t k) { return Vec2{point(t[k]).x, point(t[k]).y}; };

@@ -11,11 +11,11 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of scarps: 1, by facet. A topography with throw ends at a fault twice, higher on one side than on the other.
-/// The fault between these ends has ground on one side and air on the other. So it is with the bottom of the model.
-/// A piece of a fault is what hangs together between edges with that surface. It is a scarp where it lies below an end
-/// of the surface on its one side, and above one on its other side. Ends that tell otherwise may have a hundredth of
-/// the length. Sides are told by exact predicates at rounded places. O(n log n).
+/// Marks facets of scarps with 1, by facet. A topography with throw ends at a fault on both sides, higher on one than
+/// on the other. The fault between these ends has ground on one side and air on the other; likewise at the bottom of
+/// the model. A piece of a fault is connected between edges with that surface. It is a scarp if it lies below an end of
+/// the surface on its one side, and above one on its other side. Ends that say otherwise may have a hundredth of the
+/// length. Sides are decided by exact predicates at rounded places. O(n log n).
 std::vector<std::uint8_t> scarps(const Arranged& arranged, const SurfaceList& surfaces);
 
 }  // namespace geomesh::geomodel::arrangement

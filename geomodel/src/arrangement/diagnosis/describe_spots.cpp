@@ -41,7 +41,7 @@ std::string overlap_text(const Spot& spot, const std::vector<TriangulatedSurface
   return what + " over " + area_text(spot.measure) + near(spot) + "; merged";
 }
 
-/// Rounding brings together what lies a few ulps apart; the tolerance what lies nearer than it says.
+/// Rounding merges surfaces a few ulps apart, the tolerance those nearer than it says.
 std::string merged_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces) {
   const std::string a = name_of(surfaces, spot.surface_a);
   const std::string what = spot.surface_a == spot.surface_b

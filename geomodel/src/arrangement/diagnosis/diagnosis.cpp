@@ -106,7 +106,7 @@ bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b)
   return true;
 }
 
-/// Where surfaces coincide: as given, or brought together by rounding or the tolerance.
+/// Adds places where surfaces coincide: as given, or merged by rounding or the tolerance.
 void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, ArrangementResult& result) {
   std::map<std::pair<SurfacePair, bool>, Spot> overlaps;
   for (Index f = 0; f < soup.facets.size(); ++f) {
@@ -138,7 +138,7 @@ void add_vanished(const std::vector<VanishedFacet>& vanished, ArrangementResult&
   for (const auto& [surface, spot] : spots) result.spots.push_back(spot);
 }
 
-/// Of crossings that should not be: how much of either surface lies beyond the other, and warnings.
+/// Measures crossings that should not be: how much of either surface lies beyond the other. Adds warnings.
 void measure_crossings(const SurfaceList& surfaces, ArrangementResult& result) {
   std::optional<SurfaceParts> parts;
   for (Spot& spot : result.spots) {

@@ -23,7 +23,7 @@ void diagnose_crossings(const ArrangedContacts& round, const SurfaceList& surfac
 /// Throws Error{invalid_input} that names the pairs and places if any input surfaces cross.
 void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces);
 
-/// Free borders and overlaps of the finished soup, what was brought together or vanished, and what was clipped.
+/// Describes free borders and overlaps of the finished soup, and everything that was merged, vanished or clipped.
 void diagnose_soup(const SurfaceList& surfaces, const std::vector<VanishedFacet>& vanished, ArrangementResult& result);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -47,8 +47,8 @@ class Nearness {
   explicit Nearness(const std::vector<TriangulatedSurface>& surfaces)
       : surfaces_(surfaces), searches_(surfaces.size()), borders_(surfaces.size()) {}
 
-  /// Most of the vertices of one that are asked are within the distance of the other, and farther from it than
-  /// rounding.
+  /// Returns whether most of the sampled vertices of one surface are within the distance of the other, and farther from
+  /// it than rounding.
   bool follows(Index one, Index other, double distance) {
     const std::vector<Vec3>& points = surfaces_[one].points;
     const std::size_t step = points.size() / most_asked + 1, n = (points.size() + step - 1) / step;

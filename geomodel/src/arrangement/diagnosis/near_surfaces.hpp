@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Surfaces that were given twice, moved by next to nothing, and surfaces that stop just short of others.
+/// Finds surfaces that are duplicates up to a tiny movement, and surfaces that stop just short of others.
 #pragma once
 
 #include <utility>
@@ -20,8 +20,8 @@ struct NearSurfaces {
   std::vector<std::pair<Index, Index>> ending;
 };
 
-/// Pairs are asked whose boxes are that near: some hundred vertices each for twins, all borders for those that end.
-/// O(n log n) by surface.
+/// Examines pairs whose boxes are that near: some hundred vertices each for duplicates, all borders for surfaces that
+/// end. O(n log n) by surface.
 NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double twin_distance, double end_distance);
 
 }  // namespace geomesh::geomodel::arrangement

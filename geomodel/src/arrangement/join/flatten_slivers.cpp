@@ -37,8 +37,8 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-/// Brings together what is within the distance about active facets. Where facets meet anew, or one cannot follow,
-/// nothing is done there.
+/// Merges everything within the distance of active facets. Where facets meet anew, or one cannot follow, nothing is
+/// done.
 SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
                            const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =

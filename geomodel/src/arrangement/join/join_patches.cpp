@@ -18,7 +18,7 @@ std::size_t rows_in_use(const Complex& complex) {
   return n;
 }
 
-/// Patches of the surfaces that may join, told apart as if each were a surface of its own.
+/// Patches of the surfaces that may be merged, distinguished as if each were a surface of its own.
 class Patches {
  public:
   Patches(const Complex& complex, const std::vector<std::uint8_t>& may_join)
@@ -87,7 +87,7 @@ class Patches {
   std::set<SurfacePair> pairs_;      ///< patches of one surface
 };
 
-/// Origins as they were before patches were told apart.
+/// Restores the origins as they were before patches were distinguished.
 void give_surfaces_back(Complex& complex, const Patches& patches) {
   edit_origins(complex, [&](Index, std::vector<Origin>& of) {
     for (Origin& o : of) o.surface = patches.surface_of(o.surface);

@@ -66,8 +66,8 @@ class Ends {
     const auto origins = complex_.origins.of(f);
     return std::none_of(origins.begin(), origins.end(), [&](const Origin& o) { return o.surface == surface; });
   }
-  /// An end of the edge is near to the plane of the facet, or rounding leaves that open, and not on it. What is on it
-  /// is crossed exactly. An edge that goes through a plane at both of its ends crosses it plainly.
+  /// Returns whether an end of the edge is near to the plane of the facet, or rounding leaves that open, but not on it.
+  /// An end on the plane is intersected exactly. An edge with its ends on both sides of the plane crosses it plainly.
   bool comes_near(const SurfaceEnd& e, const Triangle& t) const {
     const Vec3 &p = complex_.points[t[0]], &q = complex_.points[t[1]], &r = complex_.points[t[2]];
     const PlaneWithin plane({p, q, r}, joining_.distance);

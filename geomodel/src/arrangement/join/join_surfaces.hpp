@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Surfaces that lie in each other to rounding, brought together as wholes, and surfaces that end within rounding of
-/// others.
+/// Merging of surfaces that coincide up to rounding, as wholes, and of surfaces that end within rounding of others.
 #pragma once
 
 #include <optional>
@@ -19,10 +18,10 @@ struct Joining {
   bool sides_are_fixed = false;
 };
 
-/// Surfaces that still cross once they are rounded lie in each other somewhere. They are brought together wherever they
-/// are within the distance. Were they mended at the crossings alone, pockets and gaps as thin as rounding would stay
-/// between them. Sides of a box keep their planes. Nothing where nothing was near enough, or where facets could not
-/// follow: they would end beside their neighbours. The complex is then as it was. Cost: that of snap_near.
+/// Surfaces that still cross once they are rounded nearly coincide somewhere. They are merged wherever they are within
+/// the distance. If they were mended at the crossings alone, voids and gaps as thin as rounding would remain between
+/// them. Sides of a box keep their planes. Returns nothing if nothing was near enough, or if facets could not follow,
+/// because they would end beside their neighbours; the complex is then unchanged. Cost: that of snap_near.
 std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
                                                         const Joining& joining);
 

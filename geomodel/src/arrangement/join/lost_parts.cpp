@@ -36,7 +36,7 @@ Displacement extent_of(const std::vector<const VanishedFacet*>& vanished) {
   return {length(box.max - box.min), 0, box.min, 0};
 }
 
-/// Of places along the edges of the facet, its corners among them.
+/// Notes the farthest place along the edges of the facet, including its corners.
 void note_farthest(const VanishedFacet& facet, const SurfaceDistance& left, double step, Displacement& lost) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = facet.corners[k], along = facet.corners[(k + 1) % 3] - a;

@@ -9,12 +9,11 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// How far places of facets that vanished are from what is left of their surfaces, at most. A facet that vanishes
+/// Returns the largest distance of places on vanished facets from what is left of their surfaces. A facet that vanishes
 /// inside a surface leaves its neighbours there. One between an end of the surface and another surface may have been
-/// narrow and long: its surface ends earlier then. `distance`: within which things were brought together. Places are no
-/// nearer to each other than it, or a 256th of their edge. Less than a thousandth of it counts as nothing. Where
-/// nothing is left of a surface it is the extent of what vanished. O(n log n) for the surfaces of which anything
-/// vanished.
+/// narrow and long, so that its surface ends earlier. `distance` is that of merging. Sampled places are no nearer to
+/// each other than it, or a 256th of their edge. Less than a thousandth of it counts as zero. If nothing is left of a
+/// surface, the result is the extent of what vanished. O(n log n) for the surfaces of which anything vanished.
 Displacement lost_with(std::span<const VanishedFacet> vanished, const Complex& complex, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -157,7 +157,7 @@ class Clusters {
 
   std::size_t size() const { return begin_.size() - 1; }
   Index least_facet(std::size_t cluster) const { return members_[begin_[cluster]].second; }
-  /// By facet: whether it is in a cluster.
+  /// Returns, for each facet, whether it is in a cluster.
   std::vector<std::uint8_t> is_member(std::size_t n_facets) const {
     std::vector<std::uint8_t> out(n_facets, 0);
     for (const auto& m : members_) out[m.second] = 1;
@@ -199,7 +199,7 @@ void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment, c
   });
 }
 
-/// One exact round: its contacts' places, its clusters' pieces, then what they make of the complex.
+/// One exact round: the places of its contacts, the pieces of its clusters, then the resulting complex.
 class Round {
  public:
   Round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes)

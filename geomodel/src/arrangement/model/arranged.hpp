@@ -39,7 +39,7 @@ struct Arranged {
   std::vector<std::uint8_t> changed;  ///< per facet: not one of the complex' facets
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// Per facet contact: the one or two distinct vertices that its ends are (second no_index where one).
+  /// For each facet contact: the one or two distinct vertices of its ends (the second is no_index if there is one).
   std::vector<std::array<Index, 2>> contact_ends;
 };
 

@@ -22,7 +22,7 @@ using Origin = PolygonSoup::Origin;
 /// An edge or a well's segment by its ends, the lesser one first.
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
-/// From each corner to the next.
+/// The edges from each corner to the next.
 inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
   return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
 }
@@ -48,13 +48,13 @@ struct Complex {
   OriginLists origins;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// Per facet and per segment: not known to be free of crossings with the others that are not dirty either.
+  /// By facet and by segment: not known to be free of crossings with the others that are not dirty either.
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 
-/// A facet that lost its area when its corners were rounded or brought together, and where these are then.
+/// A facet that lost its area when its corners were rounded or merged, with the places of its corners since.
 struct VanishedFacet {
-  std::vector<Index> surfaces{};  ///< those of its origins; the first one is told
+  std::vector<Index> surfaces{};  ///< those of its origins; the first one is reported
   std::array<Vec3, 3> corners{};
 };
 
@@ -72,10 +72,11 @@ bool normalise_origins(std::vector<Origin>& origins);
 /// first origin is reversed then are turned. O(n).
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit);
 
-/// `origin` of the facet `from`, turned as its surface goes on over the edge (a, b) to the facet `to`.
+/// Returns `origin` of the facet `from`, oriented as its surface continues over the edge (a, b) to the facet `to`.
 Origin carried_over(Origin origin, const Triangle& from, const Triangle& to, VertexIndex a, VertexIndex b);
 
-/// Facets on the same three vertices become the first of them, with the origins of all. Returns how many went.
+/// Merges facets on the same three vertices into the first of them, with the origins of all. Returns how many were
+/// removed.
 std::size_t merge_equal_facets(Complex& complex);
 
 struct PointHash {
@@ -98,7 +99,7 @@ inline Vec2 project(const Vec3& p, const Projection& frame) { return {p[frame.i]
 /// sign is zero only where a, b, c are exactly collinear.
 Projection projection_of(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Of the largest coordinate.
+/// The unit in the last place of the largest coordinate.
 double unit_in_the_last_place(const Complex& complex);
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c);

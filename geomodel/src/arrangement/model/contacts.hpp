@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A point by what defines it: a point of the complex, the line through two of its points with a facet's plane, or two
-/// coplanar lines. The same place may have several symbols; identification is exact and comes later.
+/// A point given by its definition: a point of the complex, the line through two of its points with a facet's plane, or
+/// two coplanar lines. The same place may have several symbols; identification is exact and comes later.
 struct Symbol {
   Index a = no_index, b = no_index, c = no_index, d = no_index;
   static Symbol point(VertexIndex v) { return {v, no_index, no_index, no_index}; }

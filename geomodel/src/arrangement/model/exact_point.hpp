@@ -32,7 +32,7 @@ class ExactFrame {
   /// numerator / denominator in the coordinates' unit, to the nearest double; denominator > 0.
   double ratio(const mpz_class& numerator, const mpz_class& denominator) const;
   /// The nearest doubles (ties to even). Rounding is monotone, so a coordinate that lies on an axis-aligned plane in
-  /// doubles stays on it. Equal points have equal doubles.
+  /// doubles remains on it. Equal points have equal doubles.
   Vec3 to_nearest(const ExactPoint& p) const;
 
  private:
@@ -41,12 +41,12 @@ class ExactFrame {
 
 using PlanePoints = std::array<Vec3, 3>;
 
-/// Where the line through p and q meets the plane; the line may not be parallel to the plane.
+/// The intersection of the line through p and q with the plane; the line must not be parallel to the plane.
 ExactPoint line_plane_point(const ExactFrame& frame, const Vec3& p, const Vec3& q, const PlanePoints& plane);
-/// Where three planes meet; they must meet in one point.
+/// The intersection of three planes, which must meet in one point.
 ExactPoint three_planes_point(const ExactFrame& frame, const PlanePoints& a, const PlanePoints& b,
                               const PlanePoints& c);
-/// Where the line through p and q meets the line through r and s; they must be coplanar and not parallel.
+/// The intersection of the line through p and q with the line through r and s; they must be coplanar and not parallel.
 ExactPoint line_line_point(const ExactFrame& frame, const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
 
 bool equal(const ExactPoint& a, const ExactPoint& b);

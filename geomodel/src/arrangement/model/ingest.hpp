@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From surfaces, wells and points as read to the complex of the first round.
+/// Converts surfaces, wells and points as read to the complex of the first round.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Memory of the arrangement. What it holds grows with the places in which triangles meet. No size of the input bounds
-/// these: surfaces may lie on each other, triangles be far larger than the model. So each big step counts what it makes
-/// and ends with a message long before the machine swaps.
+/// Memory of the arrangement. It grows with the number of places in which triangles meet, which no size of the input
+/// bounds: surfaces may coincide, and triangles may be far larger than the model. So each big step counts what it
+/// makes, and ends with a message long before the machine swaps.
 #pragma once
 
 #include <atomic>
@@ -12,11 +12,11 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Three quarters of the machine's memory, or of what the container that the program runs in may use.
+/// Three quarters of the machine's memory, or of the limit of the container that the program runs in.
 std::size_t default_memory_bound();
 
-/// What one step may still take, counted by all threads. Bytes an item were measured on crossing grids and on random
-/// triangles: contacts with what identification makes of them, and facets with their exact vertices.
+/// Memory that one step may still take, counted by all threads. Bytes for each item were measured on crossing grids and
+/// on random triangles: contacts with their identification, and facets with their exact vertices.
 class MemoryUse {
  public:
   static constexpr std::size_t per_contact = 300, per_facet = 350;

@@ -238,7 +238,7 @@ void PlanarTriangulation::legalize(std::vector<std::pair<int, int>>& edges) {
   }
 }
 
-/// What the segment from a towards b meets first.
+/// Returns the first vertex or edge that the segment from a towards b meets.
 PlanarTriangulation::Stop PlanarTriangulation::first_stop(int a, int b) const {
   Stop stop;
   star(a, [&](int f, int k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A cheap way out of the narrow phase. Most triangles whose boxes meet are neighbours in one surface and nearly
-/// coplanar. Planes tell them apart only in exact arithmetic, while seen along the normal they lie side by side.
+/// An early exit of the narrow phase. Most triangles whose boxes meet are neighbours in one surface and nearly
+/// coplanar. Their planes separate them only in exact arithmetic, while as seen along the normal they lie side by side.
 #pragma once
 
 #include <array>

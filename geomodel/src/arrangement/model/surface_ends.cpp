@@ -27,7 +27,7 @@ void for_each_surface_edge(const Complex& complex, Visit visit) {
   }
 }
 
-/// Those edges, ascending by edge, then by surface: in buckets by their lesser end, each bucket sorted.
+/// Returns those edges, ascending by edge, then by surface: in buckets by their lesser end, each bucket sorted.
 std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   std::vector<std::size_t> begin(complex.points.size() + 1, 0);
   for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex, Index, Index) { ++begin[a + 1]; });

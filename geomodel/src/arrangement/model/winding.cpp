@@ -59,7 +59,7 @@ int WindingNumber::count(const Query& query, const Vec3& rounded, RayDirection r
   int winding = 0;
   for (Index t = 0; t < triangles_.size(); ++t) {
     const Vec3 &a = points_[triangles_[t][0]], &b = points_[triangles_[t][1]], &c = points_[triangles_[t][2]];
-    // Rounding is monotone: what is clear of the triangle's box in doubles is clear of it exactly.
+    // Rounding is monotone: a point outside the triangle's box in doubles is outside it exactly.
     if (rounded[i] > std::max({a[i], b[i], c[i]}) || rounded[i] < std::min({a[i], b[i], c[i]})) continue;
     if (rounded[j] > std::max({a[j], b[j], c[j]}) || rounded[j] < std::min({a[j], b[j], c[j]})) continue;
     if (ray.up ? rounded[k] > std::max({a[k], b[k], c[k]}) : rounded[k] < std::min({a[k], b[k], c[k]})) continue;

@@ -30,7 +30,7 @@ class WindingNumber {
   /// q in doubles, not on a triangle.
   int operator()(const Vec3& q, RayDirection ray) const;
 
-  /// What crossing triangle t adds to the winding number of points on its lower side along the axis.
+  /// The contribution of crossing triangle t to the winding number of points on its lower side along the axis.
   int contribution(Index t, std::size_t axis) const;
   const Box3& box() const { return box_; }
 

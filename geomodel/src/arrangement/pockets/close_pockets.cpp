@@ -70,7 +70,7 @@ class Parts {
   const std::vector<std::vector<Index>>& of_triangle_;
 };
 
-/// What pockets that were closed have given to facets beside them.
+/// Surfaces that closed voids have given to facets beside them.
 struct GivenSurfaces {
   std::map<Triangle, std::set<Index>> of_facet;  ///< by the corners of the facet
   std::set<SurfaceEdge> borders;                 ///< where surfaces ended before
@@ -106,8 +106,9 @@ void take_surface(Complex& complex, const std::map<Index, std::set<Index>>& take
   });
 }
 
-/// A strip between two pockets is given a surface that lost its walls on either side of it, and ends nowhere. Facets
-/// that were given a surface, and at one of whose edges it ends where it did not, give it back, until there are none.
+/// A narrow part between two voids is given a surface that lost its walls on either side of it, and ends nowhere.
+/// Facets that were given a surface, and at one of whose edges it ends where it did not end before, lose it again,
+/// until there are none.
 void prune_fins(Complex& complex, const GivenSurfaces& given) {
   std::map<SurfaceEdge, Index> n_at = facets_at_edges(complex);
   std::map<SurfaceEdge, std::vector<Index>> given_at;
@@ -139,7 +140,7 @@ void prune_fins(Complex& complex, const GivenSurfaces& given) {
   if (!taken.empty()) take_surface(complex, taken);
 }
 
-/// One round: pockets that share no facet.
+/// One round: thin voids that share no facet.
 class PocketRound {
  public:
   PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts, GivenSurfaces& given)
@@ -187,7 +188,7 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// The facet is part of the surfaces of the facet that goes nearest to its middle, seen from beyond the pocket.
+  /// The facet becomes part of the surfaces of the removed facet nearest to its middle, as seen from beyond the void.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

@@ -15,7 +15,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr std::size_t most_facets = 64;  ///< of a flap: what a needle leaves has few
+constexpr std::size_t most_facets = 64;  ///< of a dangling piece: the remains of a needle have few
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -25,7 +25,8 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 constexpr int most_halvings = 24;  ///< of a facet, until each piece is near one edge of the hinge
 
-/// Whether all of the triangle is within the distance of the edges: what is that near to one of them is convex.
+/// Returns whether all of the triangle is within the distance of the edges. The places that near to one of them are
+/// convex.
 bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 2>>& edges, double distance,
                int halvings = most_halvings) {
   for (const auto& e : edges) {
@@ -90,7 +91,8 @@ class SurfaceFacets {
       }
     return pieces;
   }
-  /// Through edges with two facets. Ends early where there are more facets than a flap has.
+  /// Returns the piece connected through edges with two facets. Ends early if there are more facets than a dangling
+  /// piece has.
   std::vector<Index> piece_of(Index first) const {
     std::vector<Index> piece{first};
     for (std::size_t k = 0; k < piece.size() && piece.size() <= most_facets; ++k)
@@ -160,20 +162,21 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
 
 using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
-/// What meets a flap at edges other than its hinge, where the flap is of no other surface.
+/// The surfaces that meet a dangling piece at edges other than its hinge, where the piece belongs to no other surface.
 struct Borne {
-  std::optional<Origin> ending;  ///< of a surface that ends there; `reversed` where the flap is turned against it
-  bool by_others = false;        ///< what goes on beyond, or a second surface
+  std::optional<Origin> ending;  ///< of a surface that ends there; `reversed` if the piece is oriented against it
+  bool by_others = false;        ///< a surface that continues beyond, or a second one
 };
 
-/// What a facet loses, and what it gets where that is all that it is of.
+/// The origin that a facet loses, and the one that it gets if it has no other.
 struct Change {
   Index surface;
   std::optional<Origin> instead;
 };
 using Changes = std::map<Index, Change>;  ///< by facet
 
-/// Whether a facet of the flap, or one beside it but for its hinge, changes already: it may not be there any more.
+/// Returns whether a facet of the piece, or one beside it (except at its hinge), changes already and may no longer
+/// exist.
 bool is_beside_a_change(const FacetsAtEdges& at, const Changes& changes, const Complex& complex, const Flap& flap) {
   for (const Index f : flap.facets)
     for (const EdgeKey& e : edges_of(complex.facets[f])) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Parts of a surface that hang from the rest of it and are thinner than the distance within which surfaces are brought
-/// together.
+/// Dangling faces: parts of a surface that are attached along one edge and are thinner than the distance of merging.
 #pragma once
 
 #include "arrangement/model/complex.hpp"
@@ -10,16 +9,16 @@ namespace geomesh::geomodel::arrangement {
 
 struct CutFlaps {
   std::size_t n_flaps = 0;
-  Displacement moved;  ///< of the corners of what went, to the surface that stays
+  Displacement moved;  ///< of the corners of removed facets, to the surface that is kept
   std::vector<VanishedFacet> vanished;
 };
 
-/// A flap is a piece of one surface between its hinge and edges at which it ends. At the edges of the hinge the surface
-/// has three facets or more. Where a needle beside it vanished, the surface is whole without it. Flaps of which all
-/// is within the distance of their hinge are taken off the surface. Each edge of the hinge keeps two facets of it
-/// or more. Where one other surface ends on the flap, the flap becomes that one's, which so goes on to the hinge. Where
-/// more meets it the flap stays. No facet moves, so nothing new can cross. Points that nothing names may be left.
-/// O(n log n).
+/// A dangling piece is a part of one surface between its hinge and edges at which the surface ends. At the edges of the
+/// hinge the surface has three facets or more. Where a needle beside it vanished, the surface is whole without it.
+/// Dangling pieces that are wholly within the distance of their hinge are removed from the surface. Each edge of the
+/// hinge keeps two facets of it or more. If one other surface ends on the piece, the piece becomes part of that
+/// surface, which then continues to the hinge. If more surfaces meet it, the piece is kept. No facet moves, so nothing
+/// new can cross. Unused points may be left. O(n log n).
 CutFlaps cut_flaps(Complex& complex, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

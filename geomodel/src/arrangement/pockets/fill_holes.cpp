@@ -11,14 +11,14 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// The surface's origin of the facet beside, turned as the surface goes on over the edge to `t`.
+/// Returns the surface's origin of the facet beside, oriented as the surface continues over the edge to `t`.
 Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
   const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });
   return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
-/// Of the length of the two other edges together: the third edge of a notch is shorter.
+/// The third edge, at which a hole is open, is shorter than this share of the length of the two others together.
 constexpr double mouth_of_notch = 0.125;
 
 class Holes {
@@ -26,7 +26,7 @@ class Holes {
   Holes(const Complex& complex, double distance)
       : complex_(complex), height_(2 * distance), ends_(surface_ends(complex)) {}
 
-  /// By facet the origins that fill holes.
+  /// Returns the origins that fill holes, by facet.
   std::map<Index, std::vector<Origin>> find() const {
     std::map<Index, std::vector<Origin>> found;
     for (Index f = 0; f < complex_.facets.size(); ++f)

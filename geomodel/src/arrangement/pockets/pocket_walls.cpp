@@ -13,7 +13,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a pocket: what one of its two walls takes
+constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a thin void: the share of one of its two walls
 
 /// Calls see(edge, facets) for each edge of the facets, ascending.
 template <class See>
@@ -76,7 +76,7 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
   return best;
 }
 
-/// Facets of one list of surfaces, joined across edges on which nothing else hangs.
+/// Facets of one list of surfaces, connected across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
   const auto row = [&](Index facet) {  // in the shell, which is ascending
     return static_cast<Index>(

@@ -23,9 +23,9 @@ class WallSearch {
   /// Surfaces from the row `first_side` on are sides of the volume.
   WallSearch(const Complex& complex, const EdgeFacets& edges, Index first_side);
 
-  /// The part of one list of surfaces that takes most nearly half of the area of the shell, and the rest. Nothing where
-  /// no part takes about half, where something else hangs on it, or where a side of the volume takes part. O(n log n)
-  /// for n sides.
+  /// Returns the part of one list of surfaces whose area is nearest to half of the shell, and the rest. Nothing if no
+  /// part has about half, if something else is attached to it, or if a side of the volume is part of it. O(n log n) for
+  /// n sides.
   std::optional<PocketWalls> of(const std::vector<FacetSide>& shell) const;
 
  private:

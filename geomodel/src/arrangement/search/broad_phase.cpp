@@ -32,7 +32,7 @@ std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& fac
   return boxes;
 }
 
-/// What a search works on and how much of it.
+/// The input and the limits of a search.
 struct Limits {
   const Complex& complex;
   const RunContext& context;

@@ -77,8 +77,8 @@ class BoxTree {
   FloatBox relative(const Box3& box) const;
   void group_nodes(std::span<const Index> groups);
 
-  /// Leaves from `first` on whose box meets the query, other than those that are all of `group`. Node k has the
-  /// children 2k and 2k+1; leaf l is node n_slots_ + l.
+  /// Visits leaves from `first` on whose box meets the query, except those that belong to `group` as a whole. Node k
+  /// has the children 2k and 2k+1; leaf l is node n_slots_ + l.
   template <typename Visit>
   void descend(const FloatBox& query, std::size_t first, Index group, Visit&& visit) const {
     if (first >= n_leaves_) return;

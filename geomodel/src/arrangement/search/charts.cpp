@@ -11,8 +11,8 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Per facet and edge k (from corner k to corner k+1) the facet and edge beyond it as 4 * facet + edge. It is no_index
-/// where the edge has another number of facets than two.
+/// By facet and edge k (from corner k to corner k+1): the facet and edge beyond it as 4 * facet + edge; no_index if the
+/// edge does not have exactly two facets.
 using Neighbours = std::vector<std::array<Index, 3>>;
 
 constexpr Index facet_of(Index side) { return side / 4; }

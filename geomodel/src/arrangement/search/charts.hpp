@@ -17,8 +17,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Per facet the chart it lies in, or no_index. Two facets of one chart meet in shared vertices and edges alone. The
-/// same whatever the number of threads; time linear but for the borders, which cost n log n.
+/// Returns the chart of each facet, or no_index. Two facets of one chart meet only in shared vertices and edges. The
+/// same whatever the number of threads; linear time, plus n log n for the borders.
 std::vector<Index> find_charts(const Complex& complex);
 
 /// An edge of a chart's border, the chart on its left.

@@ -17,7 +17,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// What is to be inserted where facets pass creases.
+/// Collects insertions where facets pass edges of the volume.
 class Drawing {
  public:
   Drawing(Complex& complex, const Joining& joining, double tolerance)
@@ -28,8 +28,8 @@ class Drawing {
         on_edges_(complex, tolerance),
         places_(complex) {}
 
-  /// Ends of the crease nearer than the distance go into the facet or its edges. Edges that pass the crease get a
-  /// vertex on it, and so does the crease.
+  /// Ends of the edge nearer than the distance are inserted into the facet or its edges. Edges that pass it get a
+  /// vertex on it, and so does it.
   void see(const EdgeKey& crease, Index facet, double distance) {
     for (const VertexIndex corner : {crease.first, crease.second}) insert_corner(corner, facet, distance);
     for (const EdgeKey& e : edges_of(complex_.facets[facet])) {
@@ -39,7 +39,7 @@ class Drawing {
     edges_.insert(crease);
   }
 
-  /// Nothing where nothing is beside a crease: the complex is then as it was.
+  /// Returns nothing if nothing is beside an edge of the volume; the complex is then unchanged.
   std::optional<SnapOutcome> rebuild() {
     Insertions insertions{on_edges_.take_sorted(), std::move(in_facet_)};
     if (!is_any_beside_) {
@@ -57,7 +57,7 @@ class Drawing {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  /// `orientation`: zero where the vertex lies on what it is inserted in.
+  /// `orientation` is zero if the vertex lies on the edge or facet that it is inserted in.
   void insert(const EdgeKey& e, VertexIndex v, Sign orientation) {
     if (on_edges_.is_on(e, v)) return;
     on_edges_.insert(e, v);
@@ -106,12 +106,13 @@ class Drawing {
   Complex& complex_;
   std::size_t n_points_;  ///< that there were
   double rounding_;
-  bool is_any_beside_ = false;  ///< what lies on creases exactly is left to the exact intersection where all does
+  bool is_any_beside_ =
+      false;  ///< if everything lies on edges of the volume exactly, it is left to the exact intersection
   BoxPlanes planes_;
   VerticesOnEdges on_edges_;
   std::map<Index, std::vector<VertexIndex>> in_facet_;
   VerticesByPlace places_;
-  std::set<EdgeKey> edges_;  ///< of facets that were seen, and creases
+  std::set<EdgeKey> edges_;  ///< of facets that were seen, and of the volume
 };
 
 Box3 box_about(const Complex& complex, const auto& vertices, double margin) {

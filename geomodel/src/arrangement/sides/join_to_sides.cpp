@@ -35,7 +35,7 @@ Nearness nearness(double distance, double most, Sign orientation) {
   return orientation == Sign::zero ? Nearness::exact : Nearness::beside;
 }
 
-/// Of corners of t and the triangle `of`.
+/// Nearness of corners of t and the triangle `of`.
 Nearness nearness_of_corners(const Corners& t, const Corners& of, double distance) {
   Nearness found = Nearness::apart;
   for (const Vec3& p : t)
@@ -44,7 +44,7 @@ Nearness nearness_of_corners(const Corners& t, const Corners& of, double distanc
   return found;
 }
 
-/// Of edges that pass each other.
+/// Nearness of edges that pass each other.
 Nearness nearness_of_edges(const Corners& s, const Corners& t, double distance) {
   Nearness found = Nearness::apart;
   for (std::size_t i = 0; i < 3; ++i)

@@ -29,8 +29,8 @@ class SidePlaces {
         tolerance_(tolerance),
         reach_(complex, joining, sides, tolerance) {}
 
-  /// Where the vertex goes: to a corner of the volume, else to an edge between two sides, else to a side. Ends go to
-  /// planes of a box later, in snap_near().
+  /// Returns the place for the vertex: a corner of the volume, otherwise on an edge between two sides, otherwise on a
+  /// side. Ends move to planes of a box later, in snap_near().
   std::optional<Vec3> nearest(VertexIndex v, bool is_end) const {
     const Vec3& p = complex_.points[v];
     Nearest corner, edge, side;
@@ -109,12 +109,12 @@ class SidePlaces {
   Reach reach_;
 };
 
-/// Moves of vertices, less those that would turn a facet over.
+/// Moves of vertices, without those that would turn a facet over.
 class Moves {
  public:
   Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}
 
-  /// Places stay distinct: beside one that is taken goes another, some ulps off.
+  /// Places remain distinct: if one is taken, another some ulps off is used.
   void add(VertexIndex v, Vec3 to) {
     if (to == points_[v]) return;
     if (taken_.empty()) taken_.insert(complex_.points.begin(), complex_.points.end());
@@ -154,7 +154,7 @@ class Moves {
   std::unordered_set<Vec3, PointHash> taken_;
 };
 
-/// Vertices of surfaces that are on no side, by what may be done with them.
+/// Vertices of surfaces that are on no side, by the way in which they may move.
 class VerticesToMove {
  public:
   VerticesToMove(const Complex& complex, const SideFacets& sides, const std::vector<SurfaceEnd>& ends)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From how far a surface goes to a side of the volume, or to an edge between two sides.
+/// The distance from which a surface moves to a side of the volume, or to an edge between two sides.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A surface that follows a side within the tolerance bounds a thin unit: it stays apart. So it goes to a side that it
-/// follows, and to its edges, from a twentieth of the tolerance alone. So does what is near a side and does not end.
-/// All else goes from nearer than the tolerance. Of a complex that outlives it and keeps its facets.
+/// A surface that follows a side within the tolerance bounds a thin unit, so it is kept apart. It moves to a side that
+/// it follows, and to its edges, only from a twentieth of the tolerance. The same holds for vertices near a side that
+/// are no ends. All others move from within the tolerance. The complex must outlive this object and keep its facets.
 class Reach {
  public:
   Reach(const Complex& complex, const Joining& joining, const SideFacets& sides, double tolerance)
@@ -34,7 +34,8 @@ class Reach {
     const auto& [s, t] = sides_at_.at(crease);
     return std::min(of_facet(facet, s), of_facet(facet, t));
   }
-  /// The facet's plane has the crease's direction, but for a small angle. What crosses a crease plainly does not.
+  /// Returns whether the facet's plane contains the direction of the volume's edge up to a small angle. Facets that
+  /// cross the edge plainly do not.
   bool runs_along(Index facet, const EdgeKey& crease) const {
     const Vec3 n = normal(facet), d = complex_.points[crease.second] - complex_.points[crease.first];
     return std::fabs(dot(n, d)) < sine_of_followed * length(n) * length(d);
@@ -71,7 +72,7 @@ class Reach {
     return reach;
   }
 
-  /// Those that are no sides, back to back.
+  /// The facets that are no sides, one vertex after the other.
   void list_facets_of_vertices(const SideFacets& sides) {
     first_facet_.assign(complex_.points.size() + 1, 0);
     const auto visit = [&](auto take) {

@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Of a complex that outlives it and keeps its facets. For any number of threads.
+/// The complex must outlive this object and keep its facets. For any number of threads.
 class SideFacets {
  public:
   SideFacets(const Complex& complex, const Joining& joining)

@@ -197,7 +197,7 @@ class Cluster {
                              input_.constraints.end());
   }
 
-  /// In an order in which each walk is short.
+  /// Inserts points in an order in which each walk is short.
   void insert_points() {
     const int n = static_cast<int>(ids_.size());
     std::vector<int> order(n);

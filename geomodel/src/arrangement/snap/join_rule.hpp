@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which surfaces may be brought together: all, or those alone that meet somewhere.
+/// Which surfaces may be merged: all, or only those that meet somewhere.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ inline SurfacePair surface_pair(Index a, Index b) { return a < b ? SurfacePair{a
 
 /// Pairs of surfaces of which facets touch, cross or overlap.
 std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts);
-/// Those, and pairs of surfaces that share a vertex.
+/// Returns those pairs, and pairs of surfaces that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
-/// Two things may join where one of them is a free border, and a surface of the one meets another surface of the
-/// other somewhere. So overshoots go, and borders that stop short reach. Where surfaces cross and nothing ends, fine
-/// triangles beside their curve are for remeshing to take out. Surfaces from the row `first_fixed` on stay what they
-/// are, and nothing joins them: sides of a model volume, which would leave their planes. For one thread at a time.
+/// Two things may be merged if one of them is a free border, and a surface of the one meets another surface of the
+/// other somewhere. So overshoots are removed, and borders that stop short reach. Where surfaces cross and nothing
+/// ends, remeshing removes fine triangles beside their curve. Surfaces from the row `first_fixed` on are never merged:
+/// sides of a model volume, which would leave their planes. For one thread at a time.
 class JoinRule {
  public:
   using Set = Index;  ///< of surfaces, by number
@@ -44,7 +44,7 @@ class JoinRule {
     rule.needs_border_ = false;
     return rule;
   }
-  /// Everything else may join.
+  /// A rule that allows everything else to be merged.
   static JoinRule all_but(Index first_fixed) {
     JoinRule rule({}, first_fixed);
     rule.joins_all_ = true;
@@ -64,12 +64,11 @@ class JoinRule {
   }
 
   bool restricts() const { return restricts_; }
-  /// Of the complex as it is now. Edges with one facet alone are borders, but for those that `lies_on_box` says are on
-  /// a side of the box. `asked`, where it is not empty, marks the vertices that will be asked for: what has another one
-  /// is left out.
+  /// Indexes the complex as it is now. Edges with one facet are borders, except those that `lies_on_box` places on a
+  /// side of the box. `asked`, if not empty, marks the vertices that will be needed; others are left out.
   void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
              std::vector<std::uint8_t> asked = {});
-  /// The edges alone: vertices stay what they were.
+  /// Indexes the edges alone: vertices are as before.
   void index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
 
   Thing of_vertex(VertexIndex v) const { return v < of_vertex_.size() ? of_vertex_[v] : Thing{}; }
@@ -87,12 +86,13 @@ class JoinRule {
   std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
   bool restricts_ = false, joins_all_ = false, needs_border_ = true;
-  std::vector<std::uint8_t> asked_;  ///< by vertex; empty: all may be asked for
+  std::vector<std::uint8_t> asked_;  ///< by vertex; empty: all may be needed
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
   std::vector<std::pair<EdgeKey, Thing>> of_edge_;  // ascending by edge
-  /// Of two sets, without and with a border: 1 allowed, 2 not, 0 not asked yet. Only while there are few sets.
+  /// For pairs of sets, without and with a border: 1 allowed, 2 not, 0 not known yet. Used only while there are few
+  /// sets.
   mutable std::vector<std::uint8_t> known_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Edges that all but follow each other leave large errors in the parameters: what is between the two points is solved
-/// for again. It is short then, and its error as much smaller.
+/// Edges that nearly follow each other leave large errors in the parameters. The vector between the two points is
+/// short, so solving for it again reduces its error as much.
 std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   constexpr double least_sine2 = 1e-12;
   constexpr unsigned n_corrections = 2;

@@ -15,7 +15,7 @@ namespace geomesh::geomodel::arrangement {
 /// or beyond it, or where the edges are parallel (to 1e-6 rad).
 std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// On which side of a triangle's plane a place is, farther from it than a distance.
+/// Decides on which side of a triangle's plane a place is, farther from it than a distance.
 class PlaneWithin {
  public:
   PlaneWithin(const std::array<Vec3, 3>& triangle, double distance);

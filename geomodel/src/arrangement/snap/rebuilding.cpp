@@ -19,15 +19,15 @@ std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::
   return found;
 }
 
-/// The facets and segments of a complex with what is inserted in them.
+/// The facets and segments of a complex with the vertices inserted in them.
 class Rebuilding {
  public:
-  /// `edges`: of the facets that were snapped; `touched`: facets of which a corner merged.
+  /// `edges` are those of the facets that were snapped, `touched` the facets of which a corner merged.
   Rebuilding(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
 
-  /// Where a facet cannot be split its edges stay whole, so that surfaces hang together there. Each round leaves
+  /// If a facet cannot be split, its edges are not divided, so that surfaces remain connected there. Each round leaves
   /// insertions out, so there are no more rounds than insertions.
   void leave_out_what_splits_nothing() {
     for (std::vector<Index> open = split_all(); !open.empty();) {
@@ -91,7 +91,7 @@ class Rebuilding {
     return std::any_of(edges.begin(), edges.end(), [&](const EdgeKey& e) { return insertions_.on_edge.contains(e); });
   }
 
-  /// Facets that cannot be split as asked.
+  /// Splits all facets. Returns those that cannot be split as required.
   std::vector<Index> split_all() {
     std::vector<Index> facets;
     is_of_split_.assign(complex_.points.size(), 0);
@@ -102,7 +102,7 @@ class Rebuilding {
     }
     return split_these(facets);
   }
-  /// The same, of facets at edges that stay whole now.
+  /// Splits facets at edges that are no longer divided.
   std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
     std::vector<Index> facets;
     for (const auto& [f, split] : splits_) {
@@ -136,7 +136,7 @@ class Rebuilding {
     return all;
   }
 
-  /// From a to b with what is inserted between; without b.
+  /// Walks from a to b with the vertices inserted between, without b.
   void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
     walk.push_back(a);
     const auto on = insertions_.on_edge.find(edge_key(a, b));

@@ -26,7 +26,7 @@ class Anchors {
     if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) cells_[cell_of(p)].push_back(p);
   }
 
-  /// Where a constructed point goes; it becomes an anchor where it stays.
+  /// Returns the rounded place of a constructed point, which becomes an anchor if it is not moved.
   Vec3 place(const Vec3& p) {
     if (snap_ == 0) return p;
     const Vec3* const anchor = !options_.onto_sides_alone || is_beside_side(p) ? nearest(p) : nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From exact vertices to doubles.
+/// Rounds exact vertices to doubles.
 #pragma once
 
 #include "arrangement/model/arranged.hpp"
@@ -22,9 +22,9 @@ struct Rounded {
   std::vector<VanishedFacet> vanished;
 };
 
-/// Vertices that get equal doubles become one. Facets that lose their area by that are dropped: their neighbours take
-/// their place, or the next round mends them. Only used vertices are kept, those of the complex first. Marks what may
-/// have become improper as dirty.
+/// Merges vertices with equal doubles. Facets that lose their area by that are dropped: their neighbours take their
+/// place, or the next round mends them. Only used vertices are kept, those of the complex first. Marks facets and
+/// segments that may have become improper as dirty.
 Rounded round_to_doubles(const Arranged& arranged, const Complex& before, const RoundingOptions& options);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A needle between two facets of a surface vanishes where its corners are on one line but for rounding. Its long edge
-/// is then an end of the surface, and vertices that were on the other edges are beside it. Sets `active` of the facet
-/// at such an edge and of the facets at those vertices that share a vertex with it. `distance`: of a vertex from the
-/// edge. Facets are rows of `active`. O(n log n) where few facets are at a vertex.
+/// A needle between two facets of a surface vanishes if its corners are collinear up to rounding. Its long edge is then
+/// an end of the surface, and vertices of the other edges are beside it (a crack). Sets `active` for the facet at such
+/// an edge and for the facets at those vertices that share a vertex with it. `distance` is that of a vertex from the
+/// edge. Facets are rows of `active`. O(n log n) if few facets are at a vertex.
 void mark_slits(const Complex& complex, double distance, std::vector<std::uint8_t>& active);
 
 }  // namespace geomesh::geomodel::arrangement

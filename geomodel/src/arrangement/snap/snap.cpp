@@ -52,7 +52,7 @@ class Snapper {
         marks_of_vertices());
   }
 
-  /// Nothing where all facets are active.
+  /// Returns nothing if all facets are active.
   std::vector<std::uint8_t> marks_of_vertices() const {
     if (facets_.size() == complex_.facets.size()) return {};
     std::vector<std::uint8_t> marks(complex_.points.size(), 0);

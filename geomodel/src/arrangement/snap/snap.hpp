@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Bringing together what is nearer than a distance: for `tolerance`, and, at a few ulps, for overlaps too thin for any
+/// Snapping of everything nearer than a distance: for `tolerance`, and, at a few ulps, for overlaps too thin for any
 /// rounding.
 #pragma once
 
@@ -19,11 +19,11 @@ enum class MoveToBox : std::uint8_t { none, of_free_borders, all };
 
 struct SnapOptions {
   double distance = 0;
-  std::optional<Box3> box;  ///< what lies on its planes stays there
+  std::optional<Box3> box;  ///< vertices on its planes remain there
   MoveToBox move_to_box = MoveToBox::none;
   JoinRule rule{};
-  /// By vertex: sides of a volume that is no box on which it lies but for rounding, as bits, modulo 64. What lies along
-  /// a side stays there. Empty: there are none.
+  /// By vertex: the sides of a volume that is no box on which it lies up to rounding, as bits, modulo 64. Vertices
+  /// along a side remain there. Empty: there are none.
   std::vector<std::uint64_t> sides_of{};
 };
 
@@ -47,7 +47,7 @@ struct SnapOutcome {
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 
-/// What is to be inserted where; vertices on an edge are in order from its lesser end.
+/// The insertions by place; vertices on an edge are in order from its lesser end.
 struct Insertions {
   std::map<EdgeKey, std::vector<VertexIndex>> on_edge;
   std::map<Index, std::vector<VertexIndex>> in_facet;

@@ -103,8 +103,8 @@ class Search {
     insert(f, x);
   }
 
-  /// A vertex of the grid that is near, else one at the place itself: of the complex where it has one there, so that
-  /// places stay distinct. no_vertex: the one that is there may not be taken.
+  /// Returns a vertex of the grid that is near, otherwise one at the place itself: that of the complex if it has one
+  /// there, so that places remain distinct. no_vertex: the vertex there must not be used.
   VertexIndex vertex_at(const Vec3& place, unsigned planes, const JoinRule::Thing& thing) {
     const Vec3 p = planes_.onto(place, planes);
     const auto may_take = [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); };
