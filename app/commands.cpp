@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
+#include "colours.hpp"
 #include "ensemble_command.hpp"
+#include "file_words.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/info.hpp"
@@ -34,12 +39,36 @@ std::vector<std::string> file_lines(const std::vector<std::filesystem::path>& fi
   return lines;
 }
 
+/// Green where nothing is wrong, else yellow. Other lines stay as they are.
+std::string verdict_painted(const std::string& text) {
+  const Colours colours = Colours::of(STDOUT_FILENO);
+  if (text.find("fit for solvers") == std::string::npos) return text;
+  return text.starts_with("not ") || text.find("warning") != std::string::npos ? colours.warning(text)
+                                                                               : colours.good(text);
+}
+
+/// How to look at what was made: the page in a browser, else a picture.
+void tell_how_to_look(const std::vector<std::filesystem::path>& files) {
+  const auto named = [&](const char* end) {
+    return std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.string().ends_with(end); });
+  };
+  std::string text;
+  if (const auto page = named(".html"); page != files.end()) text = "open " + file_address(*page);
+  if (const auto mesh = named(".vtu"); mesh != files.end()) {
+    std::filesystem::path picture = *mesh;
+    text += (text.empty() ? "picture: " : "   picture: ") + ("geomesh picture " + shell_word(*mesh)) + " -o " +
+            shell_word(picture.replace_extension(".png"));
+  }
+  if (!text.empty()) std::cout << text << '\n';
+}
+
 void print_result(const geomodel::JobResult& result, Verbosity verbosity) {
   if (verbosity == Verbosity::quiet) return;
-  for (const std::string& text : result.summary) std::cout << text << '\n';
+  for (const std::string& text : result.summary) std::cout << verdict_painted(text) << '\n';
   if (verbosity == Verbosity::verbose)
     for (const std::string& text : result.details) std::cout << text << '\n';
   for (const std::string& text : file_lines(result.files)) std::cout << "wrote " << text << '\n';
+  tell_how_to_look(result.files);
 }
 
 /// What the commands that only read leave behind.

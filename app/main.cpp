@@ -16,8 +16,8 @@ namespace {
 
 constexpr int status_bug = 1;
 
-int report_error(const char* kind, const char* text, int status) {
-  std::fprintf(stderr, "%s: %s\n", kind, text);
+int report_error(const std::string& kind, const char* text, int status) {
+  std::fprintf(stderr, "%s %s\n", geomesh::app::Colours::of(STDERR_FILENO).error(kind + ":").c_str(), text);
   return status;
 }
 
@@ -43,9 +43,11 @@ int main(int argc, char** argv) {
     RunContext context;
     context.cancel = &app::cancel_token();
     context.threads = line.threads;
-    app::Progress progress(line.verbosity, line.json_progress ? app::ProgressStyle::json
-                                           : terminal         ? app::ProgressStyle::terminal
-                                                              : app::ProgressStyle::lines);
+    app::Progress progress(line.verbosity,
+                           line.json_progress ? app::ProgressStyle::json
+                           : terminal         ? app::ProgressStyle::terminal
+                                              : app::ProgressStyle::lines,
+                           app::Colours::of(STDERR_FILENO));
     progress.attach(context);
     const int status = app::run(line, context);
     progress.tell_warnings_left();

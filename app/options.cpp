@@ -9,7 +9,9 @@
 #include <map>
 
 #include "geomesh/geomodel/formats.hpp"
+#include "geomesh/geomodel/init.hpp"
 #include "geomesh/geomodel/words.hpp"
+#include "help_format.hpp"
 #include "output_flags.hpp"
 #include "refinement_flags.hpp"
 
@@ -28,7 +30,7 @@ const char* const overview = R"(geomesh: tetrahedral meshes of earth models, fro
   geomesh picture MESH -o NAME.png   a picture of a mesh, or of a project's
   geomesh ensemble STUDY.yaml        many realisations of a project whose surfaces are uncertain
 
-Each has its own help: geomesh mesh --help, or geomesh --help-project for the first.
+Each has its own help: geomesh mesh --help, or geomesh --help-project for the first. -V prints the version.
 Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad input data or faults found by check,
 4 cannot be meshed as asked, 130 and 143 interrupted. An output file is complete or absent.
 )";
@@ -42,8 +44,8 @@ struct Common {
   void add_to(CLI::App& app) {
     app.add_option("--threads", threads, "Number of threads (default: all cores); the result is the same")
         ->check(CLI::Range(1u, 1024u));
-    auto* q = app.add_flag("--quiet", quiet, "Print warnings and errors only");
-    app.add_flag("--verbose", verbose,
+    auto* q = app.add_flag("-q,--quiet", quiet, "Print warnings and errors only");
+    app.add_flag("-v,--verbose", verbose,
                  "Print details: every message of the stages, every warning, every region, the shapes")
         ->excludes(q);
     app.add_flag("--json-progress", json_progress,
@@ -128,6 +130,7 @@ void check_option_names(const CLI::App& app) {
 
 /// Runs CLI11 and turns its exceptions into ours; true where help was asked for (its text is then in `help`).
 bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) {
+  use_plain_help(app);
   try {
     app.parse(argc, argv);
     return false;
@@ -141,11 +144,11 @@ bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) 
 }
 
 CommandLine parse_project(int argc, const char* const* argv) {
-  CLI::App app("Mesh a project: read its surfaces, intersect them, mesh, verify and write.", "geomesh PROJECT.yaml");
+  CLI::App app("Mesh a project: read its surfaces, intersect them, mesh, verify and write.", "geomesh");
   Common common;
   std::string project, directory, stop_after, help;
   bool preview = false;
-  app.add_option("PROJECT", project, "The project file (docs/project-file.md)")->required();
+  app.add_option("PROJECT.yaml", project, "The project file (docs/project-file.md)")->required();
   app.add_option("-o", directory, "Output folder (default: the project's output.directory)")->type_name("DIR");
   app.add_option("--stop-after", stop_after,
                  "Stop after this stage (intersect writes the soup and its offending spots for viewing)")
@@ -350,7 +353,9 @@ CommandLine parse_init(int argc, const char* const* argv) {
   Common common;
   std::string directory, template_name = "layers", help;
   app.add_option("DIR", directory, "The folder to make; it must not hold a project yet")->required();
-  app.add_option("--template", template_name, "Which template")->capture_default_str()->type_name("NAME");
+  app.add_option("--template", template_name, "Which template: " + joined(geomodel::template_names()))
+      ->capture_default_str()
+      ->type_name("NAME");
   common.add_to(app);
   CommandLine line;
   if (parse(app, argc, argv, help)) {
@@ -409,7 +414,7 @@ CommandLine parse_ensemble(int argc, const char* const* argv) {
       ->check(CLI::Range(1u, 1000000u))
       ->type_name("N");
   app.add_flag("--retry-failed", retry, "Make failed realisations again");
-  app.add_flag("--quiet", quiet, "Print warnings and errors only");
+  app.add_flag("-q,--quiet", quiet, "Print warnings and errors only");
   CommandLine line;
   if (parse(app, argc, argv, help)) {
     line.command = Help{help};
@@ -445,7 +450,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     line.command = Help{overview};
     return line;
   }
-  if (first == "--version") {
+  if (first == "--version" || first == "-V") {
     line.command = Help{"geomesh " GEOMESH_VERSION "\n"};
     return line;
   }

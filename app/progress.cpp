@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "geomesh/geomodel/announcement.hpp"
 #include "geomesh/geomodel/warnings.hpp"
 
 namespace geomesh::app {
@@ -27,6 +29,11 @@ std::string json_string(std::string_view text) {
     }
   }
   return quoted + "\"";
+}
+
+/// What a geologist knows as one step. Empty: a step of its own.
+std::string_view step_of(std::string_view stage) {
+  return stage == "delaunay" || stage == "recover" || stage == "classify" ? "mesh" : "";
 }
 
 const char* word(LogLevel level) {
@@ -58,13 +65,15 @@ std::string count_words(std::size_t n) {
 }
 
 Progress::~Progress() {
-  if (!ticker_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
+  if (ticker_.joinable()) {
+    {
+      const std::lock_guard lock(mutex_);
+      ended_ = true;
+    }
+    ends_.notify_all();
+    ticker_.join();
   }
-  ends_.notify_all();
-  ticker_.join();
+  finish_line();
 }
 
 void Progress::attach(RunContext& context) {
@@ -78,7 +87,7 @@ void Progress::attach(RunContext& context) {
 void Progress::tick() {
   std::unique_lock lock(mutex_);
   while (!ends_.wait_for(lock, tick_interval, [&] { return ended_; }))
-    if (!stage_.empty() && Clock::now() - last_drawn_ >= tick_interval) draw();
+    if (!stage_.empty() && !is_held_ && Clock::now() - last_drawn_ >= tick_interval) draw();
 }
 
 void Progress::clear_line() const {
@@ -87,37 +96,48 @@ void Progress::clear_line() const {
 
 double Progress::seconds_spent() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-/// Since counts of this total began. Zero where it is not known.
-double Progress::items_a_second() const {
-  const double spent = std::chrono::duration<double>(Clock::now() - counted_since_).count();
-  if (done_ <= first_done_ || spent < seconds_until_rate) return 0;
-  return static_cast<double>(done_ - first_done_) / spent;
-}
-
 /// Negative where it is not known.
 double Progress::seconds_left() const {
-  const double rate = items_a_second();
-  return total_ == 0 || done_ > total_ || rate == 0 ? -1 : static_cast<double>(total_ - done_) / rate;
+  const double spent = std::chrono::duration<double>(Clock::now() - counted_since_).count();
+  if (total_ == 0 || done_ > total_ || done_ <= first_done_ || spent < seconds_until_rate) return -1;
+  return spent * static_cast<double>(total_ - done_) / static_cast<double>(done_ - first_done_);
 }
 
 void Progress::on_stage(std::string_view name, bool begins) {
   const std::lock_guard lock(mutex_);
   if (verbosity_ == Verbosity::quiet) return;
-  if (begins) {
-    stage_ = name;
-    note_.clear();
-    done_ = total_ = first_done_ = 0;
-    start_ = last_drawn_ = counted_since_ = Clock::now();
-  }
+  if (begins) begin_stage(name);
   if (style_ == ProgressStyle::json) {
     print_stage_event(begins);
-  } else if (begins) {
-    if (style_ == ProgressStyle::terminal) std::fprintf(stderr, "%-10s ...", stage_.c_str());
-  } else {
-    clear_line();
-    std::fprintf(stderr, "%-10s %8s   %s\n", stage_.c_str(), seconds_words(seconds_spent()).c_str(), note_.c_str());
+    if (!begins) stage_.clear();
+    return;
   }
-  if (!begins) stage_.clear();
+  if (begins) return;
+  is_held_ = true;
+  if (verbosity_ == Verbosity::verbose || step_of(name).empty()) finish_line();
+}
+
+/// A stage of the same step goes on with its line.
+void Progress::begin_stage(std::string_view name) {
+  const bool goes_on = is_held_ && !step_of(name).empty() && style_ != ProgressStyle::json;
+  if (!goes_on) finish_line();
+  is_held_ = false;
+  stage_ = goes_on ? step_of(name) : name;
+  done_ = total_ = first_done_ = 0;
+  percent_ = -1;
+  counted_since_ = Clock::now();
+  if (goes_on) return;
+  note_.clear();
+  start_ = last_drawn_ = counted_since_;
+  if (style_ == ProgressStyle::terminal) std::fprintf(stderr, "%-10s ...", stage_.c_str());
+}
+
+void Progress::finish_line() {
+  if (!is_held_) return;
+  is_held_ = false;
+  clear_line();
+  std::fprintf(stderr, "%-10s %8s   %s\n", stage_.c_str(), seconds_words(seconds_spent()).c_str(), note_.c_str());
+  stage_.clear();
 }
 
 void Progress::on_progress(std::size_t done, std::size_t total) {
@@ -132,17 +152,20 @@ void Progress::on_progress(std::size_t done, std::size_t total) {
   if (Clock::now() - last_drawn_ >= redraw_interval) draw();
 }
 
+/// One unit for all stages: percent. Rounds of a few are no share of the time, so they are not shown.
 void Progress::draw() {
+  constexpr std::size_t few = 20;
   last_drawn_ = Clock::now();
   if (style_ == ProgressStyle::json) return print_progress_event();
   clear_line();
-  const double spent = seconds_spent(), left = seconds_left();
-  std::string line = count_words(done_);
-  if (total_ > 0 && done_ <= total_) line += " of " + count_words(total_);
-  if (const double rate = items_a_second(); rate > 0)
-    line += ", " + count_words(static_cast<std::size_t>(rate)) + " a second";
-  if (left >= 0) line += ", about " + seconds_words(left) + " left";
-  std::fprintf(stderr, "%-10s %8s   %s", stage_.c_str(), seconds_words(spent).c_str(), done_ > 0 ? line.c_str() : "");
+  std::string line;
+  if (total_ > few && done_ <= total_) {
+    percent_ = std::max(percent_, static_cast<int>(100.0 * static_cast<double>(done_) / static_cast<double>(total_)));
+    line = std::to_string(percent_) + " %";
+    if (const double left = seconds_left(); left >= 0 && percent_ < 100)
+      line += ", about " + seconds_words(left) + " left";
+  }
+  std::fprintf(stderr, "%-10s %8s   %s", stage_.c_str(), seconds_words(seconds_spent()).c_str(), line.c_str());
   std::fflush(stderr);
 }
 
@@ -161,18 +184,20 @@ void Progress::print_progress_event() const {
 
 void Progress::on_log(LogLevel level, std::string_view text) {
   const std::lock_guard lock(mutex_);
-  if (level == LogLevel::info) note_ = text;
+  const bool is_for_all = text.starts_with(geomodel::announcement_start) && verbosity_ != Verbosity::quiet;
+  if (level == LogLevel::info && !is_for_all) note_ = text;
   const bool chatty = verbosity_ == Verbosity::verbose || (style_ == ProgressStyle::json && level == LogLevel::info);
-  if (level != LogLevel::warning && (!chatty || verbosity_ == Verbosity::quiet)) return;
+  if (level != LogLevel::warning && !is_for_all && (!chatty || verbosity_ == Verbosity::quiet)) return;
   if (style_ == ProgressStyle::json) {
     std::fprintf(stderr, "{\"event\": \"log\", \"level\": \"%s\", \"text\": %s}\n", word(level),
                  json_string(text).c_str());
     return;
   }
   if (level == LogLevel::warning && verbosity_ != Verbosity::verbose && !is_shown(text)) return;
+  finish_line();
   clear_line();
-  const char* label = level == LogLevel::warning ? "warning: " : "  ";
-  std::fprintf(stderr, "%s%.*s\n", label, static_cast<int>(text.size()), text.data());
+  const std::string label = level == LogLevel::warning ? colours_.warning("warning:") + " " : is_for_all ? "" : "  ";
+  std::fprintf(stderr, "%s%.*s\n", label.c_str(), static_cast<int>(text.size()), text.data());
 }
 
 bool Progress::is_shown(std::string_view warning) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Draws what a job says while it runs: one line a stage, with counts, rate, time and time left. On a terminal the
-/// running stage's line is redrawn in place, every second even where the stage says nothing; elsewhere only finished
-/// lines are printed. For programs: one JSON object a line (docs/command-line.md).
+/// Draws what a job says while it runs: one line a stage, with its share, time and time left. The stages delaunay,
+/// recover and classify are one line, `mesh`, unless all is printed. On a terminal the running stage's line is redrawn
+/// in place, every second even where the stage says nothing; elsewhere only finished lines are printed. For programs:
+/// one JSON object a line (docs/command-line.md).
 #pragma once
 
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <string_view>
 #include <thread>
 
+#include "colours.hpp"
 #include "geomesh/core/run_context.hpp"
 
 namespace geomesh::app {
@@ -28,7 +30,8 @@ enum class ProgressStyle {
 /// Prints to standard error. Keep it alive as long as the context made by `attach` is used.
 class Progress {
  public:
-  Progress(Verbosity verbosity, ProgressStyle style) : verbosity_(verbosity), style_(style) {}
+  Progress(Verbosity verbosity, ProgressStyle style, Colours colours)
+      : verbosity_(verbosity), style_(style), colours_(colours) {}
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -39,6 +42,8 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
   void on_stage(std::string_view name, bool begins);
+  void begin_stage(std::string_view name);
+  void finish_line();
   void on_progress(std::size_t done, std::size_t total);
   void on_log(LogLevel level, std::string_view text);
   void tick();
@@ -47,16 +52,18 @@ class Progress {
   void print_progress_event() const;
   void clear_line() const;
   double seconds_spent() const;
-  double items_a_second() const;
   double seconds_left() const;
   bool is_shown(std::string_view warning);
 
   Verbosity verbosity_;
   ProgressStyle style_;
+  Colours colours_;
   std::mutex mutex_;  ///< of all below, and of the standard error
   std::condition_variable ends_;
   bool ended_ = false;
   std::string stage_, note_;
+  bool is_held_ = false;  ///< the stage has ended, its line waits for others that belong to it
+  int percent_ = -1;      ///< shown of the stage so far: never less
   std::size_t done_ = 0, total_ = 0;
   std::size_t first_done_ = 0;  ///< of this total, at `counted_since_`: rate and time left are told from there
   struct Kind {

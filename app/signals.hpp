@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// SIGINT and SIGTERM. The first one sets the cancel token, and the job ends at its next look at it; a second one ends
-/// the program at once. Commands that only read (check, info) are not asked to look: there the first signal ends the
-/// program.
+/// SIGINT and SIGTERM. The first one sets the cancel token, and the job ends at its next look at it; where that does
+/// not come within a second the program ends all the same. A second signal ends the program at once. Commands that only
+/// read (check, info) are not asked to look: there the first signal ends the program.
 #pragma once
 
 #include <atomic>

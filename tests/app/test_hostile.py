@@ -38,7 +38,7 @@ class Files(ProgramTest):
         for output in ("file/out.vtu", "folder.vtu"):
             printed = self.run_program("mesh", "cube.off", "-o", output, status=USAGE)
             self.assertIn("cannot write", printed)
-            self.assertFalse(any(line.startswith("delaunay") for line in printed.splitlines()), printed)
+            self.assertFalse(any(line.startswith(("delaunay", "mesh")) for line in printed.splitlines()), printed)
         self.assertIn("own name", self.run_program("mesh", "cube.off", "-o", "out.vtu", "--report", "out.vtu", status=USAGE))
         self.assert_nothing_written()
 
@@ -277,9 +277,20 @@ class Signals(ProgramTest):
                     file.seek(-20, os.SEEK_END)
                     self.assertIn(b"$EndElements", file.read())
                 os.remove(self.path("out.msh"))
-            for name in os.listdir(self.folder):
-                if ".part" in name:
-                    os.remove(self.path(name))
+
+    def test_the_next_run_removes_what_a_killed_one_left(self):
+        """Of this file's stem, and where the process that wrote it is gone."""
+        self.write("cube.off", CUBE)
+        gone = subprocess.Popen(["true"])
+        gone.wait()
+        left = ["out.vtu.%d.part" % gone.pid, "out.faces.vtp.%d.part" % gone.pid]
+        kept = ["out.vtu.%d.part" % os.getpid(), "other.vtu.%d.part" % gone.pid, "out.part", "out.x.part"]
+        for name in left + kept:
+            self.write(name, "half")
+        self.run_program("mesh", "cube.off", "-o", "out.vtu")
+        found = os.listdir(self.folder)
+        self.assertEqual([name for name in left if name in found], [])
+        self.assertEqual([name for name in kept if name in found], kept)
 
 
 if __name__ == "__main__":

@@ -46,9 +46,12 @@ class Progress(ProgramTest):
             self.assertEqual(counts, sorted(counts), stage)
             self.assertTrue(all(done <= total and total > 0 for done, total in counts), counts)
 
-    def test_on_a_terminal_the_running_stage_is_redrawn_and_the_finished_one_stays(self):
+    def on_a_terminal(self, *arguments, status=0, **environment):
+        """All that a run prints where both streams are a terminal."""
         leader, follower = pty.openpty()
-        child = subprocess.Popen([PROGRAM, self.sample("layer-cake"), "-o", self.path("out")], stdout=subprocess.DEVNULL, stderr=follower)
+        variables = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
+        child = subprocess.Popen([PROGRAM, *arguments], stdout=follower, stderr=follower, cwd=self.folder,
+                                 env={**variables, "TERM": "xterm", **environment})
         os.close(follower)
         said = b""
         while True:
@@ -60,28 +63,73 @@ class Progress(ProgramTest):
                 break
             said += piece
         os.close(leader)
-        self.assertEqual(child.wait(), 0)
-        text = said.decode()
+        self.assertEqual(child.wait(), status, said)
+        return said.decode()
+
+    def test_on_a_terminal_the_running_stage_is_redrawn_and_the_finished_one_stays(self):
+        text = self.on_a_terminal(self.sample("layer-cake"), "-o", self.path("out"))
         self.assertRegex(text, r"read       \.\.\.\r\x1b\[K")
-        for stage in ("read", "intersect", "delaunay", "verify", "write"):
+        for stage in ("read", "intersect", "mesh", "verify", "write"):
             self.assertTrue(re.search(r"%s +[0-9.]+ (s|min)" % stage, text), stage)
+
+    def test_colours_on_a_terminal_alone_and_not_where_nobody_wants_them(self):
+        """Errors red, warnings yellow, a good verdict green."""
+        project = self.copy_of_sample("faulted-layers", "{size: 600}")
+        text = self.on_a_terminal(project, "-o", self.path("out"))
+        self.assertRegex(text, "\x1b\\[33;1mwarning:\x1b\\[0m ")
+        self.assertRegex(text, "\x1b\\[32;1m[^\n]*fit for solvers")
+        self.assertRegex(self.on_a_terminal("no-such.yaml", status=2), "\x1b\\[31;1merror:\x1b\\[0m no such")
+        for environment in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+            self.assertNotIn("\x1b[3", self.on_a_terminal("no-such.yaml", status=2, **environment))
+        self.assertNotIn("\x1b", "".join(sum(self.run_apart(project, "-o", self.path("out")), [])))
+
+    def test_the_stages_of_the_engine_are_one_line_unless_all_is_asked_for(self):
+        project = self.copy_of_sample("outcrops", "{size: 400}")
+        _, said = self.run_apart(project, "-o", self.path("out"))
+        names = [line.split()[0] for line in said if re.match(r"[a-z]+ +[0-9.]+ (s|min)", line)]
+        self.assertEqual(names, ["read", "build", "intersect", "mesh", "refine", "improve", "verify", "write"])
+        _, said = self.run_apart(project, "-o", self.path("out"), "-v")
+        for stage in ("delaunay", "recover", "classify"):
+            self.assertTrue(any(line.startswith(stage) for line in said), stage)
+        self.assertEqual(self.run_apart(project, "-o", self.path("out"), "-q")[0], [])
+
+    def test_the_last_line_tells_how_to_look_at_what_was_made(self):
+        """An address that a browser opens, with blanks as it wants them, and a command that can be pasted."""
+        folder = self.path("my out")
+        project = self.copy_of_sample("layer-cake", "{size: 600}")
+        with open(project) as file:
+            text = file.read()
+        with open(project, "w") as file:
+            file.write(re.sub(r"formats: \[[^]]*\]", "formats: [vtu, html]", text))
+        printed, _ = self.run_apart(project, "-o", folder)
+        self.assertIn("open file://" + folder.replace(" ", "%20") + "/layer_cake.html", printed[-1])
+        self.assertIn("geomesh picture '%s/layer_cake.vtu' -o '%s/layer_cake.png'" % (folder, folder), printed[-1])
+
+    def test_help_is_plain(self):
+        for words in (["mesh", "--help"], ["convert", "--help"], ["--help-project"], ["init", "--help"]):
+            text = self.run_program(*words)
+            for jargon in ("ENUM", "UINT", "TEXT", "->", "{"):
+                self.assertNotIn(jargon, text, words)
+        self.assertIn("layers, faulted, salt-dome, from-gocad, topography-and-wells", self.run_program("init", "--help"))
+        self.assertIn("Usage: geomesh [OPTIONS] PROJECT.yaml", self.run_program("--help-project"))
+        self.assertEqual(self.run_program("-V"), self.run_program("--version"))
 
     def run_apart(self, *arguments):
         """Standard output and standard error of a run that ends well."""
         done = subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=self.timeout, check=True)
         return done.stdout.splitlines(), done.stderr.splitlines()
 
-    def test_a_run_ends_with_ten_lines_however_many_units_and_parts_there_are(self):
+    def test_a_run_ends_with_eleven_lines_however_many_units_and_parts_there_are(self):
         for sample, units in (("faulted-layers", ["cover", "sand", "shale", "basement"]), ("layer-cake", [])):
             printed, said = self.run_apart(self.copy_of_sample(sample, None), "-o", self.path(sample))
-            self.assertLessEqual(len(printed), 10, sample)
+            self.assertLessEqual(len(printed), 11, sample)
             for unit in units:
                 self.assertTrue(any(re.match(r"  %s +[0-9,]+ tetrahedra +[0-9.]+ km3   in 3 parts: %s__1 to %s__3$" % (unit, unit, unit), line)
                                     for line in printed), unit)
             self.assertNotIn("#", "".join(said), sample)
         self.assertTrue(any("and 35 smaller units" in line for line in printed), printed)
 
-    def test_what_is_left_out_of_ten_lines_is_printed_when_asked_for(self):
+    def test_what_is_left_out_of_these_lines_is_printed_when_asked_for(self):
         project = self.copy_of_sample("faulted-layers", None)
         short, warned = self.run_apart(project, "-o", self.path("out"))
         long, warned_all = self.run_apart(project, "-o", self.path("out"), "--verbose")

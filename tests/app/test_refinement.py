@@ -135,7 +135,7 @@ class Refinement(ProgramTest):
 
     def test_too_many_elements_are_refused_before_the_work(self):
         printed = self.run_program(self.layers("{size: 0.05, max_elements: 100000}"), "-o", self.folder, status=CANNOT_MESH)
-        self.assertRegex(printed, "ask for about [0-9]+ elements, more than the limit of 100000")
+        self.assertRegex(printed, "edges of 0.05 m fill the model with about [0-9,]+ elements, more than the limit of 100,000")
         self.assert_nothing_written()
 
     def test_cell_arrays(self):

@@ -90,13 +90,13 @@ class Runs(ProgramTest):
 
     def test_progress_line_per_stage(self):
         printed = self.run_program(self.sample("faulted-layers"), "-o", self.folder)
-        for stage in ("read", "intersect", "delaunay", "recover", "classify", "verify", "write"):
+        for stage in ("read", "intersect", "mesh", "verify", "write"):
             self.assertTrue(any(line.startswith(stage) for line in printed.splitlines()), printed)
 
     def interrupt(self, number, status):
         """Signals a run at several moments; each ends with the status and leaves nothing, or was done before."""
         interrupted = 0
-        for stage, delay in (("", 0.02), ("", 0.1), ("read", 0), ("intersect", 0), ("delaunay", 0), ("recover", 0)):
+        for stage, delay in (("", 0.02), ("", 0.1), ("read", 0), ("intersect", 0), ("mesh", 0), ("refine", 0)):
             folder = self.path("after_%s%g" % (stage, delay))
             run = subprocess.Popen([PROGRAM, self.sample("salt-dome"), "-o", folder], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
             while stage and not run.stderr.readline().startswith(stage):  # a stage is told as soon as it is done

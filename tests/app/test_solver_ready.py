@@ -121,7 +121,7 @@ class Defaults(ProgramTest):
         self.assertGreater(report["tetrahedra"], 60_000)
         self.assertLess(report["tetrahedra"], 140_000)
         self.assertEqual(report["input"]["mesh"]["honour"], "tolerance")
-        self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], 0.48 / 40)
+        self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], 0.48 / 20)
 
     def test_a_surface_that_overshoots_another_by_a_little_ends_on_it(self):
         """Two faults, one of which passes the other by a thousandth of the size: no element is flat but where all is kept; the judge agrees."""
@@ -150,7 +150,7 @@ class Defaults(ProgramTest):
         self.assertLess(report["tetrahedra"], 140_000)
         by_volume = (math.sqrt(72) * 1000 / 100_000) ** (1 / 3)  # the edge of a regular tetrahedron of that volume
         self.assertGreater(report["input"]["mesh"]["size"], 1.1 * by_volume)
-        self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], report["input"]["mesh"]["size"] / 40, delta=1e-9)
+        self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], report["input"]["mesh"]["size"] / 20, delta=1e-9)
         self.check(self.path("levels.vtu"), "--project", self.path("levels.yaml"))
 
     def test_kept_surfaces_are_kept(self):

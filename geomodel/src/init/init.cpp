@@ -40,8 +40,8 @@ const char* const tail = R"(
 output: {directory: out, formats: [vtu, html]}
 )";
 
-TriangulatedSurface folded_horizon(const std::string& name, double depth, double amplitude) {
-  return height_surface(name, {-110.7, 10113.3, -93.9, 8107.1, 24}, [=](double x, double y) {
+TriangulatedSurface folded_horizon(const std::string& name, double depth, double amplitude, int n = 24) {
+  return height_surface(name, {-110.7, 10113.3, -93.9, 8107.1, n}, [=](double x, double y) {
     return -depth + amplitude * std::sin(x / 1700.3) * std::cos(y / 2100.7) + 0.01 * x;
   });
 }
@@ -62,20 +62,43 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
   return result;
 }
 
+/// The horizon, lower by the throw in the hanging wall of the plane through a point with two directions, the second of
+/// which falls.
+TriangulatedSurface thrown_horizon(TriangulatedSurface horizon, const Vec3& through, const Vec3& along,
+                                   const Vec3& down, double throw_of_fault) {
+  const Vec3 towards_hanging_wall = cross(along, down);
+  for (Vec3& p : horizon.points)
+    if (dot(towards_hanging_wall, p - through) * towards_hanging_wall.z > 0) p.z -= throw_of_fault;
+  return horizon;
+}
+
 ProjectTemplate faulted() {
   ProjectTemplate result = layers();
   // The main fault crosses the whole model; the splay ends inside it.
-  result.surfaces.push_back(
-      sheet_surface("main_fault", {3507.1, -200.3, 103.7}, {1310.9, 8403.7, 0}, {1503.3, 7.1, -4301.9}, 12));
+  const Vec3 through{3507.1, -200.3, 103.7}, along{1310.9, 8403.7, 0}, down{1503.3, 7.1, -4301.9};
+  constexpr int fine = 60;  // a throw is told from a bend by some ten edges beside the fault
+  result.surfaces = {folded_horizon("top_chalk", 1210.3, 120, fine), folded_horizon("base_chalk", 2030.9, 160, fine)};
+  for (TriangulatedSurface& horizon : result.surfaces)
+    horizon = thrown_horizon(std::move(horizon), through, along, down, 151.3);
+  result.surfaces.push_back(sheet_surface("main_fault", through, along, down, 12));
+  result.files = {
+      {"wells/well_1.pl",
+       to_gocad(Polyline{"well_1", "", {{7503.1, 5207.3, 0}, {7503.1, 5207.3, -1403.9}, {7907.7, 5511.1, -2608.3}}})}};
   result.surfaces.push_back(
       sheet_surface("splay", {6203.3, 1807.9, -613.1}, {610.7, 4203.1, 11.3}, {-707.9, 13.7, -2404.3}, 10));
   result.project = std::string(head) + R"(box: {min: [0, 0, -4000], max: [10000, 8000, 0]}
 
+# The horizons were gridded across the main fault, so that its throw is a ramp in them. throw_at makes it a clean offset; with
+# throw_at: auto the faults are found.
 surfaces:
-  - {name: top_chalk, kind: horizon, file: surfaces/top_chalk.ts}
-  - {name: base_chalk, kind: horizon, file: surfaces/base_chalk.ts}
+  - {name: top_chalk, kind: horizon, file: surfaces/top_chalk.ts, throw_at: [main_fault]}
+  - {name: base_chalk, kind: horizon, file: surfaces/base_chalk.ts, throw_at: [main_fault]}
   - {name: main_fault, kind: fault, file: surfaces/main_fault.ts}   # crosses the model: cuts each layer in two
   - {name: splay, kind: fault, file: surfaces/splay.ts}             # ends inside: its tip is kept as a curve
+
+# A well path becomes a curve of the mesh.
+wells:
+  - {name: well_1, file: wells/well_1.pl}
 
 # A unit cut by a fault falls into several regions: chalk__1, chalk__2.
 column: [tertiary, top_chalk, chalk, base_chalk, basement]

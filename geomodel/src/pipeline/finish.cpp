@@ -73,11 +73,13 @@ RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::ve
   result.mesh = mesh_core(model, recorder);
   const bool refine = model.refinement.refine, conforming = model.options.recover.mode == MeshMode::conforming;
   const auto refine_now = [&] {
-    const RefineOptions options =
-        with_derived_size(model, result.mesh, refine_options(model, result.mesh), recorder.context());
-    result = model.refinement.target_elements > 0
-                 ? refine_to_count(model, result.mesh, options, recorder.context())
-                 : refine_model(model, std::move(result.mesh), options, recorder.context());
+    if (model.refinement.target_elements > 0) {
+      result = refine_to_count(model, result.mesh, refine_options(model, result.mesh), recorder.context());
+      return;
+    }
+    const CountedOptions counted = with_derived_size(model, result.mesh, refine_options(model, result.mesh));
+    announce_count(model, counted, recorder.context());
+    result = refine_model(model, std::move(result.mesh), counted.options, recorder.context());
   };
   if (refine && conforming) refine_now();
   cut_at_ends(result.mesh, model, recorder);
@@ -285,6 +287,8 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
     set_volumes_of_input(mesh, core, volumes_of_input);
     if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
+    for (std::string& text : volume_changes(mesh, model.refinement.tolerance))
+      warn(model.warnings, recorder.context(), std::move(text));
     tell_share(verified_share);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
     tell_share(measured_share);

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/words.hpp"
 #include "naming/sums.hpp"
+#include "report/words.hpp"
 
 namespace geomesh::geomodel {
 
@@ -79,6 +82,30 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
               "volumes of regions differ from the input's by more than area of boundary times tolerance, so nothing "
               "was written: " +
                   off + ". Ask for a smaller tolerance, for smaller sizes there, or keep the surfaces exactly");
+}
+
+std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance) {
+  constexpr double worth_telling = 0.01;  // what estimates of reserves bear
+  struct Volumes {
+    CompensatedSum now, given;
+  };
+  std::map<std::string, Volumes> units;
+  for (const Region& r : mesh.regions) {
+    if (r.volume_of_input == 0) continue;
+    Volumes& unit = units[r.unit.empty() ? r.name : r.unit];
+    unit.now.add(r.volume);
+    unit.given.add(r.volume_of_input);
+  }
+  std::vector<std::string> texts;
+  for (const auto& [name, volumes] : units) {
+    const double now = volumes.now.value(), given = volumes.given.value(), change = now / given - 1;
+    if (!(std::abs(change) > worth_telling)) continue;
+    texts.push_back(name + " has " + short_words(100 * std::abs(change)) + (change < 0 ? " % less" : " % more") +
+                    " volume than its surfaces enclosed before they were remeshed (" + volume_words(now, mesh.unit) +
+                    ", before " + volume_words(given, mesh.unit) + "): they may move by " + short_words(tolerance) +
+                    " " + mesh.unit + ". A smaller tolerance (mesh: {tolerance: L}) or smaller sizes keep more of it");
+  }
+  return texts;
 }
 
 void require_volume_filled(const ModelMesh& mesh, double volume, bool ends_inside) {

@@ -3,6 +3,7 @@
 /// Volumes of regions before surfaces moved within a tolerance, and that they changed by no more than that allows.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geomesh/core/tetrahedralize.hpp"
@@ -23,6 +24,10 @@ void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& 
 /// they do not move (rounding: 1e-12 of the volume). To first order surfaces within the tolerance cannot change it by
 /// more. `tolerance` in the mesh's unit.
 void require_volumes_within(const ModelMesh& mesh, double tolerance);
+
+/// In words, for the user: units whose volume changed by more than a hundredth while surfaces were remeshed within the
+/// tolerance. In the order of their names.
+std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance);
 
 /// Throws Error{cannot_mesh} where the regions do not fill the model volume but for rounding (1e-9 of it): a side of it
 /// has a crack or a fold then. Where the model ends inside of it, at a topography or floor, they may fill less.

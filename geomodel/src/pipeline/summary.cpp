@@ -7,6 +7,7 @@
 
 #include "geomesh/geomodel/model_mesh.hpp"
 #include "geomesh/geomodel/words.hpp"
+#include "report/mean_edge.hpp"
 #include "report/words.hpp"
 
 namespace geomesh::geomodel {
@@ -85,15 +86,14 @@ void add_regions(const ModelMesh& mesh, std::vector<std::string>& lines) {
   }
 }
 
-/// What steers the mesh, where the user did not say it; empty where all was said.
-std::string steering(const RefinementSettings& r, const std::string& unit) {
-  std::string text;
-  if (r.derive_size)
-    text = "edges of about " + short_words(r.size.base.global) + " " + unit +
-           ", derived from the model (mesh: {size: L} asks for others)";
+/// How long edges are, and what steers the mesh where the user did not say it.
+std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
+  const std::string& unit = mesh.unit;
+  std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
+  if (r.size.base.global > 0) text += ", of " + short_words(r.size.base.global) + " " + unit + " requested";
+  if (r.derive_size) text += " (derived from the model; mesh: {size: L} asks for others)";
   if (r.tolerance_share > 0)
-    text += std::string(text.empty() ? "" : "; ") + "surfaces are within " +
-            short_words(r.tolerance + r.tolerance_used) + " " + unit +
+    text += "; surfaces are within " + short_words(r.tolerance + r.tolerance_used) + " " + unit +
             " of the input (mesh: {honour: exact} keeps them)";
   return text;
 }
@@ -125,7 +125,7 @@ Summary summarise(const Report& report, const RefinementSettings& refinement) {
     summary.lines.emplace_back(no_mesh_for_solvers);
     return summary;
   }
-  if (std::string text = steering(refinement, mesh.unit); !text.empty()) summary.lines.push_back(std::move(text));
+  summary.lines.push_back(steering(refinement, mesh));
   const std::vector<std::string> verdict = to_lines(*report.solver);
   summary.lines.push_back(verdict.front());
   summary.details.push_back(shapes(*report.quality));

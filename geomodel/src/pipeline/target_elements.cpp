@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "pipeline/refine_model.hpp"
+#include "report/announcement.hpp"
 
 namespace geomesh::geomodel {
 
@@ -42,11 +44,10 @@ double factor_of_empty_volume(const PreparedModel& model, const RefineOptions& o
 }
 
 /// By the estimate alone; at most `most`, however many elements surfaces ask for that cross and touch all over.
-double first_factor(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
+double first_factor(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, const RefineOptions& options,
                     double target, double most) {
   constexpr unsigned most_rounds = 6;
   constexpr double enough = 0.02;
-  options.max_elements = std::max(options.max_elements, static_cast<std::size_t>(10 * target));
   double factor = 1;
   for (unsigned round = 0; round < most_rounds; ++round) {
     const double count = estimate_elements(model.plc.plc, mesh, scaled_sizes(options, factor));
@@ -72,23 +73,35 @@ void settle(PreparedModel& model, const RefineOptions& options) {
 
 }  // namespace
 
-RefineOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
-                                const RunContext& context) {
-  constexpr double many_more = 1.4, most_growth = 3;  // bends and gaps that ask for more shall be kept
+ElementEstimate estimate_model(const PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+                               const RefineOptions& options) {
+  const std::size_t n_thin = model.stack.settled ? model.stack.sizes.size() : 0;  // come first, ask_of_thin_units
+  return estimate_by_cause(model.plc.plc, mesh, options, n_thin);
+}
+
+CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+                                 RefineOptions options) {
+  constexpr double near = 1.4;
   const RefinementSettings& settings = model.refinement;
-  if (!settings.derive_size || settings.target_elements > 0) return options;
-  RefineOptions counted = options;
-  counted.max_elements = static_cast<std::size_t>(100 * settings.derived_elements);
-  if (estimate_elements(model.plc.plc, mesh, counted) <= many_more * settings.derived_elements) return options;
-  const double most = std::min(most_growth, greatest_factor(model, options));
-  const double factor = first_factor(model, mesh, counted, settings.derived_elements, most);
+  const ElementEstimate found = estimate_model(model, mesh, options);
+  const double target = settings.derived_elements, off = found.total() / target;
+  if (!settings.derive_size || settings.target_elements > 0 || (off <= near && off >= 1 / near))
+    return {std::move(options), found};
+  const double factor = first_factor(model, mesh, options, target, greatest_factor(model, options));
   options = scaled_sizes(std::move(options), factor);
   settle(model, options);
-  note(model.notes, context,
-       "the model's surfaces ask for more elements than its volume: edges of about " +
-           short_words(options.size.global) + " " + model.unit + " come to about " +
-           short_words(settings.derived_elements) + " elements");
-  return options;
+  const ElementEstimate scaled = estimate_model(model, mesh, options);
+  return {std::move(options), scaled};
+}
+
+void announce_count(PreparedModel& model, const CountedOptions& counted, const RunContext& context) {
+  const std::string text = announcement(counted.estimate, counted.options, model.unit);
+  const double total = counted.estimate.total(), limit = static_cast<double>(counted.options.max_elements);
+  if (total > limit)
+    throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +
+                                            " (mesh: {max_elements}); sizes about " +
+                                            short_words(std::cbrt(total / limit)) + " times as large would do");
+  note(model.notes, context, text);
 }
 
 RefineOptions scaled_sizes(RefineOptions options, double factor) {

@@ -4,6 +4,7 @@
 /// tolerance that is a share of them.
 #pragma once
 
+#include "geomesh/core/element_estimate.hpp"
 #include "pipeline/finish.hpp"
 
 namespace geomesh::geomodel {
@@ -11,11 +12,21 @@ namespace geomesh::geomodel {
 /// All asked sizes times `factor`, and the tolerance where it follows them.
 RefineOptions scaled_sizes(RefineOptions options, double factor);
 
-/// Where the size was derived from the model's volume alone and surfaces come to many more elements than that. The
-/// sizes returned are those by which the estimate is about settings.derived_elements. Settings and the report's input
-/// hold them.
-RefineOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh, RefineOptions options,
-                                const RunContext& context);
+/// Options with the number of elements that they ask for.
+struct CountedOptions {
+  RefineOptions options;
+  ElementEstimate estimate;
+};
+
+/// Where the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume come to many
+/// more or fewer elements: the sizes are those by which the estimate is about settings.derived_elements, and settings
+/// and the report's input hold them. Else the options as they are.
+CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+                                 RefineOptions options);
+
+/// Notes before the work how many elements will come, and what asks for them. Throws Error{cannot_mesh} with the same
+/// words where that is more than the limit.
+void announce_count(PreparedModel& model, const CountedOptions& counted, const RunContext& context);
 
 /// Refines with sizes scaled by the estimate, and again by what came out. Where larger sizes bring hardly fewer
 /// elements, sizes grow sooner away from small ones. Ends when the number of elements is within a tenth of

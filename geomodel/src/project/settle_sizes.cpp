@@ -5,6 +5,8 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/refinement.hpp"
+#include "geomesh/geomodel/sizes_in_range.hpp"
+#include "geomesh/geomodel/words.hpp"
 
 namespace geomesh::geomodel {
 
@@ -48,6 +50,18 @@ double greatest_wavelength_size(const NamedSizes& sizes, const UnitAttributes& a
 }
 
 }  // namespace
+
+double elements_of_volume(double volume, double size) { return elements_per_volume * volume / (size * size * size); }
+
+std::string count_words(double count) {
+  constexpr double countable = 1e12;
+  if (!(count < countable)) return short_words(count);
+  std::string digits = std::to_string(std::llround(count));
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+std::string rounded_count(double count) { return count_words(count < 1 ? count : two_digits(count)); }
 
 double derived_size(const Box3& bounds, double elements) {
   const Vec3 extent = bounds.max - bounds.min;

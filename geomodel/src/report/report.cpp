@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/warnings.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
+#include "report/mean_edge.hpp"
 #include "report/named_parts.hpp"
 #include "report/quality.hpp"
 
@@ -235,6 +236,7 @@ std::string to_json(const Report& report) {
   if (!report.continued.empty()) root["continued"] = continued_json(report.continued);
   if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
+  if (report.refinement && report.mesh) root["refinement"]["mean_edge"] = mean_edge(*report.mesh);
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
   if (report.solver) root["solver"] = json::parse(to_json(*report.solver));
   if (report.voronoi_dual) root["voronoi_dual"] = voronoi_json(*report.voronoi_dual);

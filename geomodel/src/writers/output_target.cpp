@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a file may be written, found out before hours are spent on what goes into it.
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
+#include <string_view>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -25,6 +28,34 @@ fs::path nearest_existing(fs::path folder) {
   return fs::exists(folder, ec) ? folder : fs::path(".");
 }
 
+constexpr std::string_view part_end = ".part";
+
+/// The process that a name such as "dome.vtu.1234.part" was written by; 0: no such name.
+pid_t writer_of(std::string_view name) {
+  if (!name.ends_with(part_end)) return 0;
+  name.remove_suffix(part_end.size());
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return 0;
+  const char *const first = name.data() + dot + 1, *const last = name.data() + name.size();
+  pid_t pid = 0;
+  const auto [end, status] = std::from_chars(first, last, pid);
+  return status == std::errc() && end == last && pid > 0 ? pid : 0;
+}
+
+/// Removes what runs that were killed left of files with this file's stem. A run that is still there keeps its own.
+void remove_left_parts(const fs::path& file) {
+  std::error_code ec;
+  const std::string start = file.stem().string() + ".";
+  for (fs::directory_iterator entry(file.parent_path(), ec), end; !ec && entry != end; entry.increment(ec)) {
+    const std::string name = entry->path().filename().string();
+    const pid_t writer = name.starts_with(start) ? writer_of(name) : 0;
+    if (writer > 0 && kill(writer, 0) != 0 && errno == ESRCH) {
+      std::error_code ignored;
+      fs::remove_all(entry->path(), ignored);
+    }
+  }
+}
+
 }  // namespace
 
 OutputTarget output_target(const fs::path& file) {
@@ -35,7 +66,7 @@ OutputTarget output_target(const fs::path& file) {
   fs::path real = file;
   if (fs::is_symlink(fs::symlink_status(file, ignored))) real = fs::weakly_canonical(file, ec);
   if (ec) refuse(file, ec.message());
-  return {real, real.string() + "." + std::to_string(getpid()) + ".part"};
+  return {real, real.string() + "." + std::to_string(getpid()) + std::string(part_end)};
 }
 
 void require_writable(const fs::path& file) {
@@ -45,6 +76,7 @@ void require_writable(const fs::path& file) {
   if (!fs::is_directory(folder)) refuse(file, folder.string() + " is a file, not a folder");
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     refuse(file, "the folder " + folder.string() + ": " + std::strerror(errno) + "; choose another with -o");
+  remove_left_parts(fs::absolute(target.file));
 }
 
 }  // namespace geomesh::geomodel

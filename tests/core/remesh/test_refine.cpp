@@ -7,6 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include "common/geometry.hpp"
+#include "geomesh/core/element_estimate.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/refine.hpp"
 #include "refine_models.hpp"
@@ -206,7 +208,7 @@ TEST_CASE("Too many elements are refused before the work starts", "[refine]") {
     FAIL("not refused");
   } catch (const Error& e) {
     CHECK(e.kind() == ErrorKind::cannot_mesh);
-    CHECK(std::string(e.what()).find("limit of 10000") != std::string::npos);
+    CHECK(std::string(e.what()).find("limit of 10,000") != std::string::npos);
   }
   options.size.gradation = 0;
   CHECK_THROWS_AS(refine_and_improve(model.plc, model.mesh, options), Error);
@@ -261,17 +263,46 @@ TEST_CASE("Sizes found from one that is known are those found from nothing", "[r
   }
 }
 
-TEST_CASE("The estimate ends soon after the limit", "[refine]") {
+TEST_CASE("The estimate is right however many elements that are", "[refine]") {
+  // Counting ended soon after the limit before: its number was told as that of the elements.
   RefineOptions options;
-  options.max_elements = 1'000'000;
-  SizeField::Limits limits;
-  std::vector<SizeSource> sources;
-  for (int k = 0; k <= 1000; ++k) sources.push_back({{0.001 * k, 0.5, 0.5}, 1e-6, 1e-2, 0.5});
+  options.honour = Honour::tolerance;  // cells that are given ask for nothing
   const Model model = two_boxes(1);
-  const double estimate = remesh::estimate_elements(remesh::import_domain(model.plc, model.mesh, options),
-                                                    SizeField(sources, limits), options);
-  CHECK(estimate > static_cast<double>(options.max_elements));
-  CHECK(estimate < 8.0 * static_cast<double>(options.max_elements));
+  const remesh::DomainMesh mesh = remesh::import_domain(model.plc, model.mesh, options);
+  double volume = 0;
+  for (const CellIndex c : mesh.live_cells()) {
+    const auto p = mesh.places(mesh.vertices(c));
+    volume += std::abs(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]))) / 6;
+  }
+  SizeField::Limits limits;
+  limits.global = 1e-7;
+  CHECK(remesh::estimate_elements(mesh, SizeField({}, limits), options) == Approx(11.2 * volume * 1e21).epsilon(1e-3));
+  // Sizes that hold within a hundredth of a line through the boxes, and grow from there.
+  constexpr double radius = 1e-2, least = 1e-6, growth = 0.5;
+  std::vector<SizeSource> sources;
+  for (int k = 0; k <= 1000; ++k) sources.push_back({{0.001 * k, 0.5, 0.5}, least, radius, growth});
+  const double within = pi * radius * radius, beside = 2 * pi * radius / (2 * growth);
+  const double expected = 11.2 * (within / (least * least * least) + beside / (least * least));
+  const double estimate = remesh::estimate_elements(mesh, SizeField(sources, {}), options);
+  CHECK(estimate > 0.7 * expected);
+  CHECK(estimate < 1.3 * expected);
+}
+
+TEST_CASE("The estimate by cause adds up to the estimate, and names who asks", "[refine]") {
+  const Model model = two_boxes(1);
+  RefineOptions options;
+  options.size.global = 0.2;
+  options.size.gap_layers = 0;
+  const ElementEstimate even = estimate_by_cause(model.plc, model.mesh, options);
+  CHECK(even.total() == Approx(estimate_elements(model.plc, model.mesh, options)));
+  options.size.from_input_edges = false;
+  options.size.sources = {{{0.3, 0.3, 0.3}, 0.02, 0.1, 0}, {{0.7, 0.7, 0.7}, 0.02, 0.1, 0}};
+  const ElementEstimate all = estimate_by_cause(model.plc, model.mesh, options, 1);
+  CHECK(all.total() == Approx(estimate_elements(model.plc, model.mesh, options)));
+  CHECK(all.by_volume == Approx(even.by_volume));
+  CHECK(all.by_sizes > 1000);
+  CHECK(all.by_thin_units == Approx(all.by_sizes).epsilon(0.1));
+  CHECK(all.by_gaps == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("A cancelled refinement ends with interrupted", "[refine]") {

@@ -44,3 +44,19 @@ TEST_CASE("volumes of regions may change by area of their movable boundary times
   middle.volume_of_input -= 0.02 * tolerance * horizon;
   CHECK(refusal(mesh, tolerance).find("middle layer") != std::string::npos);
 }
+
+TEST_CASE("a unit whose volume changes by more than a hundredth is reported, its regions together", "[sets]") {
+  ModelMesh mesh = testing::three_layer_mesh(2);
+  for (Region& r : mesh.regions) r.volume_of_input = r.volume;
+  CHECK(volume_changes(mesh, 0.01).empty());
+  Region &top = mesh.regions[0], &middle = mesh.regions[1];
+  top.volume_of_input = 1.03 * top.volume;
+  middle.volume_of_input = 1.005 * middle.volume;
+  const std::vector<std::string> told = volume_changes(mesh, 0.01);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].find("top has 2.913 % less volume") == 0);
+  // Regions of one unit may change as long as the unit does not.
+  mesh.regions[0].unit = mesh.regions[1].unit = "both";
+  middle.volume_of_input = middle.volume - 0.03 * top.volume;
+  CHECK(volume_changes(mesh, 0.01).empty());
+}

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "geomesh/core/refine.hpp"
 
+#include <array>
 #include <cstdio>
 #include <string>
 
 #include "common/geometry.hpp"
+#include "geomesh/core/element_estimate.hpp"
 #include "geomesh/core/error.hpp"
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/driver/hold_surfaces.hpp"
@@ -61,6 +63,24 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
   const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
   const SizeField sizes = remesh::build_size_field(plc, domain, options).all;
   return remesh::estimate_elements(domain, sizes, options);
+}
+
+ElementEstimate estimate_by_cause(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                                  const RefineOptions& options, std::size_t n_thin) {
+  check_options(plc, options);
+  const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
+  const auto count = [&](const SizeField& size) { return remesh::estimate_elements(domain, size, options); };
+  RefineOptions without_thin = options;
+  without_thin.size.sources.erase(without_thin.size.sources.begin(),
+                                  without_thin.size.sources.begin() + static_cast<std::ptrdiff_t>(n_thin));
+  SizeField::Limits global;
+  if (options.size.global > 0) global.global = options.size.global;
+  const remesh::SizeFields all = remesh::build_size_field(plc, domain, options);
+  const std::array counts{count(SizeField({}, global)), count(remesh::sizes_asked_by_name(plc, domain, without_thin)),
+                          n_thin > 0 ? count(remesh::sizes_asked_by_name(plc, domain, options)) : 0,
+                          count(all.without_gaps), count(all.all)};
+  const double with_thin = n_thin > 0 ? counts[2] : counts[1];
+  return {counts[0], counts[1] - counts[0], with_thin - counts[1], counts[3] - with_thin, counts[4] - counts[3]};
 }
 
 namespace {

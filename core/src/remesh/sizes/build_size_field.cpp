@@ -250,6 +250,15 @@ SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh&
   return builder.build();
 }
 
+SizeField sizes_asked_by_name(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options) {
+  options.size.gap_layers = 0;
+  options.size.component_layers.clear();
+  SizeFieldBuilder builder(plc, mesh, options);
+  builder.add_input_edges(options.honour == Honour::exact && !options.size_surfaces);
+  builder.add_patches_and_curves();
+  return builder.build().all;
+}
+
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {
   return build_size_field(plc, mesh, options, allowed_tolerance(plc, mesh, options));
 }

@@ -4,192 +4,45 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <numeric>
 #include <string>
 
 #include "common/geometry.hpp"
 #include "geomesh/core/error.hpp"
+#include "remesh/sizes/size_integrals.hpp"
 #include "remesh/sizes/sizes.hpp"
 
 namespace geomesh::remesh {
 
 namespace {
 
-/// Parts of the model are halved until sizes are nearly even in each.
-class Evenness {
- public:
-  explicit Evenness(const SizeField& size)
-      : growth_(std::isfinite(size.steepest()) ? size.steepest() : std::max(size.limits().gradation, usual_growth)) {}
-  bool holds(double length, double size_at_centre) const { return even_share * growth_ * length <= size_at_centre; }
+/// From the integrals at a scale of the sizes, at twice and at four times that. Even sizes go with the inverse third
+/// power of the scale, sizes that grow away from surfaces with the second, from curves with the first: the polynomial
+/// through the integrals times the third power is taken at the scale 1. Never beyond the third and the first power.
+double at_scale_one(const std::array<double, 3>& integrals, double scale) {
+  const auto at = [&](unsigned k) { return integrals[k] * std::pow(std::ldexp(scale, static_cast<int>(k)), 3); };
+  const double x = 1 / scale;  // of the least of the scales 1, 2, 4
+  const double found = at(0) * (x - 2) * (x - 4) / 3 - at(1) * (x - 1) * (x - 4) / 2 + at(2) * (x - 1) * (x - 2) / 6;
+  return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
+}
 
- private:
-  static constexpr double usual_growth = 0.5, even_share = 1;
-  double growth_;
-};
-
-constexpr unsigned greatest_depth = 100;
-
-/// From the size at one place those at places about it are found sooner.
-struct KnownSize {
-  Vec3 place;
-  double size;
-  KnownSize at(const Vec3& p, Index component, const SizeField& field) const {
-    return {p, field.at_beside(p, component, place, size)};
-  }
-};
-
-/// A cell with what it takes to tell what it reaches into, computed once: there are many more cubes than cells.
-class CellReach {
- public:
-  CellReach(const DomainMesh& mesh, CellIndex c) : component_(mesh.component(c)) {
-    for (const Vec3& p : mesh.places(mesh.vertices(c))) box_.add(p);
-    for (unsigned i = 0; i < 4; ++i) {
-      const Triangle f = mesh.face(c, i);
-      const Vec3 n = mesh.normal(f);
-      faces_[i] = {mesh.point(f[0]), n, std::abs(n.x) + std::abs(n.y) + std::abs(n.z)};
+/// Where the field has too many small sizes to look at all of them, from what larger ones come to.
+SizeIntegrals integrals_of(const DomainMesh& mesh, const SizeField& size) {
+  constexpr double larger = 8;
+  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, and some tenths
+  if (const auto found = integrate_sizes(mesh, size, many_samples)) return *found;
+  for (double scale = larger; std::isfinite(scale); scale *= larger) {
+    const auto first = integrate_sizes(mesh, size.times(scale), few_samples);
+    if (!first) continue;
+    std::array<double, 3> volume{first->volume}, surface{first->surface};
+    for (unsigned k = 1; k < 3; ++k) {
+      const auto next = integrate_sizes(mesh, size.times(std::ldexp(scale, static_cast<int>(k))), many_samples);
+      GEOMESH_CHECK(next.has_value());
+      volume[k] = next->volume, surface[k] = next->surface;
     }
+    return {at_scale_one(volume, scale), at_scale_one(surface, scale)};
   }
-
-  const Box3& box() const { return box_; }
-  Index component() const { return component_; }
-
-  /// False only where cell and cube have nothing in common.
-  bool may_reach(const Vec3& centre, double half) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (box_.min[axis] > centre[axis] + half || box_.max[axis] < centre[axis] - half) return false;
-    return reaches(centre, half);
-  }
-
-  /// Whether no plane of a face has the whole cube about p on its other side; with a half side of 0 whether p is in the
-  /// cell.
-  bool reaches(const Vec3& p, double half) const {
-    return std::none_of(faces_.begin(), faces_.end(),
-                        [&](const Face& f) { return dot(f.inward, p - f.corner) + half * f.spread < 0; });
-  }
-
- private:
-  struct Face {
-    Vec3 corner, inward;
-    double spread;  ///< of a cube's half side, along the normal
-  };
-  Box3 box_;
-  std::array<Face, 4> faces_;
-  Index component_;
-};
-
-/// Integral over the mesh of 1 / size^3, by cubes that are cut in eighths: the mesh's cells may be long, with sizes at
-/// their ends that differ by orders of magnitude. A cube hands the cells that reach into it on to its eighths.
-class VolumeOverSizes {
- public:
-  VolumeOverSizes(const DomainMesh& mesh, const SizeField& size, double enough)
-      : size_(size), enough_(enough), evenness_(size) {
-    cells_.reserve(mesh.n_cells());
-    for (const CellIndex c : mesh.live_cells()) cells_.emplace_back(mesh, c);
-  }
-
-  double run() {
-    if (cells_.empty()) return 0;
-    Box3 box;
-    for (const CellReach& c : cells_) box.add(c.box().min), box.add(c.box().max);
-    std::vector<Index> all(cells_.size());
-    std::iota(all.begin(), all.end(), 0);
-    const Vec3 extent = box.max - box.min;
-    const Cube whole{0.5 * (box.min + box.max), 0.5 * std::max({extent.x, extent.y, extent.z}), 0};
-    visit(whole, {whole.centre, size_.at(whole.centre)}, all);
-    return sum_;
-  }
-
- private:
-  struct Cube {
-    Vec3 centre;
-    double half;
-    unsigned depth;
-  };
-  static constexpr unsigned least_depth = 3;
-
-  static Cube eighth(const Cube& q, unsigned k) {
-    const double h = 0.5 * q.half;
-    return {q.centre + Vec3{k & 1 ? h : -h, k & 2 ? h : -h, k & 4 ? h : -h}, h, q.depth + 1};
-  }
-
-  /// `near`: a known size; `above`: of cells_, those that reach into a cube about this one.
-  void visit(const Cube& q, const KnownSize& near, const std::vector<Index>& above) {
-    if (sum_ > enough_) return;
-    std::vector<Index> cells;
-    for (const Index c : above)
-      if (cells_[c].may_reach(q.centre, q.half)) cells.push_back(c);
-    if (cells.empty()) return;
-    const KnownSize here = near.at(q.centre, no_index, size_);
-    if (q.depth >= greatest_depth || (q.depth >= least_depth && evenness_.holds(2 * q.half, here.size))) {
-      add(q, here, cells);
-      return;
-    }
-    for (unsigned k = 0; k < 8; ++k) visit(eighth(q, k), here, cells);
-  }
-
-  void add(const Cube& q, const KnownSize& near, const std::vector<Index>& cells) {
-    const double volume = q.half * q.half * q.half;
-    for (unsigned k = 0; k < 8; ++k) {
-      const Vec3 p = eighth(q, k).centre;
-      const auto home = std::find_if(cells.begin(), cells.end(), [&](Index c) { return cells_[c].reaches(p, 0); });
-      if (home == cells.end()) continue;
-      const double h = near.at(p, cells_[*home].component(), size_).size;
-      sum_ += volume / (h * h * h);
-    }
-  }
-
-  const SizeField& size_;
-  double enough_;
-  Evenness evenness_;
-  std::vector<CellReach> cells_;
-  double sum_ = 0;
-};
-
-/// Integral over the mesh's constrained faces of 1 / size^2, by triangles whose longest side is halved.
-class AreaOverSizes {
- public:
-  AreaOverSizes(const DomainMesh& mesh, const SizeField& size, double enough)
-      : mesh_(mesh), size_(size), enough_(enough), evenness_(size) {}
-
-  double run() {
-    for (const CellIndex c : mesh_.live_cells())
-      for (unsigned i = 0; i < 4; ++i) {
-        if (!mesh_.is_surface(FaceRef(c, i))) continue;
-        component_ = mesh_.component(c);
-        visit(mesh_.places(mesh_.face(c, i)), 0);
-      }
-    return sum_;
-  }
-
- private:
-  using Corners = std::array<Vec3, 3>;
-
-  void visit(const Corners& p, unsigned depth) {
-    if (sum_ > enough_) return;
-    near_ = near_.at((1.0 / 3) * (p[0] + p[1] + p[2]), component_, size_);
-    const double h = near_.size;
-    unsigned longest = 0;
-    for (unsigned k = 1; k < 3; ++k)
-      if (side(p, k) > side(p, longest)) longest = k;
-    if (depth >= greatest_depth || evenness_.holds(std::sqrt(side(p, longest)), h)) {
-      sum_ += 0.5 * length(cross(p[1] - p[0], p[2] - p[0])) / (h * h);
-      return;
-    }
-    const Vec3 &a = p[longest], &b = p[(longest + 1) % 3], &c = p[(longest + 2) % 3], middle = 0.5 * (a + b);
-    visit({a, middle, c}, depth + 1);
-    visit({middle, b, c}, depth + 1);
-  }
-  static double side(const Corners& p, unsigned k) { return squared_distance(p[k], p[(k + 1) % 3]); }
-
-  const DomainMesh& mesh_;
-  const SizeField& size_;
-  double enough_;
-  Evenness evenness_;
-  Index component_ = no_index;
-  KnownSize near_{{}, std::numeric_limits<double>::infinity()};  // of the piece before
-  double sum_ = 0;
-};
+  throw InternalError("a size field asks for small sizes at every scale");
+}
 
 }  // namespace
 
@@ -197,12 +50,10 @@ double estimate_elements(const DomainMesh& mesh, const SizeField& size, const Re
   // Measured by scripts/element-quality; 8.5 regular tetrahedra of unit size fill a unit of volume. Surfaces disturb
   // the order of what is beside them, and about given points that stay there are cells for their own sake.
   constexpr double per_volume = 11.2, per_area = 2.4, per_given_cell = 1.05;
-  constexpr double least_counted = 2e6;  // a user is told how far beyond a small limit the sizes go
-  const double enough = std::max(static_cast<double>(options.max_elements), least_counted);
-  const double inside = per_volume * VolumeOverSizes(mesh, size, enough / per_volume).run();
-  const double on_surfaces = per_area * AreaOverSizes(mesh, size, enough / per_area).run();
+  const SizeIntegrals integrals = integrals_of(mesh, size);
+  const double count = per_volume * integrals.volume + per_area * integrals.surface;
   const auto n_given = static_cast<double>(mesh.n_cells());
-  return options.honour == Honour::exact ? inside + on_surfaces + per_given_cell * n_given : inside + on_surfaces;
+  return options.honour == Honour::exact ? count + per_given_cell * n_given : count;
 }
 
 namespace {
@@ -213,13 +64,22 @@ std::string with_three_digits(double x) {
   return text.data();
 }
 
-std::string in_words(double count) { return std::to_string(static_cast<long long>(count)); }
+/// "1,234,567", or "2.1e+13" beyond what anybody counts.
+std::string in_words(double count) {
+  constexpr double countable = 1e12;
+  if (!(count < countable)) return with_three_digits(count);
+  std::string digits = std::to_string(static_cast<long long>(count));
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
 
 void check_estimate(double estimate, std::size_t limit) {
   if (estimate <= static_cast<double>(limit)) return;
+  const double larger = std::cbrt(estimate / static_cast<double>(limit));
   throw Error(ErrorKind::cannot_mesh, "the sizes ask for about " + in_words(estimate) +
-                                          " elements, more than the limit of " + std::to_string(limit) +
-                                          "; ask for larger sizes, a steeper gradation, or raise the limit");
+                                          " elements, more than the limit of " + in_words(static_cast<double>(limit)) +
+                                          " (max_elements): sizes about " + with_three_digits(larger) +
+                                          " times as large would do, or raise the limit");
 }
 
 /// Of the edges of the input, half are longer.

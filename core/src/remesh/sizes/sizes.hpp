@@ -24,6 +24,9 @@ SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh&
 /// The same with the tolerance that the options ask for.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
+/// The same without what bends and gaps ask for.
+SizeField sizes_asked_by_name(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options);
+
 /// For a mesh that is sparse inside (RefineOptions::sparse_growth): on surfaces and curves as they are now what is
 /// asked there, and from there growing up to the ratio times what is asked.
 SizeField sparse_sizes(const DomainMesh& mesh, const SizeField& asked, const RefineOptions& options);
@@ -42,7 +45,7 @@ double share_of_edges_within_size(Toolbox& tools, unsigned threads = 1);
 
 /// How many elements the sizes come to: integrals over volume and faces of the inverse of what an element of the asked
 /// size takes of them. Where surfaces keep their place, the cells that the mesh has before are counted too. Measured
-/// within 30 % there. Not counted much farther than the limit of the options. Near-linear in the result.
+/// within 30 % there. Takes seconds however many elements that are (size_integrals.hpp).
 double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options);
 
 }  // namespace geomesh::remesh

@@ -59,8 +59,8 @@ struct RefinementSettings {
   std::vector<std::string> cell_arrays;  ///< of known_cell_arrays(), written with the mesh whether it is refined or not
 };
 
-/// Where neither is said: a fortieth of the size.
-inline constexpr double default_tolerance_share = 1.0 / 40;
+/// Where neither is said: a twentieth of the size.
+inline constexpr double default_tolerance_share = 1.0 / 20;
 
 /// Values by unit or region: attribute: value.
 using UnitAttributes = std::map<std::string, std::map<std::string, double>>;

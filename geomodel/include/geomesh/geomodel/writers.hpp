@@ -22,7 +22,7 @@ struct OutputTarget {
 OutputTarget output_target(const std::filesystem::path& file);
 
 /// Throws Error{usage} where the file could not be written: its name is a folder's, or its folder (the nearest that is
-/// there, as missing ones are made) may not be written to. Changes nothing. A full disk is found only when writing.
+/// there, as missing ones are made) may not be written to. Removes what killed runs left beside it (NAME.PID.part).
 void require_writable(const std::filesystem::path& file);
 
 /// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws. Devices and

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "geomesh/geomodel/sizes_in_range.hpp"
 #include "grid_sizes/size_grid.hpp"
 #include "pipeline/jobs/hull.hpp"
 #include "pipeline/jobs/prepare.hpp"
@@ -132,11 +134,13 @@ void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunCon
                       request.inputs.front().filename().string() +
                       "), which is meshed as it is; give its surfaces as OFF, OBJ, STL, PLY or .ts instead");
     prepare_plc(request.inputs.front(), model, context);
+    require_sizes_in_range(model.refinement, bounds_of(model.surfaces));
     model.input_json = describe_input(request, model);
     return;
   }
   std::vector<Polyline> wells;
   read_surfaces(request, model, wells, context);
+  require_sizes_in_range(model.refinement, request.box ? *request.box : bounds_of(model.surfaces));
   model.input_json = describe_input(request, model);
   if (request.keep_hull) {
     model.naming.hull_surface = static_cast<Index>(model.surfaces.size());

@@ -5,6 +5,7 @@
 #include "common/thread_limit.hpp"
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/geomodel/ask_stack.hpp"
+#include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "grid_sizes/size_grid.hpp"
 #include "pipeline/jobs/prepare.hpp"
@@ -55,6 +56,15 @@ void scale_z(PreparedModel& model, std::vector<Polyline>& wells) {
   }
 }
 
+/// What cannot be meant or made is refused before hours are spent on it. Of a volume that is cut at the ground or at a
+/// bottom, a tenth at least is taken to be left.
+void refuse_sizes(const PreparedModel& model, const Box3& bounds) {
+  require_sizes_in_range(model.refinement, bounds);
+  constexpr double least_left = 0.1;
+  const bool is_cut = !model.rules.topography.empty() || !model.rules.floor.empty();
+  require_countable(model.refinement, (is_cut ? least_left : 1) * model.volume.volume, model.unit);
+}
+
 /// What was not asked for and yet steers the mesh.
 void tell_sizes(PreparedModel& model, const RunContext& context) {
   const RefinementSettings& r = model.refinement;
@@ -65,7 +75,7 @@ void tell_sizes(PreparedModel& model, const RunContext& context) {
              short_words(r.derived_elements) + " elements");
   if (r.tolerance_share > 0)
     note(model.notes, context,
-         "surfaces may be off the input by a fortieth of the size asked at the place, here " +
+         "surfaces may be off the input by a twentieth of the size asked at the place, here " +
              short_words(r.tolerance) + " " + model.unit + " at most, and by half of the gap to the next at most");
 }
 
@@ -132,6 +142,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   }
   settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
                model.naming.attributes, model.origin);
+  refuse_sizes(model, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces));
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);

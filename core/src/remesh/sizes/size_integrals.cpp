@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/sizes/size_integrals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "common/geometry.hpp"
+
+namespace geomesh::remesh {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The size at a place, and between which bounds it lies within a distance of it.
+struct SizeAbout {
+  double size, least, greatest;
+};
+
+/// From the size that the sources ask for at one place those at places about it are found sooner.
+struct KnownPlace {
+  Vec3 place;
+  double by_sources = infinity;
+};
+
+/// Samples a field. Within a component a field without a background grows no faster than its sources do. It is constant
+/// where the sources ask for more than the limits.
+class SizeSampler {
+ public:
+  SizeSampler(const SizeField& field, std::size_t most_samples)
+      : most_samples_(most_samples),
+        limits_(field.limits()),
+        sources_(field.sources(), {infinity, 0, infinity, limits_.gradation, {}, {}}) {
+    growth_ = limits_.background ? std::max(limits_.gradation, growth_of_background) : sources_.steepest();
+  }
+
+  double growth() const { return growth_; }
+  bool is_exhausted() const { return n_samples_ > most_samples_; }
+
+  SizeAbout sample(const Vec3& p, double radius, Index component, KnownPlace& near) {
+    ++n_samples_;
+    near = {p, sources_.at_beside(p, no_index, near.place, near.by_sources)};
+    const double cap = cap_at(p, component), by_sources = near.by_sources;
+    const double reach = limits_.background ? infinity : growth_ * radius;
+    const auto limited = [&](double size) { return std::max(std::min(size, cap), limits_.min_size); };
+    return {limited(by_sources), limited(by_sources - reach), limited(by_sources + reach)};
+  }
+
+ private:
+  static constexpr double growth_of_background = 0.5;  ///< nobody knows how fast sizes of a file change
+
+  double cap_at(const Vec3& p, Index component) const {
+    double cap = std::min(limits_.global, limits_.max_size);
+    if (component < limits_.component_size.size() && limits_.component_size[component] > 0)
+      cap = std::min(cap, limits_.component_size[component]);
+    if (limits_.background)
+      if (const double asked = limits_.background(p); asked > 0) cap = std::min(cap, asked);
+    return cap;
+  }
+
+  std::size_t most_samples_;
+  SizeField::Limits limits_;
+  SizeField sources_;
+  double growth_ = 0;
+  std::size_t n_samples_ = 0;
+};
+
+double content(const std::array<Vec3, 4>& p) { return std::abs(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]))) / 6; }
+double content(const std::array<Vec3, 3>& p) { return 0.5 * length(cross(p[1] - p[0], p[2] - p[0])); }
+
+/// Integral over simplices of n corners of 1 / size^(n - 1).
+template <std::size_t n>
+class Integral {
+ public:
+  explicit Integral(SizeSampler& sampler) : sampler_(sampler) {}
+
+  void add(const std::array<Vec3, n>& corners, Index component) {
+    KnownPlace near = last_;
+    visit(corners, component, near, 0);
+    last_ = near;
+  }
+  double sum() const { return sum_; }
+
+ private:
+  static constexpr unsigned greatest_depth = 200;
+  static constexpr double negligible = 0.005;  ///< of an element's content
+
+  static double times(double size) {
+    double power = size;
+    for (std::size_t k = 2; k < n; ++k) power *= size;
+    return power;
+  }
+
+  void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, unsigned depth) {
+    if (sampler_.is_exhausted()) return;
+    Vec3 centre;
+    for (const Vec3& corner : p) centre = centre + (1.0 / n) * corner;
+    double radius = 0, longest = 0;
+    std::size_t from = 0, to = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      radius = std::max(radius, squared_distance(centre, p[i]));
+      for (std::size_t j = i + 1; j < n; ++j)
+        if (const double side = squared_distance(p[i], p[j]); side > longest) longest = side, from = i, to = j;
+    }
+    const SizeAbout about = sampler_.sample(centre, std::sqrt(radius), component, near);
+    const double whole = content(p);
+    const bool is_even = sampler_.growth() * std::sqrt(longest) <= about.size || about.least == about.greatest;
+    const bool matters = !(about.least > 0) || whole > negligible * times(about.least);
+    if (is_even || !matters || depth >= greatest_depth) {
+      sum_ += whole / times(about.size);
+      return;
+    }
+    std::array<Vec3, n> half = p;
+    const Vec3 middle = 0.5 * (p[from] + p[to]);
+    half[from] = middle;
+    KnownPlace beside = near;
+    visit(half, component, beside, depth + 1);
+    half[from] = p[from], half[to] = middle;
+    visit(half, component, near, depth + 1);
+  }
+
+  SizeSampler& sampler_;
+  KnownPlace last_;  ///< in the simplex before
+  double sum_ = 0;
+};
+
+}  // namespace
+
+std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples) {
+  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // a cell has four faces
+  Integral<4> volume(sampler);
+  Integral<3> surface(sampler);
+  for (const CellIndex c : mesh.live_cells()) {
+    volume.add(mesh.places(mesh.vertices(c)), mesh.component(c));
+    for (unsigned i = 0; i < 4; ++i)
+      if (mesh.is_surface(FaceRef(c, i))) surface.add(mesh.places(mesh.face(c, i)), mesh.component(c));
+    if (sampler.is_exhausted()) return std::nullopt;
+  }
+  return SizeIntegrals{volume.sum(), surface.sum()};
+}
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Integrals of the inverse of a size over a mesh: how many elements a size field asks for, up to a constant.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "geomesh/core/size_field.hpp"
+#include "remesh/domain/domain_mesh.hpp"
+
+namespace geomesh::remesh {
+
+struct SizeIntegrals {
+  double volume = 0;   ///< over the cells, of 1 / size^3
+  double surface = 0;  ///< over the constrained faces, each once, of 1 / size^2
+};
+
+/// Cuts cells and faces at their longest sides, until sizes are even in each piece or no longer matter. Pieces of
+/// constant size are not cut, so a fine even size costs no more than a coarse one. Nothing where the field grows away
+/// from so many small sizes that more samples would be needed. A million samples take one or two seconds. Five for each
+/// cell come on top of `most_samples`: one for it and each of its faces.
+std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples);
+
+}  // namespace geomesh::remesh

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Sizes that cannot be meant: refused before anything is read into them.
+#pragma once
+
+#include <string>
+
+#include "geomesh/geomodel/refinement.hpp"
+
+namespace geomesh::geomodel {
+
+/// Throws Error{usage} that names the key and suggests a value, where a size is longer than the longest edge of the
+/// bounds or shorter than a millionth of it, or a tolerance is more than a tenth of their diagonal or less than a
+/// billionth. Nothing is checked against empty bounds.
+void require_sizes_in_range(const RefinementSettings& settings, const Box3& bounds);
+
+/// Throws Error{cannot_mesh} where edges of the size of the whole model fill this volume with more elements than
+/// settings.max_elements: surfaces can only ask for more. Unless all sizes are to be scaled to a number of elements.
+void require_countable(const RefinementSettings& settings, double volume, const std::string& unit);
+
+/// About how many elements of even edges fill a volume.
+double elements_of_volume(double volume, double size);
+
+/// A number of elements as words: "1,234,567", with two digits "1,200,000", and "2.1e+13" beyond what anybody counts.
+std::string count_words(double count);
+std::string rounded_count(double count);
+
+}  // namespace geomesh::geomodel

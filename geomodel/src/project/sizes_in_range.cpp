@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geomesh/geomodel/sizes_in_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/words.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+/// Of the longest edge of the model. A cube with edges a millionth as long takes 1e19 elements: no machine holds a
+/// slice of it, and a size written in other units than the model's is a thousandth or less.
+constexpr double least_share = 1e-6;
+constexpr double greatest_tolerance = 0.1;  ///< of the diagonal, as the engine demands (core/src/remesh/driver)
+/// Of the diagonal. Surfaces held more closely than that are kept: to some seven digits, doubles tell no less apart.
+constexpr double least_tolerance = 1e-9;
+
+std::string length_words(double length) {
+  constexpr double with_separators = 1000;
+  return length >= with_separators ? count_words(length) : short_words(length);
+}
+
+class Range {
+ public:
+  explicit Range(const Box3& bounds) {
+    const Vec3 extent = bounds.max - bounds.min;
+    longest_ = std::max({extent.x, extent.y, extent.z});
+    diagonal_ = std::hypot(extent.x, extent.y, extent.z);
+    suggestion_ = derived_size(bounds);
+  }
+
+  bool is_known() const { return longest_ > 0 && std::isfinite(longest_); }
+
+  /// A size of 0 is none.
+  void require_size(const std::string& key, double size) const {
+    if (!(size > 0) || (size <= longest_ && size >= least_share * longest_)) return;
+    const bool is_long = size > longest_;
+    refuse(key + ": edges of " + length_words(size) + " are " +
+           (is_long ? "longer than the model, whose longest edge is "
+                    : "shorter than a millionth of the model's longest edge of ") +
+           length_words(longest_) + suggested(is_long));
+  }
+
+  /// A bound that is longer than the model asks for nothing.
+  void require_not_short(const std::string& key, double size) const { require_size(key, std::min(size, longest_)); }
+
+  void require_tolerance(double tolerance) const {
+    const std::string key = "mesh.tolerance: a tolerance of " + length_words(tolerance);
+    const std::string start = "; a thousandth of the diagonal, " + short_words(0.001 * diagonal_) +
+                              ", is a good start. Is it in the model's units?";
+    if (tolerance > greatest_tolerance * diagonal_)
+      refuse(key + " is more than a tenth of the model's diagonal of " + length_words(diagonal_) +
+             ": little would be left of its surfaces" + start);
+    if (tolerance > 0 && tolerance < least_tolerance * diagonal_)
+      refuse(key + " is less than a billionth of the model's diagonal of " + length_words(diagonal_) +
+             ": 'honour: exact' keeps every triangle of the surfaces" + start);
+  }
+
+ private:
+  [[noreturn]] static void refuse(const std::string& text) { throw Error(ErrorKind::usage, text); }
+
+  std::string suggested(bool is_long) const {
+    if (!(suggestion_ > 0)) return "; is it in the model's units?";
+    return "; " + length_words(suggestion_) +
+           " would come to about 100,000 elements. Is it in the model's units, with " +
+           (is_long ? "no digit too many?" : "no digit missing?");
+  }
+
+  double longest_ = 0, diagonal_ = 0, suggestion_ = 0;
+};
+
+}  // namespace
+
+void require_countable(const RefinementSettings& settings, double volume, const std::string& unit) {
+  const double size = settings.size.base.global;
+  if (!settings.refine || settings.target_elements > 0 || !(size > 0)) return;
+  const double count = elements_of_volume(volume, size), limit = static_cast<double>(settings.max_elements);
+  if (!(count > limit)) return;
+  throw Error(ErrorKind::cannot_mesh, "edges of " + short_words(size) + " " + unit + " fill the model with about " +
+                                          count_words(count) + " elements, more than the limit of " +
+                                          count_words(limit) + " (mesh: {max_elements}): edges of " +
+                                          short_words(size * std::cbrt(count / limit)) + " " + unit +
+                                          " are the least for that. Is the size in the model's units?");
+}
+
+void require_sizes_in_range(const RefinementSettings& settings, const Box3& bounds) {
+  const Range range(bounds);
+  if (!settings.refine || !range.is_known()) return;
+  const NamedSizes& size = settings.size;
+  const std::string waves = size.frequency > 0 ? ".frequency" : "";
+  range.require_size("mesh.size" + waves, size.base.global);
+  range.require_size("mesh.size.min", size.base.min_size);
+  range.require_not_short("mesh.size.max", size.base.max_size);
+  const auto require_all = [&](const char* key, const std::map<std::string, AskedSize>& named) {
+    for (const auto& [name, asked] : named)
+      range.require_size(std::string("mesh.size.") + key + "." + name, asked.size);
+  };
+  require_all("units", size.units);
+  require_all("surfaces", size.surfaces);
+  require_all("curves", size.curves);
+  for (const PlaceSize& near : size.near) range.require_size("mesh.size.near", near.asked.size);
+  for (const NamedSizes::DepthSize& row : size.by_depth) range.require_size("mesh.size.by_depth", row.size);
+  if (settings.honour == Honour::tolerance && !(settings.tolerance_share > 0))
+    range.require_tolerance(settings.tolerance);
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One line before the work: how many elements will come, and what asks for them.
+#pragma once
+
+#include <string>
+
+#include "geomesh/core/element_estimate.hpp"
+
+namespace geomesh::geomodel {
+
+/// "elements to come: about 97,000, of which 31,000 fill the model with edges of 300 m, 52,000 more to follow bends
+/// ...". The key that changes the largest of the further parts comes last. Parts below a twentieth are left out.
+std::string announcement(const ElementEstimate& estimate, const RefineOptions& options, const std::string& unit);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,55 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Projects with one extreme number (tests/fuzz/extreme_numbers.py): a mesh or a message, never a crash, ten seconds to a refusal at most. One in
+a hundred in every run of the tests, all by night."""
+import os
+import sys
+
+from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SLOWNESS, SOURCE, USAGE, ProgramTest, main
+
+sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
+import extreme_numbers  # noqa: E402
+
+EVERY = 1 if NIGHTLY else 100
+MEMORY = 0 if SLOWNESS > 1 else 4 << 30  # sanitizers reserve terabytes
+
+
+class ExtremeNumbers(ProgramTest):
+    bare = False
+
+    def test_one_extreme_number_is_meshed_or_refused(self):
+        outcomes = set()
+        for k, (name, files) in enumerate(extreme_numbers.projects()):
+            if k % EVERY:
+                continue
+            with self.subTest(project=name):
+                status, seconds, printed = extreme_numbers.run(files, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+                self.assertEqual(extreme_numbers.fault_of(status, seconds, printed, SLOWNESS), "", printed)
+                outcomes.add(extreme_numbers.OUTCOMES[status])
+        self.assertEqual(outcomes, {"meshed", "refused"})
+
+    def refused(self, mesh, status):
+        base = dict(extreme_numbers.BASES["settled"], mesh=mesh)
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        got, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(got, status, printed)
+        self.assertLess(seconds, 2 * SLOWNESS)
+        return printed
+
+    def test_a_size_beyond_the_model_is_refused_with_one_that_would_do(self):
+        printed = self.refused({"size": 70000}, USAGE)
+        self.assertIn("mesh.size: edges of 70,000 are longer than the model, whose longest edge is 1,000; 48 would come to about 100,000", printed)
+
+    def test_a_size_below_a_millionth_of_the_model_is_refused(self):
+        self.assertIn("shorter than a millionth of the model", self.refused({"size": 1e-5}, USAGE))
+        self.assertIn("mesh.size.units.b", self.refused({"size": {"global": 100, "units": {"b": 1e-9}}}, USAGE))
+
+    def test_a_size_for_too_many_elements_is_refused_at_once_with_their_number(self):
+        """Counting stopped soon after the limit before, after a minute of building, and its number was told: 100,000,102."""
+        printed = self.refused({"size": 0.3}, CANNOT_MESH)
+        self.assertIn("fill the model with about 414,814,814,815 elements, more than the limit of 50,000,000", printed)
+        self.assertIn("edges of 6.073 m are the least", printed)
+
+
+if __name__ == "__main__":
+    main()
