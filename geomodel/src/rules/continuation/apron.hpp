@@ -13,6 +13,7 @@ namespace geomesh::geomodel {
 struct Apron {
   std::vector<Vec3> added;
   std::vector<Triangle> triangles;  ///< oriented as the surface's triangle at the border
+  std::vector<Index> side;          ///< per triangle, from 0: which of the sides of walls it continues
   std::vector<Index> walls;         ///< surfaces that it runs through, ascending
 };
 
@@ -24,10 +25,11 @@ struct ApronSetting {
   Box3 bounds;        ///< of the model
 };
 
-/// The apron has the height of the border's nearest point, continued with the border's slope there. It is a constrained
-/// Delaunay triangulation of the chain and of a grid beside it. What the border does
-/// not see for a wall is left out but for the triangles that cross the wall, and so is what no wall stops within the
-/// distance. Empty where the chain crosses
+/// The apron has the height of the nearest point of the border that no wall hides, continued with the border's slope
+/// there. It is a constrained Delaunay triangulation of the chain and of a grid beside it. A triangle that a wall parts
+/// comes once for each side, with the heights of that side beyond the wall too; round the end of a wall both sides are
+/// one. What the border does not see for a wall is left out but for these triangles and those next to them, and so is
+/// what no wall stops within the distance. Empty where the chain crosses
 /// itself in the plane. O(n log n) in the chain's edges and the grid's points.
 Apron make_apron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
                  const ApronSetting& setting);

@@ -96,12 +96,6 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
   return nearest;
 }
 
-/// Whether the border has come round to the other side of a wall between two edges.
-bool turns_round(const LoopEdge& before, const LoopEdge& after) {
-  return before.hit && after.hit && before.hit->surface != Walls::side_of_volume &&
-         before.hit->surface == after.hit->surface && before.hit->from_above != after.hit->from_above;
-}
-
 /// Edges without a wall between edges that have one take the wall of the edge before, as far as they are few.
 void close_short_runs(std::vector<LoopEdge>& loop, double within) {
   const std::size_t n = loop.size();
@@ -113,8 +107,7 @@ void close_short_runs(std::vector<LoopEdge>& loop, double within) {
     std::size_t end = k;
     double length = 0;
     for (; end < n && !loop[end].hit; ++end) length += loop[end].length;
-    const LoopEdge& after = loop[end % n];
-    if (length <= within && !turns_round(loop[k - 1], after)) {
+    if (length <= within) {
       for (std::size_t i = k; i < end; ++i) {
         loop[i].hit = loop[k - 1].hit;
         loop[i].hit->share = 0;
@@ -144,7 +137,7 @@ BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& 
   return chain;
 }
 
-/// Cuts a loop where edges have no wall and where it comes round to the other side of one.
+/// Cuts a loop where edges have no wall.
 void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vector<BorderChain>& chains) {
   const std::size_t n = loop.size();
   const auto keep = [&](const std::vector<LoopEdge>& run) {
@@ -152,8 +145,7 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
       chains.push_back(chain_of(s, run));
   };
   const auto ends_after = [&](std::size_t k) {  // between edge k and the next
-    const LoopEdge &e = loop[k], &next = loop[(k + 1) % n];
-    return !e.hit || !next.hit || turns_round(e, next);
+    return !loop[k].hit || !loop[(k + 1) % n].hit;
   };
   std::size_t cut = n;
   for (std::size_t k = 0; k < n && cut == n; ++k)

@@ -11,8 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// A run of border edges with walls before them. A surface that is continued from one chain never continues another
-/// one's side of a wall: chains end where the border comes round from one side of a wall to the other.
+/// A run of border edges with walls before them.
 struct BorderChain {
   std::vector<VertexIndex> vertices;  ///< rows of the surface; edge k joins vertex k and the next
   std::vector<Index> triangles;       ///< per edge: the triangle of the surface there

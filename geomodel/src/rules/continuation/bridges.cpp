@@ -142,19 +142,18 @@ class Gaps {
     return false;
   }
 
-  /// Whether a wall parts the triangle. Where it passes through a side that is border, the surface runs on across the
-  /// wall there as given, and so it does in the triangle.
+  /// Whether a wall parts the triangle. Where a wall passes through a side that is border, the surface runs on across
+  /// that wall there as given, and so it does in the triangle.
   bool crosses_wall(const Corners& t, const Walls& walls) const {
-    bool is_crossed = false;
+    std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
       // Ways begin and end a little inside: a tip of a wall is a corner of the triangles that begin there.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
-      if (!walls.first_surface(from, to, no_index)) continue;
-      if (is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return false;
-      is_crossed = true;
+      const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
+      for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);
     }
-    return is_crossed;
+    return !std::includes(run_across.begin(), run_across.end(), parting.begin(), parting.end());
   }
 
   const TriangulatedSurface& surface_;

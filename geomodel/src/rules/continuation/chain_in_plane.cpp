@@ -83,18 +83,32 @@ void ChainInPlane::smooth_slopes(double within) {
   slopes_ = std::move(smooth);
 }
 
+ChainInPlane::Nearest ChainInPlane::nearest_on(Index e, const Vec2& p) const {
+  const Vec3 &a = points_[e], &b = points_[end_of(e)];
+  const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
+  const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+  return {e, t, std::hypot(p.x - (a.x + t * dx), p.y - (a.y + t * dy))};
+}
+
 std::optional<ChainInPlane::Nearest> ChainInPlane::nearest(const Vec2& p) const {
   const auto at = edges_in_cell_.find(cell_of(p));
   if (at == edges_in_cell_.end()) return std::nullopt;
   std::optional<Nearest> best;
-  for (const Index e : at->second) {
-    const Vec3 &a = points_[e], &b = points_[end_of(e)];
-    const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
-    const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
-    const double d = std::hypot(p.x - (a.x + t * dx), p.y - (a.y + t * dy));
-    if (!best || d < best->distance) best = Nearest{e, t, d};
-  }
+  for (const Index e : at->second)
+    if (const Nearest near = nearest_on(e, p); !best || near.distance < best->distance) best = near;
   return best;
+}
+
+std::vector<ChainInPlane::Nearest> ChainInPlane::all_near(const Vec2& p, double most) const {
+  std::vector<Nearest> found;
+  const auto at = edges_in_cell_.find(cell_of(p));
+  if (at == edges_in_cell_.end()) return found;
+  for (const Index e : at->second)
+    if (const Nearest near = nearest_on(e, p); near.distance <= most) found.push_back(near);
+  std::sort(found.begin(), found.end(), [](const Nearest& a, const Nearest& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.edge < b.edge;
+  });
+  return found;
 }
 
 bool ChainInPlane::is_outside(const Vec2& p, const Nearest& at) const {

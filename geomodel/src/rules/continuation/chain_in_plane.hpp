@@ -25,6 +25,8 @@ class ChainInPlane {
   };
   /// The nearest point of the chain, where that is no farther than twice `within`; farther ones may be found or not.
   std::optional<Nearest> nearest(const Vec2& p) const;
+  /// The nearest points of all edges no farther than `most`, nearest first; `most` is at most twice `within`.
+  std::vector<Nearest> all_near(const Vec2& p, double most) const;
   /// Whether p lies outside of the surface beside the chain, seen from its nearest point. False beyond an open end and
   /// beside edges that do not go on.
   bool is_outside(const Vec2& p, const Nearest& at) const;
@@ -40,6 +42,7 @@ class ChainInPlane {
  private:
   void find_slopes(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame);
   void smooth_slopes(double within);
+  Nearest nearest_on(Index edge, const Vec2& p) const;
   std::pair<std::int64_t, std::int64_t> cell_of(const Vec2& p) const;
   double length(std::size_t edge) const;
 

@@ -56,11 +56,13 @@ class Continuing {
     std::vector<Apron> aprons;
     for (const BorderChain& chain : chains) aprons.push_back(make_apron(surface(), row_, chain, walls_, setting));
     std::vector<Index> part(first, given_part);
+    Index n_parts = 1;
     std::set<Index> ends_on;
     for (std::size_t k = 0; k < aprons.size(); ++k) {
       if (aprons[k].triangles.empty()) continue;
       append(aprons[k], first_points_);
-      part.resize(surface().triangles.size(), static_cast<Index>(k + 1));
+      for (const Index side : aprons[k].side) part.push_back(n_parts + side);
+      n_parts = 1 + *std::max_element(part.begin(), part.end());
       book(chains[k], aprons[k], ends_on);
     }
     ledger_.area = area_from(surface(), first);

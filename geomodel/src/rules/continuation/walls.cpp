@@ -35,32 +35,54 @@ void Walls::add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxe
 }
 
 template <class F>
-std::optional<Walls::Hit> Walls::first_of(const Vec3& a, const Vec3& b, F&& counts) const {
-  std::optional<Hit> first;
-  if (!tree_ || a == b) return first;
+void Walls::for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const {
+  if (!tree_ || a == b) return;
   Box3 way;
   way.add(a);
   way.add(b);
   tree_->boxes_meeting(way, [&](Index k) {
     const Wall& wall = triangles_[k];
-    if (!counts(wall.surface)) return;
     const Sign from = orient3d(wall.a, wall.b, wall.c, a), to = orient3d(wall.a, wall.b, wall.c, b);
     if (from == to || from == Sign::zero || !line_meets(a, b, wall.a, wall.b, wall.c)) return;
     const Vec3 normal = cross(wall.b - wall.a, wall.c - wall.a);
     const double d = dot(a - wall.a, normal), e = dot(b - wall.a, normal);
-    const double share = d == e ? 0 : std::clamp(d / (d - e), 0.0, 1.0);
-    if (first && (first->share < share || (first->share == share && first->surface <= wall.surface))) return;
-    first = Hit{wall.surface, from == Sign::positive, share};
+    visit(Hit{wall.surface, from == Sign::positive, d == e ? 0 : std::clamp(d / (d - e), 0.0, 1.0)});
+  });
+}
+
+namespace {
+
+/// The hit that comes first; of several at one place that on the surface with the lowest row.
+void keep_first(std::optional<Walls::Hit>& first, const Walls::Hit& hit) {
+  if (!first || hit.share < first->share || (hit.share == first->share && hit.surface < first->surface)) first = hit;
+}
+
+}  // namespace
+
+std::optional<Walls::Hit> Walls::first_hit(const Vec3& a, const Vec3& b, Index but_not) const {
+  std::optional<Hit> first;
+  for_each_hit(a, b, [&](const Hit& hit) {
+    if (hit.surface == side_of_volume || hit.surface != but_not) keep_first(first, hit);
   });
   return first;
 }
 
-std::optional<Walls::Hit> Walls::first_hit(const Vec3& a, const Vec3& b, Index but_not) const {
-  return first_of(a, b, [&](Index surface) { return surface == side_of_volume || surface != but_not; });
+std::optional<Walls::Hit> Walls::first_surface(const Vec3& a, const Vec3& b, Index but_not) const {
+  std::optional<Hit> first;
+  for_each_hit(a, b, [&](const Hit& hit) {
+    if (hit.surface != side_of_volume && hit.surface != but_not) keep_first(first, hit);
+  });
+  return first;
 }
 
-std::optional<Walls::Hit> Walls::first_surface(const Vec3& a, const Vec3& b, Index but_not) const {
-  return first_of(a, b, [&](Index surface) { return surface != side_of_volume && surface != but_not; });
+std::vector<Index> Walls::surfaces_on(const Vec3& a, const Vec3& b) const {
+  std::vector<Index> found;
+  for_each_hit(a, b, [&](const Hit& hit) {
+    if (hit.surface != side_of_volume) found.push_back(hit.surface);
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }  // namespace geomesh::geomodel

@@ -35,13 +35,17 @@ class Walls {
   /// The same without the sides of the model volume.
   std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
 
+  /// All surfaces that meet the way, ascending, without the sides of the model volume.
+  std::vector<Index> surfaces_on(const Vec3& a, const Vec3& b) const;
+
  private:
-  template <class F>
-  std::optional<Hit> first_of(const Vec3& a, const Vec3& b, F&& counts) const;
   struct Wall {
     Vec3 a, b, c;
     Index surface;
   };
+  /// Calls visit(hit) for each triangle that meets the way.
+  template <class F>
+  void for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const;
   void add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxes);
 
   std::vector<Wall> triangles_;
