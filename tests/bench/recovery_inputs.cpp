@@ -7,6 +7,7 @@
 #include "corpus_models.hpp"
 #include "corpus_shared.hpp"
 #include "needle_cad.hpp"
+#include "recovery_families.hpp"
 #ifdef GEOMESH_BENCH_GEOMODEL
 #include "geomesh/geomodel/arrangement.hpp"
 #include "noisy_faults.hpp"
@@ -45,6 +46,27 @@ PiecewiseLinearComplex intersected_faults(const std::string& folder) {
 }
 #endif
 
+/// Plates, fans, sheets and lines that grow, so that a time which is not near to linear in them is seen.
+void add_families(std::vector<RecoveryInput>& inputs) {
+  const auto add = [&](const std::string& name, std::function<test::FamilyModel()> make) {
+    inputs.push_back({"families/" + name, [make = std::move(make)] { return make().plc; }});
+  };
+  for (const unsigned n : {100u, 300u, 1000u, 3686u, 10000u})
+    for (const test::CapTriangles triangles : {test::CapTriangles::turned_zigzag, test::CapTriangles::random_ears}) {
+      test::PlateOptions options;
+      options.n = n;
+      options.triangles = triangles;
+      const std::string kind = triangles == test::CapTriangles::turned_zigzag ? "turned_zigzag_" : "random_ears_";
+      add("plate_" + kind + std::to_string(n), [options] { return test::plate_of_needles(options); });
+    }
+  for (const unsigned n : {10u, 100u, 1000u})
+    add("fans_" + std::to_string(n), [n] { return test::crossing_fans(0, n, 0.01); });
+  for (const unsigned n : {2u, 20u, 200u})
+    add("sheets_" + std::to_string(n), [n] { return test::flat_sheets(n, 10, 5e-5); });
+  for (const unsigned n : {2000u, 20000u, 200000u})
+    add("line_" + std::to_string(n), [n] { return test::points_on_line(n); });
+}
+
 }  // namespace
 
 std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder) {
@@ -77,6 +99,7 @@ std::vector<RecoveryInput> recovery_inputs(const std::string& data_folder) {
                            "pinching_layers_fine", "flat_layers", "flat_layers_wide", "pyramids_and_block_0.5",
                            "high_degree_vertex", "dodecahedron_icosahedron"})
     inputs.push_back({std::string("corpus/") + name, test::corpus_model(name).make});
+  add_families(inputs);
   return inputs;
 }
 

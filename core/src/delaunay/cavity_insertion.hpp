@@ -75,6 +75,7 @@ InsertionOutcome CavityInsertion<Space, Shared>::insert(VertexIndex v, double cl
   }
   if (!find_cavity(c, p)) {
     close_cavity();
+    this->hint_ = c;
     return InsertionOutcome::not_owned;
   }
   if (nearest_ < cluster_distance * cluster_distance) {

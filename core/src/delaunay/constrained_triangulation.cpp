@@ -113,8 +113,9 @@ void ConstrainedTriangulation::restore_delaunay() {
   }
 }
 
-std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::crossed_edges(
-    VertexIndex a, VertexIndex b, std::vector<Edge>& out) const {
+std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::crossed_edges(VertexIndex a, VertexIndex b,
+                                                                                          std::vector<Edge>& out,
+                                                                                          std::size_t most) const {
   // The triangle at a whose far edge r-l (r right of a-b, l left of it) the segment crosses.
   std::optional<Edge> entry;
   const auto is_ahead = [&](VertexIndex v) { return dot(records[v] - records[a], records[b] - records[a]) > 0; };
@@ -134,6 +135,7 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cros
   while (true) {
     if (is_constraint(e[0], e[1])) return Obstacle{e[0], e[1]};
     out.push_back(e);
+    if (out.size() == most) return std::nullopt;
     const auto v = apex(e[1], e[0]);
     if (!v) return Obstacle{a, b};
     if (*v == b) return std::nullopt;
@@ -141,6 +143,12 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cros
     if (side == Sign::zero) return Obstacle{*v};
     e = side == Sign::positive ? Edge{e[0], *v} : Edge{*v, e[1]};
   }
+}
+
+std::size_t ConstrainedTriangulation::n_crossed(VertexIndex a, VertexIndex b, std::size_t most) const {
+  if (edge(a, b).valid()) return 0;
+  std::vector<Edge> crossed;
+  return crossed_edges(a, b, crossed, most) ? 0 : crossed.size();
 }
 
 std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::insert_constraint(VertexIndex a,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -37,6 +38,8 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   bool triangulate();
   /// Makes a-b an edge for good, by flips. An obstacle: not done.
   std::optional<Obstacle> insert_constraint(VertexIndex a, VertexIndex b);
+  /// Number of edges that a-b crosses, counted up to `most`; 0 where it is an edge or runs through a vertex.
+  std::size_t n_crossed(VertexIndex a, VertexIndex b, std::size_t most) const;
   /// The Delaunay criterion for all edges that are no constraints.
   void restore_delaunay();
   /// Vertex of the triangle on the left of a-b, nothing where there is no such edge or the outside is there.
@@ -53,7 +56,8 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   bool is_constraint(VertexIndex a, VertexIndex b) const { return constraints_.find({a, b}) != no_index; }
   bool is_flippable(VertexIndex a, VertexIndex b) const;
   void flip(VertexIndex a, VertexIndex b);
-  std::optional<Obstacle> crossed_edges(VertexIndex a, VertexIndex b, std::vector<Edge>& out) const;
+  std::optional<Obstacle> crossed_edges(VertexIndex a, VertexIndex b, std::vector<Edge>& out,
+                                        std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
   std::vector<CellIndex> cell_of_;
   EdgeMap constraints_;

@@ -77,6 +77,14 @@ class IncrementalTriangulation {
       if (!owns(u)) return false;
     return true;
   }
+  /// Ends a walk that has reached cell c of another part: the next one starts at an owned neighbour of c. If it started
+  /// where this one did, points along a line would be walked to over ever more cells. No part changes c, which has
+  /// vertices of both.
+  CellIndex leave_part(CellIndex c) {
+    for (const FaceRef& n : cells_[c].neighbors)
+      if (owns_cell(cells_[n.cell()].vertices)) hint_ = n.cell();
+    return no_cell;
+  }
   bool is_ghost(const CellVertices& v) const {
     bool r = false;
     for (const VertexIndex u : v) r |= u == infinite_;
@@ -148,10 +156,10 @@ CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
     while (cells_[c].vertices[g] != infinite_) ++g;
     const FaceRef inner = cells_[c].neighbors[g];
     if constexpr (Shared)
-      if (!owns_cell(cells_[inner.cell()].vertices)) return no_cell;
+      if (!owns_cell(cells_[inner.cell()].vertices)) return leave_part(inner.cell());
     c = inner.cell();
   } else if constexpr (Shared) {
-    if (!owns_cell(cells_[c].vertices)) return no_cell;
+    if (!owns_cell(cells_[c].vertices)) return leave_part(c);
   }
   for (;;) {
     ++walk_steps_;
@@ -168,7 +176,7 @@ CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
     c = next.cell();
     entered = next.face();
     if constexpr (Shared)
-      if (!owns_cell(cells_[c].vertices)) return no_cell;
+      if (!owns_cell(cells_[c].vertices)) return leave_part(c);
   }
 }
 

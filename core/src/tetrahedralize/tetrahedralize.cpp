@@ -8,8 +8,8 @@
 #include "common/sort_unique.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "recover/conforming/conforming.hpp"
-#include "tetrahedralize/canonical_form.hpp"
 #include "tetrahedralize/conforming_step.hpp"
+#include "tetrahedralize/model_form.hpp"
 #include "tetrahedralize/recovery_run.hpp"
 
 namespace geomesh {
@@ -58,8 +58,8 @@ struct MeshingOutcome {
 /// The paper's stages, in its order: triangulation (section 2), recovery (section 3), classification (section 4).
 MeshingOutcome mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
                             const RunContext& context, const ConformingStep& conform) {
-  const CanonicalForm form = canonical_form(plc);
-  RecoveryRun run(form.plc, form.names, options, context, conform);
+  const ModelForm form(plc, options.recover, context);
+  RecoveryRun run(form.plc(), form.names(), options, context, conform);
   try {
     {
       const StageScope stage(context, "delaunay");
@@ -71,14 +71,14 @@ MeshingOutcome mesh_in_mode(const PiecewiseLinearComplex& plc, const Tetrahedral
       recovered = run.recover();
     }
     if (recovered.refusal)
-      return {std::nullopt, in_callers_terms(*recovered.refusal, form.names),
-              facets_in_callers_terms(run.statistics().facets_not_recovered, form.names)};
+      return {std::nullopt, in_callers_terms(*recovered.refusal, form.names()),
+              facets_in_callers_terms(run.statistics().facets_not_recovered, form.names())};
     const StageScope stage(context, "classify");
-    ConstrainedTetrahedralization mesh = classify_regions(run, *recovered.mesh, form.plc, context);
+    ConstrainedTetrahedralization mesh = classify_regions(run, *recovered.mesh, form.plc(), context);
     mesh.delaunay = options.recover.mode == MeshMode::conforming && recover::is_locally_delaunay(*recovered.mesh);
-    return {in_callers_terms(std::move(mesh), form.names, plc), std::nullopt, {}};
+    return {form.in_callers_terms(std::move(mesh)), std::nullopt, {}};
   } catch (const Error& e) {
-    throw in_callers_terms(e, form.names);
+    throw in_callers_terms(e, form.names());
   }
 }
 

@@ -57,6 +57,7 @@ class CoverageJudge : public ClaimedFaces {
 
  private:
   void collect_clip_edges();
+  bool spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face);
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool may_be_cut_by_horizons(Index surface) const {
     return claim_.may_be_trimmed(surface) &&
@@ -78,6 +79,7 @@ class CoverageJudge : public ClaimedFaces {
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
+  std::map<Index, BoxTree> surface_trees_;                 ///< made when first asked for
   std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< of each surface of the input
   std::vector<std::pair<VertexIndex, VertexIndex>>
       clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
@@ -117,6 +119,7 @@ void CoverageJudge::check_sources(CheckResult& result) {
     double distance = 0;
     for (int i = 0; i < 3; ++i)
       distance = std::max({distance, triangle.distance(corner(t, i)), triangle.outside(corner(t, i))});
+    if (distance > tolerance_ && spreads_from(triangle, row, t)) continue;
     largest = std::max(largest, distance);
     if (distance > tolerance_) off.add(f, centroid(mesh_, t));
   }
@@ -130,6 +133,32 @@ void CoverageJudge::check_sources(CheckResult& result) {
                 "each face lies on the input triangle that it names, within %.3g (largest distance seen: %.3g)",
                 tolerance_, largest);
   result.checks_done.emplace_back(text);
+}
+
+/// Whether the face's centroid is in the triangle that it names, and the rest of it on neighbours in the same plane:
+/// coplanar triangles of one surface may be meshed as one polygon. Corners and middles of edges are looked at.
+bool CoverageJudge::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
+  if (named.outside(centroid(mesh_, face)) > tolerance_) return false;
+  const TriangulatedSurface& s = claim_.surfaces[surface];
+  BoxTree& tree = surface_trees_.try_emplace(surface, tree_over(s.points, s.triangles)).first->second;
+  const auto is_on_plane_part = [&](const Vec3& p) {
+    if (named.distance(p) > tolerance_) return false;
+    bool found = false;
+    tree.query(inflated(box_of(p, p, p), tolerance_), [&](Index i) {
+      const Triangle& t = s.triangles[i];
+      const Corners corners{s.points[t[0]], s.points[t[1]], s.points[t[2]]};
+      const Vec3 off = nearest_on_triangle(p, corners) - p;
+      const bool is_in_plane =
+          std::ranges::all_of(corners, [&](const Vec3& q) { return named.distance(q) <= tolerance_; });
+      found = found || (is_in_plane && dot(off, off) <= tolerance_ * tolerance_);
+    });
+    return found;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 &a = corner(face, i), &b = corner(face, (i + 1) % 3);
+    if (!is_on_plane_part(a) || !is_on_plane_part(0.5 * (a + b))) return false;
+  }
+  return true;
 }
 
 /// No face of a horizon or fault lies inside a body that cuts.

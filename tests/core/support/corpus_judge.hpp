@@ -24,6 +24,7 @@ namespace geomesh::test {
 ///    (subdivided by added points in order along each segment), their areas add up; inner segments and points are
 ///    there; added points lie within `added_point_ulps` ulps of the largest coordinate of their segment or plane. A
 ///    facet without inner segments is covered wholly or, where nothing on either side is kept, not at all.
+///    Coplanar triangles that are not covered one by one are covered together: see coplanar_groups.
 /// 4. Segments named by the caller are chains of mesh edges.
 /// 5. Components: exactly the classes of cells joined through faces of no facet, numbered by their first facet.
 /// 6. Volumes: of each component, cells and boundary faces agree exactly; and agree with the input facets exactly where

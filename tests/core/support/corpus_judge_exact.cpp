@@ -54,6 +54,25 @@ struct Measured {
   bool comparable_with_facets = true;
 };
 
+Vec3 normal_of_triangle(const PiecewiseLinearComplex& plc, Index f) {
+  const auto loop = plc.outer_loop(f);
+  return geomesh::cross(plc.points[loop[1]] - plc.points[loop[0]], plc.points[loop[2]] - plc.points[loop[0]]);
+}
+
+/// Coplanar triangles that no face names, since faces spread over several of them, have on their sides what their
+/// neighbours have.
+void give_sides(const PiecewiseLinearComplex& plc, const std::vector<Index>& group, std::vector<std::uint8_t>& seen,
+                std::vector<std::array<Index, 2>>& sides) {
+  const auto named = std::find_if(group.begin(), group.end(), [&](Index f) { return seen[f] != 0; });
+  if (named == group.end()) return;
+  for (const Index f : group) {
+    if (seen[f]) continue;
+    const bool turned = geomesh::dot(normal_of_triangle(plc, f), normal_of_triangle(plc, *named)) < 0;
+    seen[f] = 1;
+    sides[f] = turned ? std::array<Index, 2>{sides[*named][1], sides[*named][0]} : sides[*named];
+  }
+}
+
 void measure_faces(const Judgement& j, std::vector<Measured>& components) {
   constexpr Index mixed = no_index - 1;
   std::vector<std::array<Index, 2>> sides(j.plc.n_facets(), {mixed, mixed});
@@ -79,6 +98,7 @@ void measure_faces(const Judgement& j, std::vector<Measured>& components) {
       for (Index c : side)
         if (c != no_index) components[c].comparable_with_facets = false;
   }
+  for (const std::vector<Index>& group : coplanar_groups(j.plc)) give_sides(j.plc, group, seen, sides);
   for (Index f = 0; f < j.plc.n_facets(); ++f) {
     if (!seen[f]) continue;
     const bool usable = !is_mixed[f] && is_exactly_planar(j.plc, f);

@@ -61,8 +61,15 @@ class FacetJudge {
 
   void run() {
     judge_cells_of_faces();
+    std::vector<bool> is_done(j_.plc.n_facets(), false);
+    for (const std::vector<Index>& group : coplanar_groups(j_.plc)) {
+      const auto alone = [&](Index f) { return faces_[f].empty() || stands_alone(f); };
+      if (std::all_of(group.begin(), group.end(), alone)) continue;
+      judge_group(group);
+      for (const Index f : group) is_done[f] = true;
+    }
     for (Index f = 0; f < j_.plc.n_facets(); ++f)
-      if (!faces_[f].empty()) judge_facet(f);
+      if (!is_done[f] && !faces_[f].empty()) judge_facet(f);
   }
 
  private:
@@ -100,6 +107,63 @@ class FacetJudge {
     if (whole) judge_inner_items(f, all);
     judge_added_points(f);
     if (whole) judge_area(f);
+  }
+
+  /// Whether the facet's own faces cover it alone.
+  bool stands_alone(Index f) {
+    EdgeSet border;
+    for (const Index i : faces_[f]) add_to_border(border, j_.mesh.faces[i].vertices);
+    const auto loop = j_.plc.outer_loop(f);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (!take(border, loop[i], loop[(i + 1) % loop.size()])) return false;
+    return border.empty();
+  }
+
+  /// Coplanar triangles that were meshed as one polygon: their faces cover them together, and each face names the
+  /// triangle that has its centroid.
+  void judge_group(const std::vector<Index>& group) {
+    const Vec3 normal = normal_of(group.front());
+    EdgeSet border, due;
+    double area = 0, area_due = 0;
+    for (const Index f : group) {
+      const auto loop = j_.plc.outer_loop(f);
+      const bool turned = dot(normal_of(f), normal) < 0;
+      add_to_border(due, turned ? Triangle{loop[0], loop[2], loop[1]} : Triangle{loop[0], loop[1], loop[2]});
+      area_due += length(normal_of(f));
+      for (const Index i : faces_[f]) {
+        const Triangle& t = j_.mesh.faces[i].vertices;
+        add_to_border(border, turned ? Triangle{t[0], t[2], t[1]} : t);
+        area += length(cross(j_.point(t[1]) - j_.point(t[0]), j_.point(t[2]) - j_.point(t[0])));
+        if (!holds(f, (1.0 / 3) * (j_.point(t[0]) + j_.point(t[1]) + j_.point(t[2]))))
+          fault(f, "does not hold the centroid of a face that names it");
+      }
+      judge_added_points(f);
+    }
+    for (const DirectedEdge& e : due)
+      if (!take(border, e[0], e[1])) return fault(group.front(), "and its coplanar neighbours are not covered");
+    if (!border.empty()) fault(group.front(), "and its coplanar neighbours have faces beyond them");
+    if (std::fabs(area - area_due) > 1e-9 * area_due) fault(group.front(), "and its coplanar neighbours are folded");
+  }
+  static void add_to_border(EdgeSet& border, const Triangle& t) {
+    for (unsigned k = 0; k < 3; ++k)
+      if (!border.erase({t[(k + 1) % 3], t[k]})) border.insert({t[k], t[(k + 1) % 3]});
+  }
+  /// Of a triangle; its length is twice the area.
+  Vec3 normal_of(Index f) const {
+    const auto loop = j_.plc.outer_loop(f);
+    const auto& p = j_.plc.points;
+    return cross(p[loop[1]] - p[loop[0]], p[loop[2]] - p[loop[0]]);
+  }
+  /// Up to rounding.
+  bool holds(Index f, const Vec3& x) const {
+    const auto loop = j_.plc.outer_loop(f);
+    const Vec3 n = normal_of(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &a = j_.plc.points[loop[i]], &b = j_.plc.points[loop[(i + 1) % 3]];
+      if (dot(cross(b - a, x - a), n) < -1e-9 * length(b - a) * length(n) * (length(x - a) + length(b - a)))
+        return false;
+    }
+    return true;
   }
 
   /// True where the facet is covered wholly.

@@ -77,6 +77,9 @@ double distance_from_plane(const Vec3& p, const Vec3& a, const Vec3& b, const Ve
 double parameter_on_line(const Vec3& p, const Vec3& a, const Vec3& b);
 /// Three corners of the loop that are not collinear, most apart from a line in doubles.
 std::array<VertexIndex, 3> plane_corners(const PiecewiseLinearComplex& plc, Index facet);
+/// Triangles of one provenance that are joined by edges and lie exactly in one plane, where they are two or more.
+/// Nothing else lies at those edges.
+std::vector<std::vector<Index>> coplanar_groups(const PiecewiseLinearComplex& plc);
 bool is_exactly_planar(const PiecewiseLinearComplex& plc, Index facet);
 
 }  // namespace geomesh::test

@@ -82,8 +82,9 @@ PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   PiecewiseLinearComplex plc;
   plc.points = mesh.points;
   std::vector<bool> is_used(mesh.points.size(), false);
-  for (const auto& f : mesh.faces) {
-    plc.add_triangle(f.vertices);
+  for (Index row = 0; row < mesh.faces.size(); ++row) {
+    const auto& f = mesh.faces[row];
+    plc.add_triangle(f.vertices, row);  // a surface of its own, so that coplanar faces are not merged
     for (const VertexIndex v : f.vertices) is_used[v] = true;
   }
   for (const auto& e : mesh.edges) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Merges triangles of one surface that lie exactly in one plane into polygons, so that recovery need not make edges
+/// that nobody asked for. Two triangulations of a plate by long needles can cross each other everywhere; a mesh with
+/// all of their edges has as many tetrahedra as there are crossings, which is quadratic in the input.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geomesh/core/plc.hpp"
+
+namespace geomesh {
+
+/// Delaunay edges that an inner edge of a plane patch crosses on average, up to which tetrahedralize() keeps the
+/// patch's triangles. Flips recover such edges soon; the benchmark's solids keep all of their triangles with it.
+inline constexpr double most_crossings_of_kept_edge = 4;
+
+/// A complex in which some patches of coplanar triangles are one facet each. Points, segments and seeds are those of
+/// the complex that it was made from, and in the same rows.
+struct MergedFacets {
+  PiecewiseLinearComplex plc;
+  std::vector<Index> first{0};  ///< facet m of `plc` stands for members[first[m]] .. members[first[m + 1] - 1]
+  std::vector<Index> members;   ///< facets of the complex before merging; the first of each patch is the least one, and
+                                ///< the merged facet is oriented as that one
+
+  bool has_merged() const { return plc.n_facets() < members.size(); }
+  std::span<const Index> members_of(Index m) const {
+    return {members.data() + first[m], members.data() + first[m + 1]};
+  }
+};
+
+/// Merges each patch of triangles that are joined by edges, exactly coplanar and of equal provenance, if it is far from
+/// Delaunay. It is where its inner edges cross more than `most_crossings` edges each, on average, of the Delaunay
+/// triangulation of its vertices. All other facets are kept. An edge stays a segment of the merged
+/// facet where the complex lists it or where another facet ends on it. `provenance`: by facet.
+/// Precondition: validate_plc finds no fault. A patch that is no valid polygon is kept as triangles, so that recovery
+/// reports the fault. O(n log n).
+MergedFacets merge_coplanar_facets(const PiecewiseLinearComplex& plc, std::span<const Index> provenance,
+                                   double most_crossings);
+
+}  // namespace geomesh
