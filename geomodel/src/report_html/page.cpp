@@ -37,7 +37,7 @@ std::string cell(const std::string& text, bool is_number = false) {
 
 std::string regions_table(const ModelMesh& mesh, const MeshColours& colours) {
   std::string out =
-      "<h2>Units</h2>\n<div class=\"wide\"><table><tr><th>unit</th><th class=\"n\">volume</th><th "
+      "<h2>Units</h2>\n<div class=\"wide\" tabindex=\"0\"><table><tr><th>unit</th><th class=\"n\">volume</th><th "
       "class=\"n\">tetrahedra</th><th>lies in</th></tr>\n";
   for (std::size_t i = 0; i < mesh.regions.size(); ++i) {
     const Region& r = mesh.regions[i];
@@ -53,7 +53,7 @@ std::string regions_table(const ModelMesh& mesh, const MeshColours& colours) {
 
 std::string curves_table(const ModelMesh& mesh) {
   std::string out =
-      "<details><summary>Curves</summary><div class=\"wide\"><table><tr><th>curve</th><th>kind</th><th "
+      "<details><summary>Curves</summary><div class=\"wide\" tabindex=\"0\"><table><tr><th>curve</th><th>kind</th><th "
       "class=\"n\">length, " +
       mesh.unit + "</th></tr>\n";
   for (const NamedCurve& c : mesh.curves)
@@ -63,7 +63,7 @@ std::string curves_table(const ModelMesh& mesh) {
 
 std::string surfaces_table(const ModelMesh& mesh, const MeshColours& colours) {
   std::string out =
-      "<h2>Surfaces and curves</h2>\n<div class=\"wide\"><table><tr><th>surface</th><th>kind</th><th "
+      "<h2>Surfaces and curves</h2>\n<div class=\"wide\" tabindex=\"0\"><table><tr><th>surface</th><th>kind</th><th "
       "class=\"n\">area, " +
       mesh.unit + "2</th></tr>\n";
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {

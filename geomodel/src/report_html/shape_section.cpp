@@ -41,7 +41,7 @@ std::string row_of(const std::string& name, const ShapeStatistics& s) {
 }
 
 std::string table(const MeshQuality& q, const ModelMesh& mesh) {
-  std::string out = "<div class=\"wide\"><table><tr><th>unit</th>";
+  std::string out = "<div class=\"wide\" tabindex=\"0\"><table><tr><th>unit</th>";
   for (const char* head : {"tetrahedra", "least angle", "first percentile", "mean of least", "largest angle",
                            "% below 10", "% above 24.85", "least radius ratio", "mean edge"})
     out += std::string("<th class=\"n\">") + head + "</th>";
@@ -66,7 +66,7 @@ std::string edges_against_size(const ShapeStatistics& s) {
                                                    "1 to 1.41", "1.41 to 2",  "2 to 4",      "above 4"};
   std::size_t all = 0;
   for (const std::size_t n : s.edge_size_histogram) all += n;
-  std::string out = "<h3>Edges by length over the asked size</h3>\n<div class=\"wide\"><table><tr>";
+  std::string out = "<h3>Edges by length over the asked size</h3>\n<div class=\"wide\" tabindex=\"0\"><table><tr>";
   for (const char* bin : bins) out += std::string("<th class=\"n\">") + bin + "</th>";
   out += "</tr><tr>";
   for (const std::size_t n : s.edge_size_histogram)
@@ -85,7 +85,7 @@ std::string worst_elements(const QualityReport& report, const ModelMesh& mesh) {
   for (const Vec3& p : mesh.points) bounds.add(p);
   const double range = 1e3 * std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
   std::string out =
-      "<h3>Worst elements</h3>\n<div class=\"wide\"><table><tr><th class=\"n\">smallest angle</th><th "
+      "<h3>Worst elements</h3>\n<div class=\"wide\" tabindex=\"0\"><table><tr><th class=\"n\">smallest angle</th><th "
       "class=\"n\">largest</th><th>at</th><th>unit</th><th>cause</th></tr>\n";
   for (std::size_t i = 0; i < std::min(q.worst.size(), most_elements_shown); ++i) {
     const WorstElement& w = q.worst[i];

@@ -68,7 +68,7 @@ std::string draw_map(const ThicknessMaps& maps, const SettledUnit& unit, const s
 std::string cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
 
 std::string horizons_table(const SettledStack& stack, const std::string& unit) {
-  std::string out = "<div class=\"wide\"><table><tr><th>horizon</th>";
+  std::string out = "<div class=\"wide\" tabindex=\"0\"><table><tr><th>horizon</th>";
   for (const std::string& head :
        {std::string("triangles given"), std::string("triangles now"), "shared with a neighbour, " + unit + "2",
         "cut above the topography, " + unit + "2", "moved, " + unit + "2", "mean move, " + unit,
