@@ -88,10 +88,13 @@ std::string sections(const ModelMesh& mesh, const Box3& bounds, const MeshColour
   return out;
 }
 
+/// More than one is folded behind a line with their count, so that the model is seen first.
 std::string warnings(const Report& report) {
   std::string out;
   for (const std::string& w : report.warnings) out += "<div class=\"warning\">" + escape(w) + "</div>\n";
-  return out;
+  if (report.warnings.size() < 2) return out;
+  return "<details class=\"warnings\"><summary>" + grouped_words(report.warnings.size()) + " warnings</summary>\n" +
+         out + "</details>\n";
 }
 
 /// More than a few notes are folded away.
