@@ -7,6 +7,7 @@ is meshed. Surfaces of implicit modelling end at the grid they were taken from; 
 import numpy
 
 from .core.errors import UsageError
+from .inputs import without_nan
 from .model import Model
 
 
@@ -47,14 +48,15 @@ def from_gempy(geo_model, *, extend="flat", column=True):
         elements = [e for e in group.elements if not _is_empty(e.vertices, e.edges)]
         if getattr(group, "is_fault", False):
             for element in elements:
-                model.add_surface(element.name, element.vertices, element.edges, kind="fault", **rules)
+                model.add_surface(element.name, *without_nan(element.vertices, element.edges), kind="fault", **rules)
             continue
         relation = str(getattr(group.structural_relation, "name", group.structural_relation)).lower()
         for element in elements:
             own = dict(rules)
             if element is elements[-1] and relation in ("erode", "onlap") and names:
                 own["base"] = relation
-            model.add_surface("base_" + element.name, element.vertices, element.edges, kind="horizon", **own)
+            model.add_surface("base_" + element.name, *without_nan(element.vertices, element.edges), kind="horizon",
+                              **own)
             names.append(element.name)
     if column and names:
         below = [e.name for g in geo_model.structural_frame.structural_groups for e in g.elements
@@ -89,12 +91,12 @@ def from_loopstructural(model, *, extend="flat"):
 
 
 def _joined(surfaces):
-    """(name, points, triangles) with pieces of one name put together, in the order given. NaN vertices go."""
+    """(name, points, triangles) with pieces of one name put together, in the order given. NaN vertices are dropped."""
     pieces = {}
     for surface in surfaces:
         if not _is_empty(surface.vertices, surface.triangles):
-            pieces.setdefault(str(surface.name), []).append((numpy.asarray(surface.vertices, dtype=float),
-                                                             numpy.asarray(surface.triangles)))
+            pieces.setdefault(str(surface.name), []).append(without_nan(numpy.asarray(surface.vertices, dtype=float),
+                                                                        surface.triangles))
     for name, parts in pieces.items():
         offsets = numpy.cumsum([0] + [len(points) for points, _ in parts[:-1]])
         yield (name, numpy.concatenate([points for points, _ in parts]),

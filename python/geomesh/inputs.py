@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces from whatever a caller has: arrays, files, and objects of other packages, met by their attributes."""
+from __future__ import annotations
+
 import os
+from typing import TYPE_CHECKING, Any, List, Tuple, Union
 
 import numpy
 
 from .core.errors import UsageError
 
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
-def is_path(thing):
+
+def is_path(thing: Any) -> bool:
     return isinstance(thing, (str, os.PathLike))
 
 
-def as_points(points):
+def as_points(points: Any) -> npt.NDArray[numpy.float64]:
     """float64, C-contiguous, shape (n, 3); the caller's own array where it is so already."""
     array = numpy.ascontiguousarray(points, dtype=numpy.float64)
     if array.ndim != 2 or array.shape[1] != 3:
@@ -19,24 +25,25 @@ def as_points(points):
     return array
 
 
-def as_triangles(triangles):
+def as_triangles(triangles: Any) -> Any:
     array = numpy.asarray(triangles)
     if array.ndim == 2 and array.shape[1] == 4:  # quadrangles, as grids and OBJ files have them
         array = split_quadrangles(array)
     return array
 
 
-def split_quadrangles(quads):
+def split_quadrangles(quads: Any) -> Any:
     quads = numpy.asarray(quads)
     return numpy.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
 
 
-def _fans(flat):
+def _fans(flat: Any) -> Any:
     """Triangles of polygons stored one after the other as (count, rows...), the form of VTK."""
     flat = numpy.asarray(flat).ravel()
     if flat.size % 4 == 0 and flat.size > 0 and (flat[::4] == 3).all():
         return flat.reshape(-1, 4)[:, 1:]
-    triangles, at = [], 0
+    triangles: List[Tuple[int, ...]] = []
+    at = 0
     while at < flat.size:
         n = int(flat[at])
         rows = flat[at + 1:at + 1 + n]
@@ -45,7 +52,7 @@ def _fans(flat):
     return numpy.array(triangles, dtype=numpy.int64).reshape(-1, 3)
 
 
-def _of_meshio(mesh):
+def _of_meshio(mesh: Any) -> Tuple[Any, Any]:
     blocks = []
     for block in mesh.cells:
         kind, rows = (block.type, block.data) if hasattr(block, "type") else block
@@ -59,12 +66,32 @@ def _of_meshio(mesh):
     return mesh.points, numpy.concatenate(blocks)
 
 
-def _of_vtk(data):
+def _of_vtk(data: Any) -> Tuple[Any, Any]:
     from vtkmodules.util.numpy_support import vtk_to_numpy
     return vtk_to_numpy(data.GetPoints().GetData()), _fans(vtk_to_numpy(data.GetPolys().GetData()))
 
 
-def arrays_of(thing):
+def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
+    """Points and triangles without vertices that are not a number, and without the triangles that have them.
+
+    Isosurfaces of implicit models have such vertices where the surface leaves the model. Arrays without any are
+    returned as they are.
+    """
+    points, triangles = numpy.asarray(points), numpy.asarray(triangles)
+    if points.dtype.kind != "f" or points.ndim != 2:
+        return points, triangles
+    known = numpy.isfinite(points).all(axis=1)
+    if known.all() or triangles.size == 0:
+        return points, triangles
+    inside = (triangles >= 0) & (triangles < len(points))
+    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # other rows are refused later
+    rows = numpy.cumsum(known) - 1
+    triangles = triangles[kept].astype(numpy.int64)
+    valid = (triangles >= 0) & (triangles < len(points))
+    return points[known], numpy.where(valid, rows[numpy.where(valid, triangles, 0)], triangles)
+
+
+def arrays_of(thing: Any) -> Tuple[Any, Any]:
     """(points, triangles) of an object that is a triangulated surface in one of the forms in use.
 
     Understood, in this order: meshio (``points``, ``cells``); PyVista (``points``, ``faces`` as one flat list);
@@ -89,7 +116,7 @@ def arrays_of(thing):
                      "object with points and faces" % type(thing).__name__)
 
 
-def read_surfaces(file):
+def read_surfaces(file: Union[str, "os.PathLike[str]"]) -> "List[Tuple[str, npt.NDArray[numpy.float64], npt.NDArray[numpy.uint32]]]":
     """The triangulated surfaces of a file, of any format of docs/input-formats.md.
 
     Returns

@@ -1,16 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The named mesh. Arrays are read-only views of the mesh's own memory, which they keep alive."""
+from __future__ import annotations
+
 import json
 import os
-import shutil
-import subprocess
 import tempfile
-from typing import List, NamedTuple
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy
 
-from . import _geomodel
+from . import _geomodel, handover, views
 from .core.errors import UsageError
+from .tables import Table
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Doubles = npt.NDArray[numpy.float64]
+    Integers = npt.NDArray[numpy.int32]
+    Rows = npt.NDArray[numpy.uint32]
+
+Path = Union[str, "os.PathLike[str]"]
 
 
 class Region(NamedTuple):
@@ -47,7 +57,10 @@ class Point(NamedTuple):
 
 
 class Mesh:
-    """A tetrahedral mesh in which regions, surfaces, curves and points have names. It has been verified exactly.
+    """A tetrahedral mesh in which regions, surfaces, curves and points have names.
+
+    Meshes that geomesh made have been verified exactly; those of :func:`geomesh.read` are as their file has them. A
+    notebook shows a mesh as a picture that can be turned. Meshes can be pickled and copied.
 
     Attributes
     ----------
@@ -75,73 +88,141 @@ class Mesh:
         Edges of intersections, borders, fault tips and wells, and the id of their curve.
     cell_arrays : dict of str to float64 (m,)
         What ``cell_arrays`` asked for.
-    regions, surfaces, curves, marked_points : list of Region, Surface, Curve, Point
+    point_arrays : dict of str to float64 (n,)
+        Values at points, of meshes that were read.
+    attributes : dict of str to list of float
+        Numbers of units by region id - 1; NaN where a unit has none.
+    groups : dict of str to list of int
+        Ids of the regions of each group.
+    regions, surfaces, curves, marked_points : Table of Region, Surface, Curve, Point
+        Lists that print as tables; ``pandas.DataFrame(mesh.regions)`` works.
     names : dict of int to str
         Name of every id above: regions, surfaces, curves and points share one numbering.
     statistics : dict
-        The report of the run (docs/output-files.md): stages, recovery, quality, displacement.
+        The report of the run (docs/output-files.md): stages, recovery, quality, displacement. Of a mesh that was read:
+        the report beside it, where there is one.
     summary, warnings, files : list of str
     name, unit : str
     shift : (x, y, z)
         What was subtracted from the project's coordinates (``output: {origin: ...}``).
+
+    Examples
+    --------
+    >>> import geomesh
+    >>> model = geomesh.Model(box=[[0, 0, -1000], [1000, 1000, 0]], column=["upper", "top", "lower"])
+    >>> _ = model.add_grid("top", [[-350, -350], [-350, -350]], spacing=1000)
+    >>> mesh = model.mesh(size=500)
+    >>> mesh.regions
+    id  name   unit   inside  n_tetrahedra  volume
+     1  upper  upper  ...
+     2  lower  lower  ...
+    >>> round(mesh.regions["lower"].volume)
+    650000000
     """
+
+    points: Doubles
+    point_kind: npt.NDArray[numpy.uint8]
+    input_vertex: Integers
+    tetrahedra: Rows
+    region: Integers
+    faces: Rows
+    face_surface: Integers
+    face_surface_set: Integers
+    face_patch: Integers
+    face_region_minus: Integers
+    face_region_plus: Integers
+    face_source_triangle: Integers
+    surface_sets: List[List[int]]
+    curve_edges: Rows
+    curve_of_edge: Integers
+    cell_arrays: Dict[str, Doubles]
+    point_arrays: Dict[str, Doubles]
+    attributes: Dict[str, List[float]]
+    groups: Dict[str, List[int]]
+    summary: List[str]
+    warnings: List[str]
+    files: List[str]
+    name: str
+    unit: str
+    shift: Tuple[float, float, float]
 
     _ARRAYS = ("points", "point_kind", "input_vertex", "tetrahedra", "region", "faces", "face_surface",
                "face_surface_set", "face_patch", "face_region_minus", "face_region_plus", "face_source_triangle",
-               "surface_sets", "curve_edges", "curve_of_edge", "cell_arrays", "attributes", "summary", "warnings",
-               "files", "name", "unit", "shift")
+               "surface_sets", "curve_edges", "curve_of_edge", "cell_arrays", "point_arrays", "attributes", "groups",
+               "summary", "warnings", "files", "name", "unit", "shift")
 
-    def __init__(self, result):
+    def __init__(self, result: _geomodel.JobResult) -> None:
+        if not isinstance(result, _geomodel.JobResult):
+            raise TypeError("a mesh comes from Model.mesh, geomesh.run or geomesh.read(FILE); found a %s" %
+                            type(result).__name__)
         self._result = result
-        self._statistics = None
+        self._statistics: Optional[Dict[str, Any]] = None
+        self._png: Optional[bytes] = None
 
-    def __getattr__(self, name):
-        if name in Mesh._ARRAYS:
-            return getattr(self._result, name)
-        raise AttributeError("'Mesh' has no attribute %r" % name)
+    if not TYPE_CHECKING:
+        def __getattr__(self, name):
+            if name in Mesh._ARRAYS:
+                return getattr(self._result, name)
+            raise AttributeError("'Mesh' has no attribute %r" % name)
 
-    def __dir__(self):
+    def __dir__(self) -> List[str]:
         return sorted(list(super().__dir__()) + list(Mesh._ARRAYS))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "<geomesh.Mesh %r: %d tetrahedra, %d points, %d regions>" % (
             self.name, len(self.tetrahedra), len(self.points), len(self.regions))
 
-    @property
-    def regions(self):
-        return [Region(*r) for r in self._result.regions]
+    def _repr_html_(self) -> str:
+        return "<p>%s</p>%s" % (views.html.escape(repr(self)[1:-1]), self._view()._repr_html_())
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """For what shows no page (a notebook as a PDF). None where no picture can be drawn; drawn once."""
+        if self._png is None:
+            with tempfile.TemporaryDirectory() as folder:
+                file = os.path.join(folder, "mesh.png")
+                try:
+                    self.picture(file, size=(900, 675))
+                except UsageError:
+                    return None
+                with open(file, "rb") as drawn:
+                    self._png = drawn.read()
+        return self._png
 
     @property
-    def surfaces(self):
-        return [Surface(*s) for s in self._result.surfaces]
+    def regions(self) -> Table[Region]:
+        return Table((Region(*r) for r in self._result.regions), Region._fields)
 
     @property
-    def curves(self):
-        return [Curve(*c) for c in self._result.curves]
+    def surfaces(self) -> Table[Surface]:
+        return Table((Surface(*s) for s in self._result.surfaces), Surface._fields)
 
     @property
-    def marked_points(self):
-        return [Point(*p) for p in self._result.marked_points]
+    def curves(self) -> Table[Curve]:
+        return Table((Curve(*c) for c in self._result.curves), Curve._fields)
 
     @property
-    def names(self):
-        return {item.id: item.name
-                for items in (self.regions, self.surfaces, self.curves, self.marked_points) for item in items}
+    def marked_points(self) -> Table[Point]:
+        return Table((Point(*p) for p in self._result.marked_points), Point._fields)
 
     @property
-    def statistics(self):
+    def names(self) -> Dict[int, str]:
+        named: List[Tuple[int, str]] = [(r.id, r.name) for r in self.regions] + [(s.id, s.name) for s in self.surfaces]
+        return dict(named + [(c.id, c.name) for c in self.curves] + [(p.id, p.name) for p in self.marked_points])
+
+    @property
+    def statistics(self) -> Dict[str, Any]:
         if self._statistics is None:
-            self._statistics = json.loads(self._result.report)
+            self._statistics = dict(json.loads(self._result.report))
         return self._statistics
 
-    def tetrahedra_of(self, region):
+    def tetrahedra_of(self, region: Union[int, str]) -> npt.NDArray[numpy.intp]:
         """Rows of the tetrahedra of a region, or of all parts of a unit, by name or id."""
         ids = [r.id for r in self.regions if region in (r.id, r.name, r.unit)]
         if not ids:
             raise UsageError("no region is called %r; there are %s" % (region, ", ".join(r.name for r in self.regions)))
         return numpy.flatnonzero(numpy.isin(self.region, ids))
 
-    def faces_of(self, surface):
+    def faces_of(self, surface: Union[int, str]) -> npt.NDArray[numpy.intp]:
         """Rows of the faces that a surface is part of, alone or with others, by name or id."""
         ids = [s.id for s in self.surfaces if surface in (s.id, s.name)]
         if not ids:
@@ -149,44 +230,88 @@ class Mesh:
         sets = [row for row, members in enumerate(self.surface_sets) if ids[0] in members]
         return numpy.flatnonzero(numpy.isin(self.face_surface_set, sets))
 
-    def write(self, file):
-        """Writes the mesh; the extension is the format: .vtu (and faces and curves beside it), .msh, .inp ...
+    def write(self, file: Path, *, format: Optional[str] = None, order: int = 1, split: Union[str, Sequence[str]] = (),
+              **options: Any) -> List[str]:
+        """Writes the mesh; the extension is the format: .vtu (and faces and curves beside it), .msh, .inp, .e ...
 
-        Returns the files written. Each is complete or absent. UsageError where the format is not known or the place
-        cannot be written to.
+        Parameters
+        ----------
+        file : path
+            An extension of docs/outputs.md, the name of a format, or .html for a page that shows the mesh.
+        format : str, optional
+            The format, where the extension does not say which: ``"msh22"``, ``"medit"``, ``"ogs"`` ...
+        order : {1, 2}
+            2: a node in the middle of every edge.
+        split : str or list of str
+            Surfaces along which nodes are doubled.
+        **options
+            Further keys of `output` in a project file: ``groups``, ``inner_faces``, ``curves``, ``cohesive``,
+            ``fault_zone``, ``partitions``, ``starter``, ``fields``, ``region_array``, ``single_grid``,
+            ``node_arrays``, ``compression``.
+
+        Returns
+        -------
+        list of str
+            The files written. Each is complete or absent.
+
+        Raises
+        ------
+        UsageError
+            The format is not known, cannot hold what the options ask for, or the place cannot be written to.
         """
         stem, extension = os.path.splitext(os.fspath(file))
-        if extension[1:] not in _geomodel.mesh_formats():
-            raise UsageError("%s: the extension is to be one of %s; a page (html) is written by Model.run and "
-                             "geomesh.run" % (file, ", ".join(_geomodel.mesh_formats())))
-        return self._result.write(extension[1:], os.path.abspath(stem))
+        if extension == ".html":
+            if format not in (None, "html") or options or order != 1 or split:
+                raise UsageError("%s: a page takes no options" % file)
+            return [self._view().save(file)]
+        name = format or _geomodel.format_of_extension(extension) or extension[1:]
+        if name not in _geomodel.mesh_formats():
+            raise UsageError("%s: %r is no format; the extension is to be one of %s, or format one of %s" % (
+                file, name, ", ".join(_geomodel.known_extensions()), ", ".join(_geomodel.mesh_formats())))
+        options = {key: os.fspath(value) if isinstance(value, os.PathLike) else value for key, value in options.items()}
+        options.update(order=order, split=[split] if isinstance(split, str) else list(split))
+        return self._result.write(name, os.path.abspath(stem), options)
 
-    def to_meshio(self):
-        """A meshio.Mesh with tetrahedra, faces and curve edges; cell data `region`, field data with the names."""
-        import meshio
-        cells = [("tetra", self.tetrahedra), ("triangle", self.faces), ("line", self.curve_edges)]
-        ids = [self.region, self.face_surface, self.curve_of_edge]
-        kept = [i for i, (_, rows) in enumerate(cells) if len(rows) > 0]
-        field_data = {}
-        for items, dimension in ((self.regions, 3), (self.surfaces, 2), (self.curves, 1)):
-            for item in items:
-                field_data[item.name] = numpy.array([item.id, dimension])
-        return meshio.Mesh(self.points, [cells[i] for i in kept], point_data={"kind": self.point_kind},
-                           cell_data={"region": [ids[i] for i in kept]}, field_data=field_data)
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh with tetrahedra, faces and curve edges, which ``write`` keeps with names in Gmsh's formats.
 
-    def to_pyvista(self):
-        """A pyvista.UnstructuredGrid of the tetrahedra with cell data `region`."""
-        import pyvista
-        cells = numpy.empty((len(self.tetrahedra), 5), dtype=numpy.int64)  # the form that VTK asks for
-        cells[:, 0] = 4
-        cells[:, 1:] = self.tetrahedra
-        grid = pyvista.UnstructuredGrid(cells.ravel(), numpy.full(len(cells), 10, dtype=numpy.uint8), self.points)
-        grid.cell_data["region"] = self.region
-        for name, values in self.cell_arrays.items():
-            grid.cell_data[name] = values
-        return grid
+        Cell data ``region`` and ``gmsh:physical`` have the ids, field data their names, and cell and point arrays are
+        there too. A surface with the name of a region, such as the body ``salt``, is called ``salt.surface``, since
+        meshio has one name once.
+        """
+        return handover.to_meshio(self)
 
-    def picture(self, file, view="cut", size=(1200, 900), **options):
+    def to_pyvista(self) -> Any:
+        """A pyvista.MultiBlock with the blocks ``mesh``, ``surfaces``, ``curves`` and, where there are any, ``points``.
+
+        ``mesh`` is an UnstructuredGrid of the tetrahedra with cell data ``region``, attributes of units and cell
+        arrays, and field data ``region_ids`` and ``region_names``. ``surfaces`` and ``curves`` are MultiBlocks with a
+        PolyData under each name; ``mesh_point`` and ``mesh_face`` are rows of this mesh.
+        """
+        return handover.to_pyvista(self)
+
+    def _view(self, height: int = 560) -> views.View:
+        return views.View(self._result.viewer_page(), height)
+
+    def plot(self, height: int = 560) -> views.View:
+        """The mesh as a picture that can be turned and cut: shown by a notebook, else opened in a browser.
+
+        Parameters
+        ----------
+        height : int
+            Pixels, in a notebook.
+
+        Returns
+        -------
+        View
+            ``.save(file)`` keeps the page.
+        """
+        view = self._view(height)
+        if not views.is_notebook():
+            view.show()
+        return view
+
+    def picture(self, file: Path, view: str = "cut", size: Tuple[int, int] = (1200, 900), **options: Any) -> None:
         """Draws the mesh into a PNG file with the program ``geomesh picture``, which must be installed.
 
         Parameters
@@ -202,20 +327,34 @@ class Mesh:
         UsageError
             The program is not there, or could not draw (no display and no xvfb).
         """
-        words = [_program(), "picture", None, "-o", os.path.abspath(os.fspath(file)), "--view=" + view,
-                 "--size=%dx%d" % tuple(size)]
-        words += ["--%s=%s" % (key.replace("_", "-"), value) for key, value in options.items()]
-        with tempfile.TemporaryDirectory() as folder:
-            words[2] = self.write(os.path.join(folder, "mesh.vtu"))[0]
-            done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        if done.returncode != 0:
-            raise UsageError("no picture was drawn: " + done.stdout.strip())
+        views.draw(self._result, os.fspath(file), view, size, options)
 
 
-def _program():
-    """The program geomesh: GEOMESH_PROGRAM, that on the path, or that of the build folder this package is in."""
-    built = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(_geomodel.__file__))), "bin", "geomesh")
-    for program in (os.environ.get("GEOMESH_PROGRAM"), shutil.which("geomesh"), built):
-        if program and os.access(program, os.X_OK):
-            return program
-    raise UsageError("pictures are drawn by the program geomesh, which is not on the path")
+def read(file: Path) -> Mesh:
+    """Reads a mesh file of any tool, as ``geomesh convert`` and ``geomesh check`` do: .vtu, .msh, .inp, .e, .med ...
+
+    Sets of the file become regions, surfaces, curves and points; ids are numbered anew. The mesh is as the file has it:
+    :func:`geomesh.check` verifies it.
+
+    Examples
+    --------
+    >>> import geomesh, os, tempfile
+    >>> mesh = geomesh.Model(box=[[0, 0, 0], [1, 1, 1]]).mesh()
+    >>> file = mesh.write(os.path.join(tempfile.mkdtemp(), "cube.vtu"))[0]
+    >>> again = geomesh.read(file)
+    >>> len(again.tetrahedra) == len(mesh.tetrahedra), round(again.regions[0].volume, 12)
+    (True, 1.0)
+
+    Raises
+    ------
+    UsageError
+        The file is not there, or its format is not read.
+    InvalidInput
+        The file cannot be understood.
+    """
+    mesh = Mesh(_geomodel.read_mesh(os.fspath(file)))
+    report = os.path.splitext(os.fspath(file))[0] + ".report.json"
+    if os.path.exists(report):
+        with open(report, encoding="utf-8") as text:
+            mesh._statistics = json.load(text)
+    return mesh

@@ -1,18 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Models made in Python, and project files. Keys of the project file are keyword arguments of the same names."""
+from __future__ import annotations
+
 import json
 import os
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy
 
 from . import _geomodel, inputs
 from .core.errors import UsageError
 from .mesh import Mesh
+from .progress import Progress, end_progress, progress_of
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+Path = Union[str, "os.PathLike[str]"]
+Log = Callable[[str, str], None]
+SizeFunction = Callable[[float, float, float], float]
+Size = Union[float, SizeFunction, Dict[str, Any], None]
 
 _SIDES = ("min", "max")
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """What JSON holds: numpy's numbers and arrays, tuples and paths as plain ones."""
     if isinstance(value, dict):
         return {str(k): _plain(v) for k, v in value.items()}
@@ -27,41 +39,22 @@ def _plain(value):
     return value
 
 
-def _run_options(threads, progress, log, size_function=None, directory=None, write=False):
-    return {"threads": int(threads), "progress": _progress(progress), "log": log, "size_function": size_function,
+def _run_options(threads: int, progress: Optional[Progress], log: Optional[Log], size_function: Optional[SizeFunction] = None,
+                 directory: Optional[Path] = None, write: bool = False) -> Dict[str, Any]:
+    return {"threads": int(threads), "progress": progress, "log": log, "size_function": size_function,
             "directory": None if directory is None else os.path.abspath(os.fspath(directory)), "write": write}
 
 
-def _progress(progress):
-    """True: a bar of tqdm where it is installed, else lines on the standard error."""
-    if progress is not True:
-        return progress or None
+def _drawing(progress: Union[bool, Progress, None], run: Callable[[Optional[Progress]], Mesh]) -> Mesh:
+    """Runs with progress as asked for, and ends the bar whatever happens."""
+    shown = progress_of(progress)
+    finished = False
     try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        return _PrintedStages()
-    return _Bars(tqdm)
-
-
-class _PrintedStages:
-    def __call__(self, stage, done, total):
-        import sys
-        if done == 0:
-            print(stage, "...", file=sys.stderr)
-
-
-class _Bars:
-    def __init__(self, tqdm):
-        self._tqdm, self._bar, self._stage = tqdm, None, None
-
-    def __call__(self, stage, done, total):
-        if stage != self._stage:
-            if self._bar is not None:
-                self._bar.close()
-            self._bar, self._stage = self._tqdm(desc=stage, leave=False), stage
-        self._bar.total = total or None
-        self._bar.n = done
-        self._bar.refresh()
+        mesh = run(shown)
+        finished = True
+        return mesh
+    finally:
+        end_progress(shown, finished)
 
 
 class Model:
@@ -83,25 +76,59 @@ class Model:
     ------
     UsageError
         From :meth:`mesh` and :meth:`run`: an unknown key or name, with all mistakes at once.
+
+    Examples
+    --------
+    >>> import geomesh
+    >>> model = geomesh.Model(box=[[0, 0, -2000], [4000, 4000, 0]], column=["upper", "top", "lower"])
+    >>> model.add_surface("top", [[-100, -100, -900], [4100, -100, -900], [4100, 4100, -1100], [-100, 4100, -1100]],
+    ...                   [[0, 1, 2], [0, 2, 3]])
+    <geomesh.Model 'model': 1 surface>
+    >>> mesh = model.add_well("W1", [[2000, 2000, 0], [2000, 2000, -1500]]).mesh(size=1000)
+    >>> [region.name for region in mesh.regions], [curve.name for curve in mesh.curves if curve.kind == "well"]
+    (['upper', 'lower'], ['W1'])
     """
 
-    def __init__(self, box=None, name="model", column=None, **keys):
-        self._keys = {"name": str(name)}
+    def __init__(self, box: Union[npt.ArrayLike, Dict[str, Any], None] = None, name: str = "model",
+                 column: Optional[Sequence[str]] = None, **keys: Any) -> None:
+        self._keys: Dict[str, Any] = {"name": str(name)}
         if box is not None:
             self._keys["box"] = box if isinstance(box, dict) else self._box(box)
-        self.column = list(column) if column else []
+        self.column: List[str] = list(column) if column else []
         self._keys.update(keys)
-        self._surfaces, self._wells, self._points = [], [], []
-        self._given = {}
+        self._surfaces: List[Dict[str, Any]] = []
+        self._wells: List[Dict[str, Any]] = []
+        self._points: List[Dict[str, Any]] = []
+        self._given: Dict[str, _geomodel.Given] = {}
+        self._grids: Dict[str, Tuple[Any, ...]] = {}  # arguments of _geomodel.grid, from which a copy is made
+
+    def __repr__(self) -> str:
+        counts = [(len(self._surfaces), "surface"), (len(self._wells), "well"), (len(self._points), "point")]
+        words = ["%d %s%s" % (n, word, "" if n == 1 else "s") for n, word in counts if n or word == "surface"]
+        return "<geomesh.Model %r: %s>" % (self._keys["name"], ", ".join(words))
+
+    def __getstate__(self) -> Dict[str, Any]:
+        """Inputs as arrays: for pickles and copies."""
+        state = dict(self.__dict__)
+        state["_given"] = {name: _arrays_of_given(given) for name, given in self._given.items()
+                           if name not in self._grids}
+        return state
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._given = {name: getattr(_geomodel, kind)(name, *arrays) for name, (kind, *arrays) in state["_given"].items()}
+        for name, arguments in self._grids.items():
+            self._given[name] = _geomodel.grid(name, *arguments)
 
     @staticmethod
-    def _box(box):
+    def _box(box: npt.ArrayLike) -> Dict[str, Any]:
         corners = numpy.asarray(box, dtype=float)
         if corners.shape != (2, 3):
             raise UsageError("box: [[x0, y0, z0], [x1, y1, z1]] was expected, found shape %s" % (corners.shape,))
         return dict(zip(_SIDES, corners.tolist()))
 
-    def add_surface(self, name, points, triangles=None, *, kind="horizon", **rules):
+    def add_surface(self, name: str, points: Any, triangles: Optional[npt.ArrayLike] = None, *, kind: str = "horizon",
+                    **rules: Any) -> Model:
         """Adds a surface.
 
         Parameters
@@ -110,7 +137,8 @@ class Model:
         points : array_like, shape (n, 3); or a path; or an object
             Without triangles the points become a surface over the map (key `gridding`). A path is a file of any
             format of docs/input-formats.md. Objects of PyVista, meshio, VTK, GemPy, LoopStructural and trimesh are
-            understood by their attributes. The arrays are copied once, when the model keeps them.
+            understood by their attributes; vertices of theirs that are NaN, as isosurfaces have them, are dropped with
+            their triangles. The arrays are copied once, when the model keeps them.
         triangles : integer array, shape (m, 3), optional
             Rows of points. The rows are those of ``mesh.face_source_triangle``.
         kind : {"horizon", "fault", "body"}
@@ -132,14 +160,16 @@ class Model:
             entry["file"] = os.path.abspath(os.fspath(points))
         else:
             if triangles is None and not isinstance(points, numpy.ndarray) and not _is_rows(points):
-                points, triangles = inputs.arrays_of(points)
+                points, triangles = inputs.without_nan(*inputs.arrays_of(points))
             points = inputs.as_points(points)
             self._given[name] = (_geomodel.point_set(name, points) if triangles is None else
                                  _geomodel.surface(name, points, inputs.as_triangles(triangles)))
         self._add_entry(self._surfaces, entry, rules)
         return self
 
-    def add_grid(self, name, heights, origin=(0.0, 0.0), spacing=(1.0, 1.0), *, rotation=0.0, kind="horizon", **rules):
+    def add_grid(self, name: str, heights: npt.ArrayLike, origin: Sequence[float] = (0.0, 0.0),
+                 spacing: Union[float, Sequence[float]] = (1.0, 1.0), *, rotation: float = 0.0, kind: str = "horizon",
+                 **rules: Any) -> Model:
         """Adds a surface given by heights at the nodes of a regular grid.
 
         Parameters
@@ -149,7 +179,7 @@ class Model:
         origin : (x0, y0)
             The node of row 0, column 0.
         spacing : (dx, dy), or one number
-            dy may be negative, as in rasters with the north on top.
+            dy may be negative, as in rasters with the north on top; dx too, where columns run westwards.
         rotation : float
             Degrees counter-clockwise about the origin.
         kind, **rules
@@ -158,18 +188,13 @@ class Model:
         heights = numpy.asarray(heights, dtype=numpy.float64)
         if heights.ndim != 2:
             raise UsageError("%s: heights of a grid are an array of shape (rows, columns)" % name)
-        dx, dy = (spacing, spacing) if numpy.ndim(spacing) == 0 else spacing
-        x0, y0 = origin
-        if dy < 0:
-            if rotation:
-                raise UsageError("%s: a grid with a rotation needs a positive spacing" % name)
-            y0, dy, heights = y0 + dy * (heights.shape[0] - 1), -dy, heights[::-1]
-        self._given[name] = _geomodel.grid(name, heights, [float(x0), float(y0)], [float(dx), float(dy)],
-                                           float(rotation))
+        arguments = _grid_arguments(name, heights, origin, spacing, float(rotation))
+        self._given[name] = _geomodel.grid(name, *arguments)
+        self._grids[name] = arguments
         self._add_entry(self._surfaces, {"name": name, "kind": kind}, rules)
         return self
 
-    def add_well(self, name, path, **keys):
+    def add_well(self, name: str, path: Any, **keys: Any) -> Model:
         """Adds a well: an array of shape (n, 3) of places along it, or a file. It becomes a curve of the mesh."""
         entry = {"name": name}
         if inputs.is_path(path):
@@ -179,19 +204,19 @@ class Model:
         self._add_entry(self._wells, entry, keys)
         return self
 
-    def add_point(self, name, at):
+    def add_point(self, name: str, at: Sequence[float]) -> Model:
         """Adds a named place (x, y, z), which becomes a vertex of the mesh."""
         self._points.append({"name": name, "at": [float(v) for v in at]})
         return self
 
     @staticmethod
-    def _add_entry(entries, entry, keys):
+    def _add_entry(entries: List[Dict[str, Any]], entry: Dict[str, Any], keys: Dict[str, Any]) -> None:
         for key in keys:
             if key in entry:
                 raise UsageError("%s: %s is given twice" % (entry["name"], key))
         entries.append({**entry, **keys})
 
-    def project(self, **mesh):
+    def project(self, **mesh: Any) -> Dict[str, Any]:
         """The model as the dict of a project file; surfaces given as arrays have no `file`."""
         project = dict(self._keys)
         for key, entries in (("surfaces", self._surfaces), ("wells", self._wells), ("points", self._points),
@@ -203,7 +228,8 @@ class Model:
             project["mesh"] = {**project.get("mesh", {}), **mesh}
         return _plain(project)
 
-    def mesh(self, size=None, *, threads=0, progress=None, log=None, **mesh):
+    def mesh(self, size: Size = None, *, threads: int = 0, progress: Union[bool, Progress, None] = None,
+             log: Optional[Log] = None, **mesh: Any) -> Mesh:
         """Meshes the model and keeps the result in memory.
 
         Parameters
@@ -230,28 +256,56 @@ class Model:
         UsageError, InvalidInput, CannotMesh
             With ``surfaces``, ``triangles`` and ``places``. KeyboardInterrupt on Ctrl-C, within two seconds.
         """
-        size, function = _size_function(size)
-        return self._run(_run_options(threads, progress, log, function), size=size, **mesh)
+        plain, function = _size_function(size)
+        return _drawing(progress, lambda shown: self._run(_run_options(threads, shown, log, function), size=plain,
+                                                          **mesh))
 
-    def run(self, directory, formats=None, size=None, *, threads=0, progress=None, log=None, **mesh):
+    def run(self, directory: Path, formats: Optional[Sequence[str]] = None, size: Size = None, *, threads: int = 0,
+            progress: Union[bool, Progress, None] = None, log: Optional[Log] = None, **mesh: Any) -> Mesh:
         """As :meth:`mesh`, and writes the files of a project into the folder: ``formats`` as ``["vtu", "html"]``."""
-        size, function = _size_function(size)
-        options = _run_options(threads, progress, log, function, directory, write=True)
-        return self._run(options, formats, size=size, **mesh)
+        plain, function = _size_function(size)
+        return _drawing(progress, lambda shown: self._run(
+            _run_options(threads, shown, log, function, directory, write=True), formats, size=plain, **mesh))
 
-    def _run(self, options, formats=None, **mesh):
+    def _run(self, options: Dict[str, Any], formats: Optional[Sequence[str]] = None, **mesh: Any) -> Mesh:
         project = self.project(**mesh)
         if formats:
             project["output"] = {**project.get("output", {}), "formats": list(formats)}
         return Mesh(_geomodel.run_given(json.dumps(project), self._keys["name"], os.getcwd(), self._given, options))
 
 
-def _is_rows(thing):
+def _grid_arguments(name: str, heights: Any, origin: Sequence[float], spacing: Union[float, Sequence[float]],
+                    rotation: float) -> Tuple[Any, ...]:
+    """Heights of its own, and the node that has least x and y, so that both spacings are positive."""
+    x0, y0 = (float(v) for v in origin)
+    given = numpy.asarray(spacing, dtype=float)
+    if given.shape not in ((), (2,)):
+        raise UsageError("%s: spacing: (dx, dy) or one number was expected, found shape %s" % (name, given.shape))
+    dx, dy = (float(given), float(given)) if given.ndim == 0 else (float(given[0]), float(given[1]))
+    if rotation and (dx < 0 or dy < 0):
+        raise UsageError("%s: a grid with a rotation needs a positive spacing" % name)
+    if dx < 0:
+        x0, dx, heights = x0 + dx * (heights.shape[1] - 1), -dx, heights[:, ::-1]
+    if dy < 0:
+        y0, dy, heights = y0 + dy * (heights.shape[0] - 1), -dy, heights[::-1]
+    return numpy.array(heights), [x0, y0], [dx, dy], rotation
+
+
+def _arrays_of_given(given: _geomodel.Given) -> Tuple[Any, ...]:
+    """The function of _geomodel that makes the input, and its arrays as copies."""
+    if given.surfaces:
+        return ("surface", numpy.array(given.surfaces[0][1]), numpy.array(given.surfaces[0][2]))
+    if given.polylines:
+        return ("polyline", numpy.array(given.polylines[0][1]))
+    return ("point_set", numpy.array(given.point_sets[0][1]))
+
+
+def _is_rows(thing: Any) -> bool:
     """Nested lists or tuples of numbers: [[x, y, z], ...]."""
     return isinstance(thing, (list, tuple)) and len(thing) > 0 and numpy.ndim(thing[0]) == 1 and len(thing[0]) == 3
 
 
-def _size_function(size):
+def _size_function(size: Size) -> Tuple[Any, Optional[SizeFunction]]:
     """What of a size goes into the project, and the function in it."""
     if callable(size):
         return None, size
@@ -261,7 +315,8 @@ def _size_function(size):
     return size, None
 
 
-def run(project, directory=None, *, write=True, threads=0, progress=None, log=None):
+def run(project: Path, directory: Optional[Path] = None, *, write: bool = True, threads: int = 0,
+        progress: Union[bool, Progress, None] = None, log: Optional[Log] = None) -> Mesh:
     """Meshes a project file as ``geomesh PROJECT.yaml`` does.
 
     Parameters
@@ -279,9 +334,10 @@ def run(project, directory=None, *, write=True, threads=0, progress=None, log=No
     Mesh
         ``mesh.files`` tells what was written.
     """
-    return Mesh(_geomodel.run_file(os.fspath(project), _run_options(threads, progress, log, None, directory, write)))
+    return _drawing(progress, lambda shown: Mesh(_geomodel.run_file(
+        os.fspath(project), _run_options(threads, shown, log, None, directory, write))))
 
 
-def check(mesh, project=None):
+def check(mesh: Path, project: Optional[Path] = None) -> Dict[str, Any]:
     """Verifies a mesh file exactly, as ``geomesh check`` does; returns its report as a dict with "passes"."""
     return json.loads(_geomodel.check(os.fspath(mesh), "" if project is None else os.fspath(project)))

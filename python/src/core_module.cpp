@@ -109,6 +109,7 @@ MeshResult refine_plc(const PlcArguments& arguments, const py::dict& given) {
 PYBIND11_MODULE(_core, module) {
   using namespace geomesh::python;
   module.doc() = "The engine of geomesh for plain arrays; use it through geomesh.core.";
+  module.attr("__version__") = GEOMESH_VERSION;
   register_errors();
   define_results(module);
   py::class_<PlcArguments>(module, "PlcArguments")

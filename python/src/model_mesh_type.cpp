@@ -4,7 +4,12 @@
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
+#include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
+#include "geomesh/geomodel/viewer_page.hpp"
+#include "mesh_bytes.hpp"
+#include "read_mesh.hpp"
+#include "write_keywords.hpp"
 
 namespace geomesh::python {
 namespace {
@@ -95,11 +100,19 @@ py::dict attributes_of(const JobResult& r) {
 }
 
 /// Complete or absent, as the program writes.
-std::vector<std::string> write(const JobResult& r, const std::string& format, const std::string& stem) {
+std::vector<std::string> write(const JobResult& r, const std::string& format, const std::string& stem,
+                               const py::dict& keywords) {
+  const geomodel::WriteOptions options = write_options(keywords);
   std::vector<std::string> files;
   const py::gil_scoped_release released;
-  for (const auto& file : geomodel::write_format(r.mesh, format, stem)) files.push_back(file.string());
+  for (const auto& file : geomodel::write_format(r.mesh, format, stem, options)) files.push_back(file.string());
   return files;
+}
+
+/// The format that files of this extension (with the dot) are written in; empty where there is none.
+std::string format_of_extension(const std::string& extension) {
+  const geomodel::Format* const format = geomodel::format_of_extension(extension);
+  return format ? format->name : std::string();
 }
 
 }  // namespace
@@ -127,8 +140,27 @@ void define_model_mesh(py::module_& module) {
                                for (const auto& file : r.files) files.push_back(file.string());
                                return files;
                              })
-      .def("write", &write);
+      .def_property_readonly("point_arrays",
+                             [](const py::object& self) {
+                               py::dict arrays;
+                               for (const geomodel::PointArray& array : mesh_of(self).point_arrays)
+                                 arrays[py::str(array.name)] = view_numbers(array.values, self);
+                               return arrays;
+                             })
+      .def_property_readonly("groups",
+                             [](const JobResult& r) {
+                               py::dict groups;
+                               for (const geomodel::RegionGroup& g : r.mesh.groups) groups[py::str(g.name)] = g.regions;
+                               return groups;
+                             })
+      .def("write", &write)
+      .def("viewer_page", [](const JobResult& r) { return geomodel::viewer_page(r.mesh); })
+      .def(py::pickle([](const JobResult& r) { return py::bytes(bytes_of(r)); },
+                      [](const py::bytes& bytes) { return result_of(std::string_view(bytes)); }));
   module.def("mesh_formats", &geomodel::mesh_formats);
+  module.def("known_extensions", &geomodel::known_extensions);
+  module.def("format_of_extension", &format_of_extension);
+  module.def("read_mesh", &read_mesh, py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace geomesh::python

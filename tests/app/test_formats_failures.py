@@ -13,7 +13,8 @@ from test_formats import FormatTest
 
 EXTENSIONS = {"vtu": ".vtu", "msh": ".msh", "msh-binary": ".msh", "msh22": ".msh", "msh22-binary": ".msh", "inp": ".inp", "exodus": ".e", "med": ".med",
               "xdmf": ".xdmf", "ogs": ".ogs.vtu", "openfoam": ".foam", "mfem": ".mesh", "pflotran": ".ugi", "pflotran-explicit": ".uge", "tough": ".tough",
-              "geos": ".vtm", "tetgen": ".ele"}
+              "geos": ".vtm", "tetgen": ".ele", "flac3d": ".f3grid", "feflow": ".fem", "comsol": ".mphtxt", "avs": ".avs", "medit": ".mesh",
+              "medit-binary": ".meshb", "tsolid": ".so", "tsurf": ".ts", "glb": ".glb", "obj": ".obj", "stl": ".stl", "seissol": ".puml", "vtkhdf": ".vtkhdf"}
 NEED_DELAUNAY = {"pflotran-explicit", "tough"}  # of a box, below
 
 

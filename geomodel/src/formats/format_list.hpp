@@ -25,11 +25,24 @@ Format pflotran_format();           // pflotran.cpp
 Format tetgen_format();             // tetgen.cpp
 Format pflotran_explicit_format();  // pflotran_explicit.cpp
 Format tough_format();              // tough.cpp
+Format flac3d_format();             // codes/flac3d.cpp
+Format feflow_format();             // codes/feflow.cpp
+Format comsol_format();             // codes/comsol.cpp
+Format avs_format();                // codes/avs.cpp
+Format medit_format();              // codes/medit.cpp
+Format medit_binary_format();       // codes/medit.cpp
+Format gocad_tsolid_format();       // codes/gocad_tsolid.cpp
+Format gocad_tsurf_format();        // surfaces/gocad_tsurf.cpp
+Format glb_format();                // surfaces/glb.cpp
+Format obj_format();                // surfaces/obj.cpp
+Format stl_format();                // surfaces/stl.cpp
+Format seissol_format();            // hdf5/seissol.cpp, with HDF5
+Format vtkhdf_format();             // hdf5/vtkhdf.cpp, with HDF5
 
 /// In the order of the documents. What was left out when the program was built is not in it.
 inline constexpr Format (*listed_formats[])() = {
-    vtu_format,      gmsh41_format,        gmsh41_binary_format,
-    gmsh22_format,   gmsh22_binary_format, abaqus_format,
+    vtu_format,         gmsh41_format,        gmsh41_binary_format,
+    gmsh22_format,      gmsh22_binary_format, abaqus_format,
     exodus_format,
 #ifdef GEOMESH_WITH_MED
     med_format,
@@ -37,9 +50,16 @@ inline constexpr Format (*listed_formats[])() = {
 #ifdef GEOMESH_WITH_HDF5
     xdmf_format,
 #endif
-    ogs_format,      openfoam_format,      mfem_format,
-    pflotran_format, tetgen_format,        pflotran_explicit_format,
-    tough_format,    geos_format,
+    ogs_format,         openfoam_format,      mfem_format,
+    pflotran_format,    tetgen_format,        pflotran_explicit_format,
+    tough_format,       geos_format,          flac3d_format,
+    feflow_format,      comsol_format,        avs_format,
+    medit_format,       medit_binary_format,  gocad_tsolid_format,
+    gocad_tsurf_format, glb_format,           obj_format,
+    stl_format,
+#ifdef GEOMESH_WITH_HDF5
+    seissol_format,     vtkhdf_format,
+#endif
 };
 
 }  // namespace geomesh::geomodel

@@ -7,6 +7,7 @@
 #include "formats/format_list.hpp"
 #include "geomesh/core/error.hpp"
 #include "mesh_readers/exodus_parts.hpp"
+#include "solver_mesh/corners/solver_splits.hpp"
 #include "solver_mesh/second_order.hpp"
 #include "solver_mesh/split_faults.hpp"
 #include "writers/written_files.hpp"
@@ -107,6 +108,9 @@ std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std
     throw Error(ErrorKind::usage, "the format " + name + " holds no cohesive prisms here; leave out cohesive: true");
   if (second && options.cohesive)
     throw Error(ErrorKind::usage, "cohesive prisms are of first order; leave out order: 2 or cohesive: true");
+  if (!options.split.empty() && solver_splits_faults(name))
+    throw Error(ErrorKind::usage,
+                "the format " + name + " holds no split faults: its solver splits them; leave out split");
   if (options.partitions > 1) refuse_partitions(*format, options);
   for (const FaultZone& zone : options.fault_zones)
     if (std::find(options.split.begin(), options.split.end(), zone.fault) != options.split.end())

@@ -2,8 +2,6 @@
 // XDMF 3 with HDF5, for dolfinx, FEniCS, meshio and ParaView (built only where HDF5 is there): NAME.xdmf has the cells
 // with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points. Numbers are in
 // an .h5 of the same name. One grid a file, because meshio reads no more.
-#include <hdf5.h>
-
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -11,77 +9,13 @@
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
 #include "starters/starters.hpp"
-#include "writers/room_on_disk.hpp"
+#include "writers/hdf5_writer.hpp"
 #include "writers/text_buffer.hpp"
 #include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
 
 namespace {
-
-/// An HDF5 file being written. Every failure of the library is a failure to write the file.
-class Hdf5Writer {
- public:
-  /// `payload`: bytes of all numbers.
-  Hdf5Writer(const std::filesystem::path& temporary, const std::filesystem::path& file, std::size_t payload)
-      : file_(file) {
-    constexpr std::size_t most_bytes_of_structure = 1 << 15;
-    require_room(temporary, file, payload + most_bytes_of_structure);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    id_ = require(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  }
-  ~Hdf5Writer() {
-    if (id_ >= 0) H5Fclose(id_);
-  }
-  Hdf5Writer(const Hdf5Writer&) = delete;
-  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
-
-  /// Rows of `width` numbers.
-  void put(const char* name, hid_t type, const void* data, std::size_t n, std::size_t width) {
-    put_pieces(name, type, n, width, [&](const auto& write) {
-      if (n > 0) write(type, data, n);
-    });
-  }
-  /// The same piece by piece: `give` calls what it is handed with the type in memory, a row and how many rows.
-  template <class Give>
-  void put_pieces(const char* name, hid_t type, std::size_t n, std::size_t width, const Give& give) {
-    const std::array<hsize_t, 2> sizes{n, width};
-    const int rank = width == 1 ? 1 : 2;
-    const hid_t space = require(H5Screate_simple(rank, sizes.data(), nullptr));
-    const hid_t no_times = require(H5Pcreate(H5P_DATASET_CREATE));  // the same bytes whenever it is written
-    require(H5Pset_obj_track_times(no_times, false));
-    const hid_t set = require(H5Dcreate2(id_, name, type, space, H5P_DEFAULT, no_times, H5P_DEFAULT));
-    require(H5Pclose(no_times));
-    hsize_t first = 0;
-    give([&](hid_t in_memory, const void* data, std::size_t n_rows) {
-      const std::array<hsize_t, 2> start{first, 0}, count{n_rows, width};
-      require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
-      const hid_t piece = require(H5Screate_simple(rank, count.data(), nullptr));
-      require(H5Dwrite(set, in_memory, piece, space, H5P_DEFAULT, data));
-      require(H5Sclose(piece));
-      first += n_rows;
-    });
-    require(H5Dclose(set));
-    require(H5Sclose(space));
-  }
-  void group(const char* name) {
-    require(H5Gclose(require(H5Gcreate2(id_, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT))));
-  }
-  void close() {
-    const herr_t status = H5Fclose(id_);
-    id_ = -1;
-    require(status);
-  }
-
- private:
-  template <class T>
-  T require(T status) const {
-    if (status < 0) refuse_to_write(file_);
-    return status;
-  }
-  const std::filesystem::path& file_;
-  hid_t id_ = -1;
-};
 
 constexpr std::size_t tags_at_once = 1 << 16;
 

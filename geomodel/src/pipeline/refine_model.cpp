@@ -10,6 +10,7 @@
 #include "geomesh/geomodel/words.hpp"
 #include "naming/name_regions.hpp"
 #include "rules/order/laid_down.hpp"
+#include "solver_mesh/corners/shape_values.hpp"
 
 namespace geomesh::geomodel {
 
@@ -132,15 +133,6 @@ std::vector<AskedSize> segment_sizes(const PreparedModel& model) {
       for (const std::string& name : {model.plc.curves[c].name, plural(model.plc.curves[c].kind)})
         if (const auto at = asked.find(name); at != asked.end()) ask(sizes[s], at->second);
   return sizes;
-}
-
-double cell_value(const std::string& name, const TetrahedronShape& s) {
-  if (name == "min_dihedral") return s.min_dihedral;
-  if (name == "max_dihedral") return s.max_dihedral;
-  if (name == "radius_ratio") return s.radius_ratio;
-  if (name == "mean_ratio") return s.mean_ratio;
-  if (name == "aspect") return s.aspect;
-  throw InternalError("no cell array is called " + name);
 }
 
 /// "top, fault": the surfaces that facets are part of.
@@ -310,7 +302,7 @@ std::vector<CellArray> make_cell_arrays(const std::vector<std::string>& names,
     const TetrahedronShape shape = tetrahedron_shape(a, b, c, d);
     for (CellArray& array : arrays)
       array.values.push_back(array.name == "size" ? size->at(0.25 * ((a + b) + (c + d)), mesh.component[t])
-                                                  : cell_value(array.name, shape));
+                                                  : shape_value(array.name, shape).value());
   }
   return arrays;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geomesh/geomodel/formats.hpp"
+#include "solver_mesh/corners/solver_splits.hpp"
 
 namespace geomesh::geomodel {
 
@@ -148,6 +149,9 @@ void check_formats(const YamlValue& value, const OutputSpec& output) {
       value.problem("the format " + name + " holds no elements of second order here; order: 1 was expected");
     if (output.options.cohesive && !format->holds.prisms)
       value.problem("the format " + name + " holds no cohesive prisms here; cohesive: false was expected");
+    if (!output.options.split.empty() && solver_splits_faults(name))
+      value.problem("the format " + name +
+                    " holds no split faults, because its solver splits them; no split was expected");
     if (output.options.partitions > 1 && !format->holds.partitions)
       value.problem("the format " + name + " is not written in parts here; partitions: 1 was expected");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The project file: every key of docs/project-file.md, all mistakes of one run together.
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "geomesh/core/error.hpp"
@@ -33,6 +34,25 @@ std::string yaml_advice(const std::string& text, int line) {
     if (at + 1 < near.size() && colon_letter.find(near[at + 1]) != std::string::npos)
       return "; is there a blank after the colon?";
   return "; keys of one entry begin in the same column, and brackets and quotes are closed";
+}
+
+/// Messages about a text that a program composed: `NAME:LINE:COLUMN: ` at the beginning of a line becomes `NAME: `.
+std::string without_places(const std::string& messages, const std::string& name) {
+  std::string result;
+  const auto is_of_place = [](char c) { return c == ':' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t begin = 0; begin < messages.size();) {
+    const std::size_t end = std::min(messages.find('\n', begin), messages.size() - 1) + 1;
+    const std::string_view line = std::string_view(messages).substr(begin, end - begin);
+    std::size_t at = line.starts_with(name + ":") ? name.size() : 0;
+    result += line.substr(0, at);
+    if (at > 0) {
+      while (at < line.size() && is_of_place(line[at])) ++at;
+      result += ":";
+    }
+    result += line.substr(at);
+    begin = end;
+  }
+  return result;
 }
 
 const std::vector<std::string_view> box_sides{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
@@ -113,6 +133,13 @@ class ProjectReader {
     if (const auto v = map.find("output")) read_output(*v, folder_, project_);
   }
 
+  /// " (line 7)"; nothing where a program composed the text, whose lines mean nothing to anybody.
+  std::string on_line(int line) const {
+    std::string text;
+    if (!given_) text.append(" (line ").append(std::to_string(line)).append(")");
+    return text;
+  }
+
   /// Names go into files of many formats, and into their names: not too long, no control characters, quotes, commas or
   /// blanks at the ends.
   static bool read_name(const YamlValue& value, std::string& name) {
@@ -141,7 +168,7 @@ class ProjectReader {
     if (std::find(box_sides.begin(), box_sides.end(), name) != box_sides.end()) {
       value.problem("'" + name + "' is the name of a side of the box; choose another");
     } else if (const auto [it, fresh] = name_line_.emplace(name, value.place().line); !fresh) {
-      value.problem("the name '" + name + "' is used already on line " + std::to_string(it->second));
+      value.problem("the name '" + name + "' is used already" + on_line(it->second));
     }
   }
 
@@ -276,8 +303,8 @@ class ProjectReader {
                                  [&](const SurfaceSpec& s) { return s.name == name; });
     if (!horizon_expected) {
       if (it != project_.surfaces.end()) {
-        value.problem("the name of a unit was expected here, but '" + name + "' is a surface (line " +
-                      std::to_string(it->line) + "): units and horizons must alternate");
+        value.problem("the name of a unit was expected here, but '" + name + "' is a surface" + on_line(it->line) +
+                      ": units and horizons must alternate");
       }
     } else if (it == project_.surfaces.end()) {
       std::vector<std::string_view> horizons;
@@ -287,8 +314,7 @@ class ProjectReader {
       value.problem("a horizon was expected here, but no surface is named '" + name + "'" +
                     (meant.empty() ? "; horizons are " + (horizons.empty() ? "none" : listed(horizons)) : meant));
     } else if (it->kind != SurfaceKind::horizon) {
-      value.problem("a horizon was expected here, but '" + name + "' is a " + to_string(it->kind) + " (line " +
-                    std::to_string(it->line) + ")");
+      value.problem("a horizon was expected here, but '" + name + "' is a " + to_string(it->kind) + on_line(it->line));
     }
   }
 
@@ -334,6 +360,13 @@ Project read_project(const std::filesystem::path& file) {
   return ProjectReader(file).read(input.bytes);
 }
 
-Project read_given_project(const GivenProject& given) { return ProjectReader(given).read(given.text); }
+Project read_given_project(const GivenProject& given) {
+  try {
+    return ProjectReader(given).read(given.text);
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::usage) throw;
+    throw Error(e.kind(), without_places(e.what(), given.name), e.context());
+  }
+}
 
 }  // namespace geomesh::geomodel

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geomesh/geomodel/report.hpp"
+#include "geomesh/geomodel/viewer_page.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "report/words.hpp"
 #include "report_html/drawing.hpp"
@@ -147,6 +148,12 @@ std::string to_html(const Report& report) {
     out += surfaces_table(mesh, colours);
   }
   return out + notes(report) + run(report) + "</main></body></html>\n";
+}
+
+std::string viewer_page(const ModelMesh& mesh) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escape(mesh.name) +
+         "</title><meta name=\"viewport\" content=\"width=device-width\"><style>" + std::string(style) +
+         "</style></head><body>\n" + viewer(mesh, bounds_of(mesh), std::nullopt) + "</body></html>\n";
 }
 
 void write_html_report(const Report& report, const std::filesystem::path& file) {

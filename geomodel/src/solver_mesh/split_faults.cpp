@@ -8,6 +8,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/simplex_mesh.hpp"
+#include "solver_mesh/corners/free_corners.hpp"
 #include "solver_mesh/face_sides.hpp"
 #include "solver_mesh/fault_sides.hpp"
 #include "solver_mesh/pieces.hpp"
@@ -252,7 +253,7 @@ SplitMesh split_with_origins(const ModelMesh& mesh, const std::vector<std::strin
 }
 
 ModelMesh split_along(const ModelMesh& mesh, const std::vector<std::string>& surfaces, bool cohesive) {
-  return split_with_origins(mesh, surfaces, cohesive).mesh;
+  return split_with_origins(with_free_corners(mesh, surfaces), surfaces, cohesive).mesh;
 }
 
 }  // namespace geomesh::geomodel

@@ -8,11 +8,11 @@ Lengths are in the unit of the points, angles in degrees, rows count from 0.
 import numpy as _numpy
 
 from . import _core
-from ._core import Delaunay, Tetrahedralization
+from ._core import Delaunay, Tetrahedralization, __version__
 from .errors import CannotMesh, Error, InternalError, Interrupted, InvalidInput, UsageError
 
 __all__ = ["delaunay", "tetrahedralize", "refine", "Delaunay", "Tetrahedralization", "Error", "UsageError",
-           "InvalidInput", "CannotMesh", "Interrupted", "InternalError", "NO_ROW"]
+           "InvalidInput", "CannotMesh", "Interrupted", "InternalError", "NO_ROW", "__version__"]
 
 #: What index arrays hold where there is no row.
 NO_ROW = 0xFFFFFFFF

@@ -2,6 +2,8 @@ from typing import Any, Dict, List
 import numpy
 import numpy.typing as npt
 
+__version__: str
+
 class Delaunay:
     points: npt.NDArray[numpy.float64]
     tetrahedra: npt.NDArray[numpy.uint32]

@@ -214,7 +214,7 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {"box: &b {min: *b, max: [1, 1, 1]}\n", "box.min: three numbers [x, y, z] were expected, found a map"},
       {"surfaces:\n  - {name: xmin, kind: fault, file: s/a.ts}\n",
        "2:12: surfaces[1].name: 'xmin' is the name of a side of the box"},
-      {s + "points: [{name: top, at: [0, 0, 0]}]\n", "4:17: points[1].name: the name 'top' is used already on line 2"},
+      {s + "points: [{name: top, at: [0, 0, 0]}]\n", "4:17: points[1].name: the name 'top' is used already (line 2)"},
       {"surfaces:\n  - {name: t, kind: fault, file: s}\n", "surfaces[1].file: 's' is a folder; a file was expected"},
       {"surfaces:\n  - {name: t, kind: horizon, file: s/a.ts, cuts: all}\n",
        "cuts: only bodies and faults cut; this surface is a horizon"},

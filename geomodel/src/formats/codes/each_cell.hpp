@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Loops over the cells of a solver file, label by label.
+#pragma once
+
+#include <span>
+
+#include "solver_mesh/solver_mesh.hpp"
+
+namespace geomesh::geomodel {
+
+/// `visit(label, block, cell, nodes)` for every cell of one dimension, in the order of SolverMesh::labels: cells of one
+/// number follow each other. `nodes` are rows of the mesh, in VTK's order.
+template <class Visit>
+void for_each_cell(const SolverMesh& mesh, int dimension, Visit&& visit) {
+  for (const CellGroup& label : mesh.labels) {
+    if (label.dimension != dimension) continue;
+    for (const std::size_t b : label.blocks) {
+      const CellBlock& block = mesh.blocks[b];
+      for (std::size_t c = 0; c < block.n_cells(); ++c)
+        visit(label, block, c,
+              std::span<const VertexIndex>(block.nodes).subspan(c * block.nodes_per_cell, block.nodes_per_cell));
+    }
+  }
+}
+
+/// The options with which a cell has one number: where a face is on several surfaces it gets a number of its own.
+inline WriteOptions with_one_number(WriteOptions options) {
+  if (options.groups == GroupChoice::both) options.groups = GroupChoice::whole;
+  return options;
+}
+
+}  // namespace geomesh::geomodel

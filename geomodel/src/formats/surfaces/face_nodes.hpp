@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Nodes that faces of a mesh have, for files of surfaces alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "formats/codes/each_cell.hpp"
+
+namespace geomesh::geomodel {
+
+struct FaceNodes {
+  std::vector<VertexIndex> rows;         ///< in the mesh, rising
+  std::vector<std::uint32_t> number_of;  ///< by row in the mesh: place in `rows`; meaningless for other nodes
+};
+
+/// Nodes of the faces of some blocks. O(nodes of the mesh).
+inline FaceNodes face_nodes(const SolverMesh& mesh, const std::vector<std::size_t>& blocks) {
+  std::vector<bool> used(mesh.n_nodes(), false);
+  for (const std::size_t b : blocks)
+    for (const VertexIndex v : mesh.blocks[b].nodes) used[v] = true;
+  FaceNodes nodes;
+  nodes.number_of.resize(used.size(), 0);
+  for (VertexIndex v = 0; v < used.size(); ++v)
+    if (used[v]) {
+      nodes.number_of[v] = static_cast<std::uint32_t>(nodes.rows.size());
+      nodes.rows.push_back(v);
+    }
+  return nodes;
+}
+
+/// Of all faces.
+inline FaceNodes face_nodes(const SolverMesh& mesh) {
+  std::vector<std::size_t> blocks;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    if (mesh.blocks[b].shape == CellShape::triangle) blocks.push_back(b);
+  return face_nodes(mesh, blocks);
+}
+
+}  // namespace geomesh::geomodel

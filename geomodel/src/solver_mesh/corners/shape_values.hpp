@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Cell arrays that hold a measure of a tetrahedron's shape.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "geomesh/core/quality.hpp"
+
+namespace geomesh::geomodel {
+
+/// The value that the cell array of this name has for a tetrahedron of this shape; none where the array is no measure.
+inline std::optional<double> shape_value(std::string_view name, const TetrahedronShape& s) {
+  if (name == "min_dihedral") return s.min_dihedral;
+  if (name == "max_dihedral") return s.max_dihedral;
+  if (name == "radius_ratio") return s.radius_ratio;
+  if (name == "mean_ratio") return s.mean_ratio;
+  if (name == "aspect") return s.aspect;
+  return std::nullopt;
+}
+
+}  // namespace geomesh::geomodel
