@@ -8,6 +8,7 @@
 #include "geomesh/geomodel/project.hpp"
 #include "project/read_coordinates.hpp"
 #include "project/read_gridding.hpp"
+#include "project/read_level_set.hpp"
 #include "project/read_mesh_settings.hpp"
 #include "project/read_output.hpp"
 #include "project/read_rules.hpp"
@@ -46,7 +47,7 @@ class ProjectReader {
     const std::string stem = file.stem().string();
     project_.name = stem == "project" ? folder_.filename().string() : stem;
   }
-  explicit ProjectReader(const GivenProject& given) : problems_(given.name), given_(&given.inputs) {
+  explicit ProjectReader(const GivenProject& given) : problems_(given.name), given_(&given.inputs), given_fields_(&given.fields) {
     folder_ = std::filesystem::absolute(given.folder.empty() ? "." : given.folder).lexically_normal();
     project_.file = folder_ / given.name;
     project_.output.directory = folder_ / "out";
@@ -173,10 +174,33 @@ class ProjectReader {
     }
   }
 
+  /// The field that a program gave for the surface; null: none.
+  std::shared_ptr<FieldFunction> given_field(const std::string& name) const {
+    if (!given_fields_) return nullptr;
+    const auto at = given_fields_->find(name);
+    return at == given_fields_->end() ? nullptr : at->second;
+  }
+
+  /// Triangles or points, or a field whose level set it is.
+  void read_shape(const YamlMap& map, SurfaceSpec& spec) {
+    const auto field = map.find("field");
+    const std::shared_ptr<FieldFunction> function = given_field(spec.name);
+    if (!field && !function) {
+      read_content(map, "the file of the surface, or the field whose level set it is", spec);
+      for (const std::string_view key : level_set_keys())
+        if (const auto v = map.find(key)) v->problem("goes with 'field' alone");
+      return;
+    }
+    read_level_set(map, function, spec);
+    if (field) read_file(*field, spec.level_set->file, spec.level_set->file_as_written);
+    spec.file_as_written = field ? spec.level_set->file_as_written : "a function";
+  }
+
   void read_surface(const YamlValue& value) {
     std::vector<std::string_view> keys{"name", "kind",    "file",     "object",   "crs",    "unit",          "z_unit",
                                        "z",    "z_datum", "gridding", "resample", "smooth", "fault_polygons"};
     keys.insert(keys.end(), surface_rule_keys().begin(), surface_rule_keys().end());
+    keys.insert(keys.end(), level_set_keys().begin(), level_set_keys().end());
     const YamlMap map(value, keys);
     if (!map.is_map()) return;
     SurfaceSpec spec;
@@ -188,7 +212,7 @@ class ProjectReader {
       const auto kind = v->choice({"horizon", "fault", "body"});
       spec.kind = kind == "fault" ? SurfaceKind::fault : kind == "body" ? SurfaceKind::body : SurfaceKind::horizon;
     }
-    read_content(map, "the file of the surface", spec);
+    read_shape(map, spec);
     spec.cuts_all = spec.kind == SurfaceKind::body;
     if (const auto v = map.find("cuts")) read_cuts(*v, spec);
     read_source(map, spec.source);
@@ -323,6 +347,7 @@ class ProjectReader {
   Project project_;
   std::filesystem::path folder_;
   const GivenInputs* given_ = nullptr;
+  const GivenFields* given_fields_ = nullptr;
   std::map<std::string, int> name_line_;
 };
 

@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/ask_stack.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "grid_sizes/size_grid.hpp"
+#include "level_sets/level_surfaces.hpp"
 #include "pipeline/jobs/prepare.hpp"
 
 namespace geomesh::geomodel {
@@ -53,6 +54,14 @@ void scale_z(PreparedModel& model, std::vector<Polyline>& wells) {
     scale.apply(box->min);
     scale.apply(box->max);
   }
+}
+
+/// The triangulation of a level set is off its field by a share of the tolerance; the mesh is left the rest.
+void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
+  if (!has_level_sets(project)) return;
+  r.tolerance_used += level_set_share * r.tolerance;
+  r.tolerance *= 1 - level_set_share;
+  r.tolerance_share *= 1 - level_set_share;
 }
 
 /// What was not asked for and yet steers the mesh.
@@ -132,6 +141,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   }
   settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
                model.naming.attributes, model.origin);
+  use_tolerance_of_level_sets(project, model.refinement);
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);
