@@ -7,6 +7,7 @@
 #include "geomesh/geomodel/given.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "project/read_coordinates.hpp"
+#include "project/read_fractures.hpp"
 #include "project/read_gridding.hpp"
 #include "project/read_level_set.hpp"
 #include "project/read_mesh_settings.hpp"
@@ -47,7 +48,8 @@ class ProjectReader {
     const std::string stem = file.stem().string();
     project_.name = stem == "project" ? folder_.filename().string() : stem;
   }
-  explicit ProjectReader(const GivenProject& given) : problems_(given.name), given_(&given.inputs), given_fields_(&given.fields) {
+  explicit ProjectReader(const GivenProject& given)
+      : problems_(given.name), given_(&given.inputs), given_fields_(&given.fields) {
     folder_ = std::filesystem::absolute(given.folder.empty() ? "." : given.folder).lexically_normal();
     project_.file = folder_ / given.name;
     project_.output.directory = folder_ / "out";
@@ -79,8 +81,8 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "column", "rules", "regions",
-                             "groups", "attributes", "tolerance", "mesh", "output"});
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "fractures", "column",
+                             "rules", "regions", "groups", "attributes", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
@@ -95,6 +97,7 @@ class ProjectReader {
     if (const auto v = map.find("points")) {
       for (const YamlValue& item : v->items()) read_named_point(item);
     }
+    if (const auto v = map.find("fractures")) add_fractures(*v);
     if (!map.find("surfaces") && !map.find("box"))
       root.problem("neither 'surfaces' nor 'box' is given: there is nothing to mesh");
     if (const auto v = map.find("column")) read_column(*v);
@@ -220,6 +223,17 @@ class ProjectReader {
     read_surface_rules(map, spec);
     if (const auto v = map.find("fault_polygons")) read_fault_polygons_spec(*v, spec);
     project_.surfaces.push_back(std::move(spec));
+  }
+
+  void add_fractures(const YamlValue& value) {
+    const bool has_corners = project_.box && project_.box->shape == VolumeSpec::Shape::box;
+    const std::vector<Fracture> fractures =
+        read_fractures(value, folder_, has_corners ? std::optional(project_.box->box) : std::nullopt);
+    for (const Fracture& fracture : fractures) {
+      claim_name(value, fracture.name);
+      project_.surfaces.push_back(surface_of(fracture));
+      project_.surfaces.back().line = value.place().line;
+    }
   }
 
   void read_fault_polygons_spec(const YamlValue& value, SurfaceSpec& spec) {
