@@ -23,7 +23,7 @@ class Tutorials(ProgramTest):
         return done.stdout
 
     def test_every_tutorial_is_run_by_a_test_of_its_own(self):
-        self.assertEqual(sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))), ["faulted-reservoir.md", "first-mesh.md", "gempy-arrays.ipynb", "horizons-to-calculix.md", "horizons-to-dolfinx.md",
+        self.assertEqual(sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))), ["faulted-reservoir.md", "first-mesh.md", "fracture-network.md", "gempy-arrays.ipynb", "horizons-to-calculix.md", "horizons-to-dolfinx.md", "implicit-model.md",
                           "rasters-in-degrees.md"])  # the notebook by python/tests/test_notebooks.py
 
     def test_every_page_of_the_site_is_there(self):
@@ -43,6 +43,16 @@ class Tutorials(ProgramTest):
             self.skipTest("skipped: no geomesh-picture beside the program")
         self.assertIn("The mesh passes", self.run_page("first-mesh.md"))
         self.assertTrue(os.path.getsize(self.path("my-model.png")) > 0)
+
+    @unittest.skipUnless(subprocess.run(["/usr/bin/python3", "-c", "import numpy"], stderr=subprocess.DEVNULL).returncode == 0,
+                         "skipped: python3-numpy is not installed")
+    def test_a_scalar_field_becomes_a_mesh_that_passes_the_check(self):
+        said = self.run_page("implicit-model.md")
+        self.assertIn("The mesh passes", said)
+        self.assertIn("proven to be within 0.75", said)
+
+    def test_a_network_of_fractures_becomes_a_mesh_that_passes_the_check(self):
+        self.assertIn("The mesh passes", self.run_page("fracture-network.md"))
 
     @unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
     def test_horizons_in_csv_become_a_solved_model_with_the_temperature_of_flat_layers(self):
