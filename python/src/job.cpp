@@ -35,7 +35,8 @@ void call_field(const py::object& function, std::span<const Vec3> places, std::s
   }
   const auto found = function(axes[0], axes[1], axes[2]).cast<NumberArray>();
   if (found.ndim() != 1 || static_cast<std::size_t>(found.size()) != values.size()) {
-    PyErr_SetString(PyExc_TypeError, "the function of a field is to return a number for each place of the arrays x, y, z");
+    PyErr_SetString(PyExc_TypeError,
+                    "the function of a field is to return a number for each place of the arrays x, y, z");
     throw py::error_already_set();
   }
   std::copy_n(found.data(), values.size(), values.begin());

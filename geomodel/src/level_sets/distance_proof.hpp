@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "level_sets/isosurface.hpp"
+#include "level_sets/mesh/isosurface.hpp"
 
 namespace geomesh::geomodel {
 

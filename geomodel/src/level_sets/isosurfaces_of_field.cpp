@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "level_sets/adapt.hpp"
 #include "level_sets/distance_proof.hpp"
+#include "level_sets/mesh/adapt.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "level_sets/isosurface.hpp"
-#include "level_sets/read_field.hpp"
+#include "level_sets/fields/read_field.hpp"
+#include "level_sets/mesh/isosurface.hpp"
 
 namespace geomesh::geomodel {
 

@@ -8,9 +8,9 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "level_sets/function_field.hpp"
+#include "level_sets/fields/function_field.hpp"
+#include "level_sets/fields/place_words.hpp"
 #include "level_sets/isosurfaces_of_field.hpp"
-#include "level_sets/place_words.hpp"
 #include "level_sets/sheet_topology.hpp"
 
 namespace geomesh::geomodel {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "project/read_fractures.hpp"
+// The key `fractures` of a project, declared in project/read_gridding.hpp.
+#include "fractures/read_fractures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +8,10 @@
 #include <numeric>
 
 #include "fractures/generate.hpp"
-#include "fractures/read_fractures.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/given.hpp"
 #include "geomesh/geomodel/words.hpp"
+#include "project/read_gridding.hpp"
 #include "readers/triangles/polygon.hpp"
 
 namespace geomesh::geomodel {

@@ -10,7 +10,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/arrangement.hpp"
 #include "level_sets/distance_proof.hpp"
-#include "level_sets/function_field.hpp"
+#include "level_sets/fields/function_field.hpp"
 #include "level_sets/isosurfaces_of_field.hpp"
 #include "level_sets/sheet_topology.hpp"
 

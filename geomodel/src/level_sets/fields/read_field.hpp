@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geomesh/geomodel/scalar_field.hpp"
-#include "level_sets/grid_field.hpp"
+#include "level_sets/fields/grid_field.hpp"
 
 namespace geomesh::geomodel {
 

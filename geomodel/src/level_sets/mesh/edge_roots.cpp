@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/edge_roots.hpp"
+#include "level_sets/mesh/edge_roots.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "level_sets/background_mesh.hpp"
+#include "level_sets/mesh/background_mesh.hpp"
 
 namespace geomesh::geomodel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/grid_field.hpp"
+#include "level_sets/fields/grid_field.hpp"
 
 #include <algorithm>
 #include <cmath>

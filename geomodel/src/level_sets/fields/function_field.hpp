@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geomesh/geomodel/scalar_field.hpp"
-#include "level_sets/scalar_field.hpp"
+#include "level_sets/fields/scalar_field.hpp"
 
 namespace geomesh::geomodel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arrays of NumPy (format .npy 1 to 3: numpy.lib.format), declared in level_sets/read_field.hpp.
+// Arrays of NumPy (format .npy 1 to 3: numpy.lib.format), declared in level_sets/fields/read_field.hpp.
 #include <bit>
 #include <charconv>
 #include <cstring>
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "level_sets/read_field.hpp"
+#include "level_sets/fields/read_field.hpp"
 #include "readers/text/input_file.hpp"
 
 namespace geomesh::geomodel {

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "level_sets/background_mesh.hpp"
+#include "level_sets/mesh/background_mesh.hpp"
 
 namespace geomesh::geomodel {
 
 struct AdaptLimits {
-  double distance = 0;    ///< at most this far may the linear isosurface of a cell be off the field's; a length
-  double least_edge = 0;  ///< cells whose edges are all shorter are left as they are
+  double distance = 0;          ///< at most this far may the linear isosurface of a cell be off the field's; a length
+  double least_edge = 0;        ///< cells whose edges are all shorter are left as they are
   double least_sheet_edge = 0;  ///< and these too, where all that is wrong is that sheets are not told apart
   std::size_t most_cells = 0;
 };

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "level_sets/scalar_field.hpp"
+#include "level_sets/fields/scalar_field.hpp"
 
 namespace geomesh::geomodel {
 

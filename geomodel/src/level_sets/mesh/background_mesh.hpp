@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "level_sets/scalar_field.hpp"
+#include "level_sets/fields/scalar_field.hpp"
 
 namespace geomesh::geomodel {
 

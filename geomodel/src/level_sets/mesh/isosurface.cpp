@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/isosurface.hpp"
+#include "level_sets/mesh/isosurface.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "level_sets/adapt.hpp"
-#include "level_sets/crossed_edges.hpp"
-#include "level_sets/move_vertices.hpp"
+#include "level_sets/mesh/adapt.hpp"
+#include "level_sets/mesh/crossed_edges.hpp"
+#include "level_sets/mesh/move_vertices.hpp"
 
 namespace geomesh::geomodel {
 namespace {

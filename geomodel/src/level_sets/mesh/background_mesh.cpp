@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/background_mesh.hpp"
+#include "level_sets/mesh/background_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/move_vertices.hpp"
+#include "level_sets/mesh/move_vertices.hpp"
 
 #include <algorithm>
 #include <cmath>

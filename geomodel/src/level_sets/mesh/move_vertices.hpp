@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "level_sets/crossed_edges.hpp"
+#include "level_sets/mesh/crossed_edges.hpp"
 
 namespace geomesh::geomodel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/adapt.hpp"
+#include "level_sets/mesh/adapt.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,6 @@ class Adapter {
     const auto first = std::lower_bound(values_.begin(), values_.end(), range.low);
     return first != values_.end() && *first <= range.high;
   }
-
 
   /// Large cells of a field with bounds are sorted out without samples.
   bool passes_no_isosurface(const BackgroundMesh::Cell& cell) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/function_field.hpp"
+#include "level_sets/fields/function_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geomesh/core/error.hpp"
-#include "level_sets/place_words.hpp"
+#include "level_sets/fields/place_words.hpp"
 
 namespace geomesh::geomodel {
 

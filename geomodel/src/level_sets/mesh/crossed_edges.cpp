@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/crossed_edges.hpp"
+#include "level_sets/mesh/crossed_edges.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "common/parallel.hpp"
-#include "level_sets/edge_roots.hpp"
+#include "level_sets/mesh/edge_roots.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "level_sets/scalar_field.hpp"
+#include "level_sets/fields/scalar_field.hpp"
 
 namespace geomesh::geomodel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "level_sets/read_field.hpp"
+#include "level_sets/fields/read_field.hpp"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <string>
 
-#include "level_sets/place_words.hpp"
+#include "level_sets/fields/place_words.hpp"
 #include "readers/text/input_file.hpp"
 #include "readers/vtk/vtk_parse.hpp"
 
