@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, List, Tuple, Union
 
 import numpy
 
-from .core.errors import UsageError
+from .core.errors import InvalidInput, UsageError
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -50,6 +50,20 @@ def _fans(flat: Any) -> Any:
         triangles += [(rows[0], rows[k], rows[k + 1]) for k in range(1, n - 1)]
         at += n + 1
     return numpy.array(triangles, dtype=numpy.int64).reshape(-1, 3)
+
+
+def field_of(name, function):
+    """The function of a field with its result as float64 of the places' shape, and its errors with name and place."""
+    def values(x, y, z):
+        try:
+            found = numpy.asarray(function(x, y, z), dtype=numpy.float64)
+            return numpy.broadcast_to(found, x.shape)
+        except Exception as error:
+            raise InvalidInput("surface %s: the function of its field failed for %d places, the first of them "
+                               "(%.9g, %.9g, %.9g): %s: %s" % (name, len(x), x[0], y[0], z[0], type(error).__name__, error)
+                               ) from error
+    values.function = function  # keeps it alive, so that its id stays its own
+    return values
 
 
 def _of_meshio(mesh: Any) -> Tuple[Any, Any]:

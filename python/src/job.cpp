@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "job.hpp"
 
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 
@@ -9,6 +13,33 @@ namespace {
 
 const char* word(LogLevel level) {
   return level == LogLevel::debug ? "debug" : level == LogLevel::info ? "info" : "warning";
+}
+
+/// Copies of the function object are made and destroyed by threads that do not hold the interpreter's lock.
+std::shared_ptr<py::object> shared_function(py::object function) {
+  return {new py::object(std::move(function)), [](py::object* object) {
+            const py::gil_scoped_acquire held;
+            delete object;
+          }};
+}
+
+using NumberArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Calls f(x, y, z) and copies what it gives.
+void call_field(const py::object& function, std::span<const Vec3> places, std::span<double> values) {
+  std::array<NumberArray, 3> axes;
+  for (std::size_t a = 0; a < 3; ++a) {
+    axes[a] = NumberArray(static_cast<py::ssize_t>(places.size()));
+    double* const out = axes[a].mutable_data();
+    for (std::size_t i = 0; i < places.size(); ++i) out[i] = places[i][a];
+  }
+  const auto found = function(axes[0], axes[1], axes[2]).cast<NumberArray>();
+  if (found.ndim() != 1 || static_cast<std::size_t>(found.size()) != values.size()) {
+    PyErr_SetString(PyExc_TypeError,
+                    "the function of a field is to return a number for each place of the arrays x, y, z");
+    throw py::error_already_set();
+  }
+  std::copy_n(found.data(), values.size(), values.begin());
 }
 
 }  // namespace
@@ -103,11 +134,7 @@ void Job::throw_if_failed() {
 }
 
 std::function<double(const Vec3&)> Job::size_function(py::object function) {
-  // Copies of the function object are made and destroyed by threads that do not hold the interpreter's lock.
-  const std::shared_ptr<py::object> shared(new py::object(std::move(function)), [](py::object* object) {
-    const py::gil_scoped_acquire held;
-    delete object;
-  });
+  const std::shared_ptr<py::object> shared = shared_function(std::move(function));
   return [this, shared](const Vec3& p) {
     const py::gil_scoped_acquire held;
     if (failure_) throw Error(ErrorKind::interrupted, "interrupted");
@@ -117,6 +144,24 @@ std::function<double(const Vec3&)> Job::size_function(py::object function) {
       fail(std::move(error));
     } catch (const py::cast_error&) {
       PyErr_SetString(PyExc_TypeError, "the size function is to return a number for each place (x, y, z)");
+      fail(py::error_already_set());
+    }
+    throw Error(ErrorKind::interrupted, "interrupted");
+  };
+}
+
+std::function<void(std::span<const Vec3>, std::span<double>)> Job::field_function(py::object function) {
+  const std::shared_ptr<py::object> shared = shared_function(std::move(function));
+  return [this, shared](std::span<const Vec3> places, std::span<double> values) {
+    const py::gil_scoped_acquire held;
+    if (failure_) throw Error(ErrorKind::interrupted, "interrupted");
+    try {
+      call_field(*shared, places, values);
+      return;
+    } catch (py::error_already_set& error) {
+      fail(std::move(error));
+    } catch (const py::cast_error&) {
+      PyErr_SetString(PyExc_TypeError, "the function of a field is to return an array of numbers");
       fail(py::error_already_set());
     }
     throw Error(ErrorKind::interrupted, "interrupted");

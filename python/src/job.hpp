@@ -11,6 +11,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <utility>
@@ -61,6 +62,10 @@ class Job {
   /// A size function of Python as the library wants it: f(x, y, z) gives a length; what is not positive asks for
   /// nothing. May outlive the job only unused.
   std::function<double(const Vec3&)> size_function(py::object function);
+
+  /// A scalar field of Python as the library wants it: f(x, y, z) of three arrays of one length gives an array of that
+  /// length. May outlive the job only unused.
+  std::function<void(std::span<const Vec3>, std::span<double>)> field_function(py::object function);
 
  private:
   struct Event {

@@ -68,10 +68,12 @@ RunArguments run_arguments(const py::dict& given) {
   return a;
 }
 
-JobResult run(Project&& project, const RunArguments& arguments) {
+using ProjectOfJob = std::function<Project(Job&)>;
+
+JobResult run(const RunArguments& arguments, const ProjectOfJob& project) {
   Job job(arguments.job);
   ProjectRequest request;
-  request.project = std::move(project);
+  request.project = project(job);
   if (!arguments.size_function.is_none()) {
     const Vec3 origin = request.project.output.origin;
     auto size = job.size_function(arguments.size_function);
@@ -86,15 +88,33 @@ JobResult run(Project&& project, const RunArguments& arguments) {
   return job.run([&](const RunContext& context) { return run_project(request, context); });
 }
 
+/// One function object is one field, whatever the number of surfaces that name it.
+GivenFields given_fields(const py::dict& functions, Job& job) {
+  std::map<PyObject*, std::shared_ptr<FieldFunction>> known;
+  GivenFields fields;
+  for (const auto& [name, function] : functions) {
+    std::shared_ptr<FieldFunction>& field = known[function.ptr()];
+    if (!field)
+      field = std::make_shared<FieldFunction>(job.field_function(py::reinterpret_borrow<py::object>(function)));
+    fields.emplace(name.cast<std::string>(), field);
+  }
+  return fields;
+}
+
 JobResult run_given(const std::string& text, const std::string& name, const std::string& folder,
                     const std::map<std::string, Given>& inputs, const py::dict& given) {
-  GivenProject project{text, name, folder, {}};
+  GivenProject project{text, name, folder, {}, {}};
   for (const auto& [input, contents] : inputs) project.inputs.emplace(input, contents.contents);
-  return run(read_given_project(project), run_arguments(given));
+  const RunArguments arguments = run_arguments(given);
+  return run(arguments, [&](Job& job) {
+    project.fields = given_fields(given["fields"], job);
+    return read_given_project(project);
+  });
 }
 
 JobResult run_file(const std::string& file, const py::dict& given) {
-  return run(read_project(file), run_arguments(given));
+  const RunArguments arguments = run_arguments(given);
+  return run(arguments, [&](Job&) { return read_project(file); });
 }
 
 /// (name, points, triangles) of each surface in a file; arrays of their own.

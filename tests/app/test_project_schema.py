@@ -28,6 +28,7 @@ FULL = {
     "wells": [{"name": "w", "file": "w.pl"}],
     "tops": {"file": "tops.csv"},
     "points": [{"name": "p", "at": [1, 2, 3]}],
+    "fractures": {"families": [{"name": "steep", "dip": 80, "radius": 2, "count": 2}], "seed": 1},
     "column": ["upper", "top", "lower"],
     "rules": {"on_crossing": "leave"},
     "regions": [{"name": "own", "at": [1, 1, 1]}],
@@ -180,7 +181,11 @@ class ProjectSchema(ProgramTest):
             {"rules": {"min_volume": "big"}}, {"groups": {"all": "upper"}}, {"colours": {"upper": "#e5c0"}}, {"colours": {"upper": [1, 2]}}, {"colours": {"upper": [1, 2, 300]}}, {"attributes": {"upper": {"region": 1}}},
             {"attributes": {"upper": {"porosity": "high"}}}, {"attributes": {"upper": 3}}, {"output": {"formats": []}},
             {"output": {"origin": [1, 2]}}, {"mesh": {"cluster_distance": "far"}}, {"mesh": {"preserve_boundary": 1}},
-            {"points": [{"name": "p"}]}, {"regions": [{"at": [1, 2, 3]}]}, {"wells": [{"name": "w"}]}, {"surfaces": "top.ts"},
+            {"points": [{"name": "p"}]},
+            {"surfaces": [{"name": "top", "kind": "horizon", "field": "field.vti"}]},
+            {"fractures": {"families": [{"name": "steep", "radius": 2, "count": 2}]}},
+            {"fractures": {"families": [{"name": "steep", "radius": 2}], "seed": 1}}, {"fractures": {"corners": 2, "file": "f.csv"}},
+            {"regions": [{"at": [1, 2, 3]}]}, {"wells": [{"name": "w"}]}, {"surfaces": "top.ts"},
         ]
         for mistake in mistakes:
             project = dict(FULL, **mistake)

@@ -127,6 +127,28 @@ class Samples(ProgramTest):
         for words in ("no well is called w9", "no horizon is called top_coal", "the well does not reach 5000"):
             self.assertIn(words, warnings)
 
+    def test_implicit_fold(self):
+        """Level sets of one field, cut by a fault: the volumes of the trilinear field, counted at 5 million places apart from the program."""
+        report, check = self.mesh_sample("implicit-fold")
+        volumes = {}
+        for region in check["regions"]:
+            unit = re.sub(r"__\d+$", "", region["name"])
+            volumes[unit] = volumes.get(unit, 0) + region["volume"]
+        for unit, volume in (("cover", 1.14496e9), ("sand", 1.68425e8), ("marl", 5.93862e8), ("shale", 1.09275e9)):
+            self.assertAlmostEqual(volumes[unit] / volume, 1, delta=0.005, msg=unit)
+        self.assertEqual(sum("proven to be within" in note for note in report["notes"]), 3, report["notes"])
+
+    def test_fracture_network(self):
+        """Each disc has its area, and the families their number and density."""
+        report, _ = self.mesh_sample("fracture-network")
+        areas = {surface["name"]: surface["area"] for surface in report["surfaces"]}
+        self.assertAlmostEqual(areas["branch"] / (math.pi * 25 ** 2), 1, delta=1e-9)
+        self.assertLess(areas["border"], math.pi * 20 ** 2 * 0.9)  # ends outside of the block
+        self.assertEqual(sum(name.startswith("flat_") for name in areas), 6)
+        steep = sum(area for name, area in areas.items() if name.startswith("steep_"))
+        self.assertGreater(steep, 0.03e6 * (1 - 1e-9))
+        self.assertLess(steep, 0.03e6 + math.pi * 30 ** 2)
+
     def test_sediment_grains(self):
         self.run_with_expected("sediment-grains")
 

@@ -14,8 +14,8 @@ from geomesh_program import PROGRAM, SOURCE
 class Tutorials(PageTest):
     def test_every_tutorial_is_run_by_a_test_of_its_own(self):
         names = [name for name in sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))) if name.endswith((".md", ".ipynb"))]
-        self.assertEqual(names, ["faulted-field.md", "gempy-arrays.ipynb", "horizons-to-calculix.md", "horizons-to-dolfinx.md",
-                                 "rasters-in-degrees.md"])  # the notebook by python/tests/test_notebooks.py
+        self.assertEqual(names, ["faulted-field.md", "fracture-network.md", "gempy-arrays.ipynb", "horizons-to-calculix.md", "horizons-to-dolfinx.md",
+                                 "implicit-model.md", "rasters-in-degrees.md"])  # the notebook by python/tests/test_notebooks.py
 
     def test_every_tutorial_has_a_picture_of_its_result(self):
         for name in sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))):
@@ -56,6 +56,16 @@ class Tutorials(PageTest):
                     continue  # GDAL's bytes depend on its version
                 with open(os.path.join(where, name), "rb") as shipped, open(made, "rb") as file:
                     self.assertEqual(shipped.read(), file.read(), name)
+
+    @unittest.skipUnless(subprocess.run(["/usr/bin/python3", "-c", "import numpy"], stderr=subprocess.DEVNULL).returncode == 0,
+                         "skipped: python3-numpy is not installed")
+    def test_a_scalar_field_becomes_a_mesh_that_passes_the_check(self):
+        said = self.run_page("docs/tutorials/implicit-model.md")
+        self.assertIn("The mesh passes", said)
+        self.assertIn("proven to be within 0.75", said)
+
+    def test_a_network_of_fractures_becomes_a_mesh_that_passes_the_check(self):
+        self.assertIn("The mesh passes", self.run_page("docs/tutorials/fracture-network.md"))
 
     @unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
     def test_horizons_in_csv_become_a_solved_model_with_the_temperature_of_flat_layers(self):

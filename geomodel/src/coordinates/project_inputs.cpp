@@ -12,6 +12,7 @@
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "geomesh/geomodel/words.hpp"
+#include "level_sets/level_surfaces.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -254,9 +255,13 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
   std::vector<FileContents> contents;
   contents.reserve(project.surfaces.size() + project.wells.size());
   std::vector<SourceInput> sources;
-  std::vector<std::string> warnings;
+  LevelSurfaces level_sets = make_level_surfaces(project);
+  std::vector<std::string> warnings = std::move(level_sets.warnings);
   const auto read = [&](const auto& spec) {
-    contents.push_back(spec.given ? *spec.given : read_surface_file(spec.file));
+    const auto level_set = level_sets.contents.find(contents.size());
+    contents.push_back(level_set != level_sets.contents.end() ? std::move(level_set->second)
+                       : spec.given                           ? *spec.given
+                                                              : read_surface_file(spec.file));
     for (const std::string& text : contents.back().warnings) warnings.push_back(spec.name + ": " + text);
     sources.push_back({spec.name, &spec.source, &contents.back()});
     context.report(sources.size(), contents.capacity());
@@ -267,6 +272,7 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
 
   ProjectInputs inputs{ModelFrame(project, sources)};
   inputs.warnings = std::move(warnings);
+  inputs.notes = std::move(level_sets.notes);
   for (const SourceInput& source : sources) inputs.frame.place(source, inputs.notes, inputs.warnings);
   std::optional<Box3> box;
   if (project.box) {

@@ -66,7 +66,8 @@ class ProjectReader {
     const std::string stem = file.stem().string();
     project_.name = stem == "project" ? folder_.filename().string() : stem;
   }
-  explicit ProjectReader(const GivenProject& given) : problems_(given.name), given_(&given.inputs) {
+  explicit ProjectReader(const GivenProject& given)
+      : problems_(given.name), given_(&given.inputs), given_fields_(&given.fields) {
     folder_ = std::filesystem::absolute(given.folder.empty() ? "." : given.folder).lexically_normal();
     project_.file = folder_ / given.name;
     project_.output.directory = folder_ / "out";
@@ -98,8 +99,8 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "column", "rules", "regions",
-                             "groups", "attributes", "colours", "tolerance", "mesh", "output"});
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "fractures", "column", "rules",
+                             "regions", "groups", "attributes", "colours", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
@@ -114,6 +115,7 @@ class ProjectReader {
     if (const auto v = map.find("points")) {
       for (const YamlValue& item : v->items()) read_named_point(item);
     }
+    if (const auto v = map.find("fractures")) add_fractures(*v);
     if (!map.find("surfaces") && !map.find("box"))
       root.problem("neither 'surfaces' nor 'box' is given: there is nothing to mesh");
     if (const auto v = map.find("column")) read_column(*v);
@@ -201,10 +203,33 @@ class ProjectReader {
     }
   }
 
+  /// The field that a program gave for the surface; null: none.
+  std::shared_ptr<FieldFunction> given_field(const std::string& name) const {
+    if (!given_fields_) return nullptr;
+    const auto at = given_fields_->find(name);
+    return at == given_fields_->end() ? nullptr : at->second;
+  }
+
+  /// Triangles or points, or a field whose level set it is.
+  void read_shape(const YamlMap& map, SurfaceSpec& spec) {
+    const auto field = map.find("field");
+    const std::shared_ptr<FieldFunction> function = given_field(spec.name);
+    if (!field && !function) {
+      read_content(map, "the file of the surface, or the field whose level set it is", spec);
+      for (const std::string_view key : level_set_keys())
+        if (const auto v = map.find(key)) v->problem("goes with 'field' alone");
+      return;
+    }
+    read_level_set(map, function, spec);
+    if (field) read_file(*field, spec.level_set->file, spec.level_set->file_as_written);
+    spec.file_as_written = field ? spec.level_set->file_as_written : "a function";
+  }
+
   void read_surface(const YamlValue& value) {
     std::vector<std::string_view> keys{"name", "kind",    "file",     "object",   "crs",    "unit",          "z_unit",
                                        "z",    "z_datum", "gridding", "resample", "smooth", "fault_polygons"};
     keys.insert(keys.end(), surface_rule_keys().begin(), surface_rule_keys().end());
+    keys.insert(keys.end(), level_set_keys().begin(), level_set_keys().end());
     const YamlMap map(value, keys);
     if (!map.is_map()) return;
     SurfaceSpec spec;
@@ -216,7 +241,7 @@ class ProjectReader {
       const auto kind = v->choice({"horizon", "fault", "body"});
       spec.kind = kind == "fault" ? SurfaceKind::fault : kind == "body" ? SurfaceKind::body : SurfaceKind::horizon;
     }
-    read_content(map, "the file of the surface", spec);
+    read_shape(map, spec);
     spec.cuts_all = spec.kind == SurfaceKind::body;
     if (const auto v = map.find("cuts")) read_cuts(*v, spec);
     read_source(map, spec.source);
@@ -224,6 +249,17 @@ class ProjectReader {
     read_surface_rules(map, spec);
     if (const auto v = map.find("fault_polygons")) read_fault_polygons_spec(*v, spec);
     project_.surfaces.push_back(std::move(spec));
+  }
+
+  void add_fractures(const YamlValue& value) {
+    const bool has_corners = project_.box && project_.box->shape == VolumeSpec::Shape::box;
+    const std::vector<Fracture> fractures =
+        read_fractures(value, folder_, has_corners ? std::optional(project_.box->box) : std::nullopt);
+    for (const Fracture& fracture : fractures) {
+      claim_name(value, fracture.name);
+      project_.surfaces.push_back(surface_of(fracture));
+      project_.surfaces.back().line = value.place().line;
+    }
   }
 
   void read_fault_polygons_spec(const YamlValue& value, SurfaceSpec& spec) {
@@ -350,6 +386,7 @@ class ProjectReader {
   Project project_;
   std::filesystem::path folder_;
   const GivenInputs* given_ = nullptr;
+  const GivenFields* given_fields_ = nullptr;
   std::map<std::string, int> name_line_;
 };
 

@@ -19,6 +19,9 @@ namespace geomesh::geomodel {
 /// Contents of inputs by the name of the surface or well that they are for.
 using GivenInputs = std::map<std::string, std::shared_ptr<const FileContents>>;
 
+/// Functions by the name of the surface that is a level set of them.
+using GivenFields = std::map<std::string, std::shared_ptr<FieldFunction>>;
+
 /// A triangulated surface. Throws Error{invalid_input} with the rows in trouble: a coordinate that is not finite, a
 /// triangle that names a point which is not there, no triangle.
 FileContents given_surface(std::string name, std::vector<Vec3> points, std::vector<Triangle> triangles);
@@ -47,6 +50,7 @@ struct GivenProject {
   std::string name = "model";
   std::filesystem::path folder;  ///< what file names in the text are relative to
   GivenInputs inputs;            ///< of surfaces and wells without a `file`
+  GivenFields fields{};          ///< of surfaces with a `value` and without a `field`
 };
 
 /// Errors as of read_project of a file; an entry has either a file or a given input.

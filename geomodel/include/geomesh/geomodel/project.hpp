@@ -17,6 +17,7 @@
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/palette.hpp"
 #include "geomesh/geomodel/refinement.hpp"
+#include "geomesh/geomodel/scalar_field.hpp"
 #include "geomesh/geomodel/surface.hpp"
 #include "geomesh/geomodel/tops.hpp"
 #include "geomesh/geomodel/write_options.hpp"
@@ -46,6 +47,7 @@ struct SurfaceSpec {
   std::filesystem::path file;  ///< absolute, resolved against the project file
   std::string file_as_written;
   std::shared_ptr<const FileContents> given;  ///< in place of the file (given.hpp); null: the file
+  std::optional<LevelSetSpec> level_set;      ///< in place of a file: the surface is a level set of a field
   bool cuts_all = false;                      ///< `cuts: all`; default true for bodies
   SourceSpec source;
   GriddingSpec gridding;  ///< how points become a surface

@@ -8,6 +8,7 @@
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "grid_sizes/size_grid.hpp"
+#include "level_sets/level_surfaces.hpp"
 #include "pipeline/jobs/prepare.hpp"
 
 namespace geomesh::geomodel {
@@ -63,6 +64,14 @@ void refuse_sizes(const PreparedModel& model, const Box3& bounds) {
   constexpr double least_left = 0.1;
   const bool is_cut = !model.rules.topography.empty() || !model.rules.floor.empty();
   require_countable(model.refinement, (is_cut ? least_left : 1) * model.volume.volume, model.unit);
+}
+
+/// The triangulation of a level set is off its field by a share of the tolerance; the mesh is left the rest.
+void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
+  if (!has_level_sets(project)) return;
+  r.tolerance_used += level_set_share * r.tolerance;
+  r.tolerance *= 1 - level_set_share;
+  r.tolerance_share *= 1 - level_set_share;
 }
 
 /// What was not asked for and yet steers the mesh.
@@ -144,6 +153,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
                model.naming.attributes, model.origin);
   refuse_sizes(model, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces));
+  use_tolerance_of_level_sets(project, model.refinement);
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Scalar functions of space whose level sets are surfaces of a project (docs/model-building.md, Surfaces that are
+/// functions).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "geomesh/core/geometry.hpp"
+
+namespace geomesh::geomodel {
+
+/// Writes the value at each place into the second span, which has as many entries. It may throw; the exception ends the
+/// run. It is called from one thread at a time.
+using FieldFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
+
+/// A surface that is the set of places where a scalar field has one value.
+struct LevelSetSpec {
+  std::filesystem::path file;  ///< .vti, .npy or .vtu; empty: `function`
+  std::string file_as_written;
+  std::string array;                        ///< of a VTK file; empty: the only one
+  std::optional<Vec3> origin, spacing;      ///< of the grid in a .npy file, whose axes are x, y, z
+  std::shared_ptr<FieldFunction> function;  ///< in the project's coordinates; its domain is the box
+  double value = 0;
+};
+
+}  // namespace geomesh::geomodel

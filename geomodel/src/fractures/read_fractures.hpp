@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Files of fractures.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "fractures/fracture.hpp"
+
+namespace geomesh::geomodel {
+
+struct FractureFileOptions {
+  enum class Layout { found, polygons, ellipses } layout = Layout::found;
+  bool degrees = false;  ///< angles of ellipses without a header
+  int n_corners = 16;    ///< of ellipses that do not say
+  std::string name = "fracture";
+};
+
+/// Reads one fracture a line:
+/// - a table with a header of names: x, y, z, radius (or major and minor), dip_direction and dip, perhaps angle (of the
+///   major axis in the plane, from the strike) and name; degrees;
+/// - polygons as PorePy's network_3d_from_csv: x, y, z of each corner, perhaps a first line with the six bounds of the
+///   domain;
+/// - ellipses as PorePy's elliptic_network_3d_from_csv: center (3), major and minor half axis, angle of the major axis,
+///   of the strike and of the dip, perhaps the number of corners;
+/// - polygons as dfnWorks' polygons.dat: "nPolygons: N", then the number of corners and {x, y, z} of each.
+/// Lines that begin with # are passed over. Throws Error{invalid_input} with file and line: no number, too few, a
+/// polygon that is not plane or crosses itself, an axis that is not above zero.
+std::vector<Fracture> read_fracture_file(const std::filesystem::path& path, const FractureFileOptions& options);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A field given at the nodes of a regular grid and trilinear in each cell. The cells at the border continue it beyond.
+///
+/// Bounds are exact up to rounding: in one cell the field is linear in each coordinate alone, and stays so when a
+/// linear function is subtracted. Such a function takes its extremes over a box at the corners of the box.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "level_sets/fields/scalar_field.hpp"
+
+namespace geomesh::geomodel {
+
+class GridField final : public ScalarField {
+ public:
+  struct Lattice {
+    std::array<std::size_t, 3> n{};  ///< nodes along x, y, z; two or more each
+    Vec3 origin, spacing;            ///< the first node; positive lengths
+    std::vector<double> nodes;       ///< x runs fastest
+  };
+  /// Precondition: sizes agree and all values are finite.
+  explicit GridField(Lattice lattice);
+
+  Box3 domain() const;
+  void values(std::span<const Vec3> places, std::span<double> out) const override;
+  double resolution() const override;
+  bool has_bounds() const override { return true; }
+  Range value_range(const Box3& box) const override;
+  Range residual_range(const Box3& box, const LinearFunction& linear) const override;
+
+ private:
+  /// Least and greatest values of blocks of 2^k cells along each axis, k from 0.
+  struct Level {
+    std::array<std::size_t, 3> n{};
+    std::vector<Range> blocks;
+  };
+  using Cells = std::array<std::array<std::size_t, 2>, 3>;  ///< per axis: first and last cell
+
+  double node(std::size_t i, std::size_t j, std::size_t k) const {
+    return lattice_.nodes[i + lattice_.n[0] * (j + lattice_.n[1] * k)];
+  }
+  double at(const Vec3& p) const;
+  double in_cell(const std::array<std::size_t, 3>& cell, const Vec3& p) const;
+  double node_coordinate(std::size_t axis, std::size_t i) const;
+  std::size_t cell_of(std::size_t axis, double x) const;
+  Cells cells_of(const Box3& box) const;
+  void build_levels();
+  static Level coarser(const Level& fine);
+
+  Lattice lattice_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Scalar fields of files.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "geomesh/geomodel/scalar_field.hpp"
+#include "level_sets/fields/grid_field.hpp"
+
+namespace geomesh::geomodel {
+
+/// A field that is linear in each tetrahedron.
+struct TetrahedralField {
+  std::vector<Vec3> points;
+  std::vector<double> values;  ///< per point
+  std::vector<Tetrahedron> cells;
+};
+
+using FieldOfFile = std::variant<GridField::Lattice, TetrahedralField>;
+
+/// Reads .vti (point or cell data; a value of a cell stands at its centre), .npy (three axes x, y, z, with the origin
+/// and spacing of the entry) and .vtu (tetrahedra with point data). Throws Error{invalid_input} with file and place:
+/// another format, no such array, a value that is not finite, another kind of cell.
+FieldOfFile read_field_file(const LevelSetSpec& spec);
+
+/// A NumPy array of three axes as a lattice, x fastest. Throws Error{invalid_input}.
+GridField::Lattice read_npy(const LevelSetSpec& spec);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "level_sets/isosurfaces_of_field.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "level_sets/distance_proof.hpp"
+#include "level_sets/mesh/adapt.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Cubes of the first mesh along the longest side of the box. A field with bounds misses nothing however coarse the
+/// start; a function is known at the corners and midpoints alone, so what is smaller than half a cube may be missed.
+constexpr double cubes_with_bounds = 8, cubes_of_function = 24;
+/// Share of a grid's spacing below which sheets are not told apart: in one of its cells a trilinear field has few.
+constexpr double sheet_share = 0.25;
+/// Bounds memory to about 1 GB.
+constexpr std::size_t most_cells = 8'000'000;
+/// Rounds of proof and refinement. Each halves cells twice or more; a smooth field needs two or three.
+constexpr int most_rounds = 12;
+
+/// Cubes no more than twice as long as the box is thin.
+double first_edge(const ScalarField& field, const Box3& box) {
+  const Vec3 size = box.max - box.min;
+  const double longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
+  return std::min(longest / (field.has_bounds() ? cubes_with_bounds : cubes_of_function), 2 * shortest);
+}
+
+Range values_at_vertices(const BackgroundMesh& mesh) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (VertexIndex v = 0; v < mesh.n_points(); ++v)
+    range = {std::min(range.low, mesh.value(v)), std::max(range.high, mesh.value(v))};
+  return range;
+}
+
+class FieldMesher {
+ public:
+  FieldMesher(const ScalarField& field, const Box3& box, const std::vector<double>& values, double distance)
+      : field_(field),
+        values_(values),
+        limits_{distance, distance, std::max(distance, sheet_share * field.resolution()), most_cells},
+        mesh_(field, box, first_edge(field, box)) {
+    result_.distance = distance;
+    result_.is_proven = field.has_bounds();
+  }
+
+  FieldSurfaces mesh() {
+    for (int round = 0;; ++round) {
+      const AdaptResult adapted = adapt(mesh_, field_, values_, limits_);
+      result_.n_unresolved += adapted.n_unresolved;
+      if (adapted.n_unresolved > 0) result_.unresolved_place = adapted.unresolved_place;
+      result_.surfaces = extract_isosurfaces(mesh_, &field_, values_);
+      const std::vector<std::size_t> chosen = cells_beyond(static_cast<std::uint64_t>(round));
+      if (chosen.empty()) break;
+      if (round + 1 == most_rounds) {
+        result_.n_beyond = chosen.size();
+        result_.beyond_place = mesh_.point(mesh_.cells()[chosen.front()].v[0]);
+        break;
+      }
+      mesh_.bisect(chosen);
+    }
+    result_.n_cells = mesh_.cells().size();
+    result_.found = values_at_vertices(mesh_);
+    return std::move(result_);
+  }
+
+ private:
+  /// Cells to bisect. In a cell with edges shorter than the distance every triangle is near enough, since the true
+  /// isosurface passes through the cell too.
+  std::vector<std::size_t> cells_beyond(std::uint64_t seed) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t v = 0; v < values_.size(); ++v) {
+      const Isosurface& surface = result_.surfaces[v];
+      std::vector<std::size_t> rows;
+      if (field_.has_bounds()) {
+        rows = not_proven_within(field_, surface, values_[v], limits_.distance);
+      } else {
+        SampledDistance sampled = sample_within(field_, surface, values_[v], limits_.distance, seed);
+        result_.n_samples = sampled.n_samples;
+        rows = std::move(sampled.beyond);
+      }
+      for (const std::size_t t : rows) chosen.push_back(surface.cell[t]);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    std::erase_if(chosen, [&](std::size_t c) {
+      return BackgroundMesh::longest_edge(mesh_.corners(mesh_.cells()[c])) <= limits_.least_edge;
+    });
+    return chosen;
+  }
+
+  const ScalarField& field_;
+  const std::vector<double>& values_;
+  AdaptLimits limits_;
+  BackgroundMesh mesh_;
+  FieldSurfaces result_;
+};
+
+}  // namespace
+
+FieldSurfaces isosurfaces_of(const ScalarField& field, const Box3& box, const std::vector<double>& values,
+                             double distance) {
+  return FieldMesher(field, box, values, distance).mesh();
+}
+
+FieldSurfaces isosurfaces_of(const TetrahedralField& field, const std::vector<double>& values) {
+  const BackgroundMesh mesh(field.points, field.values, field.cells);
+  FieldSurfaces result;
+  result.surfaces = extract_isosurfaces(mesh, nullptr, values);
+  result.n_cells = mesh.cells().size();
+  result.found = values_at_vertices(mesh);
+  return result;
+}
+
+}  // namespace geomesh::geomodel

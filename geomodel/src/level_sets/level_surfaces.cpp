@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "level_sets/level_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/words.hpp"
+#include "level_sets/fields/function_field.hpp"
+#include "level_sets/fields/place_words.hpp"
+#include "level_sets/isosurfaces_of_field.hpp"
+#include "level_sets/sheet_topology.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Rows of the surfaces of one field.
+using Group = std::vector<std::size_t>;
+
+const LevelSetSpec& level_set(const Project& project, std::size_t row) { return *project.surfaces[row].level_set; }
+
+std::vector<Group> group_by_field(const Project& project) {
+  const auto is_same = [](const LevelSetSpec& a, const LevelSetSpec& b) {
+    return a.file == b.file && a.array == b.array && a.function == b.function && a.origin == b.origin &&
+           a.spacing == b.spacing;
+  };
+  std::vector<Group> groups;
+  for (std::size_t row = 0; row < project.surfaces.size(); ++row) {
+    if (!project.surfaces[row].level_set) continue;
+    const auto of_field = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return is_same(level_set(project, group.front()), level_set(project, row));
+    });
+    if (of_field == groups.end())
+      groups.push_back({row});
+    else
+      of_field->push_back(row);
+  }
+  for (Group& group : groups)
+    std::stable_sort(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
+      return level_set(project, a).value < level_set(project, b).value;
+    });
+  return groups;
+}
+
+/// Of the project's box in the coordinates of its file; nothing where it follows from the surfaces.
+std::optional<Box3> bounds_of_volume(const Project& project) {
+  if (!project.box) return std::nullopt;
+  const VolumeSpec& volume = *project.box;
+  if (volume.shape == VolumeSpec::Shape::box) return volume.box;
+  if (volume.shape == VolumeSpec::Shape::margin || !volume.bottom || !volume.top) return std::nullopt;
+  Box3 bounds;
+  const double z[] = {*volume.bottom, *volume.top};
+  for (const Vec2& corner : volume.polygon)
+    for (const double height : z) bounds.add({corner.x, corner.y, height});
+  if (volume.shape == VolumeSpec::Shape::turned) {
+    const double reach = 0.5 * std::hypot(volume.size.x, volume.size.y);
+    for (const double height : z) {
+      bounds.add({volume.center.x - reach, volume.center.y - reach, height});
+      bounds.add({volume.center.x + reach, volume.center.y + reach, height});
+    }
+  }
+  return bounds;
+}
+
+std::string box_words(const Box3& box) { return place_words(box.min) + " to " + place_words(box.max); }
+
+/// How far the triangulation may be off the field: the share of the tolerance, or of what it would be by default.
+double distance_for(const Project& project, const Box3& bounds) {
+  RefinementSettings settings = project.mesh.refinement;
+  if (!settings.refine || settings.honour == Honour::exact) {
+    settings.tolerance_share = default_tolerance_share;
+    settings.derive_size = settings.derive_size || !(settings.size.base.global > 0);
+  }
+  Box3 upright = bounds;  // depth counts downwards; lengths are the same
+  settle_sizes(settings, upright, project.naming.attributes, project.output.origin);
+  return level_set_share * settings.tolerance;
+}
+
+std::string field_words(const LevelSetSpec& spec) {
+  if (spec.function) return "its function";
+  return spec.file_as_written + (spec.array.empty() ? "" : " (" + spec.array + ")");
+}
+
+class GroupMaker {
+ public:
+  GroupMaker(const Project& project, const Group& group, LevelSurfaces& made)
+      : project_(project), group_(group), made_(made), spec_(level_set(project, group.front())) {
+    for (const std::size_t row : group)
+      if (values_.empty() || values_.back() != level_set(project, row).value)
+        values_.push_back(level_set(project, row).value);
+  }
+
+  void make() {
+    const FieldSurfaces found = spec_.function ? from_function() : from_file();
+    for (const std::size_t row : group_) {
+      const auto at = std::lower_bound(values_.begin(), values_.end(), level_set(project_, row).value);
+      take(row, found, found.surfaces[static_cast<std::size_t>(at - values_.begin())]);
+    }
+  }
+
+ private:
+  const std::string& name() const { return project_.surfaces[group_.front()].name; }
+
+  FieldSurfaces from_function() const {
+    const std::optional<Box3> box = bounds_of_volume(project_);
+    if (!box)
+      throw Error(ErrorKind::usage, "surface " + name() +
+                                        ": a function needs to know where it holds; give the project a box with "
+                                        "corners (or a polygon with bottom and top)");
+    return isosurfaces_of(FunctionField(spec_.function, *box, name()), *box, values_, distance_for(project_, *box));
+  }
+
+  FieldSurfaces from_file() const {
+    FieldOfFile field = read_field_file(spec_);
+    if (const auto* tetrahedra = std::get_if<TetrahedralField>(&field)) return isosurfaces_of(*tetrahedra, values_);
+    const GridField grid(std::move(std::get<GridField::Lattice>(field)));
+    const Box3 domain = within_box(grid.domain());
+    return isosurfaces_of(grid, domain, values_, distance_for(project_, domain));
+  }
+
+  /// The part of the grid in the box.
+  Box3 within_box(Box3 domain) const {
+    const std::optional<Box3> box = bounds_of_volume(project_);
+    if (!box) return domain;
+    const Box3 whole = domain;
+    bool is_short = false;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double rounding = 1e-9 * (box->max[a] - box->min[a]);
+      is_short = is_short || domain.min[a] > box->min[a] + rounding || domain.max[a] < box->max[a] - rounding;
+      domain.min[a] = std::max(domain.min[a], box->min[a]);
+      domain.max[a] = std::min(domain.max[a], box->max[a]);
+    }
+    if (!(domain.min.x < domain.max.x && domain.min.y < domain.max.y && domain.min.z < domain.max.z))
+      throw Error(ErrorKind::invalid_input, "surface " + name() + ": the grid of " + field_words(spec_) +
+                                                " reaches from " + box_words(whole) + " and does not meet the box, " +
+                                                box_words(*box) +
+                                                "; are its origin and spacing in the coordinates of the project?");
+    if (is_short)
+      made_.warnings.push_back(name() + ": the grid of " + field_words(spec_) + " reaches from " + box_words(whole) +
+                               " and does not fill the box; its surfaces end where the grid ends (extend continues "
+                               "them)");
+    return domain;
+  }
+
+  void take(std::size_t row, const FieldSurfaces& found, const Isosurface& surface) {
+    const SurfaceSpec& spec = project_.surfaces[row];
+    if (surface.triangles.empty())
+      throw Error(ErrorKind::invalid_input, "surface " + spec.name + ": " + field_words(spec_) + " has values from " +
+                                                short_words(found.found.low) + " to " + short_words(found.found.high) +
+                                                " in the model, and " + short_words(level_set(project_, row).value) +
+                                                " is not among them; there is no surface");
+    TriangulatedSurface triangulated;
+    triangulated.name = spec.name;
+    triangulated.points = surface.points;
+    triangulated.triangles = surface.triangles;
+    report(spec, found, triangulated);
+    FileContents contents;
+    contents.format = "level set";
+    contents.surfaces.push_back(std::move(triangulated));
+    made_.contents.emplace(row, std::move(contents));
+  }
+
+  void report(const SurfaceSpec& spec, const FieldSurfaces& found, const TriangulatedSurface& surface) {
+    const SheetTopology topology = topology_of(surface);
+    std::string text = spec.name + ": the surface where " + field_words(spec_) + " is " +
+                       short_words(spec.level_set->value) + ", in " + std::to_string(topology.n_parts) +
+                       (topology.n_parts == 1 ? " part, " : " parts, ") + std::to_string(surface.triangles.size()) +
+                       " triangles";
+    if (found.distance > 0 && found.is_proven && found.n_beyond == 0)
+      text += ", proven to be within " + short_words(found.distance) + " of it";
+    if (!found.is_proven && found.n_beyond == 0)
+      text += ", within " + short_words(found.distance) + " of it at each of " + std::to_string(found.n_samples) +
+              " samples: with 99 % confidence at all but " + short_words(460.5 / static_cast<double>(found.n_samples)) +
+              " % of its area";
+    made_.notes.push_back(std::move(text));
+    if (found.n_beyond > 0)
+      made_.warnings.push_back(spec.name + ": in " + std::to_string(found.n_beyond) +
+                               " places the surface may be farther than " + short_words(found.distance) +
+                               " from its field, as near " + place_words(found.beyond_place));
+    if (found.n_unresolved > 0)
+      made_.warnings.push_back(spec.name + ": its field bends within less than " + short_words(found.distance) +
+                               " near " + place_words(found.unresolved_place) +
+                               ", so that sheets nearer to each other than that may be one; a smaller mesh.tolerance "
+                               "would tell them apart");
+    if (topology.n_bad_edges > 0)
+      made_.warnings.push_back(spec.name + ": more than two sheets of it meet along " +
+                               std::to_string(topology.n_bad_edges) + " edges, as near " +
+                               place_words(topology.bad_place) + "; choose a value slightly off this one");
+  }
+
+  const Project& project_;
+  const Group& group_;
+  LevelSurfaces& made_;
+  const LevelSetSpec& spec_;
+  std::vector<double> values_;  ///< rising, each once
+};
+
+}  // namespace
+
+bool has_level_sets(const Project& project) {
+  return std::any_of(project.surfaces.begin(), project.surfaces.end(),
+                     [](const SurfaceSpec& spec) { return spec.level_set.has_value(); });
+}
+
+LevelSurfaces make_level_surfaces(const Project& project) {
+  LevelSurfaces made;
+  for (const Group& group : group_by_field(project)) GroupMaker(project, group, made).make();
+  return made;
+}
+
+}  // namespace geomesh::geomodel

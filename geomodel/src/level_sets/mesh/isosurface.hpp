@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Triangles of the isosurfaces in a background mesh.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "level_sets/mesh/background_mesh.hpp"
+
+namespace geomesh::geomodel {
+
+struct Isosurface {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;  ///< their normals point to where the field rises
+  std::vector<std::size_t> cell;    ///< per triangle: the cell of the background mesh
+  std::vector<Vec3> gradient;       ///< per triangle: of the linear function in the cell
+};
+
+/// One isosurface for each of `values` (rising), by marching tetrahedra with two changes:
+/// - vertices are the field's own roots on the edges of the mesh, to rounding, not those of the linear function;
+/// - a vertex of the mesh that is very near to a root on one of its edges is moved there first, so that no triangles
+///   much smaller than the cell come out (isosurface stuffing, Labelle and Shewchuk 2007).
+///
+/// Isosurfaces of different values never cross, up to the rounding of their vertices: on each edge their roots have the
+/// order of the values, and in each cell their triangles are divided alike.
+///
+/// `field` null: the field is linear between the vertices of the mesh, which are then left where they are.
+std::vector<Isosurface> extract_isosurfaces(const BackgroundMesh& mesh, const ScalarField* field,
+                                            const std::vector<double>& values);
+
+}  // namespace geomesh::geomodel

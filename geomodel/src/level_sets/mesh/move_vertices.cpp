@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "level_sets/mesh/move_vertices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Share of an edge within which a root draws its vertex. Labelle and Shewchuk take 0.25 on their lattice.
+constexpr double reach = 0.25;
+/// Share of its volume that every cell keeps, so that none turns over.
+constexpr double least_volume_share = 0.1;
+
+struct Target {
+  double distance2 = std::numeric_limits<double>::infinity();
+  Vec3 place;
+  double value = 0;
+};
+
+double volume(const std::vector<Vec3>& points, const BackgroundMesh::Cell& cell) {
+  const Vec3& o = points[cell.v[0]];
+  return dot(cross(points[cell.v[1]] - o, points[cell.v[2]] - o), points[cell.v[3]] - o);
+}
+
+void offer(Target& target, const Vec3& from, const Vec3& root, double edge2, double value) {
+  const Vec3 way = root - from;
+  const double distance2 = dot(way, way);
+  if (distance2 <= reach * reach * edge2 && distance2 < target.distance2) target = {distance2, root, value};
+}
+
+/// Calls visit(vertex, other end, root, value) for both ends of each edge at each of its roots.
+template <class Visit>
+void for_each_root(const CrossedEdges& edges, const std::vector<double>& values, const MovedVertices& vertices,
+                   Visit&& visit) {
+  for (std::size_t e = 0; e < edges.edges().size(); ++e) {
+    const CrossedEdges::Edge& edge = edges.edges()[e];
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      if (!CrossedEdges::crosses(edge, values[v], vertices)) continue;
+      visit(edge.below, edge.above, edges.root(v, e), values[v]);
+      visit(edge.above, edge.below, edges.root(v, e), values[v]);
+    }
+  }
+}
+
+std::vector<Target> find_targets(const BackgroundMesh& mesh, const CrossedEdges& edges,
+                                 const std::vector<double>& values, const MovedVertices& vertices) {
+  std::vector<Target> targets(mesh.n_points());
+  for_each_root(edges, values, vertices, [&](VertexIndex from, VertexIndex to, const Vec3& root, double value) {
+    if ((mesh.sides(from) & ~mesh.sides(to)) != 0) return;
+    const Vec3 edge = mesh.point(to) - mesh.point(from);
+    offer(targets[from], mesh.point(from), root, dot(edge, edge), value);
+  });
+  // A vertex between two sheets of one isosurface is left there: on one of them, it would join both.
+  for_each_root(edges, values, vertices, [&](VertexIndex from, VertexIndex, const Vec3& root, double value) {
+    Target& target = targets[from];
+    if (value != target.value || !std::isfinite(target.distance2)) return;
+    if (dot(root - mesh.point(from), target.place - mesh.point(from)) < 0) target = {};
+  });
+  return targets;
+}
+
+}  // namespace
+
+void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const std::vector<double>& values,
+                   MovedVertices& vertices) {
+  const std::vector<Target> targets = find_targets(mesh, edges, values, vertices);
+  const auto has_target = [&](VertexIndex v) { return std::isfinite(targets[v].distance2); };
+  std::vector<std::size_t> begin(mesh.n_points() + 1, 0);  // cells about each vertex with a target
+  for (const BackgroundMesh::Cell& cell : mesh.cells())
+    for (const VertexIndex v : cell.v) begin[v + 1] += has_target(v);
+  for (std::size_t v = 0; v < mesh.n_points(); ++v) begin[v + 1] += begin[v];
+  std::vector<std::size_t> about(begin.back()), end(begin.begin(), begin.end() - 1);
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+    for (const VertexIndex v : mesh.cells()[c].v)
+      if (has_target(v)) about[end[v]++] = c;
+  const std::vector<Vec3> before = vertices.points;
+  for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
+    if (!has_target(v)) continue;
+    vertices.points[v] = targets[v].place;
+    const bool keeps_cells =
+        std::all_of(about.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+                    about.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]), [&](std::size_t c) {
+                      const BackgroundMesh::Cell& cell = mesh.cells()[c];
+                      return volume(vertices.points, cell) / volume(before, cell) >= least_volume_share;
+                    });
+    if (!keeps_cells) {
+      vertices.points[v] = before[v];
+      continue;
+    }
+    vertices.values[v] = targets[v].value;
+    vertices.is_moved[v] = 1;
+  }
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces that are fields, given as functions."""
+import math
+import unittest
+
+import numpy
+
+import geomesh
+
+BOX = [[-500, -500, -500], [500, 500, 500]]
+
+
+def fold(x, y, z):
+    return z - 80 * numpy.sin(x / 100) - 20 * numpy.cos(y / 150)
+
+
+class Fields(unittest.TestCase):
+    def model(self, column=None):
+        return geomesh.Model(box=BOX, column=column)
+
+    def test_units_of_a_fold_are_right_at_20000_points(self):
+        model = self.model(["a", "top", "b", "base", "c"])
+        model.add_field("top", fold, 30)
+        model.add_field("base", fold, -60)
+        mesh = model.mesh(size=80)
+        points, cells = numpy.asarray(mesh.points), numpy.asarray(mesh.tetrahedra)
+        centres = points[cells].mean(axis=1)
+        rows = numpy.random.default_rng(1).choice(len(centres), size=min(20000, len(centres)), replace=False)
+        value = fold(*centres[rows].T)
+        tolerance = 80 / 40 * 1.3  # the field's slope is at most 1.3
+        names = numpy.array([mesh.names[r] if isinstance(mesh.names, dict) else None for r in numpy.asarray(mesh.region)[rows]])
+        wanted = numpy.where(value > 30, "a", numpy.where(value > -60, "b", "c"))
+        clear = (abs(value - 30) > tolerance) & (abs(value + 60) > tolerance)
+        self.assertTrue((names[clear] == wanted[clear]).all())
+
+    def test_a_ball_has_its_volume(self):
+        model = self.model()
+        model.add_field("ball", lambda x, y, z: numpy.sqrt(x * x + y * y + z * z) - 300, 0, kind="body")
+        mesh = model.mesh(refine="none")
+        volumes = {region.name: region.volume for region in mesh.regions}
+        self.assertAlmostEqual(volumes["ball"] / (4 / 3 * math.pi * 300 ** 3), 1, delta=0.005)
+
+    def test_a_function_that_fails_is_reported_with_surface_and_place(self):
+        def bad(x, y, z):
+            raise ValueError("no such rock")
+        model = self.model()
+        model.add_field("top", bad, 0)
+        with self.assertRaisesRegex(geomesh.InvalidInput, r"surface top: .*\(-500, -500, -500\): ValueError: no such rock"):
+            model.mesh()
+
+    def test_a_value_that_is_not_finite_is_reported_with_its_place(self):
+        model = self.model()
+        model.add_field("top", lambda x, y, z: numpy.where(x > 499, numpy.nan, z), 0)
+        with self.assertRaisesRegex(geomesh.InvalidInput, r"surface top: .*not finite at \(500"):
+            model.mesh()
+
+    def test_a_field_without_the_value_is_reported(self):
+        model = self.model()
+        model.add_field("top", fold, 5000)
+        with self.assertRaisesRegex(geomesh.InvalidInput, "surface top: .*5000 is not among them"):
+            model.mesh()
+
+    def test_what_is_no_field_is_refused(self):
+        with self.assertRaises(geomesh.UsageError):
+            self.model().add_field("top", 3, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
