@@ -17,6 +17,7 @@
 #include "pipeline/soup_vtp.hpp"
 #include "pipeline/summary.hpp"
 #include "pipeline/target_elements.hpp"
+#include "report/model_verdict.hpp"
 #include "rules/order/laid_down.hpp"
 #include "solver_mesh/curved_edges.hpp"
 #include "solver_verdict/velocities.hpp"
@@ -254,6 +255,15 @@ void make_output_folder(const OutputPlan& plan) {
   if (!plan.stem.parent_path().empty()) std::filesystem::create_directories(plan.stem.parent_path());
 }
 
+/// Units without a region are warned of; the verdict counts all warnings. Empty where no project says what is wanted.
+std::string judge_model(PreparedModel& model, const ModelMesh& mesh, const RunContext& context) {
+  if (model.command != "project") return "";
+  const std::vector<std::string>& column = model.naming.column;
+  const std::vector<MissingUnit> missing = missing_units(column, mesh);
+  if (!missing.empty()) warn(model.warnings, context, describe_missing(missing, (column.size() + 1) / 2));
+  return model_verdict(missing, column, model.warnings.size());
+}
+
 /// What of the stage `verify` is done once the mesh has been named and verified, and once its shapes have been
 /// measured.
 constexpr double verified_share = 0.65, measured_share = 0.9;
@@ -301,7 +311,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   }
   report.mesh = &mesh;
   report.tops = measure_tops(model.tops, mesh);
-  Summary summary = summarise(report, model.refinement);
+  Summary summary = summarise(report, model.refinement, judge_model(model, mesh, recorder.context()));
   result.summary = std::move(summary.lines);
   result.details = std::move(summary.details);
   {
