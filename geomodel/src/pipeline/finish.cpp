@@ -255,12 +255,27 @@ void make_output_folder(const OutputPlan& plan) {
   if (!plan.stem.parent_path().empty()) std::filesystem::create_directories(plan.stem.parent_path());
 }
 
+/// The units of the column that the model may hold: below its topography and above its bottom.
+std::vector<std::string> column_inside(const NamingRules& naming) {
+  std::vector<std::string> column = naming.column;
+  const auto bottom = std::find(column.begin(), column.end(), naming.floor);
+  if (bottom != column.end()) column.erase(bottom, column.end());
+  const auto top = std::find(column.begin(), column.end(), naming.topography);
+  if (top != column.end()) column.erase(column.begin(), top + 1);
+  return column;
+}
+
 /// Units without a region are warned of; the verdict counts all warnings. Empty where no project says what is wanted.
 std::string judge_model(PreparedModel& model, const ModelMesh& mesh, const RunContext& context) {
   if (model.command != "project") return "";
-  const std::vector<std::string>& column = model.naming.column;
+  const std::vector<std::string> column = column_inside(model.naming);
   const std::vector<MissingUnit> missing = missing_units(column, mesh);
-  if (!missing.empty()) warn(model.warnings, context, describe_missing(missing, (column.size() + 1) / 2));
+  std::size_t n_eroded = 0;  // the youngest units, which a topography may have taken away
+  while (!model.naming.topography.empty() && n_eroded < missing.size() &&
+         missing[n_eroded].name == column[2 * n_eroded])
+    ++n_eroded;
+  const std::vector<MissingUnit> lost(missing.begin() + static_cast<std::ptrdiff_t>(n_eroded), missing.end());
+  if (!lost.empty()) warn(model.warnings, context, describe_missing(lost, (column.size() + 1) / 2));
   return model_verdict(missing, column, model.warnings.size());
 }
 
