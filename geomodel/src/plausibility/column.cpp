@@ -18,9 +18,11 @@ int side_of(const TriangulatedSurface& surface, const MapLocator& other) {
   std::size_t above = 0, below = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); t += step) {
     const Triangle& v = surface.triangles[t];
-    const Vec3 p = (1.0 / 3) * (surface.points[v[0]] + surface.points[v[1]] + surface.points[v[2]]);
-    const auto height = other.height({p.x, p.y});
-    if (height && *height != p.z) ++(p.z > *height ? above : below);
+    const Vec3 corners[3] = {surface.points[v[0]], surface.points[v[1]], surface.points[v[2]]};
+    for (const Vec3& p : {(1.0 / 3) * (corners[0] + corners[1] + corners[2]), corners[0], corners[1], corners[2]}) {
+      const auto height = other.height({p.x, p.y});
+      if (height && *height != p.z) ++(p.z > *height ? above : below);
+    }
   }
   const auto least = nearly_all * static_cast<double>(above + below);
   if (above + below == 0) return 0;

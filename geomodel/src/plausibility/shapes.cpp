@@ -2,6 +2,7 @@
 // Inputs whose shape does not fit their kind, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "common/union_find.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -19,10 +20,9 @@ constexpr double upright = 0.17;
 constexpr double steep = 0.6, most_of_height = 0.5, little_of_map = 0.35;
 /// A fault nearly level (dips below 5 degrees in the mean) over nearly all of the map.
 constexpr double level = 0.996, all_of_map = 0.95;
-/// How far inside the box an open end may lie that counts as one that leaves the box, in edges of the end.
-constexpr double most_edges_inside = 3;
-/// The same as a part of the box's diagonal.
-constexpr double most_share_inside = 0.01;
+/// How far inside the box an open end may lie that counts as one that leaves the box: some edges of the end, within
+/// these parts of the box's diagonal. Coarse bodies have edges as long as the body.
+constexpr double most_edges_inside = 3, least_share_inside = 0.01, most_share_inside = 0.03;
 /// A closed surface of less volume than this, over the cube of its diagonal, encloses nothing.
 constexpr double least_volume = 1e-12;
 
@@ -144,7 +144,9 @@ void doubt_open_body(const Inspected& model, const TriangulatedSurface& s, const
     if (end.length <= rule.fill_holes) continue;
     const double inside = end.inside(*model.volume);
     const double mean_edge = end.length / static_cast<double>(end.n_edges);
-    if (inside <= std::max(most_edges_inside * mean_edge, most_share_inside * diagonal)) continue;
+    const double allowed =
+        std::clamp(most_edges_inside * mean_edge, least_share_inside * diagonal, most_share_inside * diagonal);
+    if (inside <= allowed) continue;
     const Vec3 middle = 0.5 * (end.bounds.min + end.bounds.max);
     findings.push_back({Finding::Sureness::certain,
                         "open body",
@@ -204,10 +206,12 @@ void doubt_twins(const Inspected& model, std::vector<Finding>& findings) {
 }  // namespace
 
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
+  std::set<std::string> elsewhere;  // in other units the shape is another: one cause, one finding
+  for (const Finding& finding : findings) elsewhere.insert(finding.inputs.begin(), finding.inputs.end());
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = model.inputs.surfaces[s];
     const SurfaceRules rule = model.project.rules.of(s);
-    if (surface.triangles.empty()) continue;
+    if (surface.triangles.empty() || elsewhere.contains(surface.name)) continue;
     if (surface.kind != SurfaceKind::body) {
       doubt_kind(model, surface, findings);
     } else if (rule.thickness > 0) {

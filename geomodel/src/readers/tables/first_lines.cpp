@@ -23,6 +23,19 @@ std::vector<std::string_view> fields_of_line(std::string_view line, const Separa
   return fields;
 }
 
+std::vector<std::string> header_names(std::string_view line, const Separation& separation) {
+  std::vector<std::string> names;
+  for (const std::string_view field : fields_of_line(line, separation)) {
+    const bool is_unit = separation.delimiter == ' ' && (field.starts_with('[') || field.starts_with('('));
+    if (is_unit && !names.empty()) {
+      names.back() += " " + std::string(field);
+    } else {
+      names.emplace_back(field);
+    }
+  }
+  return names;
+}
+
 std::size_t count_numbers(std::string_view line) {
   if (trim(line).empty()) return 0;
   const Separation s = sniff_separation(line);

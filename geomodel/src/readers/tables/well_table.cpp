@@ -108,8 +108,7 @@ class WellTableReader {
     }
     const std::string& data = has_header_ ? found.second : found.first;
     std::vector<std::string> names;
-    if (has_header_)
-      for (const std::string_view name : fields_of_line(found.first, separation_)) names.emplace_back(name);
+    if (has_header_) names = header_names(found.first, separation_);
     const std::size_t n = std::max(names.size(), fields_of_line(data, separation_).size());
     if (!file_.options.columns.empty()) names = names_of_columns(lines_, file_.options.columns, names, n);
     if (names.empty()) {

@@ -112,10 +112,9 @@ FileContents read_xyz(const InputFile& file) {
                ": if it is a count, take it out or begin it with '#'; points x y z were expected");
   std::vector<std::string> names;
   if (has_header) {
-    for (const std::string_view name : fields_of_line(found.first, separation)) names.emplace_back(name);
+    names = header_names(found.first, separation);
   } else if (!found.comment.empty()) {  // "# x y z" above the data
-    for (const std::string_view name : fields_of_line(found.comment, sniff_separation(found.comment)))
-      names.emplace_back(name);
+    names = header_names(found.comment, sniff_separation(found.comment));
     if (names.size() != fields_of_line(found.first, separation).size() || !columns_by_name(lines, names)) names.clear();
   }
   Columns columns;
