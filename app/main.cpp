@@ -50,8 +50,9 @@ int main(int argc, char** argv) {
                            app::Colours::of(STDERR_FILENO));
     progress.attach(context);
     const int status = app::run(line, context);
-    progress.tell_warnings_left();
-    if (!std::cout.flush())
+    const bool printed = static_cast<bool>(std::cout.flush());
+    progress.tell_warnings();
+    if (!printed)
       throw Error(ErrorKind::usage,
                   "what was to be printed could not be written to the standard output (a full disk?)");
     return status;

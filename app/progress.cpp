@@ -65,15 +65,19 @@ std::string count_words(std::size_t n) {
 }
 
 Progress::~Progress() {
-  if (ticker_.joinable()) {
-    {
-      const std::lock_guard lock(mutex_);
-      ended_ = true;
-    }
-    ends_.notify_all();
-    ticker_.join();
-  }
+  stop_ticker();
   finish_line();
+  tell_warnings();  // where an error has ended the run
+}
+
+void Progress::stop_ticker() {
+  if (!ticker_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  ends_.notify_all();
+  ticker_.join();
 }
 
 void Progress::attach(RunContext& context) {
@@ -193,35 +197,45 @@ void Progress::on_log(LogLevel level, std::string_view text) {
                  json_string(text).c_str());
     return;
   }
-  if (level == LogLevel::warning && verbosity_ != Verbosity::verbose && !is_shown(text)) return;
+  if (level == LogLevel::warning && verbosity_ != Verbosity::verbose) return keep_warning(text);
   finish_line();
   clear_line();
   const std::string label = level == LogLevel::warning ? colours_.warning("warning:") + " " : is_for_all ? "" : "  ";
   std::fprintf(stderr, "%s%.*s\n", label.c_str(), static_cast<int>(text.size()), text.data());
 }
 
-bool Progress::is_shown(std::string_view warning) {
-  constexpr std::size_t most_kinds = 10;
-  Kind& kind = warnings_[geomodel::warning_cause(warning)];
-  if (++kind.count > 1) return false;
-  kind.first = warning;
-  kind.shown = shown_ < most_kinds;
-  shown_ += kind.shown ? 1 : 0;
-  return kind.shown;
+void Progress::keep_warning(std::string_view warning) {
+  const std::string cause = geomodel::warning_cause(warning);
+  const auto known = std::find_if(warnings_.begin(), warnings_.end(), [&](const Kind& k) { return k.cause == cause; });
+  if (known == warnings_.end()) {
+    warnings_.push_back({cause, std::string(warning), 1});
+  } else {
+    ++known->count;
+  }
 }
 
-void Progress::tell_warnings_left() const {
-  if (verbosity_ == Verbosity::verbose || style_ == ProgressStyle::json) return;
-  std::size_t n_left = 0, n_other = 0;
-  for (const auto& [cause, kind] : warnings_) {
-    n_left += kind.count - (kind.shown ? 1 : 0);
-    if (!kind.shown) n_other += kind.count;
-    if (kind.shown && kind.count > 1)
-      std::fprintf(stderr, "%s more warning%s like \"%s\"\n", count_words(kind.count - 1).c_str(),
-                   kind.count > 2 ? "s" : "", geomodel::warning_statement(kind.first).c_str());
+void Progress::tell_warnings() {
+  constexpr std::size_t most_kinds = 10;
+  const std::lock_guard lock(mutex_);
+  std::size_t n = 0, n_shown = 0, n_other = 0;
+  for (const Kind& kind : warnings_) n += kind.count;
+  if (n == 0) return;
+  clear_line();
+  std::fprintf(stderr, "%s warning%s:\n", count_words(n).c_str(), n > 1 ? "s" : "");
+  for (const Kind& kind : warnings_) {
+    if (n_shown == most_kinds) {
+      n_other += kind.count;
+      continue;
+    }
+    ++n_shown;
+    std::fprintf(stderr, "%s %s\n", colours_.warning("warning:").c_str(), kind.first.c_str());
+    if (kind.count > 1)
+      std::fprintf(stderr, "  and %s more like \"%s\"\n", count_words(kind.count - 1).c_str(),
+                   geomodel::warning_statement(kind.first).c_str());
   }
   if (n_other > 0) std::fprintf(stderr, "%s more warnings of other kinds\n", count_words(n_other).c_str());
-  if (n_left > 0) std::fputs("The report lists all warnings; --verbose prints them.\n", stderr);
+  if (n > n_shown) std::fputs("The report lists all warnings; --verbose prints them.\n", stderr);
+  warnings_.clear();
 }
 
 }  // namespace geomesh::app

@@ -9,11 +9,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "colours.hpp"
 #include "geomesh/core/run_context.hpp"
@@ -36,8 +36,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void attach(RunContext& context);
-  /// Warnings that were not shown, by their causes: all but the first of each, and all beyond the tenth cause.
-  void tell_warnings_left() const;
+  /// Prints the warnings that came, with their count, by their causes: the first of each of the first ten. Called once
+  /// the result has been printed, so that they stand last; at the end of an object's life they are printed too, where
+  /// an error has ended the run. With --verbose, and for programs, warnings are printed as they come.
+  void tell_warnings();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -53,7 +55,8 @@ class Progress {
   void clear_line() const;
   double seconds_spent() const;
   double seconds_left() const;
-  bool is_shown(std::string_view warning);
+  void keep_warning(std::string_view warning);
+  void stop_ticker();
 
   Verbosity verbosity_;
   ProgressStyle style_;
@@ -67,12 +70,10 @@ class Progress {
   std::size_t done_ = 0, total_ = 0;
   std::size_t first_done_ = 0;  ///< of this total, at `counted_since_`: rate and time left are told from there
   struct Kind {
-    std::string first;  ///< warning
+    std::string cause, first;  ///< warning
     std::size_t count = 0;
-    bool shown = false;  ///< the first of it
   };
-  std::map<std::string, Kind> warnings_;  ///< by cause
-  std::size_t shown_ = 0;                 ///< warnings
+  std::vector<Kind> warnings_;  ///< not printed yet, in the order of the first of each cause
   Clock::time_point start_, last_drawn_, counted_since_;
   std::thread ticker_;
 };

@@ -130,7 +130,7 @@ class WrongSurfaces(ProgramTest):
         project = self.write("model.yaml", PROJECT + "  - {name: high, kind: horizon, file: high.ts}\noutput: {directory: out}\n")
         self.run_program(project)
         report = self.report(self.path("out", "model.report.json"))
-        self.assertTrue(any("high never meets" in warning for warning in report["warnings"]), report["warnings"])
+        self.assertTrue(any("high lies outside the box" in warning for warning in report["warnings"]), report["warnings"])
         check = self.check(self.path("out", "model.vtu"), "--project", project)
         self.assertEqual([region["volume"] for region in check["regions"]], [500, 500])
 

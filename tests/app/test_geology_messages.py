@@ -81,13 +81,17 @@ column: [young, a, middle, b, old]
 
     def test_a_file_in_feet_that_does_not_say_so(self):
         self.write("a.ts", level("a", -3000 / 0.3048 + 100, size=1e4))
-        _, report = self.mesh("box: {min: [0, 0, -3000], max: [10000, 10000, 0]}\nsurfaces: [{name: a, kind: horizon, file: a.ts}]\n")
-        self.assert_told(report["warnings"], "horizon a never meets the model", "same unit?")
+        printed, _ = self.mesh("box: {min: [0, 0, -3000], max: [10000, 10000, 0]}\nsurfaces: [{name: a, kind: horizon, file: a.ts}]\n",
+                               status=BAD_INPUT)
+        self.assertIn("no surface of the project lies in the box", printed)
+        self.assertIn("feet where metres were understood", printed)
 
     def test_depths_that_do_not_say_so(self):
         self.write("a.ts", level("a", 1500, size=1e4))
-        _, report = self.mesh("box: {min: [0, 0, -3000], max: [10000, 10000, 0]}\nsurfaces: [{name: a, kind: horizon, file: a.ts}]\n")
-        self.assert_told(report["warnings"], "horizon a never meets the model", "counted downwards?")
+        printed, _ = self.mesh("box: {min: [0, 0, -3000], max: [10000, 10000, 0]}\nsurfaces: [{name: a, kind: horizon, file: a.ts}]\n",
+                               status=BAD_INPUT)
+        self.assertIn("no surface of the project lies in the box", printed)
+        self.assertIn("counted downwards?", printed)
 
     def test_longitude_and_latitude_in_a_utm_project(self):
         self.write("a.ts", plane_ts("a", [(117.0, -22.6, -900), (117.1, -22.6, -900), (117.1, -22.5, -900), (117.0, -22.5, -900)]))

@@ -139,7 +139,8 @@ class Progress(ProgramTest):
         self.assertFalse(any("time step" in line for line in short))
         self.assertEqual(sum(line.startswith("warning: ") for line in warned), 1, warned)
         self.assertEqual(sum(line.startswith("warning: ") for line in warned_all), 4, warned_all)
-        self.assertTrue(any(line.startswith("3 more warnings like ") for line in warned), warned)
+        self.assertTrue(any(line.startswith("  and 3 more like ") for line in warned), warned)
+        self.assertEqual([line for line in warned if line.endswith(" warnings:")], ["4 warnings:"])
 
 
 if __name__ == "__main__":

@@ -23,8 +23,8 @@ FULL = {
     "name": "full",
     "crs": {"horizontal": "local", "z": "elevation", "unit": "m"},
     "box": {"min": [0, 0, 0], "max": [10, 10, 10]},
-    "surfaces": [{"name": "top", "kind": "horizon", "file": "top.ts", "extend": "flat", "fill_holes": "all", "base": "erode",
-                  "gridding": {"method": "thin_plate"}, "smooth": 1, "fault_polygons": {"file": "gap.txt"}}],
+    "surfaces": [{"name": "top", "kind": "horizon", "file": "top.txt", "extend": "flat", "fill_holes": "all", "base": "erode",
+                  "extrude": {"along": "y", "from": -1, "to": 11}, "gridding": {"method": "thin_plate"}, "smooth": 1, "fault_polygons": {"file": "gap.txt"}}],
     "wells": [{"name": "w", "file": "w.pl"}],
     "tops": {"file": "tops.csv"},
     "points": [{"name": "p", "at": [1, 2, 3]}],
@@ -80,6 +80,7 @@ class ProjectSchema(ProgramTest):
         self.write("tops.csv", "well,horizon,depth\nw,top,2\n")
         self.write("w.pl", "GOCAD PLine 1\nHEADER {\nname:w\n}\nILINE\nVRTX 1 3 4 9\nVRTX 2 3 4 1\nSEG 1 2\nEND\n")
         self.write("gap.txt", "3 4\n5 4\n5 6\n")
+        self.write("top.txt", "-1 5\n11 5\n")
 
     def faults(self, project):
         return ["%s: %s" % ("/".join(map(str, e.path)), e.message) for e in self.validator.iter_errors(project)]
@@ -174,7 +175,8 @@ class ProjectSchema(ProgramTest):
         mistakes = [
             {"surfaces": [{"name": "top", "kind": "horizon"}]}, surface(kind="salt"), surface(name="a,b"), surface(name=" top"),
             surface(fill_holes=-1), surface(fill_holes="some"), surface(extent="to_fault"), surface(extent="beyond"), surface(base="erodes"),
-            surface(crs="mars"), surface(unit="ms"), surface(z="time"), surface(z_datum="kb"), surface(resample=0), surface(smooth=1.5),
+            surface(crs="mars"), surface(unit="ms"), surface(z="time"), surface(z_datum="kb"), surface(columns=3), surface(no_data="some"),
+            surface(extrude={"along": "z", "from": 0, "to": 1}), surface(resample=0), surface(smooth=1.5),
             surface(gridding={"spacing": -1}), {"crs": {"z_scale": 0}}, {"crs": {"horizontal": "utm 32"}},
             {"box": {"min": [0, 0, 0]}}, {"box": {"min": [0, 0], "max": [1, 1, 1]}}, {"box": {"min": [0, 0, "a"], "max": [1, 1, 1]}},
             {"column": ["upper", "top", "upper"]}, {"rules": {"trim_overshoot": -5}}, {"rules": {"fault_blocks": "perhaps"}},

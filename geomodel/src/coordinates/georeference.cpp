@@ -50,14 +50,6 @@ std::string own_unit(const SourceFrame& frame, bool z) {
 /// Coordinates that can only be degrees: no projected system has its places so near its origin.
 bool looks_like_degrees(const Box3& b) { return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90; }
 
-constexpr double guessed_factors[] = {0.3048, 1 / 0.3048, 1000, 0.001};
-
-std::string factor_words(double factor) {
-  if (factor == 0.3048) return "feet where metres were understood";
-  if (factor == 1 / 0.3048) return "metres where feet were understood";
-  return factor == 1000 ? "kilometres where metres were understood" : "metres where kilometres were understood";
-}
-
 }  // namespace
 
 ModelFrame::ModelFrame(const Project& project, const std::vector<SourceInput>& inputs)
@@ -120,9 +112,33 @@ void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from
   if (from.kind == Kind::geographic &&
       (std::abs(bounds.min.y) > 90 || std::abs(bounds.max.y) > 90 || bounds.min.x < -360 || bounds.max.x > 360)) {
     throw Error(ErrorKind::invalid_input, input.name + ": its coordinates (" + range_text(bounds) +
-                                              ") are to be longitude and latitude in degrees, which they cannot be; "
-                                              "name their system with 'crs: utm 32N' or the like");
+                                              ") are to be longitude and latitude in degrees, which they cannot be; " +
+                                              (std::abs(bounds.min.x) <= 90 && std::abs(bounds.max.x) <= 90 &&
+                                                       std::abs(bounds.min.y) <= 360 && std::abs(bounds.max.y) <= 360
+                                                   ? "exchanged they could: is x the latitude? If so, give columns: "
+                                                     "{longitude: 2, latitude: 1, z: 3} in its entry"
+                                                   : "name their system with 'crs: utm 32N' or the like"));
   }
+}
+
+void ModelFrame::refuse_exchanged_degrees(const SourceInput& input, const HorizontalCrs& from) const {
+  const Box3 bounds = bounds_of(*input.contents);
+  if (bounds.empty() || from.kind != Kind::geographic || system_.kind != Kind::utm || system_.zone == 0) return;
+  constexpr double far = 40;   // degrees of longitude from the middle of the zone: its map is of no use there
+  constexpr double near = 15;  // a zone is 6 degrees wide, and models lie in it or beside it
+  const double middle = 6.0 * system_.zone - 183;
+  const auto off = [&](double longitude) { return std::abs(std::remainder(longitude - middle, 360)); };
+  const double centre_x = 0.5 * (bounds.min.x + bounds.max.x), centre_y = 0.5 * (bounds.min.y + bounds.max.y);
+  if (off(centre_x) <= far) return;
+  const bool exchanged = off(centre_y) <= near && std::abs(centre_x) <= 90 && (centre_x >= 0) == system_.north;
+  throw Error(
+      ErrorKind::invalid_input,
+      input.name + ": its longitudes and latitudes (" + range_text(bounds) + ") lie " +
+          std::to_string(static_cast<int>(off(centre_x))) + " degrees from the middle of " + system_.name() +
+          (exchanged ? "; exchanged they would lie in it: is x the latitude? If so, name the columns in its entry "
+                       "(columns: {longitude: 2, latitude: 1, z: 3}), or export the file again with longitude "
+                       "first"
+                     : "; is the zone right (crs: {horizontal: ...}), and are these degrees?"));
 }
 
 /// What GeographicLib does not serve; nothing where it does, or nothing is to be converted.
@@ -170,6 +186,7 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
   if (depth != contents.frame.depth) scale.z = -scale.z;
   scale_contents(contents, scale);
   check_range(input, from);
+  refuse_exchanged_degrees(input, from);
   for_each_point(contents, [&](Vec3& p) {
     const Vec2 q = proj ? proj->convert({p.x, p.y}) : converts ? to_system(from, {p.x, p.y}) : Vec2{p.x, p.y};
     p = Vec3{q.x / metres_, q.y / metres_, p.z / metres_ + spec.z_datum} - origin_;
@@ -240,39 +257,6 @@ VolumeSpec ModelFrame::volume(const VolumeSpec& spec, std::string& note) const {
   for (std::optional<double>* height : {&placed.bottom, &placed.top})
     if (*height) **height = ((depth_ ? -**height : **height) - origin_.z);
   return placed;
-}
-
-std::string ModelFrame::guess_why_outside(const Box3& bounds, const Box3& box) const {
-  const auto overlaps = [](double a0, double a1, double b0, double b1) { return a0 <= b1 && b0 <= a1; };
-  const auto inside = [&](double factor) {
-    for (std::size_t i = 0; i < 2; ++i)
-      if (!overlaps(factor * (bounds.min[i] + origin_[i]), factor * (bounds.max[i] + origin_[i]),
-                    box.min[i] + origin_[i], box.max[i] + origin_[i]))
-        return false;
-    return true;
-  };
-  if (!inside(1)) {
-    for (const double factor : guessed_factors)
-      if (inside(factor))
-        return "it would lie over the box if its coordinates were in " + factor_words(factor) +
-               ": if so, give 'unit' in its entry";
-    return {};
-  }
-  const auto z_inside = [&](double factor) {
-    const double shift = origin_.z, a = factor * (bounds.min.z + shift), b = factor * (bounds.max.z + shift);
-    return overlaps(std::min(a, b), std::max(a, b), box.min.z + shift, box.max.z + shift);
-  };
-  if (z_inside(1)) return {};
-  if (z_inside(-1))
-    return "it would lie inside the box if its z were counted the other way: if so, give 'z: depth' or 'z: elevation' "
-           "in its entry";
-  for (const double factor : guessed_factors)
-    for (const double sign : {1.0, -1.0})
-      if (z_inside(sign * factor))
-        return "it would lie inside the box if its z were in " + factor_words(factor) +
-               (sign < 0 ? " and counted the other way" : "") +
-               ": if so, give 'z_unit' (or 'unit', where x and y are in it too) and 'z' in its entry";
-  return {};
 }
 
 }  // namespace geomesh::geomodel

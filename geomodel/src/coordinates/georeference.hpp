@@ -42,10 +42,6 @@ class ModelFrame {
   /// The system in which the mesh is written; what was found where the project left it open.
   const HorizontalCrs& system() const { return system_; }
 
-  /// A hint where the surface lies outside the box and another unit or direction of z would bring it in; empty else.
-  /// `bounds` and `box` in the frame.
-  std::string guess_why_outside(const Box3& bounds, const Box3& box) const;
-
  private:
   Box3 box(const Box3& box, std::string& note) const;
   Vec2 map_point(const Vec2& p) const;
@@ -53,6 +49,7 @@ class ModelFrame {
   HorizontalCrs system_of(const SourceInput& input, std::vector<std::string>& notes) const;
   std::optional<ProjConversion> proj_between(const SourceInput& input, const HorizontalCrs& from) const;
   void check_range(const SourceInput& input, const HorizontalCrs& from) const;
+  void refuse_exchanged_degrees(const SourceInput& input, const HorizontalCrs& from) const;
 
   HorizontalCrs given_;   ///< as the project says
   HorizontalCrs system_;  ///< of the mesh

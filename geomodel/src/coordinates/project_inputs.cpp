@@ -7,10 +7,11 @@
 #include <iterator>
 #include <map>
 
+#include "coordinates/read_files.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/fault_polygons.hpp"
 #include "geomesh/geomodel/gridding.hpp"
-#include "geomesh/geomodel/readers.hpp"
+#include "geomesh/geomodel/section.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "level_sets/level_surfaces.hpp"
 
@@ -92,8 +93,9 @@ void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs
   }
 }
 
-TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
-                                 ProjectInputs& inputs) {
+/// The surface that the entry means, or that is made from its points or lines.
+TriangulatedSurface raw_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
+                                ProjectInputs& inputs) {
   const bool one_object = contents.surfaces.size() + contents.point_sets.size() == 1;
   TriangulatedSurface surface;
   if (TriangulatedSurface* s = object_of(contents.surfaces, spec, one_object || contents.surfaces.size() == 1)) {
@@ -103,59 +105,95 @@ TriangulatedSurface make_surface(FileContents& contents, const SurfaceSpec& spec
   } else {
     refuse_choice(contents, spec);
   }
+  return surface;
+}
+
+TriangulatedSurface section_surface(const FileContents& contents, const SurfaceSpec& spec, const Vec3& origin) {
+  std::vector<Polyline> lines;
+  for (const Polyline& line : contents.polylines)
+    if (spec.source.object.empty() || line.name == spec.source.object) lines.push_back(line);
+  ExtrudeSpec extrude = spec.extrude;
+  const double shift = origin[extrude.axis == 1 ? 1 : 0];
+  extrude.from -= shift;
+  extrude.to -= shift;
+  return extrude_lines(lines, extrude, spec.kind == SurfaceKind::body, spec.name);
+}
+
+void finish_surface(TriangulatedSurface& surface, const SurfaceSpec& spec, const Project& project,
+                    ProjectInputs& inputs) {
   remake(surface, spec, inputs);
   surface.name = spec.name;
   surface.kind = spec.kind;
   surface.cuts_all = spec.cuts_all;
   surface.file = spec.file_as_written;
-  return surface;
+  surface.ends_model = spec.name == project.rules.topography || spec.name == project.rules.floor;
 }
 
-/// Surfaces outside of the box for which one and the same guess is made.
-struct Outside {
-  std::vector<std::string> names;
-  Box3 bounds;
-};
-using OutsideByGuess = std::map<std::string, Outside>;
-
-void find_outside(const TriangulatedSurface& surface, const Box3& box, const ModelFrame& frame, OutsideByGuess& found) {
-  Box3 bounds;
-  for (const Vec3& p : surface.points) bounds.add(p);
-  if (bounds.empty()) return;
-  const std::string guess = frame.guess_why_outside(bounds, box);
-  if (guess.empty()) return;
-  found[guess].names.push_back(surface.name);
-  found[guess].bounds.add(bounds.min);
-  found[guess].bounds.add(bounds.max);
-}
-
-std::string range_words(double from, double to) { return short_words(from) + " to " + short_words(to); }
-
-/// Once for all surfaces, with the heights that tell.
-void warn_of_outside(const OutsideByGuess& outside, const Box3& box, std::vector<std::string>& warnings) {
-  constexpr std::size_t most_named = 3;
-  for (const auto& [guess, what] : outside) {
-    const std::size_t n = what.names.size();
-    std::string names;
-    for (std::size_t i = 0; i < std::min(n, most_named); ++i) names += (i > 0 ? ", " : "") + what.names[i];
-    if (n > most_named) names += " and " + std::to_string(n - most_named) + " more";
-    warnings.push_back(names + (n > 1 ? " lie" : " lies") + " outside the box (z " +
-                       range_words(what.bounds.min.z, what.bounds.max.z) + ", that of the box " +
-                       range_words(box.min.z, box.max.z) + "); " + guess);
+/// The horizons that are given by their thickness below another, each after the one above it.
+void make_below(const Project& project, std::vector<FileContents>& contents, const std::optional<Box3>& box,
+                ProjectInputs& inputs) {
+  std::vector<std::size_t> waiting;
+  for (std::size_t s = 0; s < project.surfaces.size(); ++s)
+    if (!project.surfaces[s].below.empty()) waiting.push_back(s);
+  while (!waiting.empty()) {  // the project has been checked for circles
+    const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](std::size_t s) {
+      return std::none_of(waiting.begin(), waiting.end(),
+                          [&](std::size_t other) { return project.surfaces[other].name == project.surfaces[s].below; });
+    });
+    const std::size_t s = *ready;
+    waiting.erase(ready);
+    const SurfaceSpec& spec = project.surfaces[s];
+    const auto above = std::find_if(inputs.surfaces.begin(), inputs.surfaces.end(),
+                                    [&](const TriangulatedSurface& a) { return a.name == spec.below; });
+    BelowSurface below;
+    if (spec.below_by) {
+      below = surface_below(*above, *spec.below_by);
+    } else {
+      TriangulatedSurface thickness = raw_surface(contents[s], spec, box, inputs);
+      for (Vec3& p : thickness.points) p.z += project.output.origin.z;  // a thickness has no place
+      below = surface_below(*above, thickness);
+    }
+    if (below.surface.triangles.empty())
+      throw Error(ErrorKind::invalid_input, "horizon " + spec.name + ": its thickness (" + spec.file_as_written +
+                                                ") lies nowhere over " + spec.below +
+                                                ": are both in the same coordinates (crs, unit)?");
+    inputs.notes.push_back("horizon " + spec.name + ": " + length_text(below.least) + " to " + length_text(below.most) +
+                           " below " + spec.below);
+    if (below.n_without > 0)
+      inputs.warnings.push_back("horizon " + spec.name + ": " + std::to_string(below.n_without) + " vertices of " +
+                                spec.below + " have no thickness over them; it has a hole or an end there");
+    if (below.n_negative > 0)
+      inputs.warnings.push_back("horizon " + spec.name + ": the thickness is below zero at " +
+                                std::to_string(below.n_negative) + " vertices of " + spec.below +
+                                ": taken as zero (is the file a thickness?)");
+    inputs.surfaces[s] = std::move(below.surface);
+    finish_surface(inputs.surfaces[s], spec, project, inputs);
   }
 }
 
+/// The lines of the object that is asked for, else of the one named as the entry, else all.
 void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyline>& wells) {
-  std::size_t n_taken = 0;
-  for (Polyline& line : contents.polylines) {
-    if (!spec.source.object.empty() && line.name != spec.source.object) continue;
-    line.name = contents.polylines.size() == 1 || !spec.source.object.empty() ? spec.name : spec.name + "_" + line.name;
-    wells.push_back(std::move(line));
-    ++n_taken;
+  const bool all = spec.source.object == "*";
+  std::string wanted = all ? "" : spec.source.object;
+  const auto is_there = [&](const std::string& name) {
+    return std::any_of(contents.polylines.begin(), contents.polylines.end(),
+                       [&](const Polyline& line) { return line.name == name; });
+  };
+  if (wanted.empty() && !all && is_there(spec.name)) wanted = spec.name;
+  if (contents.polylines.empty() || (!wanted.empty() && !is_there(wanted))) {
+    std::string names;
+    for (const Polyline& line : contents.polylines) names += (names.empty() ? "" : ", ") + line.name;
+    throw Error(ErrorKind::invalid_input,
+                "well " + spec.name + ": " + spec.file_as_written + " (" + contents.format +
+                    ") holds no path of a well" +
+                    (wanted.empty() ? "; a table with x, y, z or a deviation survey, GOCAD PLine or Well, DXF or VTP "
+                                      "lines were expected"
+                                    : " called " + wanted + (names.empty() ? "" : "; it holds " + names)));
   }
-  if (n_taken == 0) {
-    throw Error(ErrorKind::invalid_input, "well " + spec.name + ": " + spec.file_as_written + " holds no polyline" +
-                                              (spec.source.object.empty() ? "" : " called " + spec.source.object));
+  for (Polyline& line : contents.polylines) {
+    if (!wanted.empty() && line.name != wanted) continue;
+    line.name = contents.polylines.size() == 1 || !wanted.empty() ? spec.name : spec.name + "_" + line.name;
+    wells.push_back(std::move(line));
   }
 }
 
@@ -188,11 +226,11 @@ std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs)
   return tops;
 }
 
-/// Moves the horizons to their tops and says how far.
-void fit_tops(const Project& project, ProjectInputs& inputs) {
-  if (project.tops.file.empty()) return;
-  const std::vector<FittedTop> placed = place_tops(project, inputs);
-  for (TriangulatedSurface& surface : inputs.surfaces) {
+/// Moves the horizons to their tops and says how far: those made by a thickness below another, or all others.
+void fit_tops(const Project& project, const std::vector<FittedTop>& placed, bool of_below, ProjectInputs& inputs) {
+  for (std::size_t s = 0; s < inputs.surfaces.size(); ++s) {
+    if (project.surfaces[s].below.empty() == of_below) continue;
+    TriangulatedSurface& surface = inputs.surfaces[s];
     std::vector<FittedTop> tops;
     std::copy_if(placed.begin(), placed.end(), std::back_inserter(tops),
                  [&](const FittedTop& top) { return top.horizon == surface.name; });
@@ -252,28 +290,11 @@ void ProjectInputs::add_throws(ModelRules& rules) const {
 }
 
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context) {
-  std::vector<FileContents> contents;
-  contents.reserve(project.surfaces.size() + project.wells.size());
-  std::vector<SourceInput> sources;
-  LevelSurfaces level_sets = make_level_surfaces(project);
-  std::vector<std::string> warnings = std::move(level_sets.warnings);
-  const auto read = [&](const auto& spec) {
-    const auto level_set = level_sets.contents.find(contents.size());
-    contents.push_back(level_set != level_sets.contents.end() ? std::move(level_set->second)
-                       : spec.given                           ? *spec.given
-                                                              : read_surface_file(spec.file));
-    for (const std::string& text : contents.back().warnings) warnings.push_back(spec.name + ": " + text);
-    sources.push_back({spec.name, &spec.source, &contents.back()});
-    context.report(sources.size(), contents.capacity());
-    context.check_cancelled();
-  };
-  for (const SurfaceSpec& spec : project.surfaces) read(spec);
-  for (const WellSpec& spec : project.wells) read(spec);
-
-  ProjectInputs inputs{ModelFrame(project, sources)};
-  inputs.warnings = std::move(warnings);
-  inputs.notes = std::move(level_sets.notes);
-  for (const SourceInput& source : sources) inputs.frame.place(source, inputs.notes, inputs.warnings);
+  ReadFiles files = read_files(project, context);
+  ProjectInputs inputs{ModelFrame(project, files.sources)};
+  inputs.warnings = std::move(files.warnings);
+  inputs.notes = std::move(files.notes);
+  for (const SourceInput& source : files.sources) inputs.frame.place(source, inputs.notes, inputs.warnings);
   std::optional<Box3> box;
   if (project.box) {
     std::string box_note;
@@ -281,20 +302,22 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
     if (inputs.volume->shape == VolumeSpec::Shape::box) box = inputs.volume->box;
     if (!box_note.empty()) inputs.notes.push_back(box_note);
   }
-  std::size_t n_triangles = 0;
-  OutsideByGuess outside;
   for (std::size_t i = 0; i < project.surfaces.size(); ++i) {
-    inputs.surfaces.push_back(make_surface(contents[i], project.surfaces[i], box, inputs));
-    inputs.surfaces.back().ends_model =
-        project.surfaces[i].name == project.rules.topography || project.surfaces[i].name == project.rules.floor;
-    n_triangles += inputs.surfaces.back().triangles.size();
-    if (box) find_outside(inputs.surfaces.back(), *box, inputs.frame, outside);
+    const SurfaceSpec& spec = project.surfaces[i];
+    inputs.surfaces.emplace_back();
+    if (!spec.below.empty()) continue;
+    inputs.surfaces.back() = spec.extrude.axis >= 0 ? section_surface(files.contents[i], spec, project.output.origin)
+                                                    : raw_surface(files.contents[i], spec, box, inputs);
+    finish_surface(inputs.surfaces.back(), spec, project, inputs);
     context.check_cancelled();
   }
-  if (box) warn_of_outside(outside, *box, inputs.warnings);
   for (std::size_t i = 0; i < project.wells.size(); ++i)
-    take_wells(contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
-  fit_tops(project, inputs);
+    take_wells(files.contents[project.surfaces.size() + i], project.wells[i], inputs.wells);
+  const std::vector<FittedTop> tops =
+      project.tops.file.empty() ? std::vector<FittedTop>{} : place_tops(project, inputs);
+  fit_tops(project, tops, false, inputs);
+  make_below(project, files.contents, box, inputs);
+  fit_tops(project, tops, true, inputs);
   cut_polygons(
       project,
       [&](const std::string& name, const FaultPolygonsSpec& spec) {
@@ -304,6 +327,8 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
       },
       inputs);
   for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});
+  std::size_t n_triangles = 0;
+  for (const TriangulatedSurface& surface : inputs.surfaces) n_triangles += surface.triangles.size();
   context.note(LogLevel::info,
                std::to_string(inputs.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");
   return inputs;

@@ -17,6 +17,7 @@
 #include "pipeline/soup_vtp.hpp"
 #include "pipeline/summary.hpp"
 #include "pipeline/target_elements.hpp"
+#include "report/model_verdict.hpp"
 #include "rules/order/laid_down.hpp"
 #include "solver_mesh/curved_edges.hpp"
 #include "solver_verdict/velocities.hpp"
@@ -257,6 +258,30 @@ void make_output_folder(const OutputPlan& plan) {
   if (!plan.stem.parent_path().empty()) std::filesystem::create_directories(plan.stem.parent_path());
 }
 
+/// The units of the column that the model may hold: below its topography and above its bottom.
+std::vector<std::string> column_inside(const NamingRules& naming) {
+  std::vector<std::string> column = naming.column;
+  const auto bottom = std::find(column.begin(), column.end(), naming.floor);
+  if (bottom != column.end()) column.erase(bottom, column.end());
+  const auto top = std::find(column.begin(), column.end(), naming.topography);
+  if (top != column.end()) column.erase(column.begin(), top + 1);
+  return column;
+}
+
+/// Units without a region are warned of; the verdict counts all warnings. Empty where no project says what is wanted.
+std::string judge_model(PreparedModel& model, const ModelMesh& mesh, const RunContext& context) {
+  if (model.command != "project") return "";
+  const std::vector<std::string> column = column_inside(model.naming);
+  const std::vector<MissingUnit> missing = missing_units(column, mesh);
+  std::size_t n_eroded = 0;  // the youngest units, which a topography may have taken away
+  while (!model.naming.topography.empty() && n_eroded < missing.size() &&
+         missing[n_eroded].name == column[2 * n_eroded])
+    ++n_eroded;
+  const std::vector<MissingUnit> lost(missing.begin() + static_cast<std::ptrdiff_t>(n_eroded), missing.end());
+  if (!lost.empty()) warn(model.warnings, context, describe_missing(lost, (column.size() + 1) / 2));
+  return model_verdict(missing, column, model.warnings.size());
+}
+
 /// What of the stage `verify` is done once the mesh has been named and verified, and once its shapes have been
 /// measured.
 constexpr double verified_share = 0.65, measured_share = 0.9;
@@ -306,7 +331,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   }
   report.mesh = &mesh;
   report.tops = measure_tops(model.tops, mesh);
-  Summary summary = summarise(report, model.refinement);
+  Summary summary = summarise(report, model.refinement, judge_model(model, mesh, recorder.context()));
   result.summary = std::move(summary.lines);
   result.details = std::move(summary.details);
   {

@@ -44,6 +44,7 @@ struct PreparedModel {
   std::string input_json;
   std::vector<std::string> notes;  ///< what was found before meshing and what rules changed
   std::vector<std::string> warnings;
+  std::vector<std::string> doubted;  ///< inputs that a warning before the work was about: not warned of for this again
 };
 
 struct OutputPlan {

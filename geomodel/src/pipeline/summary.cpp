@@ -112,7 +112,7 @@ std::string shapes(const QualityReport& quality) {
 
 }  // namespace
 
-Summary summarise(const Report& report, const RefinementSettings& refinement) {
+Summary summarise(const Report& report, const RefinementSettings& refinement, const std::string& of_model) {
   const ModelMesh& mesh = *report.mesh;
   Summary summary;
   summary.lines.push_back(grouped_words(mesh.tetrahedra.size()) + " tetrahedra, " + grouped_words(mesh.points.size()) +
@@ -123,11 +123,13 @@ Summary summarise(const Report& report, const RefinementSettings& refinement) {
   summary.details.push_back(grouped_words(mesh.faces.size()) + " faces on surfaces");
   if (!refinement.refine) {
     summary.lines.emplace_back(no_mesh_for_solvers);
+    if (!of_model.empty()) summary.lines.push_back(of_model);
     return summary;
   }
   summary.lines.push_back(steering(refinement, mesh));
   const std::vector<std::string> verdict = to_lines(*report.solver);
   summary.lines.push_back(verdict.front());
+  if (!of_model.empty()) summary.lines.push_back(of_model);
   summary.details.push_back(shapes(*report.quality));
   summary.details.insert(summary.details.end(), verdict.begin() + 1, verdict.end());
   return summary;

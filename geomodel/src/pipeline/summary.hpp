@@ -16,7 +16,8 @@ struct Summary {
   std::vector<std::string> details;  ///< every region, shapes of the elements, what solvers would fail at
 };
 
-/// Of a report whose mesh, quality and verdict are set. `refinement` is what was asked of the mesh.
-Summary summarise(const Report& report, const RefinementSettings& refinement);
+/// Of a report whose mesh, quality and verdict are set. `refinement` is what was asked of the mesh, `verdict` what is
+/// said of the model beside that of the elements (report/model_verdict.hpp); empty: nothing.
+Summary summarise(const Report& report, const RefinementSettings& refinement, const std::string& verdict);
 
 }  // namespace geomesh::geomodel

@@ -2,6 +2,7 @@
 #include "project/read_coordinates.hpp"
 
 #include "coordinates/crs.hpp"
+#include "project/read_reading.hpp"
 #include "readers/text/units.hpp"
 
 namespace geomesh::geomodel {
@@ -61,6 +62,7 @@ void read_source(const YamlMap& map, SourceSpec& source) {
   if (const auto v = map.find("z_unit")) read_unit(*v, source.z_unit);
   if (const auto v = map.find("z")) source.depth = read_direction(*v);
   if (const auto v = map.find("z_datum")) source.z_datum = v->number().value_or(0);
+  read_reading(map, source.reading);
 }
 
 }  // namespace geomesh::geomodel

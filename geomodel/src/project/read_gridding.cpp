@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "project/read_gridding.hpp"
-
 #include <cmath>
+
+#include "project/read_reading.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -25,7 +25,7 @@ void read_method(const YamlValue& value, SurfaceSpec& spec) {
   if (const auto v = map.find("max_distance")) read_length(*v, spec.gridding.max_distance);
   if (const auto v = map.find("extent")) {
     spec.gridding.to_box = v->choice({"data", "box"}) == "box";
-    if (spec.gridding.to_box && spec.kind != SurfaceKind::horizon)
+    if (spec.gridding.to_box && !spec.may_be(SurfaceKind::horizon))
       v->problem("only a horizon is gridded over the box; a fault goes on by 'extent: to_box' of the surface");
   }
   if (spec.gridding.method == GriddingSpec::Method::triangulate) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Keys that make surfaces: of points (`gridding`, `resample`, `smooth`), of fields (`field`, `value`, `array`,
-/// `origin`, `spacing`), and the key `fractures` of a project.
+/// Keys that make surfaces of fields (`field`, `value`, `array`, `origin`, `spacing`), and the key `fractures` of a
+/// project.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,10 @@
 
 #include "fractures/fracture.hpp"
 #include "geomesh/geomodel/project.hpp"
+#include "project/read_reading.hpp"
 #include "project/yaml_values.hpp"
 
 namespace geomesh::geomodel {
-
-void read_gridding(const YamlMap& map, SurfaceSpec& spec);
 
 const std::vector<std::string_view>& level_set_keys();
 

@@ -11,6 +11,7 @@
 #include "project/read_gridding.hpp"
 #include "project/read_mesh_settings.hpp"
 #include "project/read_output.hpp"
+#include "project/read_reading.hpp"
 #include "project/read_rules.hpp"
 #include "project/read_volume.hpp"
 #include "project/yaml_values.hpp"
@@ -29,6 +30,8 @@ std::string yaml_advice(const std::string& text, int line) {
     begin = end + 1;
   }
   if (near.find('\t') != std::string::npos) return "; there is a tab near it: YAML is indented with blanks alone";
+  if (near.find('\\') != std::string::npos && near.find('"') != std::string::npos)
+    return "; a backslash between double quotes begins an escape: write paths with / or without the quotes";
   static const std::string colon_letter = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[{";
   for (std::size_t at = near.find(':'); at != std::string::npos; at = near.find(':', at + 1))
     if (at + 1 < near.size() && colon_letter.find(near[at + 1]) != std::string::npos)
@@ -104,7 +107,7 @@ class ProjectReader {
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
-    if (const auto v = map.find("box")) project_.box = read_volume(*v);
+    if (const auto v = map.find("box")) project_.box = read_volume(*v).value_or(VolumeSpec{});  // a wrong one is told
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
     }
@@ -126,6 +129,7 @@ class ProjectReader {
     if (const auto v = map.find("colours")) read_colours(*v, project_);
     finish_volume(root, project_);
     finish_rules(root, project_);
+    finish_below(root, project_);
     if (const auto v = map.find("tolerance")) read_tolerance(*v);
     if (const auto v = map.find("mesh")) {
       read_mesh(*v);
@@ -226,8 +230,9 @@ class ProjectReader {
   }
 
   void read_surface(const YamlValue& value) {
-    std::vector<std::string_view> keys{"name", "kind",    "file",     "object",   "crs",    "unit",          "z_unit",
-                                       "z",    "z_datum", "gridding", "resample", "smooth", "fault_polygons"};
+    std::vector<std::string_view> keys{"name",           "kind",    "file",    "object",   "crs",      "unit",
+                                       "z_unit",         "z",       "z_datum", "gridding", "resample", "smooth",
+                                       "fault_polygons", "columns", "no_data", "below",    "extrude"};
     keys.insert(keys.end(), surface_rule_keys().begin(), surface_rule_keys().end());
     keys.insert(keys.end(), level_set_keys().begin(), level_set_keys().end());
     const YamlMap map(value, keys);
@@ -237,18 +242,35 @@ class ProjectReader {
     if (const auto v = map.require("name", "each surface needs a name")) {
       if (read_name(*v, spec.name)) claim_name(*v, spec.name);
     }
+    spec.kind = SurfaceKind::surface;  // until it is known: what goes with which kind cannot be said
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
-      spec.kind = kind == "fault" ? SurfaceKind::fault : kind == "body" ? SurfaceKind::body : SurfaceKind::horizon;
+      if (kind)
+        spec.kind = *kind == "fault" ? SurfaceKind::fault : *kind == "body" ? SurfaceKind::body : SurfaceKind::horizon;
     }
-    read_shape(map, spec);
+    read_made_surface(map, spec,
+                      [&](const YamlValue& v, auto& file, auto& as_written) { read_file(v, file, as_written); });
+    if (spec.below.empty()) read_shape(map, spec);
     spec.cuts_all = spec.kind == SurfaceKind::body;
-    if (const auto v = map.find("cuts")) read_cuts(*v, spec);
     read_source(map, spec.source);
+    if (const auto v = map.find("cuts")) read_cuts(*v, spec);
     read_gridding(map, spec);
     read_surface_rules(map, spec);
     if (const auto v = map.find("fault_polygons")) read_fault_polygons_spec(*v, spec);
-    project_.surfaces.push_back(std::move(spec));
+    if (spec.source.object != "*" || !problems_.empty()) {
+      project_.surfaces.push_back(std::move(spec));
+    } else {
+      add_all_objects(map.value(), spec);
+    }
+  }
+
+  /// `object: "*"`: an entry for each object of the file; bodies also make a group of the entry's name.
+  void add_all_objects(const YamlValue& value, const SurfaceSpec& spec) {
+    for (SurfaceSpec& entry : entries_of_all_objects(spec)) {
+      claim_name(value, entry.name);
+      if (entry.kind == SurfaceKind::body) project_.naming.groups[spec.name].push_back(entry.name);
+      project_.surfaces.push_back(std::move(entry));
+    }
   }
 
   void add_fractures(const YamlValue& value) {
@@ -269,12 +291,12 @@ class ProjectReader {
     if (const auto v = map.require("file", "the file of the polygons"))
       read_file(*v, polygons.file, polygons.file_as_written);
     read_source(map, polygons.source);
-    if (spec.kind != SurfaceKind::horizon) value.problem("only a horizon has fault polygons");
+    if (!spec.may_be(SurfaceKind::horizon)) value.problem("only a horizon has fault polygons");
     spec.rules.throw_at_polygons = true;
   }
 
   void read_well(const YamlValue& value) {
-    const YamlMap map(value, {"name", "file", "object", "crs", "unit", "z_unit", "z", "z_datum"});
+    const YamlMap map(value, {"name", "file", "object", "crs", "unit", "z_unit", "z", "z_datum", "columns", "head"});
     if (!map.is_map()) return;
     WellSpec spec;
     spec.line = map.place().line;
@@ -283,6 +305,7 @@ class ProjectReader {
     }
     read_content(map, "the file of the well's path", spec);
     read_source(map, spec.source);
+    if (const auto v = map.find("head")) spec.head = v->point();
     project_.wells.push_back(std::move(spec));
   }
 
@@ -349,7 +372,7 @@ class ProjectReader {
       const std::string meant = was_meant(name, horizons);
       value.problem("a horizon was expected here, but no surface is named '" + name + "'" +
                     (meant.empty() ? "; horizons are " + (horizons.empty() ? "none" : listed(horizons)) : meant));
-    } else if (it->kind != SurfaceKind::horizon) {
+    } else if (!it->may_be(SurfaceKind::horizon)) {
       value.problem("a horizon was expected here, but '" + name + "' is a " + to_string(it->kind) + on_line(it->line));
     }
   }

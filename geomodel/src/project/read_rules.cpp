@@ -26,7 +26,7 @@ std::vector<std::string> read_names(const YamlValue& value) {
 void read_extent(const YamlValue& value, SurfaceSpec& spec) {
   const auto text = value.text();
   if (!text) return;
-  if (spec.kind != SurfaceKind::fault)
+  if (!spec.may_be(SurfaceKind::fault))
     return value.problem("only a fault has an extent; for other surfaces see 'extend'");
   if (*text == "as_given") {
     spec.rules.extend = Extend::none;
@@ -52,9 +52,10 @@ const std::vector<std::string_view>& surface_rule_keys() {
 }
 
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
-  if (const auto v = map.find("thickness")) {
+  if (const auto v = spec.below.empty() ? map.find("thickness") : std::nullopt) {
     read_measure(*v, spec.rules.thickness);
-    if (spec.kind != SurfaceKind::body) v->problem("only a body has a thickness: a dyke or sill, given as a sheet");
+    if (!spec.may_be(SurfaceKind::body))
+      v->problem("only a body has a thickness: a dyke or sill, given as a sheet; a horizon has it together with below");
     if (!(spec.rules.thickness > 0)) v->problem("a number above zero was expected");
   }
   if (const auto v = map.find("extend")) {
@@ -78,7 +79,7 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   if (const auto v = map.find("throw_at")) {
     spec.rules.throw_auto = v->scalar() == "auto";
     if (!spec.rules.throw_auto) spec.rules.throw_at = read_names(*v);
-    if (spec.kind != SurfaceKind::horizon)
+    if (!spec.may_be(SurfaceKind::horizon))
       v->problem("only a horizon has throw; name the faults at the horizons that they displace");
   }
   if (const auto v = map.find("smeared_throw")) {
@@ -89,7 +90,7 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   if (const auto v = map.find("base")) {
     const auto word = v->choice({"conformable", "erode", "onlap"});
     spec.rules.base = word == "erode" ? BaseRule::erode : word == "onlap" ? BaseRule::onlap : BaseRule::conformable;
-    if (spec.kind != SurfaceKind::horizon) v->problem("only a horizon is the base of a unit");
+    if (!spec.may_be(SurfaceKind::horizon)) v->problem("only a horizon is the base of a unit");
   }
 }
 
@@ -122,7 +123,7 @@ void read_model_rules(const YamlValue& value, Project& project) {
   if (const auto v = map.find("topography")) {
     project.naming.topography = v->text().value_or("");
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
-      return s.name == project.naming.topography && s.kind == SurfaceKind::horizon;
+      return s.name == project.naming.topography && s.may_be(SurfaceKind::horizon);
     });
     if (!known) v->problem("a horizon was expected, but no horizon is named '" + project.naming.topography + "'");
   }
@@ -236,12 +237,12 @@ void check_throw(const YamlValue& root, const Project& project, const SurfaceSpe
                  "' is to be continued to its faults (throw_at, fault_polygons), which needs a box");
   for (const std::string& name : spec.rules.throw_at) {
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
-      return s.name == name && s.kind == SurfaceKind::fault;
+      return s.name == name && s.may_be(SurfaceKind::fault);
     });
     if (known) continue;
     std::vector<std::string_view> faults;
     for (const SurfaceSpec& s : project.surfaces)
-      if (s.kind == SurfaceKind::fault) faults.push_back(s.name);
+      if (s.may_be(SurfaceKind::fault)) faults.push_back(s.name);
     root.problem("horizon '" + spec.name + "' is to have throw at '" + name + "', which is no fault; faults are " +
                  (faults.empty() ? "none" : listed(faults)));
   }

@@ -159,7 +159,7 @@ void finish_volume(const YamlValue& root, Project& project) {
   const auto check = [&](const std::string& name, const char* key) {
     if (name.empty()) return;
     const bool known = std::any_of(project.surfaces.begin(), project.surfaces.end(), [&](const SurfaceSpec& s) {
-      return s.name == name && s.kind == SurfaceKind::horizon;
+      return s.name == name && s.may_be(SurfaceKind::horizon);
     });
     if (!known)
       root.problem(std::string("box.") + key + ": a height or a horizon was expected, but no horizon is named '" +

@@ -2,6 +2,7 @@
 #include "geomesh/geomodel/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 namespace geomesh::geomodel {
@@ -61,6 +62,18 @@ std::string file_was_meant(const std::filesystem::path& file) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
+  // The same name with another ending or in another case is meant before one that differs by letters.
+  const auto lower = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+      return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
+    });
+    return text;
+  };
+  const std::string whole = lower(file.filename().string()), stem = lower(file.stem().string());
+  for (const std::string& name : names)
+    if (lower(name) == whole) return "; was '" + name + "' meant?";
+  for (const std::string& name : names)
+    if (lower(std::filesystem::path(name).stem().string()) == stem) return "; was '" + name + "' meant?";
   return was_meant(file.filename().string(), {names.begin(), names.end()});
 }
 

@@ -4,6 +4,7 @@
 /// tell); `read_...` throws Error{invalid_input} with file and line.
 #pragma once
 
+#include "geomesh/geomodel/readers.hpp"
 #include "geomesh/geomodel/surface.hpp"
 #include "readers/text/input_file.hpp"
 
@@ -68,5 +69,9 @@ FileContents read_petrel_points(const InputFile& file);
 
 bool is_xyz(const InputFile& file);
 FileContents read_xyz(const InputFile& file);
+
+/// The wells of a table, one polyline for each name in its column of wells, or one alone. Throws Error{invalid_input}
+/// where the columns are not known, or a survey has no head.
+FileContents read_well_table(const InputFile& file, const WellReading& reading);
 
 }  // namespace geomesh::geomodel

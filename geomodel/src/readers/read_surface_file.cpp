@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which reader reads a file: its content decides, its extension only where the content cannot tell.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "geomesh/geomodel/readers.hpp"
 #include "readers/formats.hpp"
+#include "readers/text/no_data.hpp"
 #include "readers/text/text.hpp"
+#include "readers/text/units.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -51,8 +55,51 @@ const Format* by_extension(const InputFile& file) {
   return nullptr;
 }
 
+/// Formats that hold no surface that could be read, and what to do with them.
+struct Stranger {
+  std::string_view begins;  ///< first bytes of the file; empty: told by the extension alone
+  const char* extensions;   ///< blank-separated
+  const char* advice;
+};
+constexpr std::array strangers{
+    Stranger{{"PK\x03\x04", 4},
+             ".xlsx .xlsm .ods",
+             "a workbook of Excel or LibreOffice is not read: save the sheet with the points as CSV"},
+    Stranger{{"\xd0\xcf\x11\xe0", 4}, ".xls", "a workbook of Excel is not read: save the sheet with the points as CSV"},
+    Stranger{{},
+             ".sgy .segy",
+             "SEG-Y holds seismic traces, not surfaces: export the interpreted horizons and faults from the "
+             "interpretation program as points (XYZ), ZMAP+, CPS-3 or GOCAD"},
+    Stranger{{"~V", 2},
+             ".las",
+             "LAS holds logs along a well, not its path: give the deviation survey (MD, inclination, azimuth) or x, y, "
+             "z of the path as a table"},
+    Stranger{{"\0\0\x27\x0a", 4},
+             ".shp",
+             "a Shapefile is not read: convert it, e.g. ogr2ogr -f CSV points.csv FILE.shp -lco GEOMETRY=AS_XYZ, or to "
+             "DXF with ogr2ogr -f DXF lines.dxf FILE.shp"},
+    Stranger{{"SQLite format 3", 15},
+             ".gpkg",
+             "a GeoPackage is not read: convert it, e.g. ogr2ogr -f CSV points.csv FILE.gpkg -lco GEOMETRY=AS_XYZ, or "
+             "to DXF with ogr2ogr -f DXF lines.dxf FILE.gpkg"},
+    Stranger{{"CDF", 3}, ".nc", "a netCDF grid is not read: convert it with gdal_translate -of GTiff FILE.nc grid.tif"},
+    Stranger{{"\x89HDF", 4},
+             ".nc4 .h5 .hdf5",
+             "an HDF5 or netCDF-4 grid is not read: convert it with gdal_translate -of GTiff FILE grid.tif"},
+    Stranger{{"\xff\xfe", 2}, "", "the text is UTF-16 ('Unicode text'): save it as CSV or as text in UTF-8"},
+};
+
+void refuse_strangers(const InputFile& file) {
+  for (const Stranger& stranger : strangers) {
+    const std::string all = std::string(stranger.extensions) + " ", own = file.extension();
+    const bool begins = !stranger.begins.empty() && file.text().starts_with(stranger.begins);
+    if (begins || (!own.empty() && all.find(own + " ") != std::string::npos)) file.fail(stranger.advice);
+  }
+}
+
 [[noreturn]] void refuse_unknown(const InputFile& file) {
   if (trim(file.text()).empty()) file.fail("the file is empty");
+  refuse_strangers(file);
   if (const Format* f = by_extension(file)) {
     file.fail(std::string(looks_binary(file) ? "a binary file, not " : "does not begin as ") + f->name +
               ", though its extension says so");
@@ -65,11 +112,111 @@ const Format* by_extension(const InputFile& file) {
 
 }  // namespace
 
-FileContents read_surface_file(const std::filesystem::path& path) {
-  const InputFile file = load_input_file(path);
+namespace {
+
+/// Leaves out the points that no triangle uses; the others keep their order.
+void keep_used_points(TriangulatedSurface& surface) {
+  std::vector<VertexIndex> row(surface.points.size(), no_vertex);
+  for (const Triangle& t : surface.triangles)
+    for (const VertexIndex v : t) row[v] = 0;
+  std::vector<Vec3> kept;
+  for (std::size_t v = 0; v < row.size(); ++v) {
+    if (row[v] == no_vertex) continue;
+    row[v] = static_cast<VertexIndex>(kept.size());
+    kept.push_back(surface.points[v]);
+  }
+  for (Triangle& t : surface.triangles)
+    for (VertexIndex& v : t) v = row[v];
+  surface.points = std::move(kept);
+}
+
+/// Vertices and points whose heights stand for "no value". Grids and tables have done this as they were read, before
+/// their units were converted; other formats convert while they read, so that values are compared as the file has them.
+void drop_no_data(const InputFile& file, FileContents& contents) {
+  const SourceFrame& frame = contents.frame;
+  const std::string& unit = frame.z_unit.empty() ? frame.unit : frame.z_unit;
+  const double factor = length_unit_in_metres(unit).value_or(1) * (frame.depth ? -1 : 1);
+  const auto heights_of = [&](const std::vector<Vec3>& points) {
+    std::vector<double> heights;
+    heights.reserve(points.size());
+    for (const Vec3& p : points) {
+      const double v = p.z / factor, rounded = std::round(v * 1000) / 1000;
+      heights.push_back(std::abs(v - rounded) <= 1e-12 * std::abs(v) ? rounded : v);
+    }
+    return heights;
+  };
+  const auto find = [&](const std::string& name, const std::vector<Vec3>& points, const std::vector<double>& heights,
+                        const char* what) {
+    std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+    std::erase_if(odd, [](const OddHeight& o) { return o.kind != OddHeight::Kind::no_data; });
+    for (std::string& text :
+         describe_odd_heights(odd, name, what, [&](std::size_t row) { return map_place_words(points[row]); }))
+      contents.warnings.push_back(std::move(text));
+    return odd;
+  };
+  for (TriangulatedSurface& surface : contents.surfaces) {
+    const bool from_grid = std::any_of(contents.grids.begin(), contents.grids.end(),
+                                       [&](const GridSummary& g) { return g.surface == surface.name; });
+    if (from_grid) continue;
+    const std::vector<double> heights = heights_of(surface.points);
+    const auto odd = find(surface.name, surface.points, heights, "vertices");
+    if (odd.empty()) continue;
+    std::erase_if(surface.triangles, [&](const Triangle& t) {
+      return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return is_left_out(heights[v], odd); });
+    });
+    if (surface.triangles.empty()) file.fail("no triangle of '" + surface.name + "' has heights at its corners");
+    keep_used_points(surface);
+    contents.regions.clear();  // they name triangles by their rows
+  }
+  for (PointSet& set : contents.point_sets) {
+    const std::vector<double> heights = heights_of(set.points);
+    const auto odd = find(set.name, set.points, heights, "points");
+    std::size_t row = 0;
+    std::erase_if(set.points, [&](const Vec3&) { return is_left_out(heights[row++], odd); });
+  }
+}
+
+/// Names and messages in UTF-8, whatever the file was written in.
+void names_in_utf8(FileContents& contents) {
+  const auto fix = [](std::string& text) { text = as_utf8(text); };
+  for (auto& s : contents.surfaces) fix(s.name);
+  for (auto& l : contents.polylines) fix(l.name);
+  for (auto& p : contents.points) fix(p.name);
+  for (auto& s : contents.point_sets) fix(s.name);
+  for (auto& r : contents.regions) fix(r.name);
+  for (auto& g : contents.grids) fix(g.surface);
+  for (auto* texts : {&contents.arrays, &contents.notes, &contents.warnings})
+    for (std::string& text : *texts) fix(text);
+}
+
+}  // namespace
+
+static InputFile load(const std::filesystem::path& path, const ReadOptions& options) {
+  InputFile file = load_input_file(path);
+  file.options = options;
+  if (file.text().starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);  // the mark that Windows writes before UTF-8
+  return file;
+}
+
+FileContents read_well_file(const std::filesystem::path& path, const WellReading& reading) {
+  const InputFile file = load(path, reading.options);
+  const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.recognises(file); });
+  if (format == formats.end() && (looks_binary(file) || trim(file.text()).empty())) refuse_unknown(file);
+  if (format == formats.end()) refuse_strangers(file);
+  const bool is_table = format == formats.end() || format->read == read_xyz;
+  FileContents contents = is_table ? read_well_table(file, reading) : format->read(file);
+  names_in_utf8(contents);
+  return contents;
+}
+
+FileContents read_surface_file(const std::filesystem::path& path, const ReadOptions& options) {
+  const InputFile file = load(path, options);
   for (const Format& format : formats) {
     if (!format.recognises(file)) continue;
-    return format.read(file);
+    FileContents contents = format.read(file);
+    drop_no_data(file, contents);
+    names_in_utf8(contents);
+    return contents;
   }
   refuse_unknown(file);
 }

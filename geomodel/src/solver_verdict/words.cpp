@@ -42,11 +42,11 @@ std::string steps(const SolverVerdict& v) {
 std::vector<std::string> to_lines(const SolverVerdict& v) {
   std::vector<std::string> lines;
   if (v.passes()) {
-    lines.push_back("fit for solvers: every element has a positive volume, dihedral angles are " +
+    lines.push_back("elements are fit for solvers: every one has a positive volume, dihedral angles are " +
                     short_words(v.min_dihedral) + " to " + short_words(v.max_dihedral) + " degrees");
   } else {
     const WorstForSolver& worst = v.n_not_positive > 0 ? v.flattest : v.sharpest;
-    lines.push_back("not fit for solvers: " + counted(v.n_implicit, "of ") +
+    lines.push_back("elements are not fit for solvers: " + counted(v.n_implicit, "of ") +
                     counted(v.n_tetrahedra, "elements are too flat, the worst at ") + place_words(worst.place));
   }
   lines.push_back("  " + shapes(v));

@@ -237,16 +237,3 @@ TEST_CASE("a box in longitude and latitude becomes an upright rectangle inside i
     }
   CHECK(box.max.x - box.min.x > 0.95 * 13700);  // 0.2 degrees of longitude there are 13.7 km
 }
-
-TEST_CASE("a surface outside the box is told which unit or direction would bring it in", "[coordinates]") {
-  const Project project = project_in("local");
-  const ModelFrame frame(project, {});
-  const Box3 box{{10000, 20000, -3000}, {20000, 30000, 0}};
-  const auto guess = [&](Box3 b) { return frame.guess_why_outside(b, box); };
-  CHECK(guess({{11000, 21000, -2000}, {19000, 29000, -1000}}).empty());
-  CHECK(guess({{36000, 70000, -2000}, {62000, 95000, -1000}}).find("feet where metres") != std::string::npos);
-  CHECK(guess({{11, 21, -2}, {19, 29, -1}}).find("kilometres where metres") != std::string::npos);
-  CHECK(guess({{11000, 21000, 1000}, {19000, 29000, 2000}}).find("z: depth") != std::string::npos);
-  CHECK(guess({{11000, 21000, -8000}, {19000, 29000, -4000}}).find("z were in feet") != std::string::npos);
-  CHECK(guess({{5e6, 5e6, 0}, {6e6, 6e6, 1}}).empty());
-}

@@ -34,7 +34,7 @@ TEST_CASE("A good tetrahedron is fit for solvers, and its time step is its least
   const SolverVerdict with_velocity = verdict_of(with_height(1), 2000);
   CHECK(with_velocity.has_velocities);
   CHECK(with_velocity.time_step == Approx(v.time_step / 2000));
-  CHECK(to_lines(v).front().find("fit for solvers") == 0);
+  CHECK(to_lines(v).front().find("elements are fit for solvers") == 0);
 }
 
 TEST_CASE("A tetrahedron that 16 digits flatten is not fit, whatever its exact volume", "[solver_verdict]") {
@@ -42,7 +42,7 @@ TEST_CASE("A tetrahedron that 16 digits flatten is not fit, whatever its exact v
   const SolverVerdict flat = verdict_of(with_height(1e-18));
   CHECK_FALSE(flat.passes());
   CHECK(flat.n_implicit == 1);
-  CHECK(to_lines(flat).front().find("not fit for solvers") == 0);
+  CHECK(to_lines(flat).front().find("elements are not fit for solvers") == 0);
   const SolverVerdict far = verdict_of({{1e6, 0, 0}, {1e6 + 1, 0, 0}, {1e6, 1, 0}, {1e6 + 0.3, 0.3, 1e-17}});
   CHECK_FALSE(far.passes());
   const SolverVerdict inverted = verdict_of(with_height(-1));

@@ -16,8 +16,10 @@
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/palette.hpp"
+#include "geomesh/geomodel/read_options.hpp"
 #include "geomesh/geomodel/refinement.hpp"
 #include "geomesh/geomodel/scalar_field.hpp"
+#include "geomesh/geomodel/section.hpp"
 #include "geomesh/geomodel/surface.hpp"
 #include "geomesh/geomodel/tops.hpp"
 #include "geomesh/geomodel/write_options.hpp"
@@ -32,6 +34,7 @@ struct SourceSpec {
   std::string z_unit;         ///< of z alone; empty: as unit
   std::optional<bool> depth;  ///< empty: the file's own, else the project's
   double z_datum = 0;         ///< elevation of the input's zero in the project's height system, in the project's unit
+  ReadOptions reading;        ///< `columns` and `no_data`
 };
 
 /// Key `fault_polygons` of a horizon.
@@ -54,8 +57,14 @@ struct SurfaceSpec {
   double resample = 0;    ///< length of the edges of the surface remade; 0: as it is
   int smooth = 0;         ///< passes of smoothing
   FaultPolygonsSpec fault_polygons;
+  std::string below;               ///< a horizon: this one lies below it, by `thickness` or the heights of the file
+  std::optional<double> below_by;  ///< `thickness` as a number; empty: the file holds thicknesses
+  ExtrudeSpec extrude;
   SurfaceRules rules;  ///< `extend`, `fill_holes`, `extent`, `base`
   int line = 0;        ///< where it stands in the project file, from 1
+
+  /// False where it is known to be another; a wrong word for the kind is one problem and no more.
+  bool may_be(SurfaceKind wanted) const { return kind == wanted || kind == SurfaceKind::surface; }
 };
 
 struct WellSpec {
@@ -64,6 +73,7 @@ struct WellSpec {
   std::string file_as_written;
   std::shared_ptr<const FileContents> given;  ///< as of surfaces
   SourceSpec source;
+  std::optional<Vec3> head;  ///< where measured depth is zero, in the coordinates of the entry
   int line = 0;
 };
 

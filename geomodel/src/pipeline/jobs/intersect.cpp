@@ -64,6 +64,7 @@ void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
     if (origin.surface < present.size()) present[origin.surface] = true;
   for (std::size_t s = 0; s < model.surfaces.size(); ++s) {
     if (present[s] || model.surfaces[s].triangles.empty()) continue;
+    if (std::find(model.doubted.begin(), model.doubted.end(), model.surfaces[s].name) != model.doubted.end()) continue;
     Box3 extent;
     for (const Vec3& p : model.surfaces[s].points) extent.add(p);
     char text[200];

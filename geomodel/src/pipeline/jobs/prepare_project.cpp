@@ -10,6 +10,7 @@
 #include "grid_sizes/size_grid.hpp"
 #include "level_sets/level_surfaces.hpp"
 #include "pipeline/jobs/prepare.hpp"
+#include "plausibility/plausibility.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -119,6 +120,20 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+/// Nonsense ends the run here, before anything is built; doubts are warnings, and what may be meant is a note.
+void doubt_inputs(const Project& project, const ProjectInputs& inputs, PreparedModel& model,
+                  const RunContext& context) {
+  std::optional<Box3> volume;
+  if (inputs.volume) volume = model.volume.bounds;
+  const std::vector<Finding> findings = find_doubts(project, inputs, volume);
+  for (const Finding& finding : findings) {
+    if (finding.sureness == Finding::Sureness::possible) note(model.notes, context, to_text(finding));
+    if (finding.sureness == Finding::Sureness::probable) warn(model.warnings, context, to_text(finding));
+    model.doubted.insert(model.doubted.end(), finding.inputs.begin(), finding.inputs.end());
+  }
+  refuse_nonsense(findings);
+}
+
 }  // namespace
 
 void prepare_project(const Project& project, PreparedModel& model, const RunContext& context) {
@@ -130,6 +145,11 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   }();
   for (std::string& text : inputs.notes) note(model.notes, context, std::move(text));
   for (std::string& text : inputs.warnings) warn(model.warnings, context, std::move(text));
+  if (inputs.volume) {
+    model.volume = make_volume(*inputs.volume, inputs.surfaces, Vec3{});
+    if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
+  }
+  doubt_inputs(project, inputs, model, context);
   model.surfaces = std::move(inputs.surfaces);
   model.points = std::move(inputs.points);
   model.tops = std::move(inputs.tops);
@@ -137,6 +157,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   for (NamedPoint& seed : model.naming.seeds) seed.point = inputs.frame.point(seed.point);
   model.system = inputs.frame.system().name();
   model.rules = project.rules;
+  if (inputs.volume) model.rules.box = model.volume.bounds;
   model.origin = project.output.origin;
   model.unit = project.crs.unit;
   model.options = project.mesh.options;
@@ -145,11 +166,6 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   load_background(model.refinement.size, model.origin);
   ArrangementOptions options;
   options.tolerance = project.tolerance;
-  if (inputs.volume) {
-    model.volume = make_volume(*inputs.volume, model.surfaces, Vec3{});
-    if (!model.volume.note.empty()) note(model.notes, context, model.volume.note);
-    model.rules.box = model.volume.bounds;
-  }
   settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
                model.naming.attributes, model.origin);
   refuse_sizes(model, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces));

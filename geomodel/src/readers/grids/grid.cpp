@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "readers/text/no_data.hpp"
+
 namespace geomesh::geomodel {
 namespace {
 
@@ -137,8 +139,27 @@ TriangulatedSurface triangulate_lattice(const NodeLattice& lattice, Diagonal dia
   return surface;
 }
 
-void add_lattice(const InputFile& file, std::string name, const NodeLattice& lattice, GridSummary summary,
+namespace {
+
+/// Nodes whose heights stand for "no value" lose them, and odd heights are told.
+void drop_no_data(const InputFile& file, const std::string& name, NodeLattice& lattice, FileContents& contents) {
+  std::vector<double> heights;
+  heights.reserve(lattice.nodes.size());
+  for (const Vec3& p : lattice.nodes) heights.push_back(p.z);
+  const std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+  if (odd.empty()) return;
+  for (std::string& text :
+       describe_odd_heights(odd, name, "nodes", [&](std::size_t row) { return map_place_words(lattice.nodes[row]); }))
+    contents.warnings.push_back(std::move(text));
+  for (Vec3& p : lattice.nodes)
+    if (is_left_out(p.z, odd)) p.z = std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+void add_lattice(const InputFile& file, std::string name, NodeLattice lattice, GridSummary summary,
                  FileContents& contents) {
+  drop_no_data(file, name, lattice, contents);
   std::size_t n_left_out = 0;
   TriangulatedSurface surface = triangulate_lattice(lattice, Diagonal::of_less_relief, n_left_out);
   if (surface.triangles.empty()) file.fail("the grid is empty: no cell has three nodes with values");

@@ -62,8 +62,9 @@ TriangulatedSurface triangulate_lattice(const NodeLattice& lattice, Diagonal dia
 /// cell is complete.
 FileContents grid_contents(const InputFile& file, std::string format, const Grid& grid);
 
-/// Appends a lattice as a surface; `summary` is completed with its counts. Errors as above.
-void add_lattice(const InputFile& file, std::string name, const NodeLattice& lattice, GridSummary summary,
+/// Appends a lattice as a surface; `summary` is completed with its counts. Heights that stand for "no value" though no
+/// header says so are left out with a warning (readers/text/no_data.hpp). Errors as above.
+void add_lattice(const InputFile& file, std::string name, NodeLattice lattice, GridSummary summary,
                  FileContents& contents);
 
 }  // namespace geomesh::geomodel

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "readers/text/frame.hpp"
+#include "readers/text/no_data.hpp"
 #include "readers/text/units.hpp"
 
 namespace geomesh::geomodel {
@@ -31,8 +32,30 @@ std::size_t end_of_field(std::string_view rest, char delimiter) {
   return rest.size();
 }
 
-/// "Depth [ft]", "Z (m)", "depth_ft": the name and its unit.
-std::pair<std::string, std::string> name_and_unit(std::string_view text) {
+bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+bool is_longitude(std::string_view n) { return one_of(n, {"lon", "long", "longitude", "lng"}); }
+bool is_latitude(std::string_view n) { return one_of(n, {"lat", "latitude"}); }
+bool is_x(std::string_view n) {
+  return is_longitude(n) || one_of(n, {"x", "easting", "east", "e", "x_coord", "xcoord", "coord_x", "x_utm", "utm_x",
+                                       "utmx", "xx", "x_easting", "rechtswert", "ostwert", "este", "x-coordinate"});
+}
+bool is_y(std::string_view n) {
+  return is_latitude(n) || one_of(n, {"y", "northing", "north", "n", "y_coord", "ycoord", "coord_y", "y_utm", "utm_y",
+                                      "utmy", "yy", "y_northing", "hochwert", "nordwert", "norte", "y-coordinate"});
+}
+/// Rank of a column that parts points into sets, from 1; 0: none.
+std::size_t group_rank(std::string_view n) {
+  static constexpr std::string_view words[] = {"formation", "surface", "horizon", "layer",  "unit", "feature_name",
+                                               "feature",   "fault",   "name",    "object", "id",   "val"};
+  const auto* it = std::find(std::begin(words), std::end(words), n);
+  return it == std::end(words) ? 0 : static_cast<std::size_t>(it - std::begin(words)) + 1;
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> column_name_and_unit(std::string_view text) {
   std::string name = to_lower(without_quotes(text)), unit;
   const std::size_t open = name.find_first_of("[(");
   if (open != std::string::npos) {
@@ -49,29 +72,6 @@ std::pair<std::string, std::string> name_and_unit(std::string_view text) {
   return {name, unit};
 }
 
-bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-bool is_longitude(std::string_view n) { return one_of(n, {"lon", "long", "longitude", "lng"}); }
-bool is_latitude(std::string_view n) { return one_of(n, {"lat", "latitude"}); }
-bool is_x(std::string_view n) {
-  return is_longitude(n) || one_of(n, {"x", "easting", "east", "e", "x_coord", "xcoord", "coord_x", "x_utm", "utm_x",
-                                       "utmx", "xx", "x_easting"});
-}
-bool is_y(std::string_view n) {
-  return is_latitude(n) || one_of(n, {"y", "northing", "north", "n", "y_coord", "ycoord", "coord_y", "y_utm", "utm_y",
-                                      "utmy", "yy", "y_northing"});
-}
-/// Rank of a column that parts points into sets, from 1; 0: none.
-std::size_t group_rank(std::string_view n) {
-  static constexpr std::string_view words[] = {"formation", "surface", "horizon", "layer",  "unit", "feature_name",
-                                               "feature",   "fault",   "name",    "object", "id",   "val"};
-  const auto* it = std::find(std::begin(words), std::end(words), n);
-  return it == std::end(words) ? 0 : static_cast<std::size_t>(it - std::begin(words)) + 1;
-}
-
-}  // namespace
-
 std::vector<std::string_view> Separation::split(std::string_view line) const {
   std::vector<std::string_view> fields;
   if (delimiter == ' ') line = trim(line);
@@ -84,32 +84,91 @@ std::vector<std::string_view> Separation::split(std::string_view line) const {
   }
 }
 
-std::optional<double> Separation::number(std::string_view field) const {
-  if (!decimal_comma) return to_double(field);
-  std::string copy(field);
+namespace {
+
+/// "432,500.25" or "1,234,500": groups of three digits behind a first one of one to three.
+bool has_groups_of_thousands(std::string_view text, char group) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const std::size_t first = text.find(group);
+  if (first == std::string_view::npos || first == 0 || first > 3) return false;
+  for (std::size_t at = first; at < text.size() && text[at] == group; at += 4) {
+    const std::string_view digits = text.substr(at + 1, 3);
+    if (digits.size() < 3 || digits.find_first_not_of("0123456789") != std::string_view::npos) return false;
+    if (at + 4 < text.size() && text[at + 4] >= '0' && text[at + 4] <= '9') return false;
+  }
+  return true;
+}
+
+std::string without(std::string_view text, char c) {
+  std::string copy(text);
+  std::erase(copy, c);
+  return copy;
+}
+
+/// A decimal comma, with points or apostrophes between thousands.
+std::optional<double> number_with_decimal_comma(std::string_view field) {
+  const bool grouped = has_groups_of_thousands(field, '.') &&
+                       (field.find(',') != std::string_view::npos || std::count(field.begin(), field.end(), '.') > 1);
+  std::string copy = grouped ? without(field, '.') : std::string(field);
+  std::erase(copy, '\'');
+  if (std::count(copy.begin(), copy.end(), ',') > 1) return std::nullopt;
   std::replace(copy.begin(), copy.end(), ',', '.');
   return to_double(copy);
 }
 
+}  // namespace
+
+std::optional<double> Separation::number(std::string_view field) const {
+  if (const auto plain = to_double(field)) return plain;
+  if (field.empty() || field.find_first_not_of("0123456789+-.,'eEdD") != std::string_view::npos) return std::nullopt;
+  if (!decimal_comma && has_groups_of_thousands(field, ',')) return to_double(without(field, ','));
+  return number_with_decimal_comma(field);
+}
+
 Separation sniff_separation(std::string_view line) {
+  const auto all_numbers_have_points = [&](const std::vector<std::string_view>& fields) {
+    return std::any_of(fields.begin(), fields.end(), [](std::string_view f) {
+      return has_groups_of_thousands(f, ',') && f.find('.') != std::string_view::npos;
+    });
+  };
   const bool has_comma = line.find(',') != std::string_view::npos;
   for (const char delimiter : {';', '\t'})
     if (line.find(delimiter) != std::string_view::npos) {
-      const Separation without{delimiter, false}, with{delimiter, true};
-      const auto numbers = [&](const Separation& s) {
-        const auto fields = s.split(line);
-        return std::count_if(fields.begin(), fields.end(), [&](std::string_view f) { return s.number(f).has_value(); });
-      };
-      if (delimiter == '\t' && without.split(line).size() < 3) continue;  // a tab that only fills
-      return has_comma && numbers(with) > numbers(without) ? with : without;
+      const Separation separation{delimiter, false};
+      const auto fields = separation.split(line);
+      if (delimiter == '\t' && fields.size() < 3) continue;  // a tab that only fills
+      return {delimiter, has_comma && !all_numbers_have_points(fields)};
     }
   if (!has_comma) return {};
   const Separation blanks{' ', true};
   const auto fields = blanks.split(line);
-  const bool commas_within = fields.size() >= 3 && std::all_of(fields.begin(), fields.end(), [](std::string_view f) {
-                               return f.back() != ',' && f.front() != ',' && std::count(f.begin(), f.end(), ',') <= 1;
+  const bool commas_within = fields.size() >= 3 && std::all_of(fields.begin(), fields.end(), [&](std::string_view f) {
+                               return f.back() != ',' && f.front() != ',' &&
+                                      (std::count(f.begin(), f.end(), ',') <= 1 || has_groups_of_thousands(f, ','));
                              });
-  return commas_within ? blanks : Separation{',', false};
+  if (commas_within) return {' ', !all_numbers_have_points(fields)};
+  return Separation{',', false};
+}
+
+std::vector<std::string> names_of_columns(const LineReader& at, const std::vector<ReadOptions::Column>& asked,
+                                          const std::vector<std::string>& header, std::size_t n_columns) {
+  std::vector<std::string> names(n_columns);
+  std::string known;
+  for (const std::string& name : header) known += (known.empty() ? "" : ", ") + name;
+  for (const ReadOptions::Column& c : asked) {
+    const auto named = std::find_if(header.begin(), header.end(),
+                                    [&](const std::string& name) { return equals_ignoring_case(name, c.column); });
+    const auto number = to_integer(c.column);
+    if (named != header.end()) {
+      names[static_cast<std::size_t>(named - header.begin())] = c.meaning;
+    } else if (number && *number >= 1 && static_cast<std::size_t>(*number) <= n_columns) {
+      names[static_cast<std::size_t>(*number) - 1] = c.meaning;
+    } else {
+      at.fail("'columns' takes " + c.meaning + " from the column " + in_quotes(c.column) + ", but the table has " +
+              std::to_string(n_columns) + " columns" + (known.empty() ? "" : ": " + known));
+    }
+  }
+  return names;
 }
 
 std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<std::string>& names) {
@@ -117,7 +176,7 @@ std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<s
   bool has_x = false, has_y = false, has_z = false;
   std::string time_column;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [name, unit] = name_and_unit(names[i]);
+    const auto [name, unit] = column_name_and_unit(as_utf8(names[i]));
     const HeightColumn height = height_column(name);
     if (is_x(name) && !has_x) {
       columns.x = i;
@@ -202,7 +261,7 @@ void choose_group(LineReader lines, const Separation& separation, const std::vec
   };
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (const std::size_t rank = group_rank(name_and_unit(names[i]).first); rank > 0)
+    if (const std::size_t rank = group_rank(column_name_and_unit(names[i]).first); rank > 0)
       candidates.push_back({rank, i, {}});
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.rank, a.column) < std::tie(b.rank, b.column);
@@ -240,7 +299,22 @@ DuplicateCounts count_duplicates(std::vector<Vec3> points) {
   return n;
 }
 
+/// Takes out the points whose heights stand for "no value", and tells odd heights.
+void drop_no_data(const InputFile& file, const std::string& name, std::vector<Vec3>& points, FileContents& contents) {
+  std::vector<double> heights;
+  heights.reserve(points.size());
+  for (const Vec3& p : points) heights.push_back(p.z);
+  const std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+  if (odd.empty()) return;
+  for (std::string& text :
+       describe_odd_heights(odd, name, "points", [&](std::size_t row) { return map_place_words(points[row]); }))
+    contents.warnings.push_back(std::move(text));
+  std::erase_if(points, [&](const Vec3& p) { return is_left_out(p.z, odd); });
+  if (points.empty()) file.fail("no point of '" + name + "' has a height");
+}
+
 void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> points, FileContents& contents) {
+  drop_no_data(file, name, points, contents);
   const DuplicateCounts twice = count_duplicates(points);
   if (twice.equal > 0)
     contents.warnings.push_back(std::to_string(twice.equal) + " points of '" + name + "' repeat another");

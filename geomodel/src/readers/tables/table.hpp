@@ -3,6 +3,7 @@
 /// Tables of points in text: how their fields are parted, what their columns mean, and what becomes of them.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,10 +22,14 @@ struct Separation {
 
   /// Fields without quotes and blanks around them.
   std::vector<std::string_view> split(std::string_view line) const;
+  /// Thousands may be parted by commas (by points or apostrophes where there is a decimal comma).
   std::optional<double> number(std::string_view field) const;
 };
 /// Told from one line of data: ';', tab, ',' or blanks; "1,5 2,5 3,5" and "1,5;2,5;3,5" have decimal commas.
 Separation sniff_separation(std::string_view line);
+
+/// "Depth [ft]", "Z (m)", "depth_ft": the name in lower case, and its unit; an empty unit where there is none.
+std::pair<std::string, std::string> column_name_and_unit(std::string_view text);
 
 /// Which columns (from 0) matter.
 struct Columns {
@@ -38,6 +43,12 @@ struct Columns {
 /// From names as files write them ("X", "Easting [m]", "depth_ft", "formation"). Empty where x, y or z are not among
 /// them. Throws Error{invalid_input} at the line of `at` where z is a time.
 std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<std::string>& names);
+
+/// What the columns of a table mean by the project's `columns`: the meanings at the places that its entries name, by a
+/// name of the header or a number from 1; empty names elsewhere. Throws Error{invalid_input} at the line of `at` where
+/// there is no such column.
+std::vector<std::string> names_of_columns(const LineReader& at, const std::vector<ReadOptions::Column>& asked,
+                                          const std::vector<std::string>& header, std::size_t n_columns);
 
 /// Sets columns.group to the first column, in the order formation, surface, horizon, layer, unit, feature_name ... val,
 /// that parts the rows to come into at least two sets of three rows or more on average. `lines` is a copy: the caller's
@@ -59,7 +70,8 @@ struct Table {
 /// The rows from the reader's next line on; blank lines and those that begin with # or ! are passed over. `null`:
 /// heights of this size and more have no value. Throws Error{invalid_input} with the line where a field is no number or
 /// missing.
-Table read_table(LineReader& lines, const Separation& separation, Columns columns, double null = 1e30);
+Table read_table(LineReader& lines, const Separation& separation, Columns columns,
+                 double null = std::numeric_limits<double>::infinity());
 
 /// Point sets of the table, one a group; a set that fills a regular lattice becomes a surface instead. Coordinates are
 /// not converted; contents.frame is filled. Throws Error{invalid_input} where there is no point.

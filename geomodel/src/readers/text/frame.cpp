@@ -60,9 +60,10 @@ void convert_by_frame(const InputFile& file, FileContents& contents) {
 HeightColumn height_column(std::string_view name) {
   const std::string n = to_lower(name);
   if (one_of(n, {"z", "elevation", "elev", "height", "altitude", "alt", "z_coord", "zcoord", "coord_z", "zz", "msl",
-                 "elevation_msl"}))
+                 "elevation_msl", "z-coordinate", "h\u00f6he", "hoehe", "altitud"}))
     return {true, false, false};
-  if (one_of(n, {"depth", "tvd", "tvdss", "tvd_ss", "tvdmsl", "z_depth", "depth_ss", "depthss", "depth_msl"}))
+  if (one_of(n, {"depth", "tvd", "tvdss", "tvd_ss", "tvdmsl", "z_depth", "depth_ss", "depthss", "depth_msl", "tiefe",
+                 "teufe", "profondeur", "profundidad"}))
     return {true, true, false};
   if (one_of(n, {"twt", "time", "t0", "two-way-time", "two_way_time", "owt"})) return {true, false, true};
   return {};

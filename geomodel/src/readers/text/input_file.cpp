@@ -16,11 +16,11 @@ std::string InputFile::extension() const {
 }
 
 void InputFile::fail(const std::string& message) const {
-  throw Error(ErrorKind::invalid_input, shown() + ": " + message);
+  throw Error(ErrorKind::invalid_input, shown() + ": " + as_utf8(message));
 }
 
 void InputFile::fail(std::size_t line, const std::string& message) const {
-  throw Error(ErrorKind::invalid_input, shown() + ":" + std::to_string(line) + ": " + message);
+  throw Error(ErrorKind::invalid_input, shown() + ":" + std::to_string(line) + ": " + as_utf8(message));
 }
 
 InputFile load_input_file(const std::filesystem::path& path) {
@@ -34,7 +34,7 @@ InputFile load_input_file(const std::filesystem::path& path) {
                 path.string() + ": is a pipe or a device, which may never end; save its content to a file first");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error(ErrorKind::usage, path.string() + ": cannot be opened: " + std::strerror(errno));
-  InputFile file{path, {}};
+  InputFile file{path, {}, {}};
   const auto size = std::filesystem::file_size(path, ec);
   if (!ec) file.bytes.reserve(static_cast<std::size_t>(size));
   char block[1 << 16];
@@ -52,6 +52,42 @@ std::string in_quotes(std::string_view token) {
   }
   if (token.size() > 40) out += "...";
   return out + "'";
+}
+
+namespace {
+
+/// Length of the UTF-8 sequence that begins at `at`; 0 where there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(at);
+  const std::size_t n = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+  if (n == 0 || at + n > text.size()) return 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if ((byte(at + i) & 0xc0) != 0x80) return 0;
+  return n;
+}
+
+}  // namespace
+
+std::string as_utf8(std::string_view text) {
+  bool valid = true;
+  for (std::size_t at = 0; valid && at < text.size();) {
+    const std::size_t n = utf8_length(text, at);
+    valid = n > 0;
+    at += n;
+  }
+  if (valid) return std::string(text);
+  std::string out;
+  for (const char c : text) {
+    const auto u = static_cast<unsigned char>(c);
+    if (u < 0x80) {
+      out += c;
+    } else {
+      out += static_cast<char>(0xc0 | (u >> 6));
+      out += static_cast<char>(0x80 | (u & 0x3f));
+    }
+  }
+  return out;
 }
 
 bool looks_binary(const InputFile& file) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/read_options.hpp"
 
 namespace geomesh::geomodel {
 
@@ -17,6 +18,7 @@ namespace geomesh::geomodel {
 struct InputFile {
   std::filesystem::path path;
   std::string bytes;
+  ReadOptions options{};  ///< what the project says about the file
 
   std::string_view text() const { return bytes; }
   std::size_t size() const { return bytes.size(); }
@@ -35,6 +37,10 @@ InputFile load_input_file(const std::filesystem::path& path);
 
 /// Text of a token for a message: quoted, cut to 40 characters, control characters replaced.
 std::string in_quotes(std::string_view token);
+
+/// The text itself where it is valid UTF-8; otherwise its bytes as Latin-1 (Windows-1252 without its own signs), in
+/// which much older software writes names.
+std::string as_utf8(std::string_view text);
 
 /// True where the first kilobyte holds bytes that no text file has.
 bool looks_binary(const InputFile& file);

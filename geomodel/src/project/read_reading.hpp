@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The keys of an entry that say what is in its file and how a surface is made from it: columns, no_data, gridding,
+/// below, extrude, object: "*".
+#pragma once
+
+#include "geomesh/geomodel/project.hpp"
+#include "project/yaml_values.hpp"
+
+namespace geomesh::geomodel {
+
+/// Keys gridding, resample and smooth.
+void read_gridding(const YamlMap& map, SurfaceSpec& spec);
+
+/// Keys columns and no_data.
+void read_reading(const YamlMap& map, ReadOptions& options);
+
+/// Keys below and extrude of a surface, and thickness where it goes with below. `read_file` reads a value as the path
+/// of the entry's file.
+template <class ReadFile>
+void read_made_surface(const YamlMap& map, SurfaceSpec& spec, const ReadFile& read_file);
+
+/// Whether the text is a number, as YAML reads it without quotes.
+bool is_number(const std::string& text);
+
+/// Key extrude.
+void read_extrude(const YamlValue& value, SurfaceSpec& spec);
+
+/// One entry for each surface and point set of the entry's file, named ENTRY.OBJECT, with its part of the contents in
+/// place of the file. Throws as the readers, and Error{invalid_input} where the file holds none.
+std::vector<SurfaceSpec> entries_of_all_objects(const SurfaceSpec& spec);
+
+/// Whether `below` names horizons of the project without going round in a circle.
+void finish_below(const YamlValue& root, const Project& project);
+
+template <class ReadFile>
+void read_made_surface(const YamlMap& map, SurfaceSpec& spec, const ReadFile& read_file) {
+  if (const auto v = map.find("extrude")) read_extrude(*v, spec);
+  const auto below = map.find("below");
+  if (!below) return;
+  spec.below = below->text().value_or("");
+  if (!spec.may_be(SurfaceKind::horizon)) below->problem("only a horizon is given by its thickness below another");
+  const auto thickness = map.find("thickness");
+  if (!thickness) {
+    below->problem("it goes with thickness: a length, or the file of a grid or of points with thicknesses");
+  } else if (map.find("file")) {
+    below->problem("the horizon is made from the one above it and the thickness; leave out 'file'");
+  } else if (is_number(thickness->scalar())) {
+    spec.below_by = thickness->number();
+    if (spec.below_by && *spec.below_by < 0) thickness->problem("a length of zero or more was expected");
+  } else {
+    read_file(*thickness, spec.file, spec.file_as_written);
+  }
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/objects_of_file.hpp"
+
+#include <algorithm>
+
+namespace geomesh::geomodel {
+namespace {
+
+FileContents without_objects(const FileContents& contents) {
+  FileContents part;
+  part.format = contents.format;
+  part.frame = contents.frame;
+  part.arrays = contents.arrays;
+  return part;
+}
+
+FileContents with_surface(const FileContents& contents, const TriangulatedSurface& surface) {
+  FileContents part = without_objects(contents);
+  part.surfaces.push_back(surface);
+  std::copy_if(contents.grids.begin(), contents.grids.end(), std::back_inserter(part.grids),
+               [&](const GridSummary& grid) { return grid.surface == surface.name; });
+  return part;
+}
+
+}  // namespace
+
+std::vector<FileContents> objects_of_file(const FileContents& contents) {
+  std::vector<FileContents> objects;
+  for (const TriangulatedSurface& surface : contents.surfaces) objects.push_back(with_surface(contents, surface));
+  for (const PointSet& set : contents.point_sets) {
+    objects.push_back(without_objects(contents));
+    objects.back().point_sets.push_back(set);
+  }
+  if (!objects.empty()) {
+    objects.front().notes = contents.notes;
+    objects.front().warnings = contents.warnings;
+  }
+  return objects;
+}
+
+FileContents object_named(const FileContents& contents, const std::string& name) {
+  for (const TriangulatedSurface& surface : contents.surfaces)
+    if (surface.name == name) return with_surface(contents, surface);
+  FileContents part = without_objects(contents);
+  for (const PointSet& set : contents.point_sets)
+    if (set.name == name) {
+      part.point_sets.push_back(set);
+      break;
+    }
+  return part;
+}
+
+}  // namespace geomesh::geomodel
