@@ -15,9 +15,9 @@ Format gmsh41_binary_format();      // gmsh41.cpp
 Format gmsh22_format();             // gmsh22.cpp
 Format gmsh22_binary_format();      // gmsh22.cpp
 Format abaqus_format();             // abaqus_inp.cpp
-Format exodus_format();             // exodus/exodus.cpp
-Format med_format();                // med.cpp, with libmedc
-Format xdmf_format();               // xdmf.cpp, with HDF5
+Format exodus_format();             // modules/at_need.cpp: exodus/, in a module with netCDF
+Format med_format();                // modules/at_need.cpp: modules/med.cpp, with libmedc
+Format xdmf_format();               // modules/at_need.cpp: modules/xdmf.cpp, with HDF5
 Format ogs_format();                // opengeosys.cpp
 Format openfoam_format();           // openfoam.cpp
 Format mfem_format();               // mfem.cpp
@@ -36,30 +36,27 @@ Format gocad_tsurf_format();        // surfaces/gocad_tsurf.cpp
 Format glb_format();                // surfaces/glb.cpp
 Format obj_format();                // surfaces/obj.cpp
 Format stl_format();                // surfaces/stl.cpp
-Format seissol_format();            // hdf5/seissol.cpp, with HDF5
-Format vtkhdf_format();             // hdf5/vtkhdf.cpp, with HDF5
+Format seissol_format();            // modules/at_need.cpp
+Format vtkhdf_format();             // modules/at_need.cpp
 
-/// In the order of the documents. What was left out when the program was built is not in it.
+/// In the order of the documents. Those of modules are in it, whether or not the module is there.
 inline constexpr Format (*listed_formats[])() = {
     vtu_format,         gmsh41_format,        gmsh41_binary_format,
     gmsh22_format,      gmsh22_binary_format, abaqus_format,
     exodus_format,
-#ifdef GEOMESH_WITH_MED
+    //
     med_format,
-#endif
-#ifdef GEOMESH_WITH_HDF5
+    //
+    //
     xdmf_format,
-#endif
+    //
     ogs_format,         openfoam_format,      mfem_format,
     pflotran_format,    tetgen_format,        pflotran_explicit_format,
     tough_format,       geos_format,          flac3d_format,
     feflow_format,      comsol_format,        avs_format,
     medit_format,       medit_binary_format,  gocad_tsolid_format,
     gocad_tsurf_format, glb_format,           obj_format,
-    stl_format,
-#ifdef GEOMESH_WITH_HDF5
-    seissol_format,     vtkhdf_format,
-#endif
+    stl_format,         seissol_format,       vtkhdf_format,
 };
 
 }  // namespace geomesh::geomodel

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "formats/format_list.hpp"
+#include "formats/modules/format_module.hpp"
 #include "formats/vtk/vtu_grid.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "solver_mesh/sidecar.hpp"
@@ -136,9 +136,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptio
 
 }  // namespace
 
-Format vtkhdf_format() {
-  return {"vtkhdf", {".vtkhdf"}, "VTKHDF (ParaView 5.10 and on)", {.second_order = true, .prisms = true},
-          write,    nullptr};
-}
-
 }  // namespace geomesh::geomodel
+
+GEOMESH_FORMAT_MODULE(geomesh::geomodel::write, nullptr, nullptr)

@@ -4,11 +4,10 @@
 // an .h5 of the same name. One grid a file, because meshio reads no more.
 #include <algorithm>
 
-#include "formats/format_list.hpp"
+#include "formats/modules/format_module.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
-#include "starters/starters.hpp"
 #include "writers/hdf5_writer.hpp"
 #include "writers/text_buffer.hpp"
 #include "writers/written_files.hpp"
@@ -125,9 +124,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format xdmf_format() {
-  return {"xdmf", {".xdmf"}, "XDMF and HDF5 (dolfinx)", {.second_order = true, .curves = true, .names = false},
-          write,  nullptr,   write_dolfinx_starter};
-}
-
 }  // namespace geomesh::geomodel
+
+GEOMESH_FORMAT_MODULE(geomesh::geomodel::write, nullptr, nullptr)

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "formats/format_list.hpp"
+#include "formats/modules/format_module.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "solver_mesh/face_sides.hpp"
@@ -158,6 +158,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptio
 
 }  // namespace
 
-Format seissol_format() { return {"seissol", {".puml"}, "SeisSol (PUML)", {.names = false}, write, nullptr}; }
-
 }  // namespace geomesh::geomodel
+
+GEOMESH_FORMAT_MODULE(geomesh::geomodel::write, nullptr, nullptr)
