@@ -18,9 +18,15 @@ extern "C" int dlclose(void*) { return 0; }
 
 int main(int argc, char** argv) {
   using namespace geomesh::picture;
-  const PictureOptions options = parse_picture_options(argc, argv);
+  PictureOptions options = parse_picture_options(argc, argv);
   try {
     const MeshFile mesh = read_mesh_file(options.mesh);
+    if (options.scale_z == 0) {
+      options.scale_z = fitting_scale(mesh);
+      if (options.scale_z != 1)
+        std::printf("heights are drawn %s times (--scale-z 1 draws them as they are)\n",
+                    scale_words(options.scale_z).c_str());
+    }
     write_picture(*make_scene(mesh, options), options);
     return 0;
   } catch (const std::exception& error) {

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 
@@ -108,6 +110,9 @@ MeshFile read_mesh_file(const std::filesystem::path& file) {
   auto* const regions = mesh.cells->GetCellData()->GetArray("region");
   for (vtkIdType c = 0; c < mesh.cells->GetNumberOfCells(); ++c)
     mesh.region_of_cell.push_back(regions ? static_cast<int>(regions->GetTuple1(c)) : 0);
+  std::ifstream report(file.parent_path() / (file.stem().string() + ".report.json"));
+  mesh.colours = geomodel::colours_of_report(
+      std::string(std::istreambuf_iterator<char>(report), std::istreambuf_iterator<char>()));
   const std::filesystem::path faces = file.parent_path() / (file.stem().string() + ".faces.vtp");
   if (!std::filesystem::exists(faces)) return mesh;
   auto face_reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();

@@ -14,12 +14,15 @@
 #include <string>
 #include <vector>
 
+#include "geomesh/geomodel/palette.hpp"
+
 namespace geomesh::picture {
 
 struct MeshFile {
   vtkSmartPointer<vtkUnstructuredGrid> cells;
   vtkSmartPointer<vtkPolyData> faces;  ///< of NAME.faces.vtp; null where there is none
   std::map<int, std::string> region_names, surface_names;
+  geomodel::GivenColours colours;   ///< of the project, from NAME.report.json where it is
   std::vector<int> region_of_cell;  ///< 0 where the file has no regions
 };
 

@@ -25,9 +25,9 @@ PictureOptions parse_picture_options(int argc, char** argv) {
       ->check(CLI::Range(-89.0, 89.0))
       ->capture_default_str();
   app.add_option("--zoom", o.zoom, "2: twice as large")->check(CLI::Range(0.1, 100.0))->capture_default_str();
-  app.add_option("--scale-z", o.scale_z, "Vertical exaggeration")
-      ->check(CLI::Range(0.001, 1000.0))
-      ->capture_default_str();
+  app.add_option("--scale-z", o.scale_z,
+                 "How often heights are drawn (default: often enough to tell the layers of a flat model apart)")
+      ->check(CLI::Range(0.001, 1000.0));
   app.add_flag("--no-edges", no_edges, "Without the edges of elements");
   app.add_flag("--no-legend", no_legend, "Without names and colours");
   try {

@@ -12,7 +12,7 @@ enum class View {
   regions,   ///< the whole, coloured by region
   cut,       ///< without the quarter that is nearest to the camera: plane walls
   elements,  ///< the same with whole elements: walls as the tetrahedra have them
-  exploded,  ///< regions moved apart along the vertical
+  exploded,  ///< units moved apart along the vertical
   surfaces,  ///< horizons, faults and bodies with the edges of their faces; sides of the box left out
   quality,   ///< whole elements, coloured by the smallest dihedral angle
 };
@@ -25,7 +25,7 @@ struct PictureOptions {
   double azimuth = 215;   ///< degrees clockwise from north (y): where the camera stands
   double elevation = 25;  ///< degrees above the horizon
   double zoom = 1;
-  double scale_z = 1;
+  double scale_z = 0;  ///< 0: chosen by the shape of the model
   bool edges = true;
   bool legend = true;
 };

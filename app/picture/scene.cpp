@@ -23,10 +23,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <set>
 #include <stdexcept>
 
 #include "aim_camera.hpp"
+#include "geomesh/geomodel/palette.hpp"
 
 namespace geomesh::picture {
 namespace {
@@ -34,37 +36,8 @@ namespace {
 constexpr int oversampling = 2;
 constexpr std::size_t most_names = 12;  ///< in the legend
 
-using Colour = std::array<double, 3>;
-
-/// Calm colours that are told apart side by side; more than these repeat.
-const std::array<Colour, 12> palette{{{0.93, 0.79, 0.45},
-                                      {0.45, 0.66, 0.80},
-                                      {0.62, 0.77, 0.49},
-                                      {0.84, 0.53, 0.42},
-                                      {0.66, 0.58, 0.78},
-                                      {0.90, 0.64, 0.72},
-                                      {0.55, 0.76, 0.74},
-                                      {0.75, 0.68, 0.56},
-                                      {0.96, 0.88, 0.64},
-                                      {0.42, 0.53, 0.66},
-                                      {0.78, 0.84, 0.52},
-                                      {0.72, 0.44, 0.50}}};
-
-Colour colour_of(std::size_t i) { return palette[i % palette.size()]; }
-
-/// Shades by which the parts of a unit are told apart; the first is the colour itself.
-Colour shade_of(const Colour& colour, std::size_t part) {
-  constexpr std::array<double, 4> brightness{1.0, 0.86, 1.12, 0.93};
-  Colour shade = colour;
-  for (double& channel : shade) channel = std::min(1.0, channel * brightness[part % brightness.size()]);
-  return shade;
-}
-
-/// The unit that "sand__2" or "sand__B2" is a part of.
-std::string without_suffix(const std::string& name) {
-  const std::size_t at = name.rfind("__");
-  return at == std::string::npos || at == 0 ? name : name.substr(0, at);
-}
+using geomodel::Colour;
+using geomodel::Palette;
 
 class SceneBuilder {
  public:
@@ -95,6 +68,7 @@ class SceneBuilder {
         break;
     }
     if (options_.legend && options_.view != View::quality) add_legend();
+    if (options_.scale_z != 1) add_scale_words();
     auto lights = vtkSmartPointer<vtkLightKit>::New();
     lights->SetKeyLightWarmth(0.5);
     lights->SetFillLightWarmth(0.5);
@@ -116,7 +90,7 @@ class SceneBuilder {
 
   /// Two blocks: the half behind the first wall, and what is beside the quarter that goes.
   void add_cut() {
-    auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names);
+    auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names, units());
     const auto [sx, sy] = side();
     const auto whole = with_region_values(mesh_);
     const auto front = beyond(whole, {middle(), {sx, 0}});
@@ -158,56 +132,73 @@ class SceneBuilder {
     return actor;
   }
 
-  /// One colour a name, in the order of the ids; the parts of a unit (`sand__1`, `sand__2`) have shades of one. Fills
-  /// the legend's entries.
-  vtkSmartPointer<vtkLookupTable> colours_of(const std::set<int>& ids, const std::map<int, std::string>& names) {
+  /// One colour a name, in the order of the ids, as in the page; the parts of a unit (`sand__1`, `sand__2`) have shades
+  /// of one. Fills the legend's entries.
+  vtkSmartPointer<vtkLookupTable> colours_of(const std::set<int>& ids, const std::map<int, std::string>& names,
+                                             Palette palette) {
     auto table = vtkSmartPointer<vtkLookupTable>::New();
     low_ = *ids.begin();
     high_ = std::max(*ids.rbegin(), low_ + 1);
     table->SetNumberOfTableValues(high_ - low_ + 1);
     for (int row = 0; row <= high_ - low_; ++row) table->SetTableValue(row, 0.6, 0.6, 0.6);  // all opaque
-    std::map<std::string, std::size_t> n_parts;
     for (const int id : ids) {
-      const auto name = names.find(id);
-      const std::string unit = name == names.end() ? std::to_string(id) : without_suffix(name->second);
-      const std::size_t part = n_parts[unit]++;
-      if (part == 0) entries_.push_back({unit, colour_of(entries_.size())});
-      const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == unit; });
-      const Colour c = shade_of(entry->colour, part);
+      const auto known = names.find(id);
+      const std::string name = known == names.end() ? std::to_string(id) : known->second;
+      const std::string unit = geomodel::unit_of_part(name);
+      const Colour c = palette.colour_of(name);
+      const bool is_listed =
+          std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == unit; });
+      if (!is_listed) entries_.push_back({unit, c});
       table->SetTableValue(id - low_, c[0], c[1], c[2]);
     }
     return table;
   }
+  Palette units() const { return Palette(Palette::Of::units, mesh_.colours); }
+  Palette surfaces() const { return Palette(Palette::Of::surfaces, mesh_.colours); }
 
   double region(vtkIdType c) const { return mesh_.region_of_cell[static_cast<std::size_t>(c)]; }
 
   void add_regions(const Wanted& wanted) {
-    auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names);
+    auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names, units());
     add(outside_of(mesh_, wanted, [this](vtkIdType c) { return region(c); }), table, low_, high_);
   }
 
-  /// Regions from the highest to the lowest, each moved up by a share of the model's height over the next.
+  /// The unit that each region is a part of.
+  std::map<int, std::string> units_of_regions(const std::set<int>& ids) const {
+    std::map<int, std::string> units;
+    for (const int id : ids) {
+      const auto name = mesh_.region_names.find(id);
+      units[id] = name == mesh_.region_names.end() ? std::to_string(id) : geomodel::unit_of_part(name->second);
+    }
+    return units;
+  }
+
+  /// Units from the highest to the lowest, each moved up by a share of the model's height over the next; the parts of
+  /// one stay together.
   void add_exploded() {
     const std::set<int> ids = ids_in(mesh_.region_of_cell);
-    auto table = colours_of(ids, mesh_.region_names);
-    std::map<int, std::pair<double, std::size_t>> heights;
+    auto table = colours_of(ids, mesh_.region_names, units());
+    const std::map<int, std::string> unit_of = units_of_regions(ids);
+    std::map<std::string, std::pair<double, std::size_t>> heights;
     for (vtkIdType c = 0; c < mesh_.cells->GetNumberOfCells(); ++c) {
       std::array<double, 3> centre{};
       centre_of(mesh_, c, centre.data());
-      auto& [sum, n] = heights[static_cast<int>(region(c))];
+      auto& [sum, n] = heights[unit_of.at(static_cast<int>(region(c)))];
       sum += centre[2];
       ++n;
     }
-    std::vector<std::pair<double, int>> order;
-    for (const auto& [id, sum] : heights) order.emplace_back(sum.first / static_cast<double>(sum.second), id);
+    std::vector<std::pair<double, std::string>> order;
+    for (const auto& [unit, sum] : heights) order.emplace_back(sum.first / static_cast<double>(sum.second), unit);
     std::sort(order.begin(), order.end());
     const double step = 0.35 * std::max(bounds_[5] - bounds_[4], 0.3 * (bounds_[1] - bounds_[0]) / options_.scale_z);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      auto actor = add(outside_of(
-                           mesh_, [&](vtkIdType c) { return region(c) == order[i].second; },
-                           [this](vtkIdType c) { return region(c); }),
-                       table, low_, high_);
-      actor->SetPosition(0, 0, static_cast<double>(i) * step * options_.scale_z);
+    for (const auto& [id, unit] : unit_of) {
+      const auto row =
+          std::find_if(order.begin(), order.end(), [&, name = unit](const auto& o) { return o.second == name; });
+      auto actor = add(
+          outside_of(
+              mesh_, [&, id = id](vtkIdType c) { return region(c) == id; }, [this](vtkIdType c) { return region(c); }),
+          table, low_, high_);
+      actor->SetPosition(0, 0, static_cast<double>(row - order.begin()) * step * options_.scale_z);
     }
   }
 
@@ -220,7 +211,7 @@ class SceneBuilder {
     std::set<int> ids;
     auto* const values = data->GetCellData()->GetScalars();
     for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) ids.insert(static_cast<int>(values->GetTuple1(i)));
-    auto table = colours_of(ids, mesh_.surface_names);
+    auto table = colours_of(ids, mesh_.surface_names, surfaces());
     add(data, table, low_, high_);
     auto outline = vtkSmartPointer<vtkOutlineSource>::New();
     outline->SetBounds(bounds_.data());
@@ -235,21 +226,14 @@ class SceneBuilder {
   }
 
   void add_quality() {
-    constexpr double regular = 70.53;  // degrees, of the regular tetrahedron
     auto table = vtkSmartPointer<vtkLookupTable>::New();
-    table->SetNumberOfTableValues(7);
-    const std::array<Colour, 7> steps{{{0.70, 0.09, 0.17},
-                                       {0.94, 0.54, 0.38},
-                                       {0.99, 0.86, 0.72},
-                                       {0.88, 0.92, 0.95},
-                                       {0.65, 0.82, 0.90},
-                                       {0.40, 0.66, 0.81},
-                                       {0.13, 0.40, 0.67}}};
+    const auto& steps = geomodel::angle_colours;
+    table->SetNumberOfTableValues(static_cast<vtkIdType>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i)
       table->SetTableValue(static_cast<vtkIdType>(i), steps[i][0], steps[i][1], steps[i][2]);
-    table->SetTableRange(0, regular);
+    table->SetTableRange(0, geomodel::best_angle);
     add(outside_of(mesh_, behind_the_cut(), [this](vtkIdType c) { return smallest_dihedral(mesh_, c); }), table, 0,
-        regular);
+        geomodel::best_angle);
     if (!options_.legend) return;
     auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
     bar->SetLookupTable(table);
@@ -291,6 +275,18 @@ class SceneBuilder {
     }
   }
 
+  /// Below on the right: heights that are not true are told in the picture itself.
+  void add_scale_words() {
+    const double row = oversampling * 0.03 * options_.height;
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    text->SetInput(("heights " + scale_words(options_.scale_z) + " times").c_str());
+    text->SetPosition(oversampling * options_.width - 0.5 * row, 0.5 * row);
+    text->GetTextProperty()->SetJustificationToRight();
+    text->GetTextProperty()->SetFontSize(static_cast<int>(0.72 * row));
+    text->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+    scene_->AddActor2D(text);
+  }
+
   void add_square(double x, double y, double width, const Colour& colour) {
     auto points = vtkSmartPointer<vtkPoints>::New();
     for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
@@ -322,6 +318,18 @@ class SceneBuilder {
 };
 
 }  // namespace
+
+std::string scale_words(double scale) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", scale);
+  return text.data();
+}
+
+double fitting_scale(const MeshFile& mesh) {
+  std::array<double, 6> b{};
+  mesh.cells->GetBounds(b.data());
+  return geomodel::vertical_exaggeration({{b[0], b[2], b[4]}, {b[1], b[3], b[5]}});
+}
 
 vtkSmartPointer<vtkRenderer> make_scene(const MeshFile& mesh, const PictureOptions& options) {
   return SceneBuilder(mesh, options).build();

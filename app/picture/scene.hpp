@@ -11,6 +11,12 @@
 
 namespace geomesh::picture {
 
+/// "5", "2.5": how often heights are drawn.
+std::string scale_words(double scale);
+
+/// How often heights are drawn where the command line does not say: as in the page.
+double fitting_scale(const MeshFile& mesh);
+
 /// Throws std::runtime_error where there is nothing of the kind asked for.
 vtkSmartPointer<vtkRenderer> make_scene(const MeshFile& mesh, const PictureOptions& options);
 

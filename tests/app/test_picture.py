@@ -91,6 +91,32 @@ class Picture(ProgramTest):
         self.run_program("picture", self.sample("layer-cake"), "-o", self.path("cake.png"), "--size=200x150", "--no-edges")
         self.assertEqual(os.listdir(self.folder), ["cake.png"])
 
+    def flat_model(self, more=""):
+        """Two units in a box of 1000 by 1000 by 60."""
+        rows = "".join("VRTX %d %d %d -30\n" % (1 + 2 * j + i, 1000 * i, 1000 * j) for j in range(2) for i in range(2))
+        self.write("mid.ts", "GOCAD TSurf 1\nHEADER {\nname:mid\n}\nTFACE\n" + rows + "TRGL 1 2 4\nTRGL 1 4 3\nEND\n")
+        self.write("flat.yaml", "box: {min: [0, 0, -60], max: [1000, 1000, 0]}\nsurfaces: [{name: mid, kind: horizon, file: mid.ts}]\n"
+                   "column: [upper, mid, lower]\noutput: {directory: ., formats: [vtu]}\n" + more)
+        self.run_program("flat.yaml", "--quiet")
+        return self.path("flat.vtu")
+
+    def test_heights_of_a_flat_model_are_drawn_larger_and_told(self):
+        self.needs_display()
+        mesh, shares = self.flat_model(), []
+        for options, told in (([], True), (["--scale-z", "1"], False)):
+            printed = self.run_program("picture", mesh, "-o", "flat.png", "--size=320x240", "--no-legend", "--view=regions", "--elevation=10", *options)
+            self.assertEqual("heights are drawn 5 times" in printed, told, printed)
+            shares.append(1 - share_of_background(pixels(self.path("flat.png"))[2]))
+        self.assertGreater(shares[0], 1.5 * shares[1])
+
+    def test_colours_of_the_project_are_those_of_the_picture(self):
+        self.needs_display()
+        mesh = self.flat_model('colours: {upper: "#ff0000"}\n')
+        self.run_program("picture", mesh, "-o", "red.png", "--size=320x240", "--no-legend", "--no-edges", "--view=regions")
+        rows = pixels(self.path("red.png"))[2]
+        red = sum(row[i] > 80 and row[i + 1] < 20 and row[i + 2] < 20 for row in rows for i in range(0, len(row), 3))
+        self.assertGreater(red / sum(len(row) / 3 for row in rows), 0.05)
+
     def test_a_wrong_view_and_a_missing_mesh_are_refused_by_name(self):
         self.needs_display()
         self.write("good.vtu", kept_mesh())

@@ -33,6 +33,7 @@ FULL = {
     "regions": [{"name": "own", "at": [1, 1, 1]}],
     "groups": {"all": ["upper", "lower"]},
     "attributes": {"upper": {"porosity": 0.25}},
+    "colours": {"upper": "#e5c07b", "top": [10, 20, 30]},
     "mesh": {"mode": "constrained"},
     "output": {"directory": "out"},
 }
@@ -176,7 +177,7 @@ class ProjectSchema(ProgramTest):
             surface(gridding={"spacing": -1}), {"crs": {"z_scale": 0}}, {"crs": {"horizontal": "utm 32"}},
             {"box": {"min": [0, 0, 0]}}, {"box": {"min": [0, 0], "max": [1, 1, 1]}}, {"box": {"min": [0, 0, "a"], "max": [1, 1, 1]}},
             {"column": ["upper", "top", "upper"]}, {"rules": {"trim_overshoot": -5}}, {"rules": {"fault_blocks": "perhaps"}},
-            {"rules": {"min_volume": "big"}}, {"groups": {"all": "upper"}}, {"attributes": {"upper": {"region": 1}}},
+            {"rules": {"min_volume": "big"}}, {"groups": {"all": "upper"}}, {"colours": {"upper": "#e5c0"}}, {"colours": {"upper": [1, 2]}}, {"colours": {"upper": [1, 2, 300]}}, {"attributes": {"upper": {"region": 1}}},
             {"attributes": {"upper": {"porosity": "high"}}}, {"attributes": {"upper": 3}}, {"output": {"formats": []}},
             {"output": {"origin": [1, 2]}}, {"mesh": {"cluster_distance": "far"}}, {"mesh": {"preserve_boundary": 1}},
             {"points": [{"name": "p"}]}, {"regions": [{"at": [1, 2, 3]}]}, {"wells": [{"name": "w"}]}, {"surfaces": "top.ts"},

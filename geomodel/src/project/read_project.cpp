@@ -79,7 +79,7 @@ class ProjectReader {
 
   void read_root(const YamlValue& root) {
     const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "column", "rules", "regions",
-                             "groups", "attributes", "tolerance", "mesh", "output"});
+                             "groups", "attributes", "colours", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
@@ -101,6 +101,7 @@ class ProjectReader {
     if (const auto v = map.find("regions")) read_region_seeds(*v, project_);
     if (const auto v = map.find("groups")) read_groups(*v, project_);
     if (const auto v = map.find("attributes")) read_attributes(*v, project_);
+    if (const auto v = map.find("colours")) read_colours(*v, project_);
     finish_volume(root, project_);
     finish_rules(root, project_);
     if (const auto v = map.find("tolerance")) read_tolerance(*v);

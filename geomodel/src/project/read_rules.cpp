@@ -167,6 +167,45 @@ void read_attributes(const YamlValue& value, Project& project) {
 
 namespace {
 
+std::optional<Colour> read_colour(const YamlValue& value) {
+  constexpr const char* expected =
+      "a colour was expected, as \"#e5c07b\" (in quotes: what follows a # is a comment), orange or [229, 192, 123]";
+  if (!value.is_list()) {
+    const auto colour = colour_from(value.scalar());
+    if (!colour) value.problem(expected);
+    return colour;
+  }
+  Colour colour{};
+  const auto items = value.items();
+  for (std::size_t k = 0; k < items.size() && k < colour.size(); ++k) {
+    const auto channel = items[k].number();
+    if (!channel) return {};
+    colour[k] = *channel / 255;
+  }
+  const bool in_range = std::all_of(colour.begin(), colour.end(), [](double c) { return c >= 0 && c <= 1; });
+  if (items.size() == colour.size() && in_range) return colour;
+  value.problem(std::string(expected) + ", three numbers from 0 to 255");
+  return {};
+}
+
+}  // namespace
+
+void read_colours(const YamlValue& value, Project& project) {
+  std::vector<std::string_view> known(project.column.begin(), project.column.end());
+  for (const SurfaceSpec& s : project.surfaces) known.push_back(s.name);
+  for (const NamedPoint& seed : project.naming.seeds) known.push_back(seed.name);
+  for (const auto& [name, colour] : named_entries(value, "UNIT or SURFACE: colour")) {
+    const std::string unit = unit_of_part(name.substr(0, name.find(".zone")));
+    const bool is_known = std::find(known.begin(), known.end(), unit) != known.end();
+    // Without a column regions have names of their own.
+    if (!is_known && !project.column.empty())
+      colour.problem("no unit, body or surface is named '" + unit + "'" + was_meant(unit, known));
+    if (const auto c = read_colour(colour)) project.colours[name] = *c;
+  }
+}
+
+namespace {
+
 /// The units that a fault cuts follow each other in the column.
 void check_units(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
   std::vector<std::size_t> rows;

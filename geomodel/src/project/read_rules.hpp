@@ -24,6 +24,8 @@ void read_region_seeds(const YamlValue& value, Project& project);
 /// Keys `groups` and `attributes`.
 void read_groups(const YamlValue& value, Project& project);
 void read_attributes(const YamlValue& value, Project& project);
+/// Key `colours`, once units and surfaces are known.
+void read_colours(const YamlValue& value, Project& project);
 
 /// What can be checked once everything is read: names in rules, a box where one is needed. Fills project.rules from the
 /// rest.

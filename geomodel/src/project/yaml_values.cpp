@@ -34,7 +34,8 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> ho
     {"output",
      {"formats", "directory", "origin", "groups", "inner_faces", "curves", "order", "region_array", "single_grid",
       "node_arrays", "compression", "split", "fault_zone", "cohesive"}},
-    {"the top of the file", {"column", "wells", "points", "regions", "groups", "attributes", "surfaces", "rules"}}};
+    {"the top of the file",
+     {"column", "wells", "points", "regions", "groups", "attributes", "colours", "surfaces", "rules"}}};
 
 std::string home_of(std::string_view key) {
   for (const auto& [home, keys] : homes)

@@ -15,6 +15,7 @@
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
+#include "geomesh/geomodel/palette.hpp"
 #include "geomesh/geomodel/refinement.hpp"
 #include "geomesh/geomodel/surface.hpp"
 #include "geomesh/geomodel/tops.hpp"
@@ -99,6 +100,7 @@ struct Project {
   ModelRules rules;  ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
   NamingRules
       naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
+  GivenColours colours;  ///< of units and surfaces, for pictures
   double tolerance = 0;  ///< points, edges and facets nearer to each other than this merge
   MeshSpec mesh;
   OutputSpec output;

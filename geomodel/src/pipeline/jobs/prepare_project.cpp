@@ -87,6 +87,7 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
                                  {"points", s.points.size()},
                                  {"triangles", s.triangles.size()}});
   if (!project.column.empty()) input["column"] = project.column;
+  for (const auto& [name, colour] : project.colours) input["colours"][name] = to_hex(colour);
   input["mesh"] = {{"mode", project.mesh.options.recover.mode == MeshMode::conforming ? "conforming" : "constrained"},
                    {"refine", project.mesh.refinement.refine ? "default" : "none"},
                    {"honour", project.mesh.refinement.honour == Honour::exact ? "exact" : "tolerance"},
