@@ -44,6 +44,15 @@ class ExtremeNumbers(ProgramTest):
         self.assertIn("shorter than a millionth of the model", self.refused({"size": 1e-5}, USAGE))
         self.assertIn("mesh.size.units.b", self.refused({"size": {"global": 100, "units": {"b": 1e-9}}}, USAGE))
 
+    def test_a_box_that_no_element_fits_in_is_refused(self):
+        """It took 23 s, and all memory."""
+        base = dict(extreme_numbers.BASES["background"], box={"min": [0, 0, -1000], "max": ["1e30", 1000, 0]})
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(status, USAGE, printed)
+        self.assertIn("the model is 1,000 thick and 1e+30 long", printed)
+        self.assertLess(seconds, 2 * SLOWNESS)
+
     def test_a_size_for_too_many_elements_is_refused_at_once_with_their_number(self):
         """Counting stopped soon after the limit before, after a minute of building, and its number was told: 100,000,102."""
         printed = self.refused({"size": 0.3}, CANNOT_MESH)

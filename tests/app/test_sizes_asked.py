@@ -101,6 +101,33 @@ class SizesAsked(ProgramTest):
         self.assertGreater(report["tetrahedra"], 200)
         self.assertLess(report["input"]["mesh"]["tolerance"], 0.1 * 1733)
 
+    def announced(self, printed):
+        """The line before the work: the elements announced, and its words."""
+        line = next(line for line in printed.splitlines() if line.startswith("elements to come: "))
+        return float(re.search("about ([0-9,]+[0-9])", line).group(1).replace(",", "")), line
+
+    def test_a_line_says_before_the_work_how_many_elements_come_and_who_asks_for_them(self):
+        """Levels in a box ask for nothing but the size; a unit of 20 m under edges of 150 m asks for most; so do waves within a tolerance of 1 m."""
+        report, printed = self.mesh([500], "{size: 120}")
+        told, line = self.announced(printed)
+        self.assertIn("mesh: {size: L} changes that", line)
+        self.assertLess(abs(report["tetrahedra"] / told - 1), 0.3)
+        self.assertAlmostEqual(report["refinement"]["mean_edge"] / 120, 1, delta=0.3)
+        report, printed = self.mesh([500, 520], "{size: 150}")
+        told, line = self.announced(printed)
+        self.assertRegex(line, "more in gaps between surfaces; for fewer: mesh: {size: {gap_layers: none}}")
+        self.assertLess(abs(report["tetrahedra"] / told - 1), 0.3)
+        points = [(-10 + 34.0 * i, -10 + 34.0 * j, -500 + 40 * math.sin(i / 3) * math.cos(j / 4)) for j in range(31) for i in range(31)]
+        cells = [i + 31 * j for j in range(30) for i in range(30)]
+        self.write("h0.ts", triangles_ts("h0", points, [t for c in cells for t in ((c, c + 1, c + 31), (c + 1, c + 32, c + 31))]))
+        text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\ncolumn: [a, h0, b]\nmesh: {size: 150, tolerance: 1}\n"
+        told, line = self.announced(self.run_program(self.write("model.yaml", text), "-o", self.folder))
+        self.assertRegex(line, "more to follow bends of the surfaces within 1 m; for fewer: mesh: {tolerance: L}")
+        self.assertLess(abs(self.report(self.path("model.report.json"))["tetrahedra"] / told - 1), 0.3)
+        text = text.replace("{size: 150, tolerance: 1}", "{size: 150, max_elements: 1000}")
+        refused = self.run_program(self.write("model.yaml", text), "-o", self.folder, status=CANNOT_MESH)
+        self.assertRegex(refused, "more than the limit of 1,000 .mesh: {max_elements}.")
+
     def test_a_preview_is_coarse_whatever_the_project_asks(self):
         self.write("h0.ts", level("h0", -500, size=1000.0))
         text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\ncolumn: [a, h0, b]\nmesh: {size: 10}\n"

@@ -95,8 +95,11 @@ CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahed
 }
 
 void announce_count(PreparedModel& model, const CountedOptions& counted, const RunContext& context) {
-  const std::string text = announcement(counted.estimate, counted.options, model.unit);
-  const double total = counted.estimate.total(), limit = static_cast<double>(counted.options.max_elements);
+  const RefineOptions& options = counted.options;
+  const bool may_move = options.honour == Honour::tolerance;
+  const double tolerance = may_move ? options.tolerance + model.refinement.tolerance_used : 0;
+  const std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit);
+  const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);
   if (total > limit)
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +
                                             " (mesh: {max_elements}); sizes about " +

@@ -29,11 +29,20 @@ class Range {
   explicit Range(const Box3& bounds) {
     const Vec3 extent = bounds.max - bounds.min;
     longest_ = std::max({extent.x, extent.y, extent.z});
+    shortest_ = std::min({extent.x, extent.y, extent.z});
     diagonal_ = std::hypot(extent.x, extent.y, extent.z);
     suggestion_ = derived_size(bounds);
   }
 
   bool is_known() const { return longest_ > 0 && std::isfinite(longest_); }
+
+  /// No element is shorter than a billionth of the diagonal: there is none for a model that is thinner.
+  void require_thick() const {
+    if (shortest_ > 0 && shortest_ < least_tolerance * longest_)
+      refuse(
+          "the model is " + length_words(shortest_) + " thick and " + length_words(longest_) +
+          " long: no mesh has elements for both. Are all limits of the box in the same unit, with no digit too many?");
+  }
 
   /// A size of 0 is none.
   void require_size(const std::string& key, double size) const {
@@ -70,7 +79,7 @@ class Range {
            (is_long ? "no digit too many?" : "no digit missing?");
   }
 
-  double longest_ = 0, diagonal_ = 0, suggestion_ = 0;
+  double longest_ = 0, shortest_ = 0, diagonal_ = 0, suggestion_ = 0;
 };
 
 }  // namespace
@@ -90,6 +99,7 @@ void require_countable(const RefinementSettings& settings, double volume, const 
 void require_sizes_in_range(const RefinementSettings& settings, const Box3& bounds) {
   const Range range(bounds);
   if (!settings.refine || !range.is_known()) return;
+  range.require_thick();
   const NamedSizes& size = settings.size;
   const std::string waves = size.frequency > 0 ? ".frequency" : "";
   range.require_size("mesh.size" + waves, size.base.global);

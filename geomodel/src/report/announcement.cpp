@@ -17,10 +17,8 @@ struct Part {
   std::string cause, remedy;
 };
 
-std::array<Part, 4> parts_of(const ElementEstimate& e, const RefineOptions& o, const std::string& unit) {
-  const std::string within = o.honour == Honour::tolerance && o.tolerance > 0
-                                 ? " within " + short_words(o.tolerance) + " " + unit
-                                 : std::string();
+std::array<Part, 4> parts_of(const ElementEstimate& e, double tolerance, const std::string& unit) {
+  const std::string within = tolerance > 0 ? " within " + short_words(tolerance) + " " + unit : std::string();
   return {{{e.by_sizes, "for sizes asked of units, surfaces and places", "larger sizes there"},
            {e.by_thin_units, "in thin units", "rules: {min_thickness: L}, which closes units that are thinner"},
            {e.by_bends, "to follow bends of the surfaces" + within, "mesh: {tolerance: L} with a larger L"},
@@ -31,23 +29,24 @@ constexpr double worth_telling = 0.05;  // of the whole
 
 }  // namespace
 
-std::string announcement(const ElementEstimate& estimate, const RefineOptions& options, const std::string& unit) {
+std::string announcement(const ElementEstimate& estimate, double size, double tolerance, const std::string& unit) {
   const double total = estimate.total();
   std::string text = std::string(announcement_start) + "about " + rounded_count(total);
   std::string parts;
-  if (options.size.global > 0)
-    parts = rounded_count(estimate.by_volume) + " fill the model with edges of " + short_words(options.size.global) +
-            " " + unit;
+  if (size > 0)
+    parts = rounded_count(estimate.by_volume) + " fill the model with edges of " + short_words(size) + " " + unit;
   const Part* largest = nullptr;
-  const std::array<Part, 4> further = parts_of(estimate, options, unit);
+  const std::array<Part, 4> further = parts_of(estimate, tolerance, unit);
   for (const Part& part : further) {
     if (part.count < worth_telling * total) continue;
     parts += (parts.empty() ? "" : ", ") + rounded_count(part.count) + " more " + part.cause;
     if (!largest || part.count > largest->count) largest = &part;
   }
-  if (!parts.empty()) text += ", of which " + parts;
-  if (largest) text += "; for fewer: " + largest->remedy;
-  return text;
+  if (!largest)
+    return parts.empty()
+               ? text
+               : text + " with edges of " + short_words(size) + " " + unit + " (mesh: {size: L} changes that)";
+  return text + ", of which " + parts + "; for fewer: " + largest->remedy;
 }
 
 }  // namespace geomesh::geomodel

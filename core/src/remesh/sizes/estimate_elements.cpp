@@ -27,10 +27,10 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
 
 /// Where the field has too many small sizes to look at all of them, from what larger ones come to.
 SizeIntegrals integrals_of(const DomainMesh& mesh, const SizeField& size) {
-  constexpr double larger = 8;
+  constexpr double larger = 8;  // squared from try to try: sizes in other units are soon left behind
   constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, and some tenths
   if (const auto found = integrate_sizes(mesh, size, many_samples)) return *found;
-  for (double scale = larger; std::isfinite(scale); scale *= larger) {
+  for (double scale = larger; std::isfinite(scale); scale *= scale) {
     const auto first = integrate_sizes(mesh, size.times(scale), few_samples);
     if (!first) continue;
     std::array<double, 3> volume{first->volume}, surface{first->surface};

@@ -9,9 +9,9 @@
 
 namespace geomesh::geomodel {
 
-/// Throws Error{usage} that names the key and suggests a value, where a size is longer than the longest edge of the
-/// bounds or shorter than a millionth of it, or a tolerance is more than a tenth of their diagonal or less than a
-/// billionth. Nothing is checked against empty bounds.
+/// Throws Error{usage} that names the key and suggests a value. A size may not be longer than the longest edge of the
+/// bounds, nor shorter than a millionth of it. A tolerance lies between a billionth and a tenth of their diagonal. The
+/// bounds may not be thinner than a billionth of their longest edge. Nothing is checked against empty bounds.
 void require_sizes_in_range(const RefinementSettings& settings, const Box3& bounds);
 
 /// Throws Error{cannot_mesh} where edges of the size of the whole model fill this volume with more elements than
