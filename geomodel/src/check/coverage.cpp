@@ -140,11 +140,12 @@ void CoverageJudge::check_sources(CheckResult& result) {
 bool CoverageJudge::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
   if (named.outside(centroid(mesh_, face)) > tolerance_) return false;
   const TriangulatedSurface& s = claim_.surfaces[surface];
-  BoxTree& tree = surface_trees_.try_emplace(surface, tree_over(s.points, s.triangles)).first->second;
+  auto at = surface_trees_.find(surface);
+  if (at == surface_trees_.end()) at = surface_trees_.emplace(surface, tree_over(s.points, s.triangles)).first;
   const auto is_on_plane_part = [&](const Vec3& p) {
     if (named.distance(p) > tolerance_) return false;
     bool found = false;
-    tree.query(inflated(box_of(p, p, p), tolerance_), [&](Index i) {
+    at->second.query(inflated(box_of(p, p, p), tolerance_), [&](Index i) {
       const Triangle& t = s.triangles[i];
       const Corners corners{s.points[t[0]], s.points[t[1]], s.points[t[2]]};
       const Vec3 off = nearest_on_triangle(p, corners) - p;

@@ -77,8 +77,8 @@ Cap random_ears(Dice& dice, VertexIndex n) {
   return out;
 }
 
-/// Between an outer outline and a hole about the same centre of as many points, with rows from n on: the two ends of
-/// the front go forward at random, as far apart as is allowed without crossing the hole.
+/// Between an outer outline and a hole about the same centre of as many points, with rows from n on: quadrilaterals,
+/// each cut along one of its diagonals at random.
 Cap ring(Dice& dice, VertexIndex n) {
   Cap out;
   for (VertexIndex i = 0; i < n; ++i) {

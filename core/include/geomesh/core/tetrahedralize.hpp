@@ -65,7 +65,7 @@ struct ConstrainedTetrahedralization {
 
   struct Face {
     Triangle vertices;  ///< in the orientation of the facet it stands for
-    Index facet;
+    Index facet;        ///< a face on several coplanar facets, meshed as a polygon: the one with the centroid
     Index tetrahedron_below = no_index;  ///< on the side that the facet's normal points away from; no_index outside
     Index tetrahedron_above = no_index;  ///< on the side that it points to
   };
