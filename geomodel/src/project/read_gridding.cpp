@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The keys gridding, resample and smooth of an entry of `surfaces`, declared in project/read_reading.hpp.
 #include <cmath>
 
 #include "project/read_reading.hpp"
