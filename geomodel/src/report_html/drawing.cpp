@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 
 namespace geomesh::geomodel::page {
@@ -12,12 +13,6 @@ namespace geomesh::geomodel::page {
 namespace {
 
 constexpr double picture_width = 760, margin_left = 70, margin_bottom = 40, margin_top = 12, margin_right = 16;
-
-std::string pixels(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
 
 /// From the section's coordinates to those of the picture, y downwards.
 struct Frame {
@@ -56,12 +51,6 @@ std::string text_at(double x, double y, std::string_view anchor, std::string_vie
          escape(text) + "</text>";
 }
 
-std::string coordinate(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
-
 std::string draw_axes(const Frame& frame, std::size_t axis) {
   static constexpr std::array<const char*, 3> names{"x", "y", "z"};
   std::string out = "<rect class=\"frame\" x=\"" + pixels(margin_left) + "\" y=\"" + pixels(margin_top) +
@@ -70,9 +59,9 @@ std::string draw_axes(const Frame& frame, std::size_t axis) {
   const double bottom = frame.height() - margin_bottom;
   const double step_u = tick_step(frame.high.x - frame.low.x), step_v = tick_step(frame.high.y - frame.low.y);
   for (double k = std::ceil(frame.low.x / step_u); k * step_u <= frame.high.x; ++k)
-    out += text_at(frame.u(k * step_u), bottom + 15, "middle", coordinate(k * step_u));
+    out += text_at(frame.u(k * step_u), bottom + 15, "middle", coordinate(k * step_u, frame.high.x - frame.low.x));
   for (double k = std::ceil(frame.low.y / step_v); k * step_v <= frame.high.y; ++k)
-    out += text_at(margin_left - 5, frame.v(k * step_v) + 4, "end", coordinate(k * step_v));
+    out += text_at(margin_left - 5, frame.v(k * step_v) + 4, "end", coordinate(k * step_v, frame.high.y - frame.low.y));
   out += text_at((margin_left + frame.width() - margin_right) / 2, bottom + 32, "middle", names[axis == 0 ? 1 : 0]);
   out += text_at(12, (margin_top + bottom) / 2, "middle", names[axis == 2 ? 1 : 2]);
   return out;
@@ -106,37 +95,48 @@ std::string escape(std::string_view text) {
   return out;
 }
 
+std::string pixels(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
 std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  constexpr double shortest = 1e-4, longest = 1e15;
+  char text[64];
+  const double size = std::abs(value);
+  if (!(size >= shortest && size < longest)) {
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+  }
+  std::snprintf(text, sizeof text, "%.3e", value);  // rounded to four digits
+  const double rounded = std::strtod(text, nullptr);
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(rounded))));
+  std::snprintf(text, sizeof text, "%.*f", std::max(0, 3 - power), rounded);
+  std::string plain = text;
+  const std::size_t dot = plain.find('.');
+  if (dot != std::string::npos) {
+    plain.erase(plain.find_last_not_of('0') + 1);
+    if (plain.back() == '.') plain.pop_back();
+  }
+  const std::size_t first = plain.front() == '-' ? 1 : 0;
+  for (std::size_t at = std::min(dot, plain.size()); at > first + 3; at -= 3) plain.insert(at - 3, ",");
+  return plain;
 }
 
-std::string colour(std::size_t row) {
-  // Steps of the golden angle on the colour wheel; lightness alternates so that a long list stays readable.
-  const double hue = std::fmod(40.0 + 137.508 * static_cast<double>(row), 360.0);
-  const double lightness = std::array{0.66, 0.52, 0.76}[row % 3], chroma = 0.55 * (1 - std::abs(2 * lightness - 1));
-  const double x = chroma * (1 - std::abs(std::fmod(hue / 60, 2.0) - 1));
-  const std::array<std::array<double, 3>, 6> sectors{
-      {{chroma, x, 0}, {x, chroma, 0}, {0, chroma, x}, {0, x, chroma}, {x, 0, chroma}, {chroma, 0, x}}};
-  const std::array<double, 3>& rgb = sectors[static_cast<std::size_t>(hue / 60) % 6];
-  char text[16];
-  const auto channel = [&](double c) { return static_cast<int>(std::lround(255 * (c + lightness - chroma / 2))); };
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", channel(rgb[0]), channel(rgb[1]), channel(rgb[2]));
-  return text;
+std::string coordinate(double value, double range) {
+  const int digits = range > 0 ? static_cast<int>(std::ceil(-std::log10(range * 1e-6))) : 0;
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", std::clamp(digits, 0, 15), value);
+  std::string plain = text;
+  if (plain.find('.') != std::string::npos) {
+    plain.erase(plain.find_last_not_of('0') + 1);
+    if (plain.back() == '.') plain.pop_back();
+  }
+  return plain == "-0" ? "0" : plain;
 }
 
-double vertical_exaggeration(const Box3& bounds) {
-  const double across = std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y),
-               high = bounds.max.z - bounds.min.z;
-  if (!(high > 0) || high >= 0.3 * across) return 1;
-  for (double power = 1; power < 1e9; power *= 10)
-    for (double factor : {2.0, 5.0, 10.0})
-      if (high * power * factor >= 0.3 * across) return power * factor;
-  return 1e9;
-}
-
-std::string draw_section(const Section& section, const Box3& bounds) {
+std::string draw_section(const Section& section, const Box3& bounds, const std::vector<Colour>& colours) {
   const Frame frame = frame_of(section, bounds);
   std::map<std::int32_t, std::string> fills;
   for (const Section::Cut& cut : section.cuts) {
@@ -150,10 +150,12 @@ std::string draw_section(const Section& section, const Box3& bounds) {
     traces.append("M").append(frame.point(t.a)).append("L").append(frame.point(t.b));
   static constexpr std::array<const char*, 3> names{"x", "y", "z"};
   std::string out = std::string("<svg role=\"img\" aria-label=\"Section at ") + names[section.axis] + " = " +
-                    number(section.at) + "\" viewBox=\"0 0 " + pixels(frame.width()) + " " + pixels(frame.height()) +
-                    "\" width=\"" + pixels(frame.width()) + "\">";
+                    coordinate(section.at, bounds.max[section.axis] - bounds.min[section.axis]) + "\" viewBox=\"0 0 " +
+                    pixels(frame.width()) + " " + pixels(frame.height()) + "\" width=\"" + pixels(frame.width()) +
+                    "\">";
   for (const auto& [region, path] : fills)
-    out += "<path class=\"unit\" fill=\"" + colour(static_cast<std::size_t>(region - 1)) + "\" d=\"" + path + "\"/>";
+    out += "<path class=\"unit\" fill=\"" + to_hex(colours[static_cast<std::size_t>(region - 1)]) + "\" d=\"" + path +
+           "\"/>";
   out += "<path class=\"trace\" d=\"" + traces + "\"/>" + draw_axes(frame, section.axis) + "</svg>\n";
   return out;
 }

@@ -8,26 +8,26 @@
 #include <string_view>
 #include <vector>
 
-#include "report_html/section.hpp"
+#include "geomesh/geomodel/palette.hpp"
+#include "report_html/model/section.hpp"
 
 namespace geomesh::geomodel::page {
 
 /// `&`, `<`, `>` and quotes made harmless.
 std::string escape(std::string_view text);
 
-/// A number as a person reads it: four significant digits.
+/// A number as a person reads it: four significant digits, without an exponent from 1e-4 to 1e15, thousands parted.
 std::string number(double value);
 
-/// The colour of a region or surface by its place in the list, "#rrggbb". Neighbours in the list differ clearly.
-std::string colour(std::size_t row);
+/// A coordinate with all its digits and no exponent, rounded to a millionth of `range`.
+std::string coordinate(double value, double range);
 
-/// How much z is stretched in vertical sections of a model with these extents, so that layers can be told apart: 1, 2,
-/// 5, 10, 20 ...
-double vertical_exaggeration(const Box3& bounds);
+/// A length in a picture: pixels with a decimal.
+std::string pixels(double value);
 
-/// A section as a picture with axes: units filled in their colours, mesh edges thin, surfaces dark. `bounds` are the
-/// model's.
-std::string draw_section(const Section& section, const Box3& bounds);
+/// A section as a picture with axes: units filled in their colours (by region id - 1), mesh edges thin, surfaces dark.
+/// `bounds` are the model's.
+std::string draw_section(const Section& section, const Box3& bounds, const std::vector<Colour>& colours);
 
 /// A bar chart; bar k counts values from k * width to (k + 1) * width.
 std::string draw_histogram(const std::vector<std::size_t>& counts, double width, std::string_view quantity);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "report/words.hpp"
 #include "report_html/drawing.hpp"
 
 namespace geomesh::geomodel::page {
@@ -31,7 +32,7 @@ std::string summary(const MeshQuality& q) {
 }
 
 std::string row_of(const std::string& name, const ShapeStatistics& s) {
-  std::string out = "<tr><td>" + escape(name) + "</td>" + numeric(std::to_string(s.n_tetrahedra));
+  std::string out = "<tr><td>" + escape(name) + "</td>" + numeric(grouped_words(s.n_tetrahedra));
   for (const double value :
        {s.min_dihedral.min, s.min_dihedral.first_percentile, s.min_dihedral.mean, s.max_dihedral.max,
         100 * s.share_below_10, 100 * s.share_above_24_85, s.radius_ratio.min, s.edge_length.mean})
@@ -40,14 +41,14 @@ std::string row_of(const std::string& name, const ShapeStatistics& s) {
 }
 
 std::string table(const MeshQuality& q, const ModelMesh& mesh) {
-  std::string out = "<table><tr><th>unit</th>";
+  std::string out = "<div class=\"wide\" tabindex=\"0\"><table><tr><th>unit</th>";
   for (const char* head : {"tetrahedra", "least angle", "first percentile", "mean of least", "largest angle",
                            "% below 10", "% above 24.85", "least radius ratio", "mean edge"})
     out += std::string("<th class=\"n\">") + head + "</th>";
   out += "</tr>\n" + row_of("whole", q.whole);
   for (std::size_t r = 0; r < std::min(mesh.regions.size(), q.per_component.size()); ++r)
     out += row_of(mesh.regions[r].name, q.per_component[r]);
-  return out + "</table>\n";
+  return out + "</table></div>\n";
 }
 
 std::string by_region(const MeshQuality& q, const ModelMesh& mesh) {
@@ -65,27 +66,35 @@ std::string edges_against_size(const ShapeStatistics& s) {
                                                    "1 to 1.41", "1.41 to 2",  "2 to 4",      "above 4"};
   std::size_t all = 0;
   for (const std::size_t n : s.edge_size_histogram) all += n;
-  std::string out = "<h3>Edges by length over the asked size</h3>\n<table><tr>";
+  std::string out = "<h3>Edges by length over the asked size</h3>\n<div class=\"wide\" tabindex=\"0\"><table><tr>";
   for (const char* bin : bins) out += std::string("<th class=\"n\">") + bin + "</th>";
   out += "</tr><tr>";
   for (const std::size_t n : s.edge_size_histogram)
     out += numeric(number(100.0 * static_cast<double>(n) / static_cast<double>(std::max<std::size_t>(1, all))) + " %");
-  return out + "</tr></table>\n";
+  return out + "</tr></table></div>\n";
+}
+
+/// Digits down to a millionth of `range`.
+std::string place_words(const Vec3& place, double range) {
+  return coordinate(place.x, range) + ", " + coordinate(place.y, range) + ", " + coordinate(place.z, range);
 }
 
 std::string worst_elements(const QualityReport& report, const ModelMesh& mesh) {
   const MeshQuality& q = report.measured;
+  Box3 bounds;
+  for (const Vec3& p : mesh.points) bounds.add(p);
+  const double range = 1e3 * std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
   std::string out =
-      "<h3>Worst elements</h3>\n<table><tr><th class=\"n\">smallest angle</th><th "
+      "<h3>Worst elements</h3>\n<div class=\"wide\" tabindex=\"0\"><table><tr><th class=\"n\">smallest angle</th><th "
       "class=\"n\">largest</th><th>at</th><th>unit</th><th>cause</th></tr>\n";
   for (std::size_t i = 0; i < std::min(q.worst.size(), most_elements_shown); ++i) {
     const WorstElement& w = q.worst[i];
     const auto region = static_cast<std::size_t>(mesh.tet_region[w.tetrahedron] - 1);
-    out += "<tr>" + numeric(number(w.min_dihedral)) + numeric(number(w.max_dihedral)) + "<td>" + number(w.place.x) +
-           ", " + number(w.place.y) + ", " + number(w.place.z) + "</td><td>" + escape(mesh.regions[region].name) +
-           "</td><td>" + escape(report.causes[i]) + "</td></tr>\n";
+    out += "<tr>" + numeric(number(w.min_dihedral)) + numeric(number(w.max_dihedral)) + "<td>" +
+           place_words(w.place, range) + "</td><td>" + escape(mesh.regions[region].name) + "</td><td>" +
+           escape(report.causes[i]) + "</td></tr>\n";
   }
-  return out + "</table>\n";
+  return out + "</table></div>\n";
 }
 
 }  // namespace

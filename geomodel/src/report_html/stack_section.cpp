@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/words.hpp"
 #include "report_html/drawing.hpp"
 
 namespace geomesh::geomodel::page {
@@ -38,9 +39,9 @@ std::string draw_cells(const ThicknessMaps& maps, const std::vector<double>& val
       std::size_t end = i + 1;
       while (end < maps.n_columns && shade_of(values[j * maps.n_columns + end], largest) == s) ++end;
       if (s > 0)
-        out += "<rect x=\"" + number(static_cast<double>(i) * scale) + "\" y=\"" +
-               number(static_cast<double>(maps.n_rows - 1 - j) * scale) + "\" width=\"" +
-               number(static_cast<double>(end - i) * scale + 0.3) + "\" height=\"" + number(scale + 0.3) +
+        out += "<rect x=\"" + pixels(static_cast<double>(i) * scale) + "\" y=\"" +
+               pixels(static_cast<double>(maps.n_rows - 1 - j) * scale) + "\" width=\"" +
+               pixels(static_cast<double>(end - i) * scale + 0.3) + "\" height=\"" + pixels(scale + 0.3) +
                "\" fill=\"" + shade(s) + "\"/>";
       i = end;
     }
@@ -50,24 +51,24 @@ std::string draw_cells(const ThicknessMaps& maps, const std::vector<double>& val
 std::string draw_map(const ThicknessMaps& maps, const SettledUnit& unit, const std::vector<double>& values) {
   const double scale = picture_width / static_cast<double>(maps.n_columns);
   const double height = scale * static_cast<double>(maps.n_rows);
-  std::string out = "<svg width=\"" + number(picture_width) + "\" height=\"" + number(height) + "\" viewBox=\"0 0 " +
-                    number(picture_width) + " " + number(height) + "\">" +
-                    draw_cells(maps, values, unit.largest_thickness, scale);
+  std::string out = "<svg width=\"" + pixels(picture_width) + "\" height=\"" + pixels(height) + "\" viewBox=\"0 0 " +
+                    pixels(picture_width) + " " + pixels(height) + "\" role=\"img\" aria-label=\"Thickness of " +
+                    escape(unit.name) + "\">" + draw_cells(maps, values, unit.largest_thickness, scale);
   const double left = maps.origin.x - 0.5 * maps.step, low = maps.origin.y - 0.5 * maps.step;
   for (const std::vector<Vec2>& line : unit.pinch_outs) {
     out += "<polyline class=\"trace\" points=\"";
     for (const Vec2& p : line)
-      out += number((p.x - left) / maps.step * scale) + "," + number(height - (p.y - low) / maps.step * scale) + " ";
+      out += pixels((p.x - left) / maps.step * scale) + "," + pixels(height - (p.y - low) / maps.step * scale) + " ";
     out += "\"/>";
   }
-  return out + "<rect class=\"frame\" width=\"" + number(picture_width) + "\" height=\"" + number(height) +
+  return out + "<rect class=\"frame\" width=\"" + pixels(picture_width) + "\" height=\"" + pixels(height) +
          "\"/></svg>";
 }
 
 std::string cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
 
 std::string horizons_table(const SettledStack& stack, const std::string& unit) {
-  std::string out = "<table><tr><th>horizon</th>";
+  std::string out = "<div class=\"wide\" tabindex=\"0\"><table><tr><th>horizon</th>";
   for (const std::string& head :
        {std::string("triangles given"), std::string("triangles now"), "shared with a neighbour, " + unit + "2",
         "cut above the topography, " + unit + "2", "moved, " + unit + "2", "mean move, " + unit,
@@ -76,12 +77,12 @@ std::string horizons_table(const SettledStack& stack, const std::string& unit) {
     out += "<th class=\"n\">" + head + "</th>";
   out += "</tr>\n";
   for (const SettledHorizon& h : stack.horizons)
-    out += "<tr><td>" + escape(h.name) + "</td>" + cell(std::to_string(h.n_triangles_given)) +
-           cell(std::to_string(h.n_triangles)) + cell(number(h.area_merged)) + cell(number(h.area_above_topography)) +
+    out += "<tr><td>" + escape(h.name) + "</td>" + cell(grouped_words(h.n_triangles_given)) +
+           cell(grouped_words(h.n_triangles)) + cell(number(h.area_merged)) + cell(number(h.area_above_topography)) +
            cell(number(h.area_moved)) + cell(number(h.mean_move)) + cell(number(h.largest_move)) +
            cell(number(h.largest_off)) + cell(number(h.area_at_faults)) + cell(number(h.largest_move_at_faults)) +
            "</tr>\n";
-  return out + "</table>\n";
+  return out + "</table></div>\n";
 }
 
 }  // namespace

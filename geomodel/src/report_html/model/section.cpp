@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report_html/section.hpp"
+#include "report_html/model/section.hpp"
 
 #include <array>
 
