@@ -106,12 +106,10 @@ class Browser:
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=x + dx, y=y + dy, button="left", clickCount=1)
         self.settle()
 
-    def screenshot(self, path=None, whole=False):
-        data = base64.b64decode(self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"])
-        if path:
-            with open(path, "wb") as file:
-                file.write(data)
-        return data
+    def screenshot(self, box, scale=1.0):
+        """A part of the page (x, y, width, height) as PNG, smaller by `scale`."""
+        clip = dict(zip(("x", "y", "width", "height"), box), scale=scale)
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip)["data"])
 
     def errors(self):
         """What the console was told, and exceptions."""
