@@ -19,6 +19,8 @@
 #include "pipeline/target_elements.hpp"
 #include "report/model_verdict.hpp"
 #include "rules/order/laid_down.hpp"
+#include "solver_mesh/corners/divide_tetrahedra.hpp"
+#include "solver_mesh/corners/free_corners.hpp"
 #include "solver_mesh/curved_edges.hpp"
 #include "solver_verdict/velocities.hpp"
 
@@ -146,6 +148,17 @@ ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector
   recorder.context().note(LogLevel::info,
                           count_words(mesh.tetrahedra.size(), "tetrahedra exactly positive and conforming"));
   return mesh;
+}
+
+/// Before anything is measured or reported: counts and shapes are then those of the mesh that is written.
+void free_split_corners(ConstrainedTetrahedralization& core, const PreparedModel& model,
+                        const std::vector<std::string>& split, unsigned threads) {
+  if (split.empty()) return;
+  std::vector<std::string> told_later;  // naming tells its warnings when the mesh is named for good
+  const NamingRules naming = with_heights(model.naming, model.surfaces, model.built_rows, model.rules);
+  const ModelMesh named = name_model({core, model.arrangement.soup, model.plc, model.surfaces, moved_at_most(model)},
+                                     model.points, naming, told_later, threads);
+  divide_tetrahedra(core, tetrahedra_on_surfaces(named, split));
 }
 
 /// `core` has the tetrahedra of `mesh`, in the same order; `refined` tells what the model was refined to, where it was.
@@ -298,6 +311,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   const bool refine = model.refinement.refine;
   if (refine) report.refinement = refined.statistics;
   undo_z_scale(model, refined.mesh);
+  free_split_corners(refined.mesh, model, options.split, recorder.context().threads);
   const ConstrainedTetrahedralization& core = refined.mesh;
   report.core = &core;
   const SizeField* const size = refine ? &refined.size_field : nullptr;

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "geomesh/core/error.hpp"
-#include "geomesh/core/predicates.hpp"
-#include "geomesh/geomodel/words.hpp"
+#include "solver_mesh/corners/divide_tetrahedra.hpp"
 #include "solver_mesh/corners/shape_values.hpp"
 
 namespace geomesh::geomodel {
@@ -29,7 +27,8 @@ Vec3 mean_of(const std::vector<Vec3>& points, const Tetrahedron& t) {
 }
 
 VertexIndex add_centre(ModelMesh& mesh, const Tetrahedron& t) {
-  mesh.points.push_back(mean_of(mesh.points, t));
+  mesh.points.push_back(
+      centre_that_divides(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]));
   mesh.point_kind.push_back(4);  // inside
   mesh.input_vertex.push_back(-1);
   if (!mesh.before_zones.empty()) mesh.before_zones.push_back(mean_of(mesh.before_zones, t));
@@ -41,7 +40,20 @@ VertexIndex add_centre(ModelMesh& mesh, const Tetrahedron& t) {
   return static_cast<VertexIndex>(mesh.points.size() - 1);
 }
 
-std::string words_of(const Vec3& p) { return short_words(p.x) + ", " + short_words(p.y) + ", " + short_words(p.z); }
+/// The part in which the centre stands in for corner i; row `row` keeps the first.
+void put_part(ModelMesh& mesh, std::size_t row, const Tetrahedron& part, bool is_first) {
+  const std::size_t at = is_first ? row : mesh.tetrahedra.size();
+  if (!is_first) {
+    mesh.tetrahedra.emplace_back();
+    mesh.tet_region.push_back(mesh.tet_region[row]);
+    for (CellArray& array : mesh.cell_arrays) array.values.push_back(array.values[row]);
+  }
+  mesh.tetrahedra[at] = part;
+  const TetrahedronShape shape =
+      tetrahedron_shape(mesh.points[part[0]], mesh.points[part[1]], mesh.points[part[2]], mesh.points[part[3]]);
+  for (CellArray& array : mesh.cell_arrays)
+    if (const auto value = shape_value(array.name, shape)) array.values[at] = *value;
+}
 
 void divide(ModelMesh& mesh, std::size_t row) {
   const Tetrahedron t = mesh.tetrahedra[row];
@@ -49,24 +61,7 @@ void divide(ModelMesh& mesh, std::size_t row) {
   for (std::size_t i = 0; i < 4; ++i) {
     Tetrahedron part = t;
     part[i] = centre;
-    if (orient3d(mesh.points[part[0]], mesh.points[part[1]], mesh.points[part[2]], mesh.points[part[3]]) !=
-        Sign::positive)
-      throw Error(ErrorKind::cannot_mesh,
-                  "split: a tetrahedron near (" + words_of(mesh.points[t[0]]) +
-                      ") has all its corners on the fault, and is too flat to be divided; give the fault a smaller "
-                      "mesh size there, or leave it out of split",
-                  ErrorContext{{}, {}, {}, {mesh.points[t[0]]}, {}});
-    const std::size_t at = i == 0 ? row : mesh.tetrahedra.size();
-    if (i > 0) {
-      mesh.tetrahedra.emplace_back();
-      mesh.tet_region.push_back(mesh.tet_region[row]);
-      for (CellArray& array : mesh.cell_arrays) array.values.push_back(array.values[row]);
-    }
-    mesh.tetrahedra[at] = part;
-    const TetrahedronShape shape =
-        tetrahedron_shape(mesh.points[part[0]], mesh.points[part[1]], mesh.points[part[2]], mesh.points[part[3]]);
-    for (CellArray& array : mesh.cell_arrays)
-      if (const auto value = shape_value(array.name, shape)) array.values[at] = *value;
+    put_part(mesh, row, part, i == 0);
   }
   mesh.regions[static_cast<std::size_t>(mesh.tet_region[row] - 1)].n_tetrahedra += 3;
 }
