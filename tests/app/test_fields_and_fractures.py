@@ -37,7 +37,7 @@ class Fields(ProgramTest):
         self.assertAlmostEqual(volumes["ball"] / (4 / 3 * math.pi * 27e6), 1, delta=0.01)
 
     def test_a_sequence_of_one_field_keeps_its_order(self):
-        fold = self.field("fold.npy", lambda x, y, z: z - 80 * numpy.sin(x / 100) - 20 * numpy.cos(y / 150))
+        fold = self.field("fold.npy", lambda x, y, z: z - 80 * numpy.sin(x / 300) - 20 * numpy.cos(y / 400), n=25)
         surfaces = [fold + ", name: h%d, kind: horizon, value: %g" % (i, v) for i, v in enumerate((30, 29, -60))]
         volumes, _ = self.volumes(self.project(surfaces, "column: [a, h0, b, h1, c, h2, d]\n"))
         self.assertEqual(sorted(volumes), ["a", "b", "c", "d"])
