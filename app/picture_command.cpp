@@ -43,8 +43,10 @@ fs::path drawing_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path() / "geomesh-picture";
   if (!fs::exists(program, error))
-    throw Error(ErrorKind::usage, "there is no " + program.string() +
-                                      ": it is built where VTK can draw (scripts/build release bin/geomesh-picture)");
+    throw Error(ErrorKind::usage,
+                "there is no " + program.string() +
+                    ": pictures are drawn with VTK by a program of its own, in the package geomesh-picture (apt "
+                    "install geomesh-picture; built from source: apt install libvtk9-dev, and build again)");
   return program;
 }
 

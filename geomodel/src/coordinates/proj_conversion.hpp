@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Conversion between any two systems of the EPSG register, by PROJ: what GeographicLib does not serve, and all that
-/// changes the datum.
+/// Conversion between any two systems of the EPSG register, by PROJ, which a module holds: what GeographicLib does not
+/// serve, and all that changes the datum.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Whether the register knows the system as one of longitude and latitude. False where it does not know it.
+/// Whether the register knows the system as one of longitude and latitude. False where it does not, or is not there.
 bool is_geographic(const HorizontalCrs& crs);
 
 class ProjConversion {

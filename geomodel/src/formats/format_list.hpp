@@ -15,9 +15,9 @@ Format gmsh41_binary_format();      // gmsh41.cpp
 Format gmsh22_format();             // gmsh22.cpp
 Format gmsh22_binary_format();      // gmsh22.cpp
 Format abaqus_format();             // abaqus_inp.cpp
-Format exodus_format();             // exodus/exodus.cpp
-Format med_format();                // med.cpp, with libmedc
-Format xdmf_format();               // xdmf.cpp, with HDF5
+Format exodus_format();             // modules/at_need.cpp: exodus/, in a module with netCDF
+Format med_format();                // modules/at_need.cpp: modules/med.cpp, with libmedc
+Format xdmf_format();               // modules/at_need.cpp: modules/xdmf.cpp, with HDF5
 Format ogs_format();                // opengeosys.cpp
 Format openfoam_format();           // openfoam.cpp
 Format mfem_format();               // mfem.cpp
@@ -26,20 +26,29 @@ Format tetgen_format();             // tetgen.cpp
 Format pflotran_explicit_format();  // pflotran_explicit.cpp
 Format tough_format();              // tough.cpp
 
-/// In the order of the documents. What was left out when the program was built is not in it.
+/// In the order of the documents. Those of modules are in it, whether or not the module is there.
 inline constexpr Format (*listed_formats[])() = {
-    vtu_format,      gmsh41_format,        gmsh41_binary_format,
-    gmsh22_format,   gmsh22_binary_format, abaqus_format,
+    vtu_format,
+    gmsh41_format,
+    gmsh41_binary_format,
+    gmsh22_format,
+    gmsh22_binary_format,
+    abaqus_format,
     exodus_format,
-#ifdef GEOMESH_WITH_MED
+    //
     med_format,
-#endif
-#ifdef GEOMESH_WITH_HDF5
+    //
+    //
     xdmf_format,
-#endif
-    ogs_format,      openfoam_format,      mfem_format,
-    pflotran_format, tetgen_format,        pflotran_explicit_format,
-    tough_format,    geos_format,
+    //
+    ogs_format,
+    openfoam_format,
+    mfem_format,
+    pflotran_format,
+    tetgen_format,
+    pflotran_explicit_format,
+    tough_format,
+    geos_format,
 };
 
 }  // namespace geomesh::geomodel

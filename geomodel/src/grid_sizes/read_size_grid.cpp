@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sizes from a file, declared in grid_sizes/size_grid.hpp.
-#include <vtkCell.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkImageData.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
-
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -19,7 +7,7 @@
 #include "grid_sizes/size_grid.hpp"
 #include "readers/tables/table.hpp"
 #include "readers/text/text.hpp"
-#include "readers/vtk/vtk_parse.hpp"
+#include "vtk_files/vtk_data.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -72,32 +60,27 @@ Sizes read_text(const InputFile& file, const Wanted& wanted) {
   return sizes;
 }
 
-Vec3 centre_of(vtkDataSet& data, vtkIdType cell) {
-  double sum[3] = {0, 0, 0}, p[3];
-  vtkCell& c = *data.GetCell(cell);
-  const vtkIdType n = c.GetNumberOfPoints();
-  for (vtkIdType i = 0; i < n; ++i) {
-    data.GetPoint(c.GetPointId(i), p);
-    for (int k = 0; k < 3; ++k) sum[k] += p[k] / static_cast<double>(n);
-  }
-  return {sum[0], sum[1], sum[2]};
+Vec3 centre_of(const VtkData& data, std::size_t cell) {
+  Vec3 sum{0, 0, 0};
+  const auto corners = data.cells.of(cell);
+  for (const VertexIndex v : corners) sum = sum + (1 / static_cast<double>(corners.size())) * data.points[v];
+  return sum;
 }
 
-Sizes sizes_of(const InputFile& file, const Wanted& wanted, vtkDataSet& data) {
+Sizes sizes_of(const InputFile& file, const Wanted& wanted, const VtkData& data) {
   Sizes sizes;
-  vtkDataArray* at_points = data.GetPointData()->GetArray(wanted.array.c_str());
-  vtkDataArray* at_cells = data.GetCellData()->GetArray(wanted.array.c_str());
-  vtkDataArray* array = at_points ? at_points : at_cells;
-  if (!array || array->GetNumberOfComponents() != 1)
+  const VtkColumn* const at_points = data.point_data.numbers(wanted.array);
+  const VtkColumn* const array = at_points ? at_points : data.cell_data.numbers(wanted.array);
+  if (!array || array->n_components != 1)
     file.fail("has no point or cell array \"" + wanted.array + "\" of one number each");
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
-    const double size = array->GetComponent(i, 0);
+  const std::size_t n = at_points ? data.points.size() : data.cells.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double size = array->number(i);
     if (!wanted.holds(size))
       file.fail("the array \"" + wanted.array + "\" holds a value that is no " + wanted.expected() + ", at row " +
                 std::to_string(i));
-    double p[3];
-    if (at_points) data.GetPoint(i, p);
-    sizes.points.push_back(at_points ? Vec3{p[0], p[1], p[2]} : centre_of(data, i));
+    if (!at_points && data.cells.of(i).empty()) continue;
+    sizes.points.push_back(at_points ? data.points[i] : centre_of(data, i));
     sizes.sizes.push_back(size);
   }
   return sizes;
@@ -105,10 +88,8 @@ Sizes sizes_of(const InputFile& file, const Wanted& wanted, vtkDataSet& data) {
 
 Sizes read_sizes(const InputFile& file, const Wanted& wanted) {
   const std::string extension = file.extension();
-  if (extension == ".vti") return sizes_of(file, wanted, *parse_vtk<vtkXMLImageDataReader, vtkImageData>(file));
-  if (extension == ".vtu")
-    return sizes_of(file, wanted, *parse_vtk<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(file));
-  if (extension == ".vtp") return sizes_of(file, wanted, *parse_vtk<vtkXMLPolyDataReader, vtkPolyData>(file));
+  if (extension == ".vti" || extension == ".vtu" || extension == ".vtp")
+    return sizes_of(file, wanted, read_vtk_xml_data(file));
   return read_text(file, wanted);
 }
 

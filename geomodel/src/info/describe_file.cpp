@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one file holds, declared in geomesh/geomodel/info.hpp.
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <new>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
@@ -9,14 +11,23 @@
 #include "geomesh/geomodel/readers.hpp"
 #include "mesh_readers/mesh_files.hpp"
 #include "naming/sums.hpp"
-#include "readers/vtk/vtk_xml_guard.hpp"
+#include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
+/// A legacy VTK file of cells of any kind, which stands in its fourth line.
+bool is_legacy_grid(const std::filesystem::path& path) {
+  if (path.extension() != ".vtk") return false;
+  std::ifstream in(path);
+  std::string line;
+  for (int i = 0; i < 4; ++i) std::getline(in, line);
+  return starts_with_ignoring_case(trim(line), "DATASET UNSTRUCTURED_GRID");
+}
+
 bool may_be_mesh(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  return extension == ".vtu" || extension == ".msh" || extension == ".inp";
+  return extension == ".vtu" || extension == ".msh" || extension == ".inp" || is_legacy_grid(path);
 }
 
 /// Tetrahedra and volumes by region.
@@ -48,9 +59,12 @@ void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
 /// False where the file holds no tetrahedra.
 bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   checking::MeshFile file;
-  if (!survives_sizes([&] { file = checking::read_mesh_file(path); }))
+  try {
+    file = checking::read_mesh_file(path);
+  } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::invalid_input,
                 path.string() + ": reading it needs more memory than there is; its counts may be wrong");
+  }
   if (file.tetrahedra.empty()) return false;
   info.format = file.format;
   MeshInfo mesh;

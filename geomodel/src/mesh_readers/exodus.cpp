@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exodus II by the library of Sandia (VTK::exodusII): blocks of tetrahedra, side sets, node sets.
-#include <vtk_exodusII.h>
-
+// Exodus II, which is a layout of netCDF: blocks of tetrahedra, side sets, node sets, fields of the first time.
+// Followed: Schoof and Yarberry, "EXODUS II: a finite element data model" (SAND92-2137).
 #include <cctype>
-#include <fstream>
 #include <limits>
+#include <numeric>
 
-#include "geomesh/core/error.hpp"
 #include "mesh_readers/exodus_parts.hpp"
 #include "mesh_readers/mesh_readers.hpp"
+#include "mesh_readers/netcdf_reader.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -18,41 +17,25 @@ constexpr std::size_t corners_of_side[4][3] = {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}, 
 
 class ExodusReader {
  public:
-  explicit ExodusReader(const std::filesystem::path& path) : path_(path) {
-    if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
-    ex_opts(0);
-    int word = 8, stored = 0;
-    float version = 0;
-    id_ = ex_open(path.c_str(), EX_READ, &word, &stored, &version);
-    if (id_ < 0) refuse("it is no Exodus file, or damaged");
-    ex_set_int64_status(id_, 0);
-    ex_set_max_name_length(id_, 256);
-    mesh_.single_precision = stored == 4;
-  }
-  ~ExodusReader() { ex_close(id_); }
-  ExodusReader(const ExodusReader&) = delete;
-  ExodusReader& operator=(const ExodusReader&) = delete;
+  explicit ExodusReader(const std::filesystem::path& path) : file_(path) {}
 
   ExodusPartMesh read_part() {
     ExodusPartMesh part{read(), {}, {}};
-    part.nodes.resize(part.mesh.points.size());
-    std::vector<int> elements(row_of_element_.size());
-    if (!part.nodes.empty()) require(ex_get_id_map(id_, EX_NODE_MAP, part.nodes.data()));
-    if (!elements.empty()) require(ex_get_id_map(id_, EX_ELEM_MAP, elements.data()));
+    part.nodes = numbers_in_whole("node_num_map", part.mesh.points.size());
+    const std::vector<int> elements = numbers_in_whole("elem_num_map", row_of_element_.size());
     for (std::size_t e = 0; e < elements.size(); ++e)
       if (row_of_element_[e] != SIZE_MAX) part.tetrahedra.push_back(elements[e]);
     return part;
   }
   RawMesh read() {
     mesh_.format = "Exodus II";
-    ex_init_params sizes{};
-    require(ex_get_init_ext(id_, &sizes));
-    if (sizes.num_dim != 3) refuse("it has " + std::to_string(sizes.num_dim) + " dimensions; 3 are read");
-    read_points(possible(sizes.num_nodes));
-    read_blocks(possible(sizes.num_elem_blk), possible(sizes.num_elem));
-    read_sets(EX_SIDE_SET, possible(sizes.num_side_sets));
-    read_sets(EX_NODE_SET, possible(sizes.num_node_sets));
-    if (ex_inquire_int(id_, EX_INQ_TIME) > 0) {
+    if (const std::size_t n = file_.dimension("num_dim"); n != 3)
+      file_.refuse("it has " + std::to_string(n) + " dimensions; 3 are read");
+    read_points();
+    read_blocks();
+    read_sets("ss", file_.dimension("num_side_sets"));
+    read_sets("ns", file_.dimension("num_node_sets"));
+    if (file_.dimension("time_step") > 0) {
       read_cell_arrays();
       read_point_arrays();
     }
@@ -60,140 +43,153 @@ class ExodusReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw Error(ErrorKind::invalid_input, path_.string() + ": " + why);
+  /// Those from 1 on where the file does not tell them.
+  std::vector<int> numbers_in_whole(const char* variable, std::size_t n) const {
+    std::vector<int> numbers(n);
+    std::iota(numbers.begin(), numbers.end(), 1);
+    if (!file_.has(variable)) return numbers;
+    const std::vector<std::int64_t> given = file_.integers(variable, n);
+    for (std::size_t i = 0; i < n; ++i) numbers[i] = number(given[i]);
+    return numbers;
   }
-  /// Refuses more numbers than the file can hold, compressed as they may be (deflate: 1032 to 1).
-  std::size_t possible(std::int64_t n) const {
-    if (n < 0 || static_cast<std::uintmax_t>(n) / 1032 > std::filesystem::file_size(path_))
-      refuse("sizes in it are not those of what follows: it is damaged");
-    return static_cast<std::size_t>(n);
+  int number(std::int64_t value) const {
+    if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
+      file_.refuse("it holds the number " + std::to_string(value) + ", which is more than 32 bits can count");
+    return static_cast<int>(value);
   }
-  void require(int status) const {
-    if (status < 0) refuse("the Exodus library cannot read it: it is damaged");
-  }
-  void read_points(std::size_t n) {
-    std::vector<double> x(n), y(n), z(n);
-    require(ex_get_coord(id_, x.data(), y.data(), z.data()));
+
+  /// Three variables, or one of files before 1996.
+  void read_points() {
+    const std::size_t n = file_.dimension("num_nodes");
+    if (n >= no_vertex) file_.refuse("it holds more nodes than 32 bits can count");
+    if (n == 0) return;
+    if (file_.has("coord")) {
+      const std::vector<double> all = file_.doubles("coord", 3 * n);
+      for (std::size_t i = 0; i < n; ++i) mesh_.points.push_back({all[i], all[n + i], all[2 * n + i]});
+      mesh_.single_precision = file_.is_single_precision("coord");
+      return;
+    }
+    const std::vector<double> x = file_.doubles("coordx", n), y = file_.doubles("coordy", n),
+                              z = file_.doubles("coordz", n);
     for (std::size_t i = 0; i < n; ++i) mesh_.points.push_back({x[i], y[i], z[i]});
+    mesh_.single_precision = file_.is_single_precision("coordx");
   }
-  std::vector<int> ids_of(ex_entity_type kind, std::size_t n) const {
-    std::vector<int> ids(n);
-    if (n > 0) require(ex_get_ids(id_, kind, ids.data()));
-    return ids;
-  }
-  std::string name_of(ex_entity_type kind, int id) const {
-    std::string name(257, '\0');
-    if (ex_get_name(id_, kind, id, name.data()) < 0) return "";
-    return name.c_str();
-  }
-  std::vector<std::string> variables(ex_entity_type kind) const {
-    int n = 0;
-    require(ex_get_variable_param(id_, kind, &n));
-    std::vector<std::string> names;
-    for (int i = 1; i <= n; ++i) {
-      std::string name(257, '\0');
-      require(ex_get_variable_name(id_, kind, i, name.data()));
-      names.emplace_back(name.c_str());
-    }
-    return names;
-  }
-  /// Of the first time. NaN where a block has no such variable.
-  void read_cell_arrays() {
-    const std::vector<std::string> names = variables(EX_ELEM_BLOCK);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      CellArray array{names[i], std::vector<double>(mesh_.cells[3].size(), std::numeric_limits<double>::quiet_NaN())};
-      for (const auto& [id, rows] : rows_of_block_) {
-        std::vector<double> values(rows.size());
-        if (values.empty() || ex_get_var(id_, 1, EX_ELEM_BLOCK, static_cast<int>(i + 1), id,
-                                         static_cast<int64_t>(values.size()), values.data()) < 0)
-          continue;
-        for (std::size_t e = 0; e < rows.size(); ++e) array.values[rows[e]] = values[e];
-      }
-      mesh_.cell_arrays.push_back(std::move(array));
-    }
-  }
-  void read_point_arrays() {
-    const std::vector<std::string> names = variables(EX_NODAL);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      PointArray array{names[i], std::vector<double>(mesh_.points.size())};
-      require(ex_get_var(id_, 1, EX_NODAL, static_cast<int>(i + 1), 1, static_cast<int64_t>(array.values.size()),
-                         array.values.data()));
-      mesh_.point_arrays.push_back(std::move(array));
-    }
-  }
-  VertexIndex node(int number) const {
+  VertexIndex node(std::int64_t number) const {
     if (number < 1 || static_cast<std::size_t>(number) > mesh_.points.size())
-      refuse("node " + std::to_string(number) + " is not there");
+      file_.refuse("node " + std::to_string(number) + " is not there");
     return static_cast<VertexIndex>(number - 1);
   }
-  void read_blocks(std::size_t n, std::size_t n_elements) {
+  /// Those from 1 on where the file has none.
+  std::vector<int> ids_of(const std::string& kind, std::size_t n) const {
+    return numbers_in_whole((kind + "_prop1").c_str(), n);
+  }
+
+  void read_blocks() {
+    const std::size_t n_elements = file_.dimension("num_elem"), n = file_.dimension("num_el_blk");
     row_of_element_.assign(n_elements, SIZE_MAX);
+    const std::vector<int> ids = ids_of("eb", n);
+    const std::vector<std::string> names = file_.texts("eb_names", n);
     std::size_t element = 0;
-    for (const int id : ids_of(EX_ELEM_BLOCK, n)) {
-      ex_block block{};
-      block.id = id;
-      block.type = EX_ELEM_BLOCK;
-      require(ex_get_block_param(id_, &block));
-      std::string topology = block.topology;
+    for (std::size_t b = 0; b < n; ++b) {
+      const std::string own = std::to_string(b + 1);
+      const std::size_t entries = file_.dimension("num_el_in_blk" + own),
+                        width = file_.dimension("num_nod_per_el" + own);
+      if (entries > n_elements - element) file_.refuse("its blocks hold more elements than it says");
+      std::string topology = file_.attribute("connect" + own, "elem_type");
       for (char& c : topology) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-      const auto entries = possible(block.num_entry), width = static_cast<std::size_t>(block.num_nodes_per_entry);
-      if (!topology.starts_with("TET") || (width != 4 && width != 10)) {
+      if (entries > 0 && (!topology.starts_with("TET") || (width != 4 && width != 10))) {
         mesh_.n_other_solids += entries;
         element += entries;
+        rows_of_block_.emplace_back();
         continue;
       }
-      mesh_.second_order |= width == 10;
-      std::vector<int> nodes(entries * width);
-      if (entries > 0) require(ex_get_conn(id_, EX_ELEM_BLOCK, id, nodes.data(), nullptr, nullptr));
-      RawSet set{name_of(EX_ELEM_BLOCK, id), id, 3, {}};
-      for (std::size_t e = 0; e < entries; ++e, ++element) {
-        for (std::size_t i = 0; i < 4; ++i) mesh_.cells[3].corners.push_back(node(nodes[e * width + i]));
-        for (std::size_t i = 4; i < width; ++i) mesh_.midpoints.push_back(node(nodes[e * width + i]));
-        if (element >= n_elements) refuse("its blocks hold more elements than it says");
-        row_of_element_[element] = mesh_.cells[3].size() - 1;
-        set.rows.push_back(mesh_.cells[3].size() - 1);
-        mesh_.numbers.push_back(element);
+      read_block({names[b], ids[b], 3, {}}, own, element, entries * width);
+      element += entries;
+    }
+  }
+  void read_block(RawSet set, const std::string& own, std::size_t element, std::size_t n_nodes) {
+    const std::size_t entries = file_.dimension("num_el_in_blk" + own);
+    const std::size_t width = entries == 0 ? 4 : n_nodes / entries;
+    mesh_.second_order |= width == 10;
+    const std::vector<std::int64_t> nodes = file_.integers("connect" + own, n_nodes);
+    for (std::size_t e = 0; e < entries; ++e, ++element) {
+      for (std::size_t i = 0; i < 4; ++i) mesh_.cells[3].corners.push_back(node(nodes[e * width + i]));
+      for (std::size_t i = 4; i < width; ++i) mesh_.midpoints.push_back(node(nodes[e * width + i]));
+      row_of_element_[element] = mesh_.cells[3].size() - 1;
+      set.rows.push_back(mesh_.cells[3].size() - 1);
+      mesh_.numbers.push_back(element);
+    }
+    rows_of_block_.push_back(set.rows);
+    mesh_.sets.push_back(std::move(set));
+  }
+
+  void read_sets(const std::string& kind, std::size_t n) {
+    const bool of_sides = kind == "ss";
+    const std::vector<int> ids = ids_of(kind, n);
+    const std::vector<std::string> names = file_.texts(kind + "_names", n);
+    for (std::size_t s = 0; s < n; ++s) {
+      const std::string own = std::to_string(s + 1);
+      const std::size_t entries = file_.dimension((of_sides ? "num_side_ss" : "num_nod_ns") + own);
+      RawSet set{names[s], ids[s], of_sides ? 2 : -1, {}};
+      if (of_sides) {
+        const auto elements = file_.integers("elem_ss" + own, entries),
+                   sides = file_.integers("side_ss" + own, entries);
+        for (std::size_t i = 0; i < entries; ++i)
+          if (const std::size_t row = tetrahedron(elements[i]); row != SIZE_MAX) add_side(row, sides[i], set);
+      } else {
+        for (const std::int64_t v : file_.integers("node_ns" + own, entries)) set.rows.push_back(node(v));
       }
-      rows_of_block_.emplace_back(id, set.rows);
       mesh_.sets.push_back(std::move(set));
     }
   }
-  void read_sets(ex_entity_type kind, std::size_t n) {
-    for (const int id : ids_of(kind, n)) {
-      int n_entries = 0, n_factors = 0;
-      require(ex_get_set_param(id_, kind, id, &n_entries, &n_factors));
-      std::vector<int> entries(possible(n_entries)), sides(entries.size());
-      if (n_entries > 0)
-        require(ex_get_set(id_, kind, id, entries.data(), kind == EX_SIDE_SET ? sides.data() : nullptr));
-      RawSet set{name_of(kind, id), id, kind == EX_SIDE_SET ? 2 : -1, {}};
-      for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (kind == EX_NODE_SET) {
-          set.rows.push_back(node(entries[i]));
-        } else if (const std::size_t row = tetrahedron(entries[i]); row != SIZE_MAX) {
-          add_side(row, sides[i], set);
-        }
-      }
-      mesh_.sets.push_back(std::move(set));
-    }
-  }
-  std::size_t tetrahedron(int element) const {
+  std::size_t tetrahedron(std::int64_t element) const {
     if (element < 1 || static_cast<std::size_t>(element) > row_of_element_.size())
-      refuse("element " + std::to_string(element) + " of a side set is not there");
+      file_.refuse("element " + std::to_string(element) + " of a side set is not there");
     return row_of_element_[static_cast<std::size_t>(element - 1)];
   }
-  void add_side(std::size_t row, int side, RawSet& set) {
-    if (side < 1 || side > 4) refuse("a tetrahedron has no side " + std::to_string(side));
+  void add_side(std::size_t row, std::int64_t side, RawSet& set) {
+    if (side < 1 || side > 4) file_.refuse("a tetrahedron has no side " + std::to_string(side));
     for (const std::size_t i : corners_of_side[side - 1])
       mesh_.cells[2].corners.push_back(mesh_.cells[3].corners[4 * row + i]);
     set.rows.push_back(mesh_.cells[2].size() - 1);
   }
 
-  std::filesystem::path path_;
+  /// Of the first time. NaN where a block has no such variable.
+  void read_cell_arrays() {
+    const std::size_t n = file_.dimension("num_elem_var");
+    const std::vector<std::string> names = file_.texts("name_elem_var", n);
+    for (std::size_t i = 0; i < n; ++i) {
+      CellArray array{names[i], std::vector<double>(mesh_.cells[3].size(), std::numeric_limits<double>::quiet_NaN())};
+      for (std::size_t b = 0; b < rows_of_block_.size(); ++b) {
+        const std::vector<std::size_t>& rows = rows_of_block_[b];
+        const std::string variable = "vals_elem_var" + std::to_string(i + 1) + "eb" + std::to_string(b + 1);
+        if (rows.empty() || !file_.has(variable)) continue;
+        const std::vector<double> values = file_.doubles(variable, rows.size());
+        for (std::size_t e = 0; e < rows.size(); ++e) array.values[rows[e]] = values[e];
+      }
+      mesh_.cell_arrays.push_back(std::move(array));
+    }
+  }
+  /// One variable each, or one of all in files before 1996.
+  void read_point_arrays() {
+    const std::size_t n = file_.dimension("num_nod_var"), n_points = mesh_.points.size();
+    const std::vector<std::string> names = file_.texts("name_nod_var", n);
+    std::vector<double> all;
+    if (file_.has("vals_nod_var")) all = file_.doubles("vals_nod_var", n * n_points);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (all.empty()) {
+        mesh_.point_arrays.push_back({names[i], file_.doubles("vals_nod_var" + std::to_string(i + 1), n_points)});
+      } else {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i * n_points);
+        mesh_.point_arrays.push_back({names[i], {begin, begin + static_cast<std::ptrdiff_t>(n_points)}});
+      }
+    }
+  }
+
+  NetcdfReader file_;
   RawMesh mesh_;
-  int id_ = -1;
   std::vector<std::size_t> row_of_element_;
-  std::vector<std::pair<int, std::vector<std::size_t>>> rows_of_block_;  // of tetrahedra
+  std::vector<std::vector<std::size_t>> rows_of_block_;  // of tetrahedra; none of other blocks
 };
 
 }  // namespace

@@ -1,62 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/failed_place.hpp"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUnstructuredGridWriter.h>
-
-#include "geomesh/geomodel/writers.hpp"
-#include "writers/vtk_arrays.hpp"
+#include "writers/vtk_parts.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-vtkSmartPointer<vtkUnstructuredGrid> cells_of(const MeshExcerpt& place) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(vtk_points(place.points));
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const Tetrahedron& t : place.tetrahedra) cells->InsertNextCell({t[0], t[1], t[2], t[3]});
-  grid->SetCells(VTK_TETRA, cells);
-  return grid;
+std::filesystem::path write_cells(const MeshExcerpt& place, const std::filesystem::path& file) {
+  std::vector<std::vector<VertexIndex>> cells;
+  for (const Tetrahedron& t : place.tetrahedra) cells.push_back({t[0], t[1], t[2], t[3]});
+  const std::size_t n = cells.size();
+  VtkDocument document{
+      "UnstructuredGrid",
+      "NumberOfPoints=\"" + std::to_string(place.points.size()) + "\" NumberOfCells=\"" + std::to_string(n) + "\"",
+      {},
+      {},
+      {vtk_points(place.points), vtk_cells("Cells", std::move(cells))}};
+  constexpr int tetrahedron = 10;
+  document.sections.back().arrays.push_back(
+      vtk_array<std::uint8_t>("types", n, [](std::size_t) { return tetrahedron; }));
+  write_vtk_document(document, Compression::small, file);
+  return file;
 }
 
 /// In the order of VTK: vertices, lines, polygons.
-vtkSmartPointer<vtkPolyData> constraints_of(const MeshExcerpt& place, const ModelPlc& model, const PolygonSoup& soup,
-                                            const std::vector<TriangulatedSurface>& surfaces) {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(place.points));
-  auto vertices = vtkSmartPointer<vtkCellArray>::New(), lines = vtkSmartPointer<vtkCellArray>::New(),
-       triangles = vtkSmartPointer<vtkCellArray>::New();
-  for (const VertexIndex v : place.culprits) vertices->InsertNextCell({v});
-  for (const auto& s : place.segments) lines->InsertNextCell({s[0], s[1]});
-  for (const Triangle& t : place.triangles) triangles->InsertNextCell({t[0], t[1], t[2]});
-  data->SetVerts(vertices);
-  data->SetLines(lines);
-  data->SetPolys(triangles);
-  const std::size_t n_vertices = place.culprits.size(), n_lines = place.segments.size(),
-                    n = n_vertices + n_lines + place.triangles.size();
-  data->GetCellData()->AddArray(int_array("what", n, [&](std::size_t i) {
-    return i < n_vertices ? 0 : i < n_vertices + n_lines ? 1 : 2;
-  }));
-  data->GetCellData()->AddArray(int_array("surface", n, [&](std::size_t i) {
+std::filesystem::path write_constraints(const MeshExcerpt& place, const ModelPlc& model, const PolygonSoup& soup,
+                                        const std::vector<TriangulatedSurface>& surfaces,
+                                        const std::filesystem::path& file) {
+  std::vector<std::vector<VertexIndex>> vertices, lines, triangles;
+  for (const VertexIndex v : place.culprits) vertices.push_back({v});
+  for (const auto& s : place.segments) lines.push_back({s[0], s[1]});
+  for (const Triangle& t : place.triangles) triangles.push_back({t[0], t[1], t[2]});
+  const std::size_t n_vertices = vertices.size(), n_lines = lines.size(), n = n_vertices + n_lines + triangles.size();
+  const auto what = [=](std::size_t i) { return i < n_vertices ? 0 : i < n_vertices + n_lines ? 1 : 2; };
+  const auto surface = [&, n_vertices, n_lines](std::size_t i) {
     if (i < n_vertices + n_lines) return -1;
     const Index first_soup_facet = model.facet_soup[model.facet_soup_offsets[place.facet[i - n_vertices - n_lines]]];
     return static_cast<int>(soup.origins[soup.origin_offsets[first_soup_facet]].surface);
-  }));
-  data->GetFieldData()->AddArray(
-      string_array("surface_names", surfaces.size(), [&](std::size_t s) { return surfaces[s].name; }));
-  return data;
-}
-
-template <class Writer, class Data>
-std::filesystem::path write(Data& data, const std::filesystem::path& file) {
-  write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
-    auto writer = vtkSmartPointer<Writer>::New();
-    write_vtk_xml(*writer, data, temporary);
-  });
+  };
+  VtkDocument document{"PolyData",
+                       "NumberOfPoints=\"" + std::to_string(place.points.size()) + "\" NumberOfVerts=\"" +
+                           std::to_string(n_vertices) + "\" NumberOfLines=\"" + std::to_string(n_lines) +
+                           "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(triangles.size()) + "\"",
+                       {},
+                       {},
+                       {}};
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    document.fields.push_back({"surface:" + surfaces[s].name, {static_cast<std::int32_t>(s)}});
+  document.sections = {
+      {"CellData", "", {vtk_array<std::int32_t>("what", n, what), vtk_array<std::int32_t>("surface", n, surface)}},
+      vtk_points(place.points),
+      vtk_cells("Verts", std::move(vertices)),
+      vtk_cells("Lines", std::move(lines)),
+      vtk_cells("Polys", std::move(triangles))};
+  write_vtk_document(document, Compression::small, file);
   return file;
 }
 
@@ -66,8 +63,8 @@ std::vector<std::filesystem::path> write_failed_place(const MeshExcerpt& place, 
                                                       const PolygonSoup& soup,
                                                       const std::vector<TriangulatedSurface>& surfaces,
                                                       const std::filesystem::path& stem) {
-  return {write<vtkXMLUnstructuredGridWriter>(*cells_of(place), stem.string() + ".failed.vtu"),
-          write<vtkXMLPolyDataWriter>(*constraints_of(place, model, soup, surfaces), stem.string() + ".failed.vtp")};
+  return {write_cells(place, stem.string() + ".failed.vtu"),
+          write_constraints(place, model, soup, surfaces, stem.string() + ".failed.vtp")};
 }
 
 }  // namespace geomesh::geomodel

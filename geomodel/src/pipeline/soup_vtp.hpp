@@ -11,12 +11,12 @@
 
 namespace geomesh::geomodel {
 
-/// Writes STEM.soup.vtp (the facets; cell arrays `surface`, row in field data `surface_names`, `source_triangle` and
-/// `n_origins`, for the first origin; field data `origin_offsets` by facet into `origin_surfaces` and
-/// `origin_triangles`, for all; point array `kind`: 0 input, 1 intersection, 2 triple point), STEM.soup.curves.vtp (a
-/// line for each edge of a curve; cell array `curve`, row in field data `curve_names` and `curve_kinds`) and
-/// STEM.spots.vtp (one vertex a spot; cell arrays `what`, `surface_a`, `surface_b`, `count`, `measure`). Returns what
-/// was written.
+/// Writes STEM.soup.vtp (the facets; cell arrays `surface`, which the field array `surface:NAME` holds,
+/// `source_triangle` and `n_origins`, for the first origin; field data `origin_offsets` by facet into
+/// `origin_surfaces` and `origin_triangles`, for all; point array `kind`: 0 input, 1 intersection, 2 triple point),
+/// STEM.soup.curves.vtp (a line for each edge of a curve; cell array `curve`, which the field array `curve:KIND NAME`
+/// holds) and STEM.spots.vtp (one vertex a spot; cell arrays `what`, `surface_a`, `surface_b`, `count`, `measure`,
+/// `description`). Returns what was written.
 std::vector<std::filesystem::path> write_soup_vtp(const ArrangementResult& arrangement, const ModelPlc& plc,
                                                   const std::vector<TriangulatedSurface>& surfaces,
                                                   const std::filesystem::path& stem);

@@ -5,6 +5,7 @@
 #include "geomesh/geomodel/readers.hpp"
 #include "readers/formats.hpp"
 #include "readers/text/text.hpp"
+#include "readers/vtk/vtk_legacy.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -21,6 +22,7 @@ constexpr std::array formats{
     Format{"GOCAD", ".ts .ml .pl .vs .wl .mx .gp", is_gocad, read_gocad},
     Format{"PLY", ".ply", is_ply, read_ply},
     Format{"VTK XML", ".vtp .vtu", is_vtk_xml, read_vtk_xml},
+    Format{"VTK legacy", ".vtk", is_vtk_legacy, read_vtk_legacy},
     Format{"OFF", ".off", is_off, read_off},
     Format{"GeoTIFF", ".tif .tiff", is_geotiff, read_geotiff},
     Format{"OMF", ".omf", is_omf, read_omf},

@@ -105,7 +105,9 @@ class Head {
     text_ << "<" << section.tag << (section.attributes.empty() ? "" : " ") << section.attributes << ">\n";
   }
   void add_array(const VtkArray& array, std::size_t offset) {
-    text_ << "<DataArray type=\"" << array.type << "\" Name=\"" << xml_text(array.name) << "\"";
+    const bool is_text = std::string_view(array.type) == "String";
+    text_ << (is_text ? "<Array type=\"" : "<DataArray type=\"") << array.type << "\" Name=\"" << xml_text(array.name)
+          << "\"";
     if (array.components > 1) text_ << " NumberOfComponents=\"" << array.components << "\"";
     text_ << " format=\"appended\" offset=\"" << offset << "\"/>\n";
   }

@@ -75,9 +75,9 @@ void hand_over(std::string_view target, const std::filesystem::path& file) {
 const std::vector<Target>& targets() {
   static const std::vector<Target> all{{"project", {".yaml"}},
                                        {"surfaces",
-                                        {".ts", ".pl", ".ml", ".off", ".obj", ".stl", ".ply", ".vtp", ".poly", ".smesh",
-                                         ".dxf", ".asc", ".grd", ".xyz", ".csv"}},
-                                       {"meshes", {".vtu", ".vtk", ".msh", ".inp", ".mesh", ".pvtu"}},
+                                        {".ts", ".pl", ".ml", ".off", ".obj", ".stl", ".ply", ".vtp", ".vtu", ".vtk",
+                                         ".poly", ".smesh", ".dxf", ".asc", ".grd", ".xyz", ".csv"}},
+                                       {"meshes", {".vtu", ".vtk", ".msh", ".inp", ".mesh", ".pvtu", ".e"}},
                                        {"convert", {".msh", ".inp", ".vtu", ".mesh", ".pvtu"}},
                                        {"names", {".json"}},
                                        {"arrange", {".bin"}}};

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exodus II: named element blocks, side sets and node sets, for MOOSE, libMesh, PyLith, Sierra. Written and read by the
-// Exodus library of Sandia (version 8, inside VTK as VTK::exodusII): the library of record knows the names' lengths,
-// the 64-bit switches and the order of sides, and Debian's separate libexodusii is of 2013.
-#include <vtk_exodusII.h>
-
+// Exodus II: named element blocks, side sets and node sets, for MOOSE, libMesh, PyLith, Sierra. Exodus is a layout of
+// netCDF, which is written here by netCDF's own library. Followed: Schoof and Yarberry, "EXODUS II: a finite element
+// data model" (SAND92-2137), and files of the Exodus library of Sandia (version 8.11), whose layout these have.
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 #include "formats/exodus/exodus_fields.hpp"
 #include "formats/exodus/exodus_part.hpp"
-#include "formats/format_list.hpp"
-#include "formats/given_part.hpp"
+#include "formats/modules/format_module.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "mesh_readers/mesh_readers.hpp"
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
-#include "starters/starters.hpp"
 #include "writers/written_files.hpp"
 
 namespace geomesh::geomodel {
@@ -30,32 +27,24 @@ class ExodusWriter {
   /// `part`: null for a mesh in one file.
   ExodusWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh,
                const ExodusPart* part = nullptr)
-      : file_(file), mesh_(mesh), part_(part) {
-    if (!std::ofstream(temporary)) refuse_to_write(file_);  // before the library prints its own lines about it
-    ex_opts(0);
-    int word = 8, stored = 8;
-    id_ = ex_create(temporary.c_str(), EX_CLOBBER | EX_64BIT_OFFSET, &word, &stored);
-    if (id_ < 0) refuse_to_write(file_);
-    ex_set_max_name_length(id_, static_cast<int>(name_limit_exodus));
-  }
-  ~ExodusWriter() {
-    if (id_ >= 0) ex_close(id_);
-  }
-  ExodusWriter(const ExodusWriter&) = delete;
-  ExodusWriter& operator=(const ExodusWriter&) = delete;
+      : temporary_(temporary), file_(file), mesh_(mesh), part_(part) {}
 
   std::vector<SidecarGroup> write() {
+    if (!std::ofstream(temporary_)) refuse_to_write(file_);
     collect_sets();
-    put_sizes();
-    define_blocks();
-    put_sets();
-    put_coordinates();
-    put_blocks();
-    require(put_exodus_fields(id_, mesh_));
-    if (part_) require(put_exodus_part(id_, *part_, {side_sets_.size(), node_sets_.size()}));
-    const int status = ex_close(id_);
-    id_ = -1;
-    require(status);
+    name_blocks();
+    add_dimensions();
+    add_ids();
+    add_coordinates();
+    add_names();
+    add_blocks();
+    add_sets();
+    const std::vector<std::string> fields = add_exodus_fields(out_, mesh_);
+    note_names(fields);
+    if (part_) add_exodus_part(out_, *part_, {side_sets_.size(), node_sets_.size()});
+    has_time_ = !fields.empty();
+    add_globals();
+    if (!out_.write(temporary_)) refuse_to_write(file_);
     return std::move(sidecar_);
   }
 
@@ -66,9 +55,6 @@ class ExodusWriter {
     std::vector<int> entries, sides;  ///< nodes; or elements with their sides
   };
 
-  void require(int status) const {
-    if (status < 0) refuse_to_write(file_);
-  }
   std::string add_name(SolverNames& names, const char* type, const CellGroup& group) {
     const std::string name = names.give(group.full_name);
     sidecar_.push_back({type, group.dimension, group.id, name, group.full_name, group.members});
@@ -107,57 +93,114 @@ class ExodusWriter {
       nodes.entries.push_back(static_cast<int>(v) + 1);
     node_sets_.push_back(std::move(nodes));
   }
-  void put_sizes() {
-    ex_init_params sizes{};
-    const std::string title = transliterated(mesh_.source->name).substr(0, MAX_LINE_LENGTH);
-    std::copy(title.begin(), title.end(), sizes.title);
-    sizes.num_dim = 3;
-    sizes.num_nodes = static_cast<int64_t>(mesh_.n_nodes());
-    sizes.num_elem = static_cast<int64_t>(mesh_.n_solids());
-    sizes.num_elem_blk =
-        std::count_if(mesh_.blocks.begin(), mesh_.blocks.end(), [](const CellBlock& b) { return is_solid(b); });
-    sizes.num_side_sets = static_cast<int64_t>(side_sets_.size());
-    sizes.num_node_sets = static_cast<int64_t>(node_sets_.size());
-    require(ex_put_init_ext(id_, &sizes));
-  }
   static bool is_solid(const CellBlock& block) { return dimension_of(block.shape) == 3; }
-  void put_coordinates() {
-    std::vector<double> axis;
-    axis.reserve(mesh_.n_nodes());
-    for (std::size_t k = 0; k < 3; ++k) {
-      axis.clear();
-      for (std::size_t v = 0; v < mesh_.n_nodes(); ++v) axis.push_back(mesh_.node(v)[k]);
-      const auto of = [&](std::size_t i) { return i == k ? axis.data() : nullptr; };
-      require(ex_put_coord(id_, of(0), of(1), of(2)));
-    }
-  }
-  /// All blocks at once, and before anything large is there: the library moves what is there for each definition.
-  void define_blocks() {
-    std::vector<ex_block> defined;
-    for (const CellBlock& block : mesh_.blocks) {
-      if (!is_solid(block)) continue;
-      const std::string type = block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA4";
-      ex_block& own = defined.emplace_back();
-      own.id = block.id;
-      own.type = EX_ELEM_BLOCK;
-      std::copy(type.begin(), type.end(), own.topology);
-      own.num_entry = static_cast<int64_t>(block.n_cells());
-      own.num_nodes_per_entry = static_cast<int64_t>(block.nodes_per_cell);
-    }
-    require(ex_put_block_params(id_, defined.size(), defined.data()));
-  }
-  void put_blocks() {
+  void name_blocks() {
     SolverNames names(name_limit_exodus);
-    std::vector<std::string> given;
     for (const CellBlock& block : mesh_.blocks) {
       if (!is_solid(block)) continue;
-      put_nodes_of_cells(block);
-      given.push_back(add_name(names, "element block", {block.id, 3, block.full_name, {}, block.members}));
+      blocks_.push_back(&block);
+      block_names_.push_back(add_name(names, "element block", {block.id, 3, block.full_name, {}, block.members}));
     }
-    put_names(EX_ELEM_BLOCK, given);
+  }
+
+  /// What has no entries has no dimension: netCDF would take it for the one that grows.
+  void add_dimension(const std::string& name, std::size_t n) {
+    if (n > 0) out_.add_dimension(name, n);
+  }
+  void add_dimensions() {
+    out_.add_dimension("len_name", exodus_name_room);
+    out_.add_dimension("time_step", 0);
+    out_.add_dimension("num_dim", 3);
+    add_dimension("num_nodes", mesh_.n_nodes());
+    add_dimension("num_elem", mesh_.n_solids());
+    add_dimension("num_el_blk", blocks_.size());
+    add_dimension("num_node_sets", node_sets_.size());
+    add_dimension("num_side_sets", side_sets_.size());
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      add_dimension("num_el_in_blk" + std::to_string(b + 1), blocks_[b]->n_cells());
+      if (blocks_[b]->n_cells() > 0)
+        add_dimension("num_nod_per_el" + std::to_string(b + 1), blocks_[b]->nodes_per_cell);
+    }
+    for (std::size_t s = 0; s < side_sets_.size(); ++s)
+      add_dimension("num_side_ss" + std::to_string(s + 1), side_sets_[s].entries.size());
+    for (std::size_t s = 0; s < node_sets_.size(); ++s)
+      add_dimension("num_nod_ns" + std::to_string(s + 1), node_sets_[s].entries.size());
+  }
+
+  /// Status 1: there are entries; the ids as the first property.
+  void add_ids() {
+    out_.add_doubles("time_whole", {"time_step"}, [this] { return std::vector<double>(has_time_ ? 1 : 0, 0.0); });
+    std::vector<int> status, ids;
+    const auto add = [&](const std::string& kind, const std::string& dimension) {
+      if (!ids.empty()) {
+        out_.add_ints(kind + "_status", dimension, std::exchange(status, {}));
+        out_.add_ints(kind + "_prop1", dimension, std::exchange(ids, {}));
+        out_.add_attribute("name", "ID");
+      }
+    };
+    for (const CellBlock* block : blocks_) {
+      status.push_back(block->n_cells() > 0);
+      ids.push_back(block->id);
+    }
+    add("eb", "num_el_blk");
+    for (const auto& [kind, sets] : {std::pair{std::string("ns"), &node_sets_}, {std::string("ss"), &side_sets_}}) {
+      for (const Set& set : *sets) {
+        status.push_back(!set.entries.empty());
+        ids.push_back(set.id);
+      }
+      add(kind, kind == "ns" ? "num_node_sets" : "num_side_sets");
+    }
+  }
+
+  void add_coordinates() {
+    for (std::size_t k = 0; mesh_.n_nodes() > 0 && k < 3; ++k)
+      out_.add_doubles(
+          std::string("coord") + "xyz" [k], { "num_nodes" },
+          [this, k] {
+            std::vector<double> axis;
+            axis.reserve(mesh_.n_nodes());
+            for (std::size_t v = 0; v < mesh_.n_nodes(); ++v) axis.push_back(mesh_.node(v)[k]);
+            return axis;
+          });
+  }
+
+  void note_names(const std::vector<std::string>& names) {
+    for (const std::string& name : names) longest_name_ = std::max(longest_name_, name.size());
+  }
+  void add_list_of_names(const std::string& kind, const std::string& dimension, std::vector<std::string> names) {
+    note_names(names);
+    if (names.empty()) return;
+    out_.add_texts(kind + "_names", dimension, std::move(names));
+    out_.add_attribute("_FillValue", std::string(1, '\0'));
+  }
+  static std::vector<std::string> names_of(const std::vector<Set>& sets) {
+    std::vector<std::string> names;
+    for (const Set& set : sets) names.push_back(set.name);
+    return names;
+  }
+  void add_names() {
+    add_list_of_names("eb", "num_el_blk", block_names_);
+    add_list_of_names("ns", "num_node_sets", names_of(node_sets_));
+    add_list_of_names("ss", "num_side_sets", names_of(side_sets_));
+    add_list_of_names("coor", "num_dim", {"x", "y", "z"});
+  }
+
+  /// TETRA, by which all readers know it (one knows no TETRA4).
+  const char* type_of(const CellBlock& block) const {
+    return block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA";
+  }
+  void add_blocks() {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const CellBlock& block = *blocks_[b];
+      if (block.n_cells() == 0) continue;
+      const std::string number = std::to_string(b + 1);
+      out_.add_ints("connect" + number, {"num_el_in_blk" + number, "num_nod_per_el" + number},
+                    [&block](const NetcdfWriter::Put& put) { return put_nodes_of_cells(block, put); });
+      out_.add_attribute("elem_type", type_of(block));
+    }
   }
   /// Some at a time: a copy of all would be as large as the block.
-  void put_nodes_of_cells(const CellBlock& block) {
+  static bool put_nodes_of_cells(const CellBlock& block, const NetcdfWriter::Put& put) {
     constexpr std::size_t cells_at_once = 1 << 16;
     std::vector<int> nodes;
     for (std::size_t first = 0; first < block.n_cells(); first += cells_at_once) {
@@ -165,35 +208,42 @@ class ExodusWriter {
       nodes.clear();
       for (std::size_t i = first * block.nodes_per_cell; i < (first + n) * block.nodes_per_cell; ++i)
         nodes.push_back(static_cast<int>(block.nodes[i]) + 1);
-      require(ex_put_partial_conn(id_, EX_ELEM_BLOCK, block.id, static_cast<int64_t>(first + 1),
-                                  static_cast<int64_t>(n), nodes.data(), nullptr, nullptr));
+      if (!put(first, n, nodes.data())) return false;
     }
+    return true;
   }
-  void put_sets() {
-    std::vector<ex_set> all;
-    for (const auto& [kind, sets] : {std::pair{EX_SIDE_SET, &side_sets_}, std::pair{EX_NODE_SET, &node_sets_}})
-      for (Set& set : *sets)
-        all.push_back({set.id, kind, static_cast<int64_t>(set.entries.size()), 0,
-                       set.entries.empty() ? nullptr : set.entries.data(),
-                       set.sides.empty() ? nullptr : set.sides.data(), nullptr});
-    if (!all.empty()) require(ex_put_sets(id_, all.size(), all.data()));
-    for (const auto& [kind, sets] : {std::pair{EX_SIDE_SET, &side_sets_}, std::pair{EX_NODE_SET, &node_sets_}}) {
-      std::vector<std::string> names;
-      for (const Set& set : *sets) names.push_back(set.name);
-      put_names(kind, names);
+  void add_sets() {
+    for (std::size_t s = 0; s < side_sets_.size(); ++s) {
+      const std::string number = std::to_string(s + 1);
+      if (side_sets_[s].entries.empty()) continue;
+      out_.add_ints("elem_ss" + number, "num_side_ss" + number, std::move(side_sets_[s].entries));
+      out_.add_ints("side_ss" + number, "num_side_ss" + number, std::move(side_sets_[s].sides));
     }
+    for (std::size_t s = 0; s < node_sets_.size(); ++s)
+      if (const std::string number = std::to_string(s + 1); !node_sets_[s].entries.empty())
+        out_.add_ints("node_ns" + number, "num_nod_ns" + number, std::move(node_sets_[s].entries));
   }
-  void put_names(ex_entity_type kind, std::vector<std::string>& names) {
-    if (names.empty()) return;
-    std::vector<char*> texts;
-    for (std::string& name : names) texts.push_back(name.data());
-    require(ex_put_names(id_, kind, texts.data()));
+  /// As the Exodus library writes them: its versions, doubles, 64-bit offsets and 32-bit numbers.
+  void add_globals() {
+    constexpr std::size_t least_name_length = 32, most_letters = 80;
+    out_.add_global("api_version", 8.11f);
+    out_.add_global("version", 8.11f);
+    out_.add_global("floating_point_word_size", 8);
+    out_.add_global("file_size", 1);
+    out_.add_global("maximum_name_length", static_cast<int>(std::max(longest_name_, least_name_length)));
+    out_.add_global("int64_status", 0);
+    out_.add_global("title", transliterated(mesh_.source->name).substr(0, most_letters));
   }
 
+  const std::filesystem::path& temporary_;
   const std::filesystem::path& file_;
   const SolverMesh& mesh_;
   const ExodusPart* part_;
-  int id_ = -1;
+  NetcdfWriter out_;
+  bool has_time_ = false;
+  std::size_t longest_name_ = 0;
+  std::vector<const CellBlock*> blocks_;
+  std::vector<std::string> block_names_;
   std::vector<Set> side_sets_, node_sets_;
   std::vector<SidecarGroup> sidecar_;
 };
@@ -236,21 +286,14 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   return {file, write_sidecar(model, sidecar, file)};
 }
 
-}  // namespace
-
-std::vector<std::filesystem::path> write_exodus_part(const ModelMesh& mesh, const MeshParts& parts,
-                                                     const WriteOptions& options, const std::filesystem::path& stem) {
+/// As FormatModule::write_part.
+std::vector<std::filesystem::path> write_given(const ModelMesh& mesh, const MeshParts& parts,
+                                               const WriteOptions& options, const std::filesystem::path& stem) {
   return write_parts(make_solver_mesh(mesh, options), parts, stem.string() + ".e");
 }
 
-Format exodus_format() {
-  return {"exodus",
-          {".e", ".exo", ".ex2", ".exii"},
-          "Exodus II",
-          {.second_order = true, .prisms = true, .curves = true, .overlapping = true, .partitions = true},
-          write,
-          read_exodus_mesh,
-          write_pylith_starter};
-}
+}  // namespace
 
 }  // namespace geomesh::geomodel
+
+GEOMESH_FORMAT_MODULE(geomesh::geomodel::write, geomesh::geomodel::read_exodus_mesh, geomesh::geomodel::write_given)

@@ -3,12 +3,13 @@
 /// Cell and point arrays in an Exodus file: variables of element blocks and of nodes, at time 0.
 #pragma once
 
+#include "formats/exodus/netcdf_writer.hpp"
 #include "solver_mesh/solver_mesh.hpp"
 
 namespace geomesh::geomodel {
 
-/// Puts them into an open file whose blocks are there already; elements that are no tetrahedra have NaN. Returns the
-/// library's status: below 0 where it failed.
-int put_exodus_fields(int file, const SolverMesh& mesh);
+/// Adds them to a file whose blocks are added already; elements that are no tetrahedra have NaN. The mesh must outlive
+/// the file's writing. Returns the names.
+std::vector<std::string> add_exodus_fields(NetcdfWriter& file, const SolverMesh& mesh);
 
 }  // namespace geomesh::geomodel

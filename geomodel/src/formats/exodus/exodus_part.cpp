@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/exodus/exodus_part.hpp"
 
-#include <vtk_exodusII.h>
-
 #include <algorithm>
 #include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace geomesh::geomodel {
@@ -12,8 +13,6 @@ namespace geomesh::geomodel {
 namespace {
 
 bool is_solid(const CellBlock& block) { return dimension_of(block.shape) == 3; }
-int64_t count(const std::vector<int>& list) { return static_cast<int64_t>(list.size()); }
-
 /// Nodes and faces that the part has in common with one other.
 struct Shared {
   std::vector<int> nodes, elements, sides;
@@ -21,23 +20,25 @@ struct Shared {
 
 class NemesisWriter {
  public:
-  NemesisWriter(int file, const ExodusPart& part) : file_(file), all_(part), part_(part.part.part) {}
+  NemesisWriter(NetcdfWriter& file, const ExodusPart& part) : file_(file), all_(part), part_(part.part.part) {}
 
-  int write(const ExodusSets& sets) {
-    put_sizes_of_whole(sets);
-    put_numbers_in_whole();
+  void add(const ExodusSets& sets) {
+    number_elements();
     share_nodes();
     share_faces();
-    put_shared();
-    return worst_;
+    add_sizes_of_whole(sets);
+    add_numbers_in_whole();
+    add_loads();
+    add_shared();
   }
 
  private:
-  void put(int status) { worst_ = std::min(worst_, status); }
-
-  void put_sizes_of_whole(const ExodusSets& sets) {
-    char kind[] = "p";  // a file for each processor
-    put(ex_put_init_info(file_, all_.parts.n_parts(), 1, kind));
+  /// In the order of the part's blocks.
+  void number_elements() {
+    for (const CellBlock& block : all_.part.mesh.blocks)
+      if (is_solid(block)) rows_.insert(rows_.end(), block.rows.begin(), block.rows.end());
+  }
+  void add_sizes_of_whole(const ExodusSets& sets) {
     std::vector<int> ids, sizes;
     for (const CellBlock& block : all_.whole.blocks)
       if (is_solid(block)) {
@@ -46,19 +47,50 @@ class NemesisWriter {
                                              ? all_.parts.n_cells_of_region(block.members.front())
                                              : block.n_cells()));
       }
-    put(ex_put_init_global(file_, static_cast<int64_t>(all_.parts.n_nodes_of_whole()),
-                           static_cast<int64_t>(all_.parts.n_cells_of_whole()), count(ids),
-                           static_cast<int64_t>(sets.nodes), static_cast<int64_t>(sets.sides)));
-    put(ex_put_eb_info_global(file_, ids.data(), sizes.data()));
+    file_.add_dimension("num_processors", static_cast<std::size_t>(all_.parts.n_parts()));
+    file_.add_dimension("num_procs_file", 1);
+    file_.add_dimension("num_nodes_global", all_.parts.n_nodes_of_whole());
+    file_.add_dimension("num_elems_global", all_.parts.n_cells_of_whole());
+    file_.add_dimension("num_el_blk_global", ids.size());
+    file_.add_ints("nem_ftype", "", {0});  // a file for each processor
+    file_.add_ints("el_blk_ids_global", "num_el_blk_global", ids);
+    file_.add_ints("el_blk_cnt_global", "num_el_blk_global", sizes);
+    for (const auto& [kind, entry, n] : {std::tuple{"ns", "node", sets.nodes}, {"ss", "side", sets.sides}}) {
+      if (n == 0) continue;
+      const std::string name = kind, dimension = "num_" + name + "_global";
+      file_.add_dimension(dimension, n);
+      for (const std::string& what :
+           {name + "_ids_global", name + "_" + entry + "_cnt_global", name + "_df_cnt_global"})
+        file_.add_ints(what, dimension, std::vector<int>(n, 0));
+    }
   }
-  void put_numbers_in_whole() {
+  void add_numbers_in_whole() {
     std::vector<int> nodes, elements;
     for (const VertexIndex v : part_.nodes) nodes.push_back(static_cast<int>(all_.parts.node_number(v)) + 1);
-    for (const CellBlock& block : all_.part.mesh.blocks)
-      if (is_solid(block)) rows_.insert(rows_.end(), block.rows.begin(), block.rows.end());
     for (const std::size_t row : rows_) elements.push_back(static_cast<int>(all_.parts.cell_number(row)) + 1);
-    put(ex_put_id_map(file_, EX_NODE_MAP, nodes.data()));
-    put(ex_put_id_map(file_, EX_ELEM_MAP, elements.data()));
+    file_.add_ints("node_num_map", "num_nodes", std::move(nodes));
+    file_.add_ints("elem_num_map", "num_elem", std::move(elements));
+  }
+  void add_list(const std::string& name, const std::string& dimension, std::vector<int> list) {
+    if (!list.empty()) file_.add_ints(name, dimension, std::move(list));
+  }
+  /// Inner and border nodes and elements; the external nodes of Nemesis are none.
+  void add_loads() {
+    for (const auto& [name, list] : {std::pair{"num_int_elem", &inner_elements_},
+                                     {"num_bor_elem", &border_elements_},
+                                     {"num_int_node", &inner_nodes_},
+                                     {"num_bor_node", &border_nodes_}})
+      if (!list->empty()) file_.add_dimension(name, list->size());
+    for (const auto& [name, is_there] : {std::pair{"int_n_stat", !inner_nodes_.empty()},
+                                         {"bor_n_stat", !border_nodes_.empty()},
+                                         {"ext_n_stat", false},
+                                         {"int_e_stat", !inner_elements_.empty()},
+                                         {"bor_e_stat", !border_elements_.empty()}})
+      file_.add_ints(name, "num_procs_file", {is_there ? 1 : 0});
+    add_list("elem_mapi", "num_int_elem", inner_elements_);
+    add_list("elem_mapb", "num_bor_elem", border_elements_);
+    add_list("node_mapi", "num_int_node", inner_nodes_);
+    add_list("node_mapb", "num_bor_node", border_nodes_);
   }
   void share_nodes() {
     for (std::size_t i = 0; i < part_.nodes.size(); ++i) {
@@ -83,31 +115,43 @@ class NemesisWriter {
       with.sides.push_back(exodus_side_opposite[face.opposite]);
     }
   }
-  void put_shared() {
-    std::vector<int> node_maps, node_counts, face_maps, face_counts;
+  /// One list a part that this one shares nodes or faces with, one after the other, with their ends.
+  struct Lists {
+    std::vector<int> parts, ends, first, second, other;
+    void add(int part, const std::vector<int>& own, const std::vector<int>& sides) {
+      if (own.empty()) return;
+      parts.push_back(part);
+      first.insert(first.end(), own.begin(), own.end());
+      second.insert(second.end(), sides.begin(), sides.end());
+      other.resize(first.size(), part);
+      ends.push_back(static_cast<int>(first.size()));
+    }
+  };
+  void add_lists(const std::string& kind, const Lists& lists) {
+    if (lists.parts.empty()) return;
+    const std::string by_part = "num_" + kind + "_cmaps", by_entry = kind + "cnt_cmap", name = kind + "_comm_";
+    file_.add_dimension(by_part, lists.parts.size());
+    file_.add_dimension(by_entry, lists.first.size());
+    file_.add_ints(name + "ids", by_part, lists.parts);
+    file_.add_ints(name + "stat", by_part, std::vector<int>(lists.parts.size(), 1));
+    file_.add_ints(name + "data_idx", by_part, lists.ends);
+    file_.add_ints(name + kind + "ids", by_entry, lists.first);
+    file_.add_ints(name + "proc", by_entry, lists.other);
+    if (!lists.second.empty()) file_.add_ints(name + "sids", by_entry, lists.second);
+  }
+  void add_shared() {
+    Lists nodes, elements;
     for (const auto& [p, with] : shared_) {
-      node_maps.push_back(p);
-      node_counts.push_back(static_cast<int>(with.nodes.size()));
-      if (with.elements.empty()) continue;
-      face_maps.push_back(p);
-      face_counts.push_back(static_cast<int>(with.elements.size()));
+      nodes.add(p, with.nodes, {});
+      elements.add(p, with.elements, with.sides);
     }
-    const int own = part_.number;
-    put(ex_put_loadbal_param(file_, count(inner_nodes_), count(border_nodes_), 0, count(inner_elements_),
-                             count(border_elements_), count(node_maps), count(face_maps), own));
-    put(ex_put_processor_node_maps(file_, inner_nodes_.data(), border_nodes_.data(), nullptr, own));
-    put(ex_put_processor_elem_maps(file_, inner_elements_.data(), border_elements_.data(), own));
-    if (shared_.empty()) return;
-    put(ex_put_cmap_params(file_, node_maps.data(), node_counts.data(), face_maps.data(), face_counts.data(), own));
-    for (auto& [p, with] : shared_) {
-      std::vector<int> other(std::max(with.nodes.size(), with.elements.size()), p);
-      put(ex_put_node_cmap(file_, p, with.nodes.data(), other.data(), own));
-      if (!with.elements.empty())
-        put(ex_put_elem_cmap(file_, p, with.elements.data(), with.sides.data(), other.data(), own));
-    }
+    add_lists("n", nodes);
+    add_lists("e", elements);
+    file_.add_global("nemesis_file_version", 2.6f);
+    file_.add_global("nemesis_api_version", 8.11f);
   }
 
-  int file_, worst_ = 0;
+  NetcdfWriter& file_;
   const ExodusPart& all_;
   const MeshPart& part_;
   std::vector<std::size_t> rows_;  // of the part's elements
@@ -117,8 +161,8 @@ class NemesisWriter {
 
 }  // namespace
 
-int put_exodus_part(int file, const ExodusPart& part, const ExodusSets& sets) {
-  return NemesisWriter(file, part).write(sets);
+void add_exodus_part(NetcdfWriter& file, const ExodusPart& part, const ExodusSets& sets) {
+  NemesisWriter(file, part).add(sets);
 }
 
 }  // namespace geomesh::geomodel

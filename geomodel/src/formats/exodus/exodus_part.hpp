@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "formats/exodus/netcdf_writer.hpp"
 #include "partition/solver_part.hpp"
 
 namespace geomesh::geomodel {
@@ -25,9 +26,9 @@ struct ExodusSets {
   std::size_t sides, nodes;
 };
 
-/// Puts the numbers in the whole mesh, and what is shared with which other part, into an open file.
-/// Its blocks and sets must be there already. Parallel readers put parts together by these (Hennigan and Shadid,
-/// "NEMESIS I", SAND 98-2649). Returns the library's status: below 0 where it failed.
-int put_exodus_part(int file, const ExodusPart& part, const ExodusSets& sets);
+/// Adds the numbers in the whole mesh, and what is shared with which other part. The file's dimensions of nodes and
+/// elements are added already. Parallel readers put parts together by these (Hennigan and Shadid, "NEMESIS I",
+/// SAND 98-2649).
+void add_exodus_part(NetcdfWriter& file, const ExodusPart& part, const ExodusSets& sets);
 
 }  // namespace geomesh::geomodel

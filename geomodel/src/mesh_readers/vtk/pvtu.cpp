@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh in parts (.pvtu): its pieces put together by their global numbers, ghosts left out.
+// A mesh in parts (.pvtu): its pieces put together by their global numbers, or by the places of their points where no
+// piece has such numbers; ghosts left out.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "mesh_readers/mesh_files.hpp"
+#include "mesh_readers/vtk/pieces_by_place.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -167,6 +169,14 @@ class PieceMerger {
 MeshFile read_pvtu_mesh(const std::filesystem::path& path) {
   std::vector<Piece> pieces;
   for (const std::filesystem::path& file : pieces_of(path)) pieces.push_back({file, read_vtk_mesh(file)});
+  const bool has_numbers = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+    return !piece.mesh.global_points.empty() || piece.mesh.cell_values.contains("GlobalCellIds");
+  });
+  if (!has_numbers) {
+    std::vector<MeshFile> meshes;
+    for (Piece& piece : pieces) meshes.push_back(std::move(piece.mesh));
+    return merged_by_place(std::move(meshes));
+  }
   PieceMerger merger(path, pieces);
   for (Piece& piece : pieces) merger.add(std::move(piece.mesh), piece.file);
   return merger.merged();

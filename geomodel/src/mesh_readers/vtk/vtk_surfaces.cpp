@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces and curves in VTK's files, declared in mesh_readers/mesh_files.hpp: of files of their own, or of one grid for
 // all cells.
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
-
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "geomesh/geomodel/surface.hpp"
 #include "mesh_readers/mesh_files.hpp"
@@ -22,8 +12,23 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
+/// Cells of one file, by their kind.
+struct CellRows {
+  std::vector<std::size_t> vertices, lines, faces;
+};
+CellRows rows_by_kind(const VtkCells& cells) {
+  CellRows rows;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const std::uint8_t type = cells.types[cell];
+    if (type == vtk_cell::vertex || type == vtk_cell::poly_vertex) rows.vertices.push_back(cell);
+    if (type == vtk_cell::line || type == vtk_cell::poly_line) rows.lines.push_back(cell);
+    if (type == vtk_cell::triangle || type == vtk_cell::quad || type == vtk_cell::polygon) rows.faces.push_back(cell);
+  }
+  return rows;
+}
+
 /// `curve:NAME` with `curve_kinds` in the same order, then `point:NAME`.
-void take_curve_names(vtkFieldData& field, CurvesFile& curves) {
+void take_curve_names(const VtkTable& field, CurvesFile& curves) {
   constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", "curve"};
   const std::map<std::int32_t, std::string> names = names_of(field, "curve"), points = names_of(field, "point");
   const std::vector<std::int32_t> ids = ids_in_order(field, "curve:"), numbers = integers_of(field, "curve_kinds");
@@ -34,22 +39,20 @@ void take_curve_names(vtkFieldData& field, CurvesFile& curves) {
   for (const std::int32_t id : ids_in_order(field, "point:")) curves.curves.push_back({id, points.at(id), "point"});
 }
 
-FacesFile take_faces(vtkPolyData& data, const std::filesystem::path& path) {
+FacesFile take_faces(const VtkData& data, const std::filesystem::path& path) {
   FacesFile faces;
-  bool single_precision = false;
-  faces.points = points_of(data, single_precision);
-  for (vtkIdType cell = 0; cell < data.GetPolys()->GetNumberOfCells(); ++cell) {
-    const auto p = cell_points(*data.GetPolys(), cell, faces.points.size(), path);
-    if (p.size() != 3) refuse(path, "face " + std::to_string(cell) + " is no triangle");
+  faces.points = data.points;
+  for (const std::size_t cell : rows_by_kind(data.cells).faces) {
+    const auto p = data.cells.of(cell);
+    if (p.size() != 3) refuse(path, "face " + std::to_string(faces.triangles.size()) + " is no triangle");
     faces.triangles.push_back({p[0], p[1], p[2]});
   }
   const auto take = [&](const char* name, std::vector<std::int32_t>& values) {
-    vtkDataArray* array = data.GetCellData()->GetArray(name);
-    if (array && static_cast<std::size_t>(array->GetNumberOfTuples()) == faces.triangles.size()) {
-      values = integers_of(*array);
-    } else {
+    const VtkColumn* const column = data.cell_data.numbers(name);
+    if (column && column->n_tuples == faces.triangles.size())
+      values = integers_of(*column);
+    else
       faces.missing_arrays.emplace_back(name);
-    }
   };
   take("surface", faces.surface);
   take("surface_set", faces.surface_set);
@@ -57,7 +60,7 @@ FacesFile take_faces(vtkPolyData& data, const std::filesystem::path& path) {
   take("region_minus", faces.region_minus);
   take("region_plus", faces.region_plus);
   take("source_triangle", faces.source_triangle);
-  vtkFieldData& field = *data.GetFieldData();
+  const VtkTable& field = data.field_data;
   faces.surface_names = names_of(field, "surface");
   faces.surface_sets = lists_of(field, "surface_set_offsets", "surface_set_ids", path);
   faces.surface_set_names = texts_of(field, "surface_set_names");
@@ -70,40 +73,37 @@ FacesFile take_faces(vtkPolyData& data, const std::filesystem::path& path) {
   for (std::size_t i = 0; kinds.empty() && i < listed.size() && i < numbers.size(); ++i)
     if (numbers[i] >= 0 && numbers[i] <= static_cast<std::int32_t>(SurfaceKind::box))
       faces.surface_kinds[listed[i]] = to_string(static_cast<SurfaceKind>(numbers[i]));
-  if (vtkDataArray* rows = data.GetPointData()->GetArray("mesh_point")) faces.mesh_point = integers_of(*rows);
+  faces.mesh_point = integers_of(data.point_data, "mesh_point");
   return faces;
 }
 
-CurvesFile take_curves(vtkPolyData& data, const std::filesystem::path& path) {
+CurvesFile take_curves(const VtkData& data, const std::filesystem::path& path) {
   CurvesFile curves;
-  bool single_precision = false;
-  curves.points = points_of(data, single_precision);
-  for (vtkIdType cell = 0; cell < data.GetVerts()->GetNumberOfCells(); ++cell) {
-    const auto p = cell_points(*data.GetVerts(), cell, curves.points.size(), path);
+  curves.points = data.points;
+  const CellRows rows = rows_by_kind(data.cells);
+  for (const std::size_t cell : rows.vertices) {
+    const auto p = data.cells.of(cell);
     if (p.size() != 1) refuse(path, "vertex cell " + std::to_string(cell) + " is no single point");
     curves.vertices.push_back(p[0]);
   }
-  for (vtkIdType cell = 0; cell < data.GetLines()->GetNumberOfCells(); ++cell) {
-    const auto p = cell_points(*data.GetLines(), cell, curves.points.size(), path);
-    if (p.size() != 2) refuse(path, "line " + std::to_string(cell) + " is no single edge");
+  for (const std::size_t cell : rows.lines) {
+    const auto p = data.cells.of(cell);
+    if (p.size() != 2) refuse(path, "line " + std::to_string(curves.edges.size()) + " is no single edge");
     curves.edges.push_back({p[0], p[1]});
   }
-  const std::size_t n_vertices = curves.vertices.size();
-  if (vtkDataArray* array = data.GetCellData()->GetArray("curve")) {
-    const auto ids = integers_of(*array);
-    if (ids.size() != n_vertices + curves.edges.size()) refuse(path, "array curve has not one number a cell");
-    curves.vertex_curve.assign(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(n_vertices));
-    curves.edge_curve.assign(ids.begin() + static_cast<std::ptrdiff_t>(n_vertices), ids.end());
-  } else {
-    refuse(path, "has no cell array curve");
-  }
-  vtkFieldData& field = *data.GetFieldData();
+  const VtkColumn* const column = data.cell_data.numbers("curve");
+  if (!column) refuse(path, "has no cell array curve");
+  const auto all = integers_of(*column);
+  if (all.size() != curves.vertices.size() + curves.edges.size()) refuse(path, "array curve has not one number a cell");
+  for (const std::size_t cell : rows.vertices) curves.vertex_curve.push_back(all[cell]);
+  for (const std::size_t cell : rows.lines) curves.edge_curve.push_back(all[cell]);
+  const VtkTable& field = data.field_data;
   take_curve_names(field, curves);
   const auto ids = integers_of(field, "curve_ids");
   const auto names = texts_of(field, "curve_names"), kinds = texts_of(field, "curve_kinds");
   for (std::size_t i = 0; i < ids.size() && i < names.size() && i < kinds.size(); ++i)
     curves.curves.push_back({ids[i], names[i], kinds[i]});
-  if (vtkDataArray* rows = data.GetPointData()->GetArray("mesh_point")) curves.mesh_point = integers_of(*rows);
+  curves.mesh_point = integers_of(data.point_data, "mesh_point");
   return curves;
 }
 
@@ -111,92 +111,79 @@ CurvesFile take_curves(vtkPolyData& data, const std::filesystem::path& path) {
 class PartOfGrid {
  public:
   /// `renamed` is the grid's array of ids, which the file calls `id_name`.
-  PartOfGrid(vtkUnstructuredGrid& grid, const char* renamed, const char* id_name)
+  PartOfGrid(const VtkData& grid, const char* renamed, const char* id_name)
       : grid_(grid), renamed_(renamed), id_name_(id_name) {
-    data_->SetPoints(grid.GetPoints());
-    data_->SetFieldData(grid.GetFieldData());
-    vtkNew<vtkIntArray> rows;
-    rows->SetName("mesh_point");
-    rows->SetNumberOfTuples(grid.GetNumberOfPoints());
-    for (vtkIdType p = 0; p < grid.GetNumberOfPoints(); ++p) rows->SetValue(p, static_cast<int>(p));
-    data_->GetPointData()->AddArray(rows);
+    data_.kind = VtkData::Kind::poly;
+    data_.points = grid.points;
+    data_.field_data = grid.field_data;
+    std::vector<std::int32_t> rows(grid.points.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    data_.point_data.put(column_of("mesh_point", rows));
   }
 
   /// The cells of either type, by their corners; nodes in the middle of edges are left out.
-  vtkNew<vtkCellArray> take(std::array<int, 2> types, vtkIdType n_corners) {
-    vtkNew<vtkCellArray> cells;
-    for (vtkIdType cell = 0; cell < grid_.GetNumberOfCells(); ++cell) {
-      if (std::find(types.begin(), types.end(), grid_.GetCellType(cell)) == types.end()) continue;
-      vtkIdType n = 0;
-      const vtkIdType* ids = nullptr;
-      grid_.GetCells()->GetCellAtId(cell, n, ids);
-      if (n < n_corners) continue;
-      cells->InsertNextCell(n_corners, ids);
+  void take(std::array<std::uint8_t, 2> types, std::size_t n_corners) {
+    for (std::size_t cell = 0; cell < grid_.cells.size(); ++cell) {
+      if (std::find(types.begin(), types.end(), grid_.cells.types[cell]) == types.end()) continue;
+      const auto corners = grid_.cells.of(cell).first(n_corners);
+      data_.cells.corners.insert(data_.cells.corners.end(), corners.begin(), corners.end());
+      data_.cells.first.push_back(data_.cells.corners.size());
+      data_.cells.types.push_back(types[0]);
       taken_.push_back(cell);
     }
-    return cells;
   }
 
-  vtkPolyData& finish() {
-    vtkCellData& from = *grid_.GetCellData();
-    for (int i = 0; i < from.GetNumberOfArrays(); ++i) {
-      vtkDataArray* const array = from.GetArray(i);
-      if (!array || !array->GetName() || array->GetNumberOfTuples() < grid_.GetNumberOfCells()) continue;
-      vtkNew<vtkIntArray> values;
-      const bool is_id = array->GetName() == renamed_;
-      values->SetName(is_id ? id_name_ : array->GetName());
+  const VtkData& finish() {
+    for (const VtkColumn& column : grid_.cell_data.columns) {
+      if (column.is_text() || column.name.empty()) continue;
+      const bool is_id = column.name == renamed_;
       const int first = is_id && renamed_ == "MaterialIDs" ? 1 : 0;  // OpenGeoSys counts from 0, the names from 1
-      const std::vector<std::int32_t> all = integers_of(*array);
-      for (const vtkIdType cell : taken_) values->InsertNextValue(all[static_cast<std::size_t>(cell)] + first);
-      data_->GetCellData()->AddArray(values);
+      const std::vector<std::int32_t> all = integers_of(column);
+      std::vector<std::int32_t> values;
+      for (const std::size_t cell : taken_) values.push_back(all[cell] + first);
+      data_.cell_data.put(column_of(is_id ? id_name_ : column.name, values));
     }
-    return *data_;
+    return data_;
   }
-
-  vtkPolyData& data() { return *data_; }
 
  private:
-  vtkUnstructuredGrid& grid_;
-  std::string renamed_;
-  const char* id_name_;
-  vtkNew<vtkPolyData> data_;
-  std::vector<vtkIdType> taken_;
+  static VtkColumn column_of(const std::string& name, const std::vector<std::int32_t>& values) {
+    const auto bytes = std::as_bytes(std::span(values));
+    return {name, VtkType::int32, 1, values.size(), {bytes.begin(), bytes.end()}, {}};
+  }
+
+  const VtkData& grid_;
+  std::string renamed_, id_name_;
+  VtkData data_;
+  std::vector<std::size_t> taken_;
 };
 
-const char* array_of_ids(vtkUnstructuredGrid& grid) {
+const char* array_of_ids(const VtkData& grid) {
   for (const char* name : {"region", "MaterialIDs", "attribute"})
-    if (grid.GetCellData()->GetArray(name)) return name;
+    if (grid.cell_data.numbers(name)) return name;
   return "";
 }
 
 }  // namespace
 
 FacesFile read_faces_file(const std::filesystem::path& path) {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  read_xml(*reader, path, May::be_empty);
-  return take_faces(*reader->GetOutput(), path);
+  return take_faces(read_vtk_file(path, VtkData::Kind::poly, May::be_empty), path);
 }
 
 CurvesFile read_curves_file(const std::filesystem::path& path) {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  read_xml(*reader, path, May::be_empty);
-  return take_curves(*reader->GetOutput(), path);
+  return take_curves(read_vtk_file(path, VtkData::Kind::poly, May::be_empty), path);
 }
 
 std::optional<SurfacesOfGrid> read_surfaces_of_grid(const std::filesystem::path& path) {
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  read_xml(*reader, path);
-  vtkUnstructuredGrid& grid = *reader->GetOutput();
-  if (!grid.GetCellData()->GetArray("surface_set")) return std::nullopt;
-  if (grid.GetCells() && !grid.GetCells()->IsValid())
-    refuse(path, "has offsets of cells that do not fit their connectivity (damaged)");
+  const VtkData grid = read_vtk_file(path, VtkData::Kind::grid);
+  if (!grid.cell_data.numbers("surface_set")) return std::nullopt;
   const char* const ids = array_of_ids(grid);
   SurfacesOfGrid surfaces;
   PartOfGrid faces(grid, ids, "surface"), curves(grid, ids, "curve");
-  faces.data().SetPolys(faces.take({VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE}, 3));
+  faces.take({vtk_cell::triangle, vtk_cell::quadratic_triangle}, 3);
   surfaces.faces = take_faces(faces.finish(), path);
-  curves.data().SetVerts(curves.take({VTK_VERTEX, VTK_VERTEX}, 1));
-  curves.data().SetLines(curves.take({VTK_LINE, VTK_QUADRATIC_EDGE}, 2));
+  curves.take({vtk_cell::vertex, vtk_cell::vertex}, 1);
+  curves.take({vtk_cell::line, vtk_cell::quadratic_edge}, 2);
   surfaces.curves = take_curves(curves.finish(), path);
   return surfaces;
 }

@@ -7,12 +7,23 @@
 #include <limits>
 #include <memory>
 
+#include "modules/module.hpp"
 #include "readers/formats.hpp"
 #include "readers/grids/geotiff_plugin.hpp"
 #include "readers/grids/grid.hpp"
 #include "readers/text/frame.hpp"
 
 namespace geomesh::geomodel {
+
+const GeomeshRasterReader& geotiff_plugin() {
+  constexpr ModuleName gdal{"geomesh-gdal.so", "geomesh_raster_reader", "GeoTIFF is read by", "geomesh-gdal",
+                            "libgdal-dev"};
+  static const void* const table = module_table(gdal, [](const void* t) {  // after a throw the next call tries again
+    return static_cast<const GeomeshRasterReader*>(t)->version == geomesh_raster_reader_version;
+  });
+  return *static_cast<const GeomeshRasterReader*>(table);
+}
+
 namespace {
 
 /// A raster of the module, with the file that messages name.

@@ -39,9 +39,6 @@ struct GeomeshRasterReader {
 namespace geomesh::geomodel {
 
 constexpr int geomesh_raster_reader_version = 1;
-/// File name of the module, and the function in it: const GeomeshRasterReader* geomesh_raster_reader().
-constexpr const char* geotiff_plugin_file = "geomesh-gdal.so";
-constexpr const char* geotiff_plugin_function = "geomesh_raster_reader";
 
 /// Loads the module at the first call. Throws Error{usage} that names the package where there is none.
 const GeomeshRasterReader& geotiff_plugin();

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-#include "formats/format_list.hpp"
+#include "formats/modules/format_module.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "mesh_readers/mesh_readers.hpp"
 #include "solver_mesh/names.hpp"
@@ -231,13 +231,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format med_format() {
-  return {"med",
-          {".med"},
-          "MED (Code_Aster, SALOME)",
-          {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
-          write,
-          read_med_mesh};
-}
-
 }  // namespace geomesh::geomodel
+
+GEOMESH_FORMAT_MODULE(geomesh::geomodel::write, geomesh::geomodel::read_med_mesh, nullptr)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "readers/grids/geotiff_plugin.hpp"
+#include "modules/module.hpp"
 
 #include <dlfcn.h>
 
@@ -29,8 +29,7 @@ fs::path own_folder() {
   return (fs::exists(named, error) && named.has_parent_path() ? named : self).parent_path();
 }
 
-/// Where the module may lie, in the order of search: GEOMESH_PLUGINS (folders parted by colons), beside the program or
-/// the Python module, in the libraries' folder of the same prefix; where it was to be installed.
+/// In the order of search.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* given = std::getenv("GEOMESH_PLUGINS")) {
@@ -58,31 +57,39 @@ std::string listed(const std::vector<fs::path>& folders) {
   return text;
 }
 
-const GeomeshRasterReader& load() {
-  const std::vector<fs::path> folders = plugin_folders();
-  std::string reasons;
-  for (const fs::path& folder : folders) {
-    const fs::path file = folder / geotiff_plugin_file;
-    std::error_code error;
-    if (!fs::exists(file, error)) continue;
-    void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    using Function = const GeomeshRasterReader* (*)();
-    const auto function = module ? reinterpret_cast<Function>(dlsym(module, geotiff_plugin_function)) : nullptr;
-    if (function && function()->version == geomesh_raster_reader_version) return *function();
-    const char* const reason = function ? "it is of another version of geomesh" : dlerror();
-    reasons += "; " + file.lexically_normal().string() + " cannot be used: " + (reason ? reason : "no reason given");
-    if (module) dlclose(module);
-  }
-  throw Error(ErrorKind::usage, std::string("GeoTIFF is read by a module of its own, ") + geotiff_plugin_file +
-                                    ", in the package geomesh-gdal (apt install geomesh-gdal). It was looked for in " +
-                                    listed(folders) + "; GEOMESH_PLUGINS names other folders" + reasons);
+/// The table in the file, or null with the reason.
+const void* load(const fs::path& file, const ModuleName& module, bool (*fits)(const void* table), std::string& reason) {
+  void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  using Function = const void* (*)();
+  const auto function = library ? reinterpret_cast<Function>(dlsym(library, module.function)) : nullptr;
+  if (function && fits(function())) return function();
+  const char* const error = function ? "it is of another version of geomesh" : dlerror();
+  reason = error ? error : "no reason given";
+  if (library) dlclose(library);
+  return nullptr;
 }
 
 }  // namespace
 
-const GeomeshRasterReader& geotiff_plugin() {
-  static const GeomeshRasterReader& reader = load();  // after a throw the next call tries again
-  return reader;
+const char* module_version() { return GEOMESH_MODULE_VERSION; }
+
+const void* module_table(const ModuleName& module, bool (*fits)(const void* table)) {
+  const std::vector<fs::path> folders = plugin_folders();
+  std::string reasons;
+  for (const fs::path& folder : folders) {
+    const fs::path file = folder / module.file;
+    std::error_code error;
+    if (!fs::exists(file, error)) continue;
+    std::string reason;
+    if (const void* const table = load(file, module, fits, reason)) return table;
+    reasons += "; " + file.lexically_normal().string() + " cannot be used: " + reason;
+  }
+  throw Error(ErrorKind::usage,
+              std::string(module.purpose) + " a module of its own, " + module.file + ", in the package " +
+                  module.package + " (apt install " + module.package + "; built from source: apt install " +
+                  module.headers +
+                  ", or all by ./scripts/install-packages build full, and build again). It was looked for in " +
+                  listed(folders) + "; GEOMESH_PLUGINS names other folders" + reasons);
 }
 
 }  // namespace geomesh::geomodel

@@ -6,11 +6,10 @@
 
 #include <algorithm>
 
-#include "formats/format_list.hpp"
+#include "formats/modules/format_module.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
-#include "starters/starters.hpp"
 #include "writers/room_on_disk.hpp"
 #include "writers/text_buffer.hpp"
 #include "writers/written_files.hpp"
@@ -191,9 +190,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format xdmf_format() {
-  return {"xdmf", {".xdmf"}, "XDMF and HDF5 (dolfinx)", {.second_order = true, .curves = true, .names = false},
-          write,  nullptr,   write_dolfinx_starter};
-}
-
 }  // namespace geomesh::geomodel
+
+GEOMESH_FORMAT_MODULE(geomesh::geomodel::write, nullptr, nullptr)

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A netCDF file that is defined as a whole before its numbers are written: the library would move what is there for
+/// each later definition.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geomesh::geomodel {
+
+/// Classic format with 64-bit offsets, which every reader of netCDF knows: a variable may have 4 GiB, the file any
+/// size. Numbers have 32 bits, or are doubles.
+class NetcdfWriter {
+ public:
+  /// Writes entries [first, first + n) of a variable, counted along its first dimension; false where that fails.
+  using Put = std::function<bool(std::size_t first, std::size_t n, const void* data)>;
+
+  /// `size` 0: the dimension that grows.
+  void add_dimension(const std::string& name, std::size_t size) { dimensions_.emplace_back(name, size); }
+  void add_ints(const std::string& name, const std::string& dimension, std::vector<int> values);
+  /// `write` gives the numbers piece by piece.
+  void add_ints(const std::string& name, std::vector<std::string> dimensions, std::function<bool(const Put&)> write);
+  void add_doubles(const std::string& name, std::vector<std::string> dimensions,
+                   std::function<std::vector<double>()> values);
+  /// Rows of a fixed length, filled up with zeros.
+  void add_texts(const std::string& name, const std::string& dimension, std::vector<std::string> texts);
+  /// Of the variable added last.
+  void add_attribute(const std::string& name, const std::string& value);
+  void add_global(const std::string& name, const std::string& value) { texts_.emplace_back(name, value); }
+  void add_global(const std::string& name, int value) { ints_.emplace_back(name, value); }
+  void add_global(const std::string& name, float value) { floats_.emplace_back(name, value); }
+
+  /// False where the file cannot be written, or a variable is larger than the format holds.
+  bool write(const std::filesystem::path& file) const;
+
+ private:
+  enum class Type { text, integer, real };
+  struct Variable {
+    std::string name;
+    Type type;
+    std::vector<std::string> dimensions;
+    std::vector<std::pair<std::string, std::string>> attributes;
+    std::function<bool(const Put&)> write;
+  };
+  bool define(int file, std::vector<int>& ids) const;
+  bool put_all(int file, const std::vector<int>& ids) const;
+  std::size_t size_of(const std::string& dimension) const;
+
+  std::vector<std::pair<std::string, std::size_t>> dimensions_;
+  std::vector<Variable> variables_;
+  std::vector<std::pair<std::string, std::string>> texts_;
+  std::vector<std::pair<std::string, int>> ints_;
+  std::vector<std::pair<std::string, float>> floats_;
+};
+
+/// Longest name of an Exodus file with its end.
+inline constexpr std::size_t exodus_name_room = 256;
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The border between the table of formats and a module that writes and reads one of them by a library of its own
+/// (geomodel/plugins/). Types of C++ cross it, so both sides are of one build.
+#pragma once
+
+#include "geomesh/geomodel/formats.hpp"
+#include "mesh_readers/raw_mesh.hpp"
+#include "modules/module.hpp"
+#include "partition/mesh_parts.hpp"
+
+namespace geomesh::geomodel {
+
+struct FormatModule {
+  const char* version;  ///< GEOMESH_MODULE_VERSION
+  decltype(Format::write) write;
+  decltype(Format::read) read;  ///< null: not read
+  /// Files of the parts that are here, where no process has the whole mesh; null: not written so.
+  std::vector<std::filesystem::path> (*write_part)(const ModelMesh& mesh, const MeshParts& parts,
+                                                   const WriteOptions& options, const std::filesystem::path& stem);
+};
+/// The function of each such module: const FormatModule* geomesh_format_module().
+constexpr const char* format_module_function = "geomesh_format_module";
+
+}  // namespace geomesh::geomodel
+
+/// Defines that function. `GEOMESH_MODULE_VERSION` is defined for the module's sources by its build.
+#define GEOMESH_FORMAT_MODULE(write, read, write_part)                                                               \
+  extern "C" __attribute__((visibility("default"))) const geomesh::geomodel::FormatModule* geomesh_format_module() { \
+    static constexpr geomesh::geomodel::FormatModule module{GEOMESH_MODULE_VERSION, write, read, write_part};        \
+    return &module;                                                                                                  \
+  }

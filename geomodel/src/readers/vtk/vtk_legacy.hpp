@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Surfaces and lines in legacy VTK files (.vtk); as readers/formats.hpp says of the others.
+#pragma once
+
+#include "geomesh/geomodel/surface.hpp"
+#include "readers/text/input_file.hpp"
+
+namespace geomesh::geomodel {
+
+bool is_vtk_legacy(const InputFile& file);
+FileContents read_vtk_legacy(const InputFile& file);
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Parts of a VTK XML file that is written for looking at: lists of points as cells, and texts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geomesh/core/geometry.hpp"
+#include "writers/vtk_xml.hpp"
+
+namespace geomesh::geomodel {
+
+/// `text(i)` for i from 0 to n - 1, each with a zero behind it. A much used Python reader refuses files with texts.
+template <class F>
+VtkArray vtk_texts(std::string name, std::size_t n, F text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < n; ++i) bytes.append(text(i)).push_back('\0');
+  const std::size_t n_bytes = bytes.size();
+  return {std::move(name),
+          "String",
+          1,
+          1,
+          n_bytes,
+          [bytes = std::move(bytes)](std::size_t first, std::size_t last, std::byte* out) {
+            std::memcpy(out, bytes.data() + first, last - first);
+          }};
+}
+
+/// Lists of points: `connectivity` and `offsets` of the section.
+VtkSection vtk_cells(const char* tag, std::vector<std::vector<VertexIndex>> lists);
+VtkSection vtk_points(const std::vector<Vec3>& points);
+
+}  // namespace geomesh::geomodel
