@@ -28,27 +28,10 @@ Format tough_format();              // tough.cpp
 
 /// In the order of the documents. Those of modules are in it, whether or not the module is there.
 inline constexpr Format (*listed_formats[])() = {
-    vtu_format,
-    gmsh41_format,
-    gmsh41_binary_format,
-    gmsh22_format,
-    gmsh22_binary_format,
-    abaqus_format,
-    exodus_format,
-    //
-    med_format,
-    //
-    //
-    xdmf_format,
-    //
-    ogs_format,
-    openfoam_format,
-    mfem_format,
-    pflotran_format,
-    tetgen_format,
-    pflotran_explicit_format,
-    tough_format,
-    geos_format,
+    vtu_format,      gmsh41_format, gmsh41_binary_format, gmsh22_format, gmsh22_binary_format,
+    abaqus_format,   exodus_format, med_format,           xdmf_format,   ogs_format,
+    openfoam_format, mfem_format,   pflotran_format,      tetgen_format, pflotran_explicit_format,
+    tough_format,    geos_format,
 };
 
 }  // namespace geomesh::geomodel
