@@ -1,46 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "level_sets/fields/read_field.hpp"
 
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDataArray.h>
-#include <vtkIdList.h>
-#include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
-#include <vtkPointData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
-
 #include <cmath>
 #include <string>
 
 #include "level_sets/fields/place_words.hpp"
 #include "readers/text/input_file.hpp"
-#include "readers/vtk/vtk_parse.hpp"
+#include "vtk_files/vtk_data.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 /// The array of the entry; without a name, the only one of one number each. Null where there is none.
-vtkDataArray* array_of(vtkDataSetAttributes& data, const std::string& name) {
-  vtkDataArray* found = nullptr;
-  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
-    vtkDataArray* const array = data.GetArray(i);
-    if (!array || array->GetNumberOfComponents() != 1) continue;
-    if (!name.empty() && array->GetName() && name == array->GetName()) return array;
+const VtkColumn* array_of(const VtkTable& data, const std::string& name) {
+  const VtkColumn* found = nullptr;
+  for (const VtkColumn& column : data.columns) {
+    if (column.is_text() || column.n_components != 1) continue;
+    if (!name.empty() && name == column.name) return &column;
     if (!name.empty()) continue;
     if (found) return nullptr;
-    found = array;
+    found = &column;
   }
   return found;
 }
 
-std::string names_of(vtkDataSetAttributes& data) {
+std::string names_of(const VtkTable& data) {
   std::string names;
-  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
-    if (const vtkDataArray* array = data.GetArray(i); array && data.GetArrayName(i))
-      names += (names.empty() ? "" : ", ") + std::string(data.GetArrayName(i));
+  for (const VtkColumn& column : data.columns) names += (names.empty() ? "" : ", ") + column.name;
   return names.empty() ? "none" : names;
 }
 
@@ -50,61 +36,66 @@ std::string names_of(vtkDataSetAttributes& data) {
   file.fail("has no array \"" + spec.array + "\" of one number each; it holds " + names);
 }
 
-std::vector<double> numbers(vtkDataArray& array) {
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) values.push_back(array.GetComponent(i, 0));
-  return values;
+/// The lattice of an image's points, which come row by row along x, then y, then z.
+GridField::Lattice lattice_of(const InputFile& file, const std::vector<Vec3>& points) {
+  GridField::Lattice lattice;
+  if (points.empty()) return lattice;
+  const Vec3 first = points.front(), last = points.back();
+  std::size_t step = 1;
+  for (std::size_t a = 0; a < 3; ++a) {  // the row ends where the coordinate is that of the first point again
+    std::size_t n = 1;
+    while (n * step < points.size() && points[n * step][a] != first[a]) ++n;
+    lattice.n[a] = n;
+    lattice.origin[a] = first[a];
+    lattice.spacing[a] = n > 1 ? (last[a] - first[a]) / static_cast<double>(n - 1) : 0;
+    step *= n;
+  }
+  for (std::size_t a = 0, stride = 1; a < 3; stride *= lattice.n[a], ++a) {
+    if (lattice.n[a] < 2) continue;
+    const Vec3 along = points[stride] - first;
+    for (std::size_t b = 0; b < 3; ++b)
+      if (b != a && along[b] != 0) file.fail("its grid is turned (Direction); a grid along the axes was expected");
+  }
+  if (step != points.size()) file.fail("its grid is in several pieces; one piece was expected");
+  return lattice;
 }
 
 /// Values of cells stand at the centres of the cells, which are then the nodes.
 GridField::Lattice read_vti(const InputFile& file, const LevelSetSpec& spec) {
-  const auto image = parse_vtk<vtkXMLImageDataReader, vtkImageData>(file);
-  if (!image->GetDirectionMatrix()->IsIdentity())
-    file.fail("its grid is turned (Direction); a grid along the axes was expected");
-  vtkDataArray* at_points = array_of(*image->GetPointData(), spec.array);
-  vtkDataArray* at_cells = at_points ? nullptr : array_of(*image->GetCellData(), spec.array);
+  const VtkData image = read_vtk_xml_data(file);
+  if (image.kind != VtkData::Kind::image) file.fail("holds no grid (ImageData), which was expected of a .vti");
+  const VtkColumn* const at_points = array_of(image.point_data, spec.array);
+  const VtkColumn* const at_cells = at_points ? nullptr : array_of(image.cell_data, spec.array);
   if (!at_points && !at_cells)
-    refuse_array(file, spec,
-                 names_of(*image->GetPointData()) + " at points, " + names_of(*image->GetCellData()) + " in cells");
-  GridField::Lattice lattice;
-  double origin[3], spacing[3];
-  int extent[6];
-  image->GetOrigin(origin);
-  image->GetSpacing(spacing);
-  image->GetExtent(extent);
-  for (std::size_t a = 0; a < 3; ++a) {
-    lattice.spacing[a] = spacing[a];
-    lattice.origin[a] = origin[a] + spacing[a] * (extent[2 * a] + (at_cells ? 0.5 : 0));
-    const int n = extent[2 * a + 1] - extent[2 * a] + (at_cells ? 0 : 1);
-    lattice.n[a] = n > 0 ? static_cast<std::size_t>(n) : 0;
-  }
-  lattice.nodes = numbers(at_points ? *at_points : *at_cells);
+    refuse_array(file, spec, names_of(image.point_data) + " at points, " + names_of(image.cell_data) + " in cells");
+  GridField::Lattice lattice = lattice_of(file, image.points);
+  if (at_cells)
+    for (std::size_t a = 0; a < 3; ++a) {
+      lattice.origin[a] += 0.5 * lattice.spacing[a];
+      lattice.n[a] = lattice.n[a] > 0 ? lattice.n[a] - 1 : 0;
+    }
+  lattice.nodes = (at_points ? at_points : at_cells)->numbers();
   return lattice;
 }
 
 TetrahedralField read_vtu(const InputFile& file, const LevelSetSpec& spec) {
-  const auto grid = parse_vtk<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(file);
-  vtkDataArray* const array = array_of(*grid->GetPointData(), spec.array);
-  if (!array) refuse_array(file, spec, names_of(*grid->GetPointData()) + " at points");
+  const VtkData grid = read_vtk_xml_data(file);
+  const VtkColumn* const array = array_of(grid.point_data, spec.array);
+  if (!array) refuse_array(file, spec, names_of(grid.point_data) + " at points");
   TetrahedralField field;
-  field.values = numbers(*array);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i) {
-    double p[3];
-    grid->GetPoint(i, p);
-    field.points.push_back({p[0], p[1], p[2]});
-  }
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
-    const int type = grid->GetCellType(c);
-    if (type == VTK_TRIANGLE || type == VTK_LINE || type == VTK_VERTEX) continue;  // faces beside the cells
-    if (type != VTK_TETRA)
+  field.values = array->numbers();
+  field.points = grid.points;
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const std::uint8_t type = grid.cells.types[c];
+    if (type == vtk_cell::triangle || type == vtk_cell::line || type == vtk_cell::vertex) continue;  // beside the cells
+    if (type != vtk_cell::tetrahedron)
       file.fail("cell " + std::to_string(c) + " (from 0) is no tetrahedron; a field on tetrahedra was expected");
-    grid->GetCellPoints(c, ids);
-    Tetrahedron t;
-    for (std::size_t i = 0; i < 4; ++i) t[i] = static_cast<VertexIndex>(ids->GetId(static_cast<vtkIdType>(i)));
-    field.cells.push_back(t);
+    const auto corners = grid.cells.of(c);
+    field.cells.push_back({corners[0], corners[1], corners[2], corners[3]});
   }
   if (field.cells.empty()) file.fail("holds no tetrahedra");
+  if (field.values.size() != field.points.size())
+    file.fail("it holds another number of values than it has points: it is damaged");
   for (std::size_t i = 0; i < field.points.size(); ++i)
     if (!std::isfinite(field.values[i]))
       file.fail("the value of point " + std::to_string(i) + " (from 0) at " + place_words(field.points[i]) +
