@@ -40,6 +40,7 @@ function setUpControls() {
     if (well) tell("Cut through " + curveOf.get(well).name + ", " + cutWords().slice(4));
   };
   for (const name of ["at1", "at2", "at3", "strike"]) control(name).oninput = cutChanged;
+  control("strike").onchange = () => { turnToCut(); schedule(); };  // once the slider is let go
   control("flip").onclick = () => { flipped = !flipped; schedule(); tell("The other side is cut away."); };
   control("face").onclick = faceCut;
   control("draw").onclick = () => { drawLine(!canvas.classList.contains("drawing")); };
