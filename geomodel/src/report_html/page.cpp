@@ -151,9 +151,13 @@ std::string to_html(const Report& report) {
 }
 
 std::string viewer_page(const ModelMesh& mesh) {
+  Report report;
+  report.name = mesh.name;
+  report.mesh = &mesh;
   return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escape(mesh.name) +
-         "</title><meta name=\"viewport\" content=\"width=device-width\"><style>" + std::string(style) +
-         "</style></head><body>\n" + viewer(mesh, bounds_of(mesh), std::nullopt) + "</body></html>\n";
+         "</title><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><style>" +
+         std::string(page::page_style()) + "</style></head><body>\n<main>" +
+         page::viewer_section(report, bounds_of(mesh), page::colours_of(mesh, {})) + "</main></body></html>\n";
 }
 
 void write_html_report(const Report& report, const std::filesystem::path& file) {
