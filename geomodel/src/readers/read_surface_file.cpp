@@ -5,7 +5,7 @@
 #include "geomesh/geomodel/readers.hpp"
 #include "readers/formats.hpp"
 #include "readers/text/text.hpp"
-#include "readers/vtk/vtk_legacy.hpp"
+#include "readers/vtk_legacy.hpp"
 
 namespace geomesh::geomodel {
 namespace {
