@@ -22,8 +22,8 @@ const char* module_version();
 
 /// Loads the module at the first call; nothing else is loaded twice by the system. `fits`: whether the table is one
 /// that this program can use. Throws Error{usage} that says where it was looked for and which package brings it.
-/// Looked for in the folders of GEOMESH_PLUGINS (parted by colons) and beside the program or the Python module, then in
-/// the libraries' folder of the same prefix. Last comes where it was to be installed.
+/// Looked for in the folders of GEOMESH_PLUGINS (parted by colons), and beside the program or the Python module. Then
+/// come the libraries' folder of the same prefix, and where it was to be installed.
 const void* module_table(const ModuleName& module, bool (*fits)(const void* table));
 
 /// As above, of a table that begins with `const char* version`.
