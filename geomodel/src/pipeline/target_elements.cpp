@@ -79,14 +79,20 @@ ElementEstimate estimate_model(const PreparedModel& model, const ConstrainedTetr
   return estimate_by_cause(model.plc.plc, mesh, options, n_thin);
 }
 
+/// Whether the size of the whole model is ours to choose: sizes that the user asks for are never scaled.
+static bool may_derive(const RefinementSettings& settings) {
+  const NamedSizes& size = settings.size;
+  return settings.derive_size && !(settings.target_elements > 0) && !(size.frequency > 0) && size.units.empty() &&
+         size.surfaces.empty() && size.curves.empty() && size.near.empty() && size.layers.empty();
+}
+
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
   constexpr double near = 1.4;
   const RefinementSettings& settings = model.refinement;
   const ElementEstimate found = estimate_model(model, mesh, options);
   const double target = settings.derived_elements, off = found.total() / target;
-  if (!settings.derive_size || settings.target_elements > 0 || (off <= near && off >= 1 / near))
-    return {std::move(options), found};
+  if (!may_derive(settings) || (off <= near && off >= 1 / near)) return {std::move(options), found};
   const double factor = first_factor(model, mesh, options, target, greatest_factor(model, options));
   options = scaled_sizes(std::move(options), factor);
   settle(model, options);

@@ -20,7 +20,7 @@ struct CountedOptions {
 
 /// Where the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume come to many
 /// more or fewer elements: the sizes are those by which the estimate is about settings.derived_elements, and settings
-/// and the report's input hold them. Else the options as they are.
+/// and the report's input hold them. Else, and where the project asks for any size, the options as they are.
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 
