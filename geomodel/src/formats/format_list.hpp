@@ -41,8 +41,12 @@ Format vtkhdf_format();             // modules/at_need.cpp
 
 /// In the order of the documents. Those of modules are in it, whether or not the module is there.
 inline constexpr Format (*listed_formats[])() = {
-    vtu_format,         gmsh41_format,        gmsh41_binary_format,
-    gmsh22_format,      gmsh22_binary_format, abaqus_format,
+    vtu_format,
+    gmsh41_format,
+    gmsh41_binary_format,
+    gmsh22_format,
+    gmsh22_binary_format,
+    abaqus_format,
     exodus_format,
     //
     med_format,
@@ -50,13 +54,27 @@ inline constexpr Format (*listed_formats[])() = {
     //
     xdmf_format,
     //
-    ogs_format,         openfoam_format,      mfem_format,
-    pflotran_format,    tetgen_format,        pflotran_explicit_format,
-    tough_format,       geos_format,          flac3d_format,
-    feflow_format,      comsol_format,        avs_format,
-    medit_format,       medit_binary_format,  gocad_tsolid_format,
-    gocad_tsurf_format, glb_format,           obj_format,
-    stl_format,         seissol_format,       vtkhdf_format,
+    ogs_format,
+    openfoam_format,
+    mfem_format,
+    pflotran_format,
+    tetgen_format,
+    pflotran_explicit_format,
+    tough_format,
+    geos_format,
+    flac3d_format,
+    feflow_format,
+    comsol_format,
+    avs_format,
+    medit_format,
+    medit_binary_format,
+    gocad_tsolid_format,
+    gocad_tsurf_format,
+    glb_format,
+    obj_format,
+    stl_format,
+    seissol_format,
+    vtkhdf_format,
 };
 
 }  // namespace geomesh::geomodel
