@@ -20,7 +20,7 @@ struct Use {
   friend auto operator<=>(const Use&, const Use&) = default;
 };
 
-/// What lies at each edge of a complex.
+/// Lists the facets and segments at each edge of a complex.
 class EdgeUses {
  public:
   explicit EdgeUses(const PiecewiseLinearComplex& plc) : plc_(plc) { list_uses(); }
@@ -115,7 +115,7 @@ class Merger {
     }
   }
 
-  /// What lies at an edge inside a patch keeps it.
+  /// Keeps an edge inside a patch as a segment if anything else lies at it.
   void note_segments(std::span<const Use> uses) {
     if (uses.size() == 2 && is_inside_patch(uses)) return;
     for (std::size_t i = 0; i < uses.size(); ++i)

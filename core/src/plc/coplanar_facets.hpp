@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Merges triangles of one surface that lie exactly in one plane into polygons, so that recovery need not make edges
-/// that nobody asked for. Two triangulations of a plate by long needles can cross each other everywhere; a mesh with
+/// that nobody requested. Two triangulations of a plate by long needles can cross each other everywhere; a mesh with
 /// all of their edges has as many tetrahedra as there are crossings, which is quadratic in the input.
 #pragma once
 
@@ -32,7 +32,7 @@ struct MergedFacets {
 
 /// Merges each patch of triangles that are joined by edges, exactly coplanar and of equal provenance, if it is far from
 /// Delaunay. It is where its inner edges cross more than `most_crossings` edges each, on average, of the Delaunay
-/// triangulation of its vertices. All other facets are kept. An edge stays a segment of the merged
+/// triangulation of its vertices. All other facets are kept. An edge remains a segment of the merged
 /// facet where the complex lists it or where another facet ends on it. `provenance`: by facet.
 /// Precondition: validate_plc finds no fault. A patch that is no valid polygon is kept as triangles, so that recovery
 /// reports the fault. O(n log n).

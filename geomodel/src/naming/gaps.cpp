@@ -104,7 +104,8 @@ std::string consequence(Index component, Index horizon, const Column& column, co
     std::string units;
     for (Index u = verdict.first; u <= verdict.last; ++u)
       units += (u == verdict.first ? "" : u == verdict.last ? " and " : ", ") + column.units[u];
-    return units + " join there (region " + region + "); a larger rules.continue_within, or extend, fill_holes or throw_at of the horizon, can close it";
+    return units + " join there (region " + region +
+           "); a larger rules.continue_within, or extend, fill_holes or throw_at of the horizon, can close it";
   }
   return "it ends there inside region " + region;
 }

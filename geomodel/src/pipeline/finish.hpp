@@ -36,7 +36,7 @@ struct PreparedModel {
   std::string system = "local", unit = "m";  ///< of the mesh, for the report
   ZScale z_scale{1};  ///< of everything but naming.seeds, from after `build` until the mesh is named
   ModelRules rules;
-  SettledStack stack;  ///< as stage build settled it
+  SettledStack stack;                       ///< as stage build settled it
   std::vector<ContinuedSurface> continued;  ///< by stage build
   ModelVolume volume;
   BuiltRows built_rows;  ///< which triangles of the input surfaces rules made

@@ -102,8 +102,8 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "fractures", "column", "rules",
-                             "regions", "groups", "attributes", "colours", "tolerance", "mesh", "output"});
+    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "fractures", "column",
+                             "rules", "regions", "groups", "attributes", "colours", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);

@@ -35,8 +35,8 @@ const FormatModule& seissol() {
 }
 const FormatModule& vtkhdf() {
   static const FormatModule& module =
-      module_table_of<FormatModule>({"geomesh-vtkhdf.so", format_module_function, "VTKHDF files are written with HDF5 by",
-                                     "geomesh-vtkhdf", "libhdf5-dev"});
+      module_table_of<FormatModule>({"geomesh-vtkhdf.so", format_module_function,
+                                     "VTKHDF files are written with HDF5 by", "geomesh-vtkhdf", "libhdf5-dev"});
   return module;
 }
 
@@ -81,9 +81,7 @@ Format xdmf_format() {
           write<xdmf>, nullptr,   write_dolfinx_starter};
 }
 
-Format seissol_format() {
-  return {"seissol", {".puml"}, "SeisSol (PUML)", {.names = false}, write<seissol>, nullptr};
-}
+Format seissol_format() { return {"seissol", {".puml"}, "SeisSol (PUML)", {.names = false}, write<seissol>, nullptr}; }
 
 Format vtkhdf_format() {
   return {"vtkhdf",      {".vtkhdf"}, "VTKHDF (ParaView 5.10 and on)", {.second_order = true, .prisms = true},

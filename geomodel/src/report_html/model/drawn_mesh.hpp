@@ -24,8 +24,8 @@ struct DrawnMesh {
 };
 
 /// All of the mesh within the limits. Beyond them the vertices in each cell of a grid become one of them (Rossignac and
-/// Borrel 1993), with the finest grid that fits. A vertex on the box's sides stands for those inside, and one on several
-/// surfaces for those on fewer: so outlines and lines between units stay. What loses a corner is left out. For
+/// Borrel 1993), with the finest grid that fits. A vertex on the box's sides stands for those inside, and one on
+/// several surfaces for those on fewer: so outlines and lines between units stay. What loses a corner is left out. For
 /// looking at: thin elements may turn round. Heights count `stretch` times. Time linear in the mesh.
 DrawnMesh drawn_mesh(const ModelMesh& mesh, double stretch, const DrawingLimits& limits = {});
 

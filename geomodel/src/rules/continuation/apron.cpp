@@ -46,7 +46,8 @@ class ApronMaker {
   Apron make() {
     for (Index k = 0; k < chain_.points().size(); ++k) {
       const Vec3& p = chain_.points()[k];
-      nodes_.push_back({{p.x, p.y}, surface_.points[border_.vertices[k]], 0, std::min(k, static_cast<Index>(chain_.n_edges() - 1))});
+      nodes_.push_back(
+          {{p.x, p.y}, surface_.points[border_.vertices[k]], 0, std::min(k, static_cast<Index>(chain_.n_edges() - 1))});
     }
     n_border_ = static_cast<Index>(nodes_.size());
     add_grid();
@@ -128,7 +129,8 @@ class ApronMaker {
   void leave_out_open() {
     std::vector<std::uint8_t> is_open(chain_.n_edges(), 0);
     for (Index v = n_border_; v < nodes_.size(); ++v)
-      if (nodes_[v].is_seen && nodes_[v].distance > within_ && is_in_model(nodes_[v].point)) is_open[nodes_[v].edge] = 1;
+      if (nodes_[v].is_seen && nodes_[v].distance > within_ && is_in_model(nodes_[v].point))
+        is_open[nodes_[v].edge] = 1;
     std::erase_if(triangles_, [&](const Corners& t) {
       return std::any_of(t.begin(), t.end(), [&](Index v) { return v >= n_border_ && is_open[nodes_[v].edge]; });
     });
@@ -295,7 +297,7 @@ class ApronMaker {
   std::vector<Corners> triangles_;
   std::vector<Index> side_;  ///< per node: the first node of its side; no_index where nothing sees it
   std::set<std::pair<Index, Index>> parted_border_;
-  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of the surface's vertices, once asked for
+  std::map<VertexIndex, std::set<VertexIndex>> ring_;    ///< neighbours of the surface's vertices, once asked for
   std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< by node and side (no_index: its own)
   std::map<Index, Index> number_of_side_;
   std::set<Index> crossed_;
