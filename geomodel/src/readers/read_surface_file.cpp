@@ -9,7 +9,7 @@
 #include "readers/text/no_data.hpp"
 #include "readers/text/text.hpp"
 #include "readers/text/units.hpp"
-#include "readers/vtk/vtk_legacy.hpp"
+#include "readers/vtk_legacy.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -7,7 +7,7 @@
 #include "readers/formats.hpp"
 #include "readers/text/text.hpp"
 #include "readers/triangles/single_surface.hpp"
-#include "readers/vtk/vtk_legacy.hpp"
+#include "readers/vtk_legacy.hpp"
 #include "vtk_files/vtk_data.hpp"
 
 namespace geomesh::geomodel {
