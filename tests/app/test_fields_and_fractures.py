@@ -88,7 +88,7 @@ class Fractures(ProgramTest):
         self.write("far.csv", "2,2,5,8,2,5,8,8,5\n20,2,5,28,2,5,28,8,5\n")
         printed = self.run_program(self.write("far.yaml", "box: {min: [0, 0, 0], max: [10, 10, 10]}\n"
                                               "fractures: {file: far.csv}\nmesh: {size: 3}\n"), "-o", self.path("out"))
-        self.assertIn("fracture_2 never meets the model", printed)
+        self.assertIn("fracture_2 lies outside the box", printed)
 
     def test_a_polygon_that_is_not_plane_is_refused(self):
         self.write("bent.csv", "2,2,5,8,2,5,8,8,5,2,8,7\n")

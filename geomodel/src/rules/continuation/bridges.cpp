@@ -171,14 +171,22 @@ bool faces_up(const TriangulatedSurface& s) {
   return up >= 0;
 }
 
+/// What gaps are filled between, and what was.
+struct Filling {
+  const Walls& walls;
+  const std::vector<TriangulatedSurface>& tips;
+  const Box3& box;
+  double within;
+  Bridged bridged{};
+};
+
 /// False where the edges cross each other in the map.
-bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Walls& walls,
-            const std::vector<TriangulatedSurface>& tips, const Box3& box, double within, Bridged& bridged) {
+bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, Filling& filling) {
   Gaps gaps(surface, edges);
   gaps.set_faces_up(faces_up(surface));
-  if (!gaps.find(within, box)) return false;
-  if (gaps.add_tips(tips) && !gaps.find(within, box)) return false;
-  gaps.append(surface, walls, bridged);
+  if (!gaps.find(filling.within, filling.box)) return false;
+  if (gaps.add_tips(filling.tips) && !gaps.find(filling.within, filling.box)) return false;
+  gaps.append(surface, filling.walls, filling.bridged);
   return true;
 }
 
@@ -186,15 +194,15 @@ bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, 
 
 Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<TriangulatedSurface>& tips,
                     const Box3& box, double within) {
-  Bridged bridged;
+  Filling filling{walls, tips, box, within};
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty() || bridge(surface, edges, walls, tips, box, within, bridged)) return bridged;
+  if (edges.empty() || bridge(surface, edges, filling)) return filling.bridged;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, walls, tips, box, within, bridged);
-  return bridged;
+  for (const auto& [_, own] : edges_of) bridge(surface, own, filling);
+  return filling.bridged;
 }
 
 }  // namespace geomesh::geomodel

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/apron_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rules/planar/planar_fill.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Least share of the distance by which points of the grid are apart: an apron has at most some ten rows.
+constexpr double least_step = 1.0 / 8;
+/// Grid points come no nearer to the border than this share of their distance from each other.
+constexpr double room_at_border = 0.5;
+
+}  // namespace
+
+ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
+                     const ApronSetting& setting)
+    : row_(row),
+      walls_(walls),
+      frame_(setting.frame),
+      within_(setting.within),
+      bounds_(setting.bounds),
+      chain_(surface, chain, setting.frame, setting.within),
+      step_(std::clamp(chain_.mean_edge(), least_step * within_, within_)) {
+  const auto last_edge = static_cast<Index>(chain_.n_edges() - 1);
+  for (Index k = 0; k < chain_.points().size(); ++k) {
+    const Vec3& p = chain_.points()[k];
+    nodes_.push_back({{p.x, p.y}, surface.points[chain.vertices[k]], 0, std::min(k, last_edge)});
+  }
+  n_border_ = static_cast<Index>(nodes_.size());
+  add_grid();
+  if (nodes_.size() > n_border_ && find_triangles()) leave_out_open();
+}
+
+ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
+  return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
+}
+bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
+  const auto hit = walls_.first_surface(frame_.to_model(chain_.foot(at)), node.point, row_);
+  if (hit) crossed_.insert(hit->surface);
+  return hit.has_value();
+}
+
+/// Points beside the chain on a grid whose origin depends on the place in space alone.
+void ApronGrid::add_grid() {
+  Vec2 low = nodes_.front().place, high = low;
+  for (const ApronNode& n : nodes_) {
+    low = {std::min(low.x, n.place.x), std::min(low.y, n.place.y)};
+    high = {std::max(high.x, n.place.x), std::max(high.y, n.place.y)};
+  }
+  const double reach = within_ + step_;
+  const auto first = [&](double v) { return static_cast<std::int64_t>(std::floor((v - reach) / step_)); };
+  const auto last = [&](double v) { return static_cast<std::int64_t>(std::ceil((v + reach) / step_)); };
+  for (std::int64_t j = first(low.y); j <= last(high.y); ++j)
+    for (std::int64_t i = first(low.x); i <= last(high.x); ++i)
+      add_node({static_cast<double>(i) * step_, static_cast<double>(j) * step_}, reach);
+}
+
+void ApronGrid::add_node(const Vec2& p, double reach) {
+  const auto nearest = chain_.nearest(p);
+  if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
+      !chain_.is_outside(p, *nearest))
+    return;
+  // Beyond the distance it is the nearest place alone that may see it: the border is open there then.
+  for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
+    if (at.distance > within_ && at.distance > nearest->distance) break;
+    const ApronNode node = node_at(p, at);
+    if (is_hidden(node, at)) continue;
+    nodes_.push_back(node);
+    return;
+  }
+  nodes_.push_back(node_at(p, *nearest));
+  nodes_.back().is_seen = false;
+}
+
+/// False where the chain crosses itself in the plane.
+bool ApronGrid::find_triangles() {
+  std::vector<std::pair<Index, Index>> constraints;
+  for (std::size_t e = 0; e < chain_.n_edges(); ++e)
+    constraints.emplace_back(static_cast<Index>(e), static_cast<Index>(chain_.end_of(e)));
+  std::vector<Vec2> places;
+  for (const ApronNode& n : nodes_) places.push_back(n.place);
+  const auto all = triangulate_plane(places, constraints);
+  if (!all) return false;
+  for (const PlanarTriangle& t : *all) {
+    const auto& v = t.vertices;
+    const Vec2 centre{(places[v[0]].x + places[v[1]].x + places[v[2]].x) / 3,
+                      (places[v[0]].y + places[v[1]].y + places[v[2]].y) / 3};
+    const auto at = chain_.nearest(centre);
+    if (at && at->distance <= within_ + step_ && chain_.is_outside(centre, *at)) triangles_.push_back(v);
+  }
+  return true;
+}
+
+bool ApronGrid::is_in_model(const Vec3& p) const {
+  return p.x > bounds_.min.x && p.y > bounds_.min.y && p.z > bounds_.min.z && p.x < bounds_.max.x &&
+         p.y < bounds_.max.y && p.z < bounds_.max.z;
+}
+
+/// Where a point of the model beyond the distance is seen no wall stops the surface: the border stays open there.
+void ApronGrid::leave_out_open() {
+  std::vector<std::uint8_t> is_open(chain_.n_edges(), 0);
+  for (Index v = n_border_; v < nodes_.size(); ++v)
+    if (nodes_[v].is_seen && nodes_[v].distance > within_ && is_in_model(nodes_[v].point)) is_open[nodes_[v].edge] = 1;
+  std::erase_if(triangles_, [&](const Corners& t) {
+    return std::any_of(t.begin(), t.end(), [&](Index v) { return v >= n_border_ && is_open[nodes_[v].edge]; });
+  });
+}
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Places beside a run of border: a grid with heights, and the triangles that join it to the border.
+#pragma once
+
+#include <array>
+#include <set>
+#include <vector>
+
+#include "rules/continuation/apron.hpp"
+#include "rules/continuation/chain_in_plane.hpp"
+
+namespace geomesh::geomodel {
+
+/// A vertex of the apron: of the border (the first ones, in the order of the chain) or of the grid.
+struct ApronNode {
+  Vec2 place;
+  Vec3 point;           ///< in the model
+  double distance = 0;  ///< from the border's place that gives its height
+  Index edge = 0;       ///< of the chain, there
+  bool is_seen = true;  ///< no wall is between
+};
+
+/// What an apron is made over. Nodes of the border come first, in the order of the chain.
+class ApronGrid {
+ public:
+  using Corners = std::array<Index, 3>;
+
+  ApronGrid(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
+            const ApronSetting& setting);
+
+  const std::vector<ApronNode>& nodes() const { return nodes_; }
+  const std::vector<Corners>& triangles() const { return triangles_; }  ///< none where the border stays open
+  Index n_border() const { return n_border_; }
+  const ChainInPlane& chain() const { return chain_; }
+  const std::set<Index>& hidden_by() const { return crossed_; }  ///< surfaces that hide nodes from the border
+  /// The node at a place with the height that the border has there.
+  ApronNode node_at(const Vec2& p, const ChainInPlane::Nearest& at) const;
+
+ private:
+  bool is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at);
+  void add_grid();
+  void add_node(const Vec2& p, double reach);
+  bool find_triangles();
+  bool is_in_model(const Vec3& p) const;
+  void leave_out_open();
+
+  Index row_;
+  const Walls& walls_;
+  const Frame& frame_;
+  double within_;
+  const Box3& bounds_;
+  ChainInPlane chain_;
+  double step_;
+  Index n_border_ = 0;
+  std::vector<ApronNode> nodes_;
+  std::vector<Corners> triangles_;
+  std::set<Index> crossed_;
+};
+
+}  // namespace geomesh::geomodel
