@@ -52,8 +52,16 @@ class Runs(ProgramTest):
         self.assertEqual(len(offsets), soup.GetNumberOfCells() + 1)
         self.assertEqual((offsets[0], offsets[-1]), (0, len(surfaces)))
         self.assertEqual(len(field(soup, "origin_triangles")), len(surfaces))
-        names, kinds, cell_curve = field(curves, "curve_names"), field(curves, "curve_kinds"), curves.GetCellData().GetArray("curve")
-        surface_names = field(soup, "surface_names")
+        def named(data, prefix):
+            """Of field arrays PREFIX:NAME: what is in them by name. Arrays of strings stop a much used Python reader."""
+            fields = data.GetFieldData()
+            names = [fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())]
+            return {name[len(prefix) + 1:]: field(data, name) for name in names if name.startswith(prefix + ":")}
+
+        cell_curve = curves.GetCellData().GetArray("curve")
+        found_curves = {c[0]: (name.split(" ", 1)) for name, c in named(curves, "curve").items()}
+        names, kinds = [found_curves[c][1] for c in sorted(found_curves)], [found_curves[c][0] for c in sorted(found_curves)]
+        surface_names = {s[0]: name for name, s in named(soup, "surface").items()}
         at_edge = {}  # curve names by the coordinates of an edge's ends
         for c in range(curves.GetNumberOfCells()):
             points = curves.GetCell(c).GetPoints()
