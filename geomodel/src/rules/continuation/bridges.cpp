@@ -171,9 +171,18 @@ bool faces_up(const TriangulatedSurface& s) {
   return up >= 0;
 }
 
+/// The limits of a bridge.
+struct Bounds {
+  const Walls& walls;
+  const std::vector<TriangulatedSurface>& tips;
+  const Box3& box;
+  double within;  ///< m
+};
+
 /// False where the edges cross each other in the map.
-bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Walls& walls,
-            const std::vector<TriangulatedSurface>& tips, const Box3& box, double within, Bridged& bridged) {
+bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Bounds& bounds,
+            Bridged& bridged) {
+  const auto& [walls, tips, box, within] = bounds;
   Gaps gaps(surface, edges);
   gaps.set_faces_up(faces_up(surface));
   if (!gaps.find(within, box)) return false;
@@ -187,13 +196,14 @@ bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, 
 Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<TriangulatedSurface>& tips,
                     const Box3& box, double within) {
   Bridged bridged;
+  const Bounds bounds{walls, tips, box, within};
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty() || bridge(surface, edges, walls, tips, box, within, bridged)) return bridged;
+  if (edges.empty() || bridge(surface, edges, bounds, bridged)) return bridged;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, walls, tips, box, within, bridged);
+  for (const auto& [_, own] : edges_of) bridge(surface, own, bounds, bridged);
   return bridged;
 }
 
