@@ -116,7 +116,7 @@ ALLOWED = {
     "geomodel/src/fault_zones/fault_zones.cpp: class ZoneOpener",
     "geomodel/src/formats/exodus/exodus.cpp: class ExodusWriter",
     "geomodel/src/formats/gmsh41_parts.cpp: class PartWriter",
-    "geomodel/src/formats/med.cpp: class MedWriter",
+    "geomodel/src/formats/modules/med.cpp: class MedWriter",
     "geomodel/src/formats/openfoam.cpp: class FoamCase",
     "geomodel/src/mesh_readers/abaqus.cpp: class AbaqusReader",
     "geomodel/src/mesh_readers/exodus.cpp: class ExodusReader",

@@ -13,6 +13,109 @@ namespace {
 
 constexpr std::string_view head = "# vtk DataFile Version ";
 
+/// Reads POINT_DATA, CELL_DATA and fields of a legacy file into its tables.
+class LegacyAttributes {
+ public:
+  LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}
+
+  /// What stands behind POINT_DATA and CELL_DATA, and fields. False where the keyword is another one.
+  bool take(const std::string& keyword) {
+    if (keyword == "metadata") {
+      skip_metadata();
+    } else if (keyword == "field") {
+      read_field(*table_, n_);
+    } else if (keyword == "point_data" || keyword == "cell_data") {
+      table_ = keyword == "point_data" ? &data_.point_data : &data_.cell_data;
+      n_ = words_.count("values");
+    } else if (table_ == &data_.field_data) {
+      return false;
+    } else if (keyword == "scalars") {
+      read_scalars();
+    } else if (keyword == "color_scalars") {
+      read_colours();
+    } else if (keyword == "lookup_table") {
+      words_.name();
+      words_.values("", words_.binary ? VtkType::uint8 : VtkType::float32, words_.count("colours"), 4);
+    } else {
+      return take_plain_attribute(keyword);
+    }
+    return true;
+  }
+
+  /// FIELD NAME n, then n arrays NAME COMPONENTS TUPLES TYPE.
+  void read_field(VtkTable& table, std::size_t least) {
+    words_.name();
+    for (std::size_t n = words_.count("arrays"); n > 0; --n) {
+      while (words_.next_keyword() == "metadata") {
+        words_.keyword();
+        skip_metadata();
+      }
+      std::string name = words_.name();
+      if (name.empty()) words_.fail("it ends within a FIELD (truncated?)");
+      if (to_lower(name) == "null_array") continue;
+      const std::size_t n_components = words_.count("components"), n_tuples = words_.count("tuples");
+      const VtkType type = words_.type();
+      if (n_tuples < least) words_.fail("the array " + in_quotes(name) + " holds too few values (damaged)");
+      table.put(words_.values(std::move(name), type, n_tuples, n_components));
+    }
+  }
+
+ private:
+  bool take_plain_attribute(const std::string& keyword) {
+    static const std::map<std::string, std::size_t> widths{
+        {"vectors", 3},    {"normals", 3},      {"tensors", 9},    {"tensors6", 6},
+        {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}, {"texture_coordinates", 0}};
+    const auto width = widths.find(keyword);
+    if (width == widths.end()) return false;
+    std::string name = words_.name();
+    const std::size_t n_components = width->second == 0 ? words_.count("texture coordinates") : width->second;
+    const VtkType type = words_.type();
+    table_->put(words_.values(std::move(name), type, n_, n_components));
+    return true;
+  }
+  /// NAME TYPE [COMPONENTS], then LOOKUP_TABLE NAME, which some writers leave out.
+  void read_scalars() {
+    std::string name = words_.name();
+    const VtkType type = words_.type();
+    const std::vector<std::string_view> rest = words_.words_of_line();
+    const auto n_components = rest.empty() ? 1 : to_integer(rest.front());
+    if (!n_components || *n_components < 1) words_.fail("SCALARS " + name + " has no number of components (damaged)");
+    if (words_.next_keyword() == "lookup_table") {
+      words_.keyword();
+      words_.name();
+    } else if (words_.binary) {
+      words_.fail("LOOKUP_TABLE was expected behind SCALARS " + name);
+    }
+    table_->put(words_.values(std::move(name), type, n_, static_cast<std::size_t>(*n_components)));
+  }
+  /// Bytes in a binary file; in text numbers from 0 to 1, which VTK makes bytes of.
+  void read_colours() {
+    std::string name = words_.name();
+    const std::size_t n_components = words_.count("components");
+    VtkColumn given =
+        words_.values(std::move(name), words_.binary ? VtkType::uint8 : VtkType::float32, n_, n_components);
+    if (given.type == VtkType::float32) {
+      const std::vector<double> parts = given.numbers();
+      given.type = VtkType::uint8;
+      given.bytes.clear();
+      for (const double part : parts)
+        given.bytes.push_back(static_cast<std::byte>(part > 0 ? std::min(255.0, 255 * part + 0.5) : 0.0));
+    }
+    table_->put(std::move(given));
+  }
+  /// Up to an empty line.
+  void skip_metadata() {
+    words_.line();
+    while (!words_.line().empty()) {
+    }
+  }
+
+  LegacyWords& words_;
+  VtkData& data_;
+  VtkTable* table_;    // that the attributes to come belong to
+  std::size_t n_ = 0;  // their tuples
+};
+
 class LegacyReader {
  public:
   explicit LegacyReader(const InputFile& file) : file_(file), words_(file) {}
@@ -20,7 +123,7 @@ class LegacyReader {
   VtkData read() {
     read_head();
     for (std::string keyword = words_.keyword(); !keyword.empty(); keyword = words_.keyword())
-      if (!take_cells(keyword) && !take_attribute(keyword))
+      if (!take_cells(keyword) && !attributes_.take(keyword))
         words_.fail("a keyword of the format was expected, found " + in_quotes(keyword));
     add_cells();
     require_tuples(data_.point_data, data_.points.size(), "points");
@@ -44,7 +147,7 @@ class LegacyReader {
     words_.line();
     if (words_.next_keyword() == "field") {  // a file may hold a field alone
       words_.keyword();
-      read_field(data_.field_data, 0);
+      attributes_.read_field(data_.field_data, 0);
     }
     const std::string keyword = words_.keyword(), type = words_.keyword();
     if (keyword != "dataset") words_.fail("DATASET was expected, found " + in_quotes(keyword));
@@ -145,103 +248,13 @@ class LegacyReader {
                     " values for " + std::to_string(n) + " " + what + " (damaged)");
   }
 
-  /// What stands behind POINT_DATA and CELL_DATA, and fields. False where the keyword is another one.
-  bool take_attribute(const std::string& keyword) {
-    if (keyword == "metadata") {
-      skip_metadata();
-    } else if (keyword == "field") {
-      read_field(*table_, n_);
-    } else if (keyword == "point_data" || keyword == "cell_data") {
-      table_ = keyword == "point_data" ? &data_.point_data : &data_.cell_data;
-      n_ = words_.count("values");
-    } else if (table_ == &data_.field_data) {
-      return false;
-    } else if (keyword == "scalars") {
-      read_scalars();
-    } else if (keyword == "color_scalars") {
-      read_colours();
-    } else if (keyword == "lookup_table") {
-      words_.name();
-      words_.values("", words_.binary ? VtkType::uint8 : VtkType::float32, words_.count("colours"), 4);
-    } else {
-      return take_plain_attribute(keyword);
-    }
-    return true;
-  }
-  bool take_plain_attribute(const std::string& keyword) {
-    static const std::map<std::string, std::size_t> widths{
-        {"vectors", 3},    {"normals", 3},      {"tensors", 9},    {"tensors6", 6},
-        {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}, {"texture_coordinates", 0}};
-    const auto width = widths.find(keyword);
-    if (width == widths.end()) return false;
-    std::string name = words_.name();
-    const std::size_t n_components = width->second == 0 ? words_.count("texture coordinates") : width->second;
-    const VtkType type = words_.type();
-    table_->put(words_.values(std::move(name), type, n_, n_components));
-    return true;
-  }
-  /// NAME TYPE [COMPONENTS], then LOOKUP_TABLE NAME, which some writers leave out.
-  void read_scalars() {
-    std::string name = words_.name();
-    const VtkType type = words_.type();
-    const std::vector<std::string_view> rest = words_.words_of_line();
-    const auto n_components = rest.empty() ? 1 : to_integer(rest.front());
-    if (!n_components || *n_components < 1) words_.fail("SCALARS " + name + " has no number of components (damaged)");
-    if (words_.next_keyword() == "lookup_table") {
-      words_.keyword();
-      words_.name();
-    } else if (words_.binary) {
-      words_.fail("LOOKUP_TABLE was expected behind SCALARS " + name);
-    }
-    table_->put(words_.values(std::move(name), type, n_, static_cast<std::size_t>(*n_components)));
-  }
-  /// Bytes in a binary file; in text numbers from 0 to 1, which VTK makes bytes of.
-  void read_colours() {
-    std::string name = words_.name();
-    const std::size_t n_components = words_.count("components");
-    VtkColumn given =
-        words_.values(std::move(name), words_.binary ? VtkType::uint8 : VtkType::float32, n_, n_components);
-    if (given.type == VtkType::float32) {
-      const std::vector<double> parts = given.numbers();
-      given.type = VtkType::uint8;
-      given.bytes.clear();
-      for (const double part : parts)
-        given.bytes.push_back(static_cast<std::byte>(part > 0 ? std::min(255.0, 255 * part + 0.5) : 0.0));
-    }
-    table_->put(std::move(given));
-  }
-  /// FIELD NAME n, then n arrays NAME COMPONENTS TUPLES TYPE.
-  void read_field(VtkTable& table, std::size_t least) {
-    words_.name();
-    for (std::size_t n = words_.count("arrays"); n > 0; --n) {
-      while (words_.next_keyword() == "metadata") {
-        words_.keyword();
-        skip_metadata();
-      }
-      std::string name = words_.name();
-      if (name.empty()) words_.fail("it ends within a FIELD (truncated?)");
-      if (to_lower(name) == "null_array") continue;
-      const std::size_t n_components = words_.count("components"), n_tuples = words_.count("tuples");
-      const VtkType type = words_.type();
-      if (n_tuples < least) words_.fail("the array " + in_quotes(name) + " holds too few values (damaged)");
-      table.put(words_.values(std::move(name), type, n_tuples, n_components));
-    }
-  }
-  /// Up to an empty line.
-  void skip_metadata() {
-    words_.line();
-    while (!words_.line().empty()) {
-    }
-  }
-
   const InputFile& file_;
   LegacyWords words_;
   VtkData data_;
+  LegacyAttributes attributes_{words_, data_};
   bool is_version_5_ = false;
   std::map<std::string, CellLists> lists_;  // by keyword
   std::optional<std::vector<std::int64_t>> types_;
-  VtkTable* table_ = &data_.field_data;  // that the attributes to come belong to
-  std::size_t n_ = 0;                    // their tuples
 };
 
 }  // namespace

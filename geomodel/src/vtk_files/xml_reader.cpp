@@ -15,10 +15,59 @@ namespace {
 /// zlib packs at most so many bytes into one; a point or a cell has four at least, and an empty text one.
 constexpr std::size_t most_packed = 1100;
 
+VtkEncoding encoding_of(const InputFile& file, const pugi::xml_node& root) {
+  VtkEncoding encoding;
+  if (root.attribute("byte_order").value() == std::string_view("BigEndian")) encoding.order = std::endian::big;
+  const std::string_view header = root.attribute("header_type").as_string("UInt32");
+  if (header != "UInt32" && header != "UInt64")
+    file.fail("its header_type is " + in_quotes(header) + "; UInt32 or UInt64 were expected");
+  if (header == "UInt64") encoding.header_bytes = 8;
+  using Compressor = VtkEncoding::Compressor;
+  const std::string_view compressor = root.attribute("compressor").value();
+  if (compressor == "vtkZLibDataCompressor")
+    encoding.compressor = Compressor::zlib;
+  else if (compressor == "vtkLZ4DataCompressor")
+    encoding.compressor = Compressor::lz4;
+  else if (compressor == "vtkLZMADataCompressor")
+    encoding.compressor = Compressor::lzma;
+  else if (!compressor.empty())
+    file.fail("it is compressed by " + in_quotes(compressor) +
+              "; zlib, LZ4 and LZMA are read: save it with one of these, or uncompressed");
+  return encoding;
+}
+
+bool is_array(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  return name == "DataArray" || name == "Array";
+}
+template <std::size_t N>
+std::array<double, N> numbers_attribute(const InputFile& file, const pugi::xml_node& node, const char* name,
+                                        std::array<double, N> values) {
+  if (!node.attribute(name)) return values;
+  std::string_view text = node.attribute(name).value();
+  for (double& value : values) {
+    const auto number = to_double(next_word(text));
+    if (!number || !std::isfinite(*number) || std::abs(*number) > 1e300)
+      file.fail(std::string(node.name()) + ": " + name + " is no list of " + std::to_string(N) + " numbers");
+    value = *number;
+  }
+  return values;
+}
+
+/// Appends the column of the same name and type; false if the table has none.
+bool append(const VtkTable& table, VtkColumn& column) {
+  const VtkColumn* const more = column.is_text() ? table.texts(column.name) : table.numbers(column.name);
+  if (!more || more->type != column.type || more->n_components != column.n_components) return false;
+  column.bytes.insert(column.bytes.end(), more->bytes.begin(), more->bytes.end());
+  column.texts.insert(column.texts.end(), more->texts.begin(), more->texts.end());
+  column.n_tuples += more->n_tuples;
+  return true;
+}
+
 class XmlReader {
  public:
   XmlReader(const InputFile& file, const pugi::xml_node& root, const XmlArrays::Appended& appended)
-      : file_(file), arrays_(file, encoding_of(root), appended) {}
+      : file_(file), arrays_(file, encoding_of(file, root), appended) {}
 
   VtkData read(const pugi::xml_node& root) {
     const std::string type = root.attribute("type").value();
@@ -39,31 +88,6 @@ class XmlReader {
   }
 
  private:
-  VtkEncoding encoding_of(const pugi::xml_node& root) const {
-    VtkEncoding encoding;
-    if (root.attribute("byte_order").value() == std::string_view("BigEndian")) encoding.order = std::endian::big;
-    const std::string_view header = root.attribute("header_type").as_string("UInt32");
-    if (header != "UInt32" && header != "UInt64")
-      file_.fail("its header_type is " + in_quotes(header) + "; UInt32 or UInt64 were expected");
-    if (header == "UInt64") encoding.header_bytes = 8;
-    using Compressor = VtkEncoding::Compressor;
-    const std::string_view compressor = root.attribute("compressor").value();
-    if (compressor == "vtkZLibDataCompressor")
-      encoding.compressor = Compressor::zlib;
-    else if (compressor == "vtkLZ4DataCompressor")
-      encoding.compressor = Compressor::lz4;
-    else if (compressor == "vtkLZMADataCompressor")
-      encoding.compressor = Compressor::lzma;
-    else if (!compressor.empty())
-      file_.fail("it is compressed by " + in_quotes(compressor) +
-                 "; zlib, LZ4 and LZMA are read: save it with one of these, or uncompressed");
-    return encoding;
-  }
-
-  static bool is_array(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    return name == "DataArray" || name == "Array";
-  }
   void read_fields(const pugi::xml_node& fields) {
     for (const pugi::xml_node& element : fields.children())
       if (is_array(element)) data_.field_data.put(arrays_.read(element, std::nullopt));
@@ -146,25 +170,13 @@ class XmlReader {
     cells.add_poly(Shape::strips, lists(piece, "Strips", count(piece, "NumberOfStrips", "strips")), first_point);
   }
 
-  template <std::size_t N>
-  std::array<double, N> numbers_attribute(const pugi::xml_node& node, const char* name, std::array<double, N> values) {
-    if (!node.attribute(name)) return values;
-    std::string_view text = node.attribute(name).value();
-    for (double& value : values) {
-      const auto number = to_double(next_word(text));
-      if (!number || !std::isfinite(*number) || std::abs(*number) > 1e300)
-        file_.fail(std::string(node.name()) + ": " + name + " is no list of " + std::to_string(N) + " numbers");
-      value = *number;
-    }
-    return values;
-  }
   void read_lattice(const pugi::xml_node& body, const pugi::xml_node& piece, CellBuilder& cells) {
     ImageLattice lattice;
-    lattice.origin = numbers_attribute<3>(body, "Origin", {0, 0, 0});
-    lattice.spacing = numbers_attribute<3>(body, "Spacing", {1, 1, 1});
-    lattice.direction = numbers_attribute<9>(body, "Direction", {1, 0, 0, 0, 1, 0, 0, 0, 1});
-    const auto whole = numbers_attribute<6>(body, "WholeExtent", {0, -1, 0, -1, 0, -1});
-    const auto extent = numbers_attribute<6>(piece, "Extent", whole);
+    lattice.origin = numbers_attribute<3>(file_, body, "Origin", {0, 0, 0});
+    lattice.spacing = numbers_attribute<3>(file_, body, "Spacing", {1, 1, 1});
+    lattice.direction = numbers_attribute<9>(file_, body, "Direction", {1, 0, 0, 0, 1, 0, 0, 0, 1});
+    const auto whole = numbers_attribute<6>(file_, body, "WholeExtent", {0, -1, 0, -1, 0, -1});
+    const auto extent = numbers_attribute<6>(file_, piece, "Extent", whole);
     std::size_t n = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const double first = extent[2 * k], last = extent[2 * k + 1];
@@ -190,15 +202,6 @@ class XmlReader {
     }
     std::erase_if(table.columns, [&](VtkColumn& column) { return !append(own, column); });
   }
-  static bool append(const VtkTable& table, VtkColumn& column) {
-    const VtkColumn* const more = column.is_text() ? table.texts(column.name) : table.numbers(column.name);
-    if (!more || more->type != column.type || more->n_components != column.n_components) return false;
-    column.bytes.insert(column.bytes.end(), more->bytes.begin(), more->bytes.end());
-    column.texts.insert(column.texts.end(), more->texts.begin(), more->texts.end());
-    column.n_tuples += more->n_tuples;
-    return true;
-  }
-
   const InputFile& file_;
   XmlArrays arrays_;
   VtkData data_;

@@ -73,6 +73,43 @@ struct Row {
   std::size_t line = 0;
 };
 
+std::vector<SurveyStation> stations_of(const InputFile& file, const std::vector<Row>& rows) {
+  std::vector<SurveyStation> stations;
+  for (const Row& row : rows) {
+    const SurveyStation station{row.values[md], row.values[inclination], row.values[azimuth]};
+    if (station.md < 0 || (!stations.empty() && station.md < stations.back().md))
+      file.fail(row.line, "measured depths are zero or more and do not decrease along the well");
+    if (station.inclination < 0 || station.inclination > 180)
+      file.fail(row.line, "an inclination of 0 (down) to 180 degrees was expected");
+    if (!stations.empty() && station.md == stations.back().md) stations.pop_back();
+    stations.push_back(station);
+  }
+  return stations;
+}
+
+/// Where the path begins: as the project says, else as comments of Petrel's well traces do.
+Vec3 head_of_path(const InputFile& file, const WellReading& reading) {
+  if (reading.head) return *reading.head;
+  std::optional<double> found[3];
+  LineReader lines(file);
+  while (lines.next()) {
+    const std::string_view line = trim(lines.line());
+    if (!line.starts_with('#')) continue;
+    const std::string lower = to_lower(line);
+    const std::size_t colon = lower.rfind(':');
+    if (colon == std::string::npos) continue;
+    const auto value = to_double(Tokens(std::string_view(lower).substr(colon + 1)).next());
+    if (lower.find("head x") != std::string::npos) found[0] = value;
+    if (lower.find("head y") != std::string::npos) found[1] = value;
+    if (lower.find("well kb") != std::string::npos || lower.find("well datum") != std::string::npos) found[2] = value;
+  }
+  if (!found[0] || !found[1] || !found[2])
+    file.fail(
+        "a deviation survey tells directions alone: say where its measured depth is zero, with head: [x, y, z] "
+        "in the entry of the well (z: elevation of the rotary table or of the ground)");
+  return {*found[0], *found[1], reading.head_is_depth ? -*found[2] : *found[2]};
+}
+
 class WellTableReader {
  public:
   WellTableReader(const InputFile& file, const WellReading& reading) : file_(file), reading_(reading), lines_(file) {}
@@ -173,7 +210,7 @@ class WellTableReader {
         if (points.empty() || points.back() != row.point) points.push_back(row.point);
       return points;
     }
-    const Vec3 head = head_of_path();
+    const Vec3 head = head_of_path(file_, reading_);
     const double unit =
         columns_.md_unit.empty() ? 1 : length_unit_in_metres(lines_, columns_.md_unit) / reading_.metres;
     const double up = reading_.head_is_depth ? -1 : 1;
@@ -181,26 +218,12 @@ class WellTableReader {
       contents.notes.push_back("the path is made from " + std::to_string(rows.size()) +
                                " stations (measured depth, inclination, azimuth from the north of the map) by minimum "
                                "curvature");
-      points = path_of_survey(stations_of(rows));
+      points = path_of_survey(stations_of(file_, rows));
     } else {
       for (const Row& row : rows) points.push_back({row.values[dx], row.values[dy], -row.values[tvd]});
     }
     for (Vec3& p : points) p = {head.x + unit * p.x, head.y + unit * p.y, head.z + up * unit * p.z};
     return points;
-  }
-
-  std::vector<SurveyStation> stations_of(const std::vector<Row>& rows) const {
-    std::vector<SurveyStation> stations;
-    for (const Row& row : rows) {
-      const SurveyStation station{row.values[md], row.values[inclination], row.values[azimuth]};
-      if (station.md < 0 || (!stations.empty() && station.md < stations.back().md))
-        file_.fail(row.line, "measured depths are zero or more and do not decrease along the well");
-      if (station.inclination < 0 || station.inclination > 180)
-        file_.fail(row.line, "an inclination of 0 (down) to 180 degrees was expected");
-      if (!stations.empty() && station.md == stations.back().md) stations.pop_back();
-      stations.push_back(station);
-    }
-    return stations;
   }
 
   /// Three columns without names that are a survey and no places.
@@ -216,29 +239,6 @@ class WellTableReader {
       refuse_columns(
           "its three columns have no names and could be measured depth, inclination and azimuth as well as "
           "x, y, z");
-  }
-
-  /// As the project says, else as comments of Petrel's well traces do.
-  Vec3 head_of_path() const {
-    if (reading_.head) return *reading_.head;
-    std::optional<double> found[3];
-    LineReader lines(file_);
-    while (lines.next()) {
-      const std::string_view line = trim(lines.line());
-      if (!line.starts_with('#')) continue;
-      const std::string lower = to_lower(line);
-      const std::size_t colon = lower.rfind(':');
-      if (colon == std::string::npos) continue;
-      const auto value = to_double(Tokens(std::string_view(lower).substr(colon + 1)).next());
-      if (lower.find("head x") != std::string::npos) found[0] = value;
-      if (lower.find("head y") != std::string::npos) found[1] = value;
-      if (lower.find("well kb") != std::string::npos || lower.find("well datum") != std::string::npos) found[2] = value;
-    }
-    if (!found[0] || !found[1] || !found[2])
-      file_.fail(
-          "a deviation survey tells directions alone: say where its measured depth is zero, with head: [x, y, z] "
-          "in the entry of the well (z: elevation of the rotary table or of the ground)");
-    return {*found[0], *found[1], reading_.head_is_depth ? -*found[2] : *found[2]};
   }
 
   const InputFile& file_;
