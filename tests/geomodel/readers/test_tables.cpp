@@ -14,7 +14,6 @@
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
-using Catch::Approx;
 
 namespace {
 

@@ -2,7 +2,6 @@
 #include "rules/continuation/apron.hpp"
 
 #include <map>
-#include <optional>
 
 #include "common/union_find.hpp"
 #include "rules/continuation/apron_grid.hpp"
@@ -52,6 +51,18 @@ class UnpartedEdges {
   std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of the vertices, once asked for
 };
 
+/// Whether the surface's triangles at the chain are counter-clockwise in the frame, for most of the chain.
+bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame) {
+  double up = 0;
+  for (const Index t : chain.triangles) {
+    const Triangle& v = surface.triangles[t];
+    const Vec3 a = frame.to_frame(surface.points[v[0]]), b = frame.to_frame(surface.points[v[1]]),
+               c = frame.to_frame(surface.points[v[2]]);
+    up += cross(b - a, c - a).z;
+  }
+  return up >= 0;
+}
+
 /// The triangles of a grid, once for each side of the walls that part them.
 class SidedApron {
  public:
@@ -61,10 +72,10 @@ class SidedApron {
         row_(row),
         border_(chain),
         walls_(walls),
-        frame_(setting.frame),
         within_(setting.within),
         grid_(surface, row, chain, walls, setting),
-        edges_(surface, row, walls) {}
+        edges_(surface, row, walls),
+        faces_up_(faces_up(surface, chain, setting.frame)) {}
 
   Apron make() {
     if (grid_.triangles().empty()) return {};
@@ -151,7 +162,7 @@ class SidedApron {
   }
 
   void add(Triangle t, Index side) {
-    if (!faces_up()) std::swap(t[1], t[2]);
+    if (!faces_up_) std::swap(t[1], t[2]);
     apron_.triangles.push_back(t);
     apron_.side.push_back(number_of_side_.emplace(side, static_cast<Index>(number_of_side_.size())).first->second);
   }
@@ -180,25 +191,10 @@ class SidedApron {
     return at->second;
   }
 
-  /// Whether the surface's triangles at the chain are counter-clockwise in the frame, for most of the chain.
-  bool faces_up() {
-    if (faces_up_) return *faces_up_;
-    double up = 0;
-    for (const Index t : border_.triangles) {
-      const Triangle& v = surface_.triangles[t];
-      const Vec3 a = frame_.to_frame(surface_.points[v[0]]), b = frame_.to_frame(surface_.points[v[1]]),
-                 c = frame_.to_frame(surface_.points[v[2]]);
-      up += cross(b - a, c - a).z;
-    }
-    faces_up_ = up >= 0;
-    return *faces_up_;
-  }
-
   const TriangulatedSurface& surface_;
   Index row_;
   const BorderChain& border_;
   const Walls& walls_;
-  const Frame& frame_;
   double within_;
   ApronGrid grid_;
   UnpartedEdges edges_;
@@ -207,7 +203,7 @@ class SidedApron {
   std::map<VertexIndex, std::set<VertexIndex>> ring_;    ///< neighbours of the surface's vertices, once asked for
   std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< by node and side (no_index: its own)
   std::map<Index, Index> number_of_side_;
-  std::optional<bool> faces_up_;
+  bool faces_up_;
   Apron apron_;
 };
 
