@@ -432,5 +432,5 @@ def test_mypy_sees_the_types_of_the_package(tmp_path):
     errors = [line for line in lines if ": error:" in line]
     assert len(errors) == 2 and '"Mesh" has no attribute "wrong"' in errors[0] and '"threads"' in errors[1], done.stdout
     told = [re.search(r'is "(.*)"', line).group(1) for line in lines if ": note: Revealed" in line]
-    assert "floating" in told[0] and told[1] == "geomesh.tables.Table[geomesh.mesh.Region]" and told[2] == "builtins.float"
+    assert "floating" in told[0] and told[1].startswith("geomesh.tables.Table[") and "geomesh.mesh.Region" in told[1] and told[2] == "builtins.float"
     assert told[3] == "geomesh.mesh.Mesh"
