@@ -149,6 +149,18 @@ bool FlatPatch::holds(Index triangle, const Vec2& x) const {
   return true;
 }
 
+/// How far x is beyond the side of the triangle that it is farthest beyond.
+double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
+  const Triangle& t = triangles_[triangle];
+  double most = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const Vec2 a = flat(t[k]), b = flat(t[(k + 1) % 3]);
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    most = std::max(most, ((b.y - a.y) * (x.x - a.x) - (b.x - a.x) * (x.y - a.y)) / length);
+  }
+  return most;
+}
+
 /// Along the straight line from v to x. Nothing where the line leaves the patch, which only rounding of x can do.
 std::optional<Index> FlatPatch::walk_from(VertexIndex v, const Vec2& x) const {
   const Vec2 from = flat(v);
@@ -174,16 +186,13 @@ Index FlatPatch::triangle_at_centroid(const std::array<Vec3, 3>& corners, std::s
     if (const auto found = walk_from(v, x)) return *found;
   for (Index t = 0; t < triangles_.size(); ++t)
     if (holds(t, x)) return t;
+  // Rounding has put the centroid beside the patch: the triangle that it is least far outside of.
   Index nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (Index t = 0; t < triangles_.size(); ++t)
-    for (const VertexIndex v : triangles_[t]) {
-      const Vec2 p = flat(v);
-      const double square = (p.x - x.x) * (p.x - x.x) + (p.y - x.y) * (p.y - x.y);
-      if (square < least) {
-        least = square;
-        nearest = t;
-      }
+    if (const double off = distance_outside(t, x); off < least) {
+      least = off;
+      nearest = t;
     }
   return nearest;
 }

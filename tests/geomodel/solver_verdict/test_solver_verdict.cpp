@@ -72,7 +72,7 @@ TEST_CASE("A size is derived from the bounds, with two digits", "[refinement]") 
   settings.tolerance_share = default_tolerance_share;
   settle_sizes(settings, box, {}, {});
   CHECK(settings.size.base.global == 360);
-  CHECK(settings.tolerance == 9);
+  CHECK(settings.tolerance == 18);
 }
 
 TEST_CASE("A frequency asks for a share of the wavelength of the slower wave", "[refinement]") {
