@@ -107,7 +107,7 @@ JobResult run_given(const std::string& text, const std::string& name, const std:
   for (const auto& [input, contents] : inputs) project.inputs.emplace(input, contents.contents);
   const RunArguments arguments = run_arguments(given);
   return run(arguments, [&](Job& job) {
-    project.fields = given_fields(given["fields"], job);
+    if (given.contains("fields")) project.fields = given_fields(given["fields"], job);
     return read_given_project(project);
   });
 }

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 from geomesh_program import PROGRAM, SLOWNESS, USAGE, has_module, main
-from test_formats import FormatTest
+from test_formats import FormatTest, all_formats
 
 EXTENSIONS = {"vtu": ".vtu", "msh": ".msh", "msh-binary": ".msh", "msh22": ".msh", "msh22-binary": ".msh", "inp": ".inp", "exodus": ".e", "med": ".med",
               "xdmf": ".xdmf", "ogs": ".ogs.vtu", "openfoam": ".foam", "mfem": ".mesh", "pflotran": ".ugi", "pflotran-explicit": ".uge", "tough": ".tough",
@@ -21,9 +21,7 @@ NEED_DELAUNAY = {"pflotran-explicit", "tough"}  # of a box, below
 class Failures(FormatTest):
     def setUp(self):
         super().setUp()
-        help = self.run_program("convert", "--help")
-        listed = re.search(r"--format [^{]*\{([^}]*)\}", help)
-        self.formats = listed.group(1).split(",") if listed else [name for name in EXTENSIONS if re.search(r"\b%s\b" % re.escape(name), help)]
+        self.formats = all_formats()
         self.assertGreaterEqual(len(self.formats), 13)
         self.formats = [name for name in self.formats if has_module(name)]
         self.assertLessEqual(set(self.formats), set(EXTENSIONS), "a format without a test")

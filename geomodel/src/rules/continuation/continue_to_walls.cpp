@@ -132,6 +132,13 @@ std::vector<Index> rows_of(const std::vector<TriangulatedSurface>& surfaces, std
   return rows;
 }
 
+/// A fault across which a horizon has throw is continued by that rule, to part the horizon's blocks.
+bool parts_a_horizon(const ModelRules& rules, const std::string& fault) {
+  return std::any_of(rules.surfaces.begin(), rules.surfaces.end(), [&](const SurfaceRules& rule) {
+    return std::find(rule.throw_at.begin(), rule.throw_at.end(), fault) != rule.throw_at.end();
+  });
+}
+
 bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row) {
   const SurfaceRules& rule = rules.of(row);
   return built.surfaces[row].triangles.empty() || !rule.continues || rule.extend != Extend::none ||
@@ -146,7 +153,7 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
   const Walls walls(built.surfaces, faults, how.sides);
   for (const Index row : faults) {
-    if (keeps_border(built, rules, row)) continue;
+    if (keeps_border(built, rules, row) || parts_a_horizon(rules, built.surfaces[row].name)) continue;
     Continuing fault(built, row, walls, how, how.within_of_faults);
     fault.go_on();
     fault.tell(log);
