@@ -83,7 +83,7 @@ class RandomThrow:
         lines = ["name: model", "box: {min: [0, 0, 0], max: [10, 10, 10]}", "surfaces:", "  - {name: h, kind: horizon, file: h.ts, %s}" % keys]
         lines += ["  - {name: %s, kind: fault, file: %s.ts}" % (name, name) for name in names]
         self.within_tolerance = self.chance.random() < 0.5
-        lines += ["column: [upper, h, lower]", "mesh: {size: 4}" if self.within_tolerance else "mesh: {refine: none}", "output: {directory: out}"]
+        lines += ["column: [upper, h, lower]", "mesh: {size: 4, tolerance: 0.1}" if self.within_tolerance else "mesh: {refine: none}", "output: {directory: out}"]
         return "\n".join(lines) + "\n"
 
     def volume_below(self):

@@ -148,13 +148,14 @@ void doubt_open_body(const Inspected& model, const TriangulatedSurface& s, const
         std::clamp(most_edges_inside * mean_edge, least_share_inside * diagonal, most_share_inside * diagonal);
     if (inside <= allowed) continue;
     const Vec3 middle = 0.5 * (end.bounds.min + end.bounds.max);
-    findings.push_back({Finding::Sureness::certain,
+    // Salt that is rooted below what was interpreted ends so too: it is drawn out to the box, and a warning says it.
+    findings.push_back({Finding::Sureness::probable,
                         "open body",
                         {s.name},
                         "body " + s.name + " is open inside the model: a border of " + std::to_string(end.n_edges) +
                             " edges about " + place_words(middle, model.project.output.origin) + " ends " +
                             short_words(inside) + " " + model.project.crs.unit +
-                            " before the nearest side of the box, and what it encloses there is not known",
+                            " before the nearest side of the box, to which it is drawn out straight",
                         "close it (fill_holes: all in its entry puts a lid on it), or let it go on beyond the box"});
     return;  // one end tells it
   }
