@@ -326,8 +326,10 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
-  for (Index s = 0; s < built.part_of_triangle.size(); ++s)
-    if (!built.part_of_triangle[s].empty()) work.removed[s] += end_at_walls(work.working, surfaces, built, s);
+  for (const bool are_faults : {true, false})  // what ends at a fault ends at what is left of it
+    for (Index s = 0; s < built.part_of_triangle.size(); ++s)
+      if (!built.part_of_triangle[s].empty() && (surfaces[s].kind == SurfaceKind::fault) == are_faults)
+        work.removed[s] += end_at_walls(work.working, surfaces, built, s);
   for (Index s = 0; s < work.n_given(); ++s)
     if (!is_end(s)) part_blocks(parting, s);
   remove_continuations(parting);

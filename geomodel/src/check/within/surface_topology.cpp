@@ -107,6 +107,7 @@ class TopologyJudge {
   bool is_whole(Index row) const;
   std::vector<Triangle> faces_of(Index row) const;
   std::vector<Corners> free_edges(Index row, bool but_excused) const;
+  std::vector<Corners> continuation_of(Index row) const;
   bool is_excused(const Edge& e, Index row) const;
   bool was_cut_at(Index row, const Vec3& p) const;
   bool is_cracked(Index row) const;
@@ -252,17 +253,28 @@ std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) cons
   return free;
 }
 
+/// Triangles that rules made to continue a surface: any part of them may be away, so that it may end anywhere there.
+std::vector<Corners> TopologyJudge::continuation_of(Index row) const {
+  std::vector<Corners> made;
+  if (row >= claim_.trims.size() || !claim_.trims[row].continuation) return made;
+  const TriangulatedSurface& s = claim_.surfaces[row];
+  for (std::size_t t = claim_.trims[row].n_given_triangles; t < s.triangles.size(); ++t)
+    made.push_back({s.points[s.triangles[t][0]], s.points[s.triangles[t][1]], s.points[s.triangles[t][2]]});
+  return made;
+}
+
 void TopologyJudge::check_borders(CheckResult& result) {
   FaultCollector off("borders_off");
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
     const InputBorder& border = borders_[row];
     const TriangleSet input(border.edges()), mesh(free_edges(row, false));
     const TriangleSet partings(row < claim_.trims.size() ? claim_.trims[row].partings : std::vector<Corners>{});
+    const TriangleSet continuation(continuation_of(row));
     const auto is_at = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
     for (const Corners& e : free_edges(row, true))
       for (const double t : between) {
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (is_at(input, p) || is_at(partings, p) || was_cut_at(row, p)) continue;
+        if (is_at(input, p) || is_at(partings, p) || is_at(continuation, p) || was_cut_at(row, p)) continue;
         off.add(row, p);
         break;
       }
