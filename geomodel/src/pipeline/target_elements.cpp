@@ -104,7 +104,8 @@ void announce_count(PreparedModel& model, const CountedOptions& counted, const R
   const RefineOptions& options = counted.options;
   const bool may_move = options.honour == Honour::tolerance;
   const double tolerance = may_move ? options.tolerance + model.refinement.tolerance_used : 0;
-  const std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit);
+  const std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
+                                        options.size.from_input_edges && options.size_surfaces);
   const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);
   if (total > limit)
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +

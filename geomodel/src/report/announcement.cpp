@@ -17,9 +17,13 @@ struct Part {
   std::string cause, remedy;
 };
 
-std::array<Part, 4> parts_of(const ElementEstimate& e, double tolerance, const std::string& unit) {
+std::array<Part, 4> parts_of(const ElementEstimate& e, double tolerance, const std::string& unit, bool by_input_edges) {
   const std::string within = tolerance > 0 ? " within " + short_words(tolerance) + " " + unit : std::string();
-  return {{{e.by_sizes, "for sizes asked of units, surfaces and places", "larger sizes there"},
+  const Part sizes = by_input_edges
+                         ? Part{e.by_sizes, "for short edges of the input and sizes asked of its parts",
+                                "mesh: {size: {input_edges: false}}, or larger sizes there"}
+                         : Part{e.by_sizes, "for sizes asked of units, surfaces and places", "larger sizes there"};
+  return {{sizes,
            {e.by_thin_units, "in thin units", "rules: {min_thickness: L}, which closes units that are thinner"},
            {e.by_bends, "to follow bends of the surfaces" + within, "mesh: {tolerance: L} with a larger L"},
            {e.by_gaps, "in gaps between surfaces", "mesh: {size: {gap_layers: none}}, with flatter elements there"}}};
@@ -29,14 +33,15 @@ constexpr double worth_telling = 0.05;  // of the whole
 
 }  // namespace
 
-std::string announcement(const ElementEstimate& estimate, double size, double tolerance, const std::string& unit) {
+std::string announcement(const ElementEstimate& estimate, double size, double tolerance, const std::string& unit,
+                         bool by_input_edges) {
   const double total = estimate.total();
   std::string text = std::string(announcement_start) + "about " + rounded_count(total);
   std::string parts;
   if (size > 0)
     parts = rounded_count(estimate.by_volume) + " fill the model with edges of " + short_words(size) + " " + unit;
   const Part* largest = nullptr;
-  const std::array<Part, 4> further = parts_of(estimate, tolerance, unit);
+  const std::array<Part, 4> further = parts_of(estimate, tolerance, unit, by_input_edges);
   for (const Part& part : further) {
     if (part.count < worth_telling * total) continue;
     parts += (parts.empty() ? "" : ", ") + rounded_count(part.count) + " more " + part.cause;
