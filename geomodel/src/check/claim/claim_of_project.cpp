@@ -10,6 +10,7 @@
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "level_sets/level_surfaces.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -137,9 +138,11 @@ Claim claim_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
                Vec3{});
+  RefinementSettings of_build = refinement;  // the triangulation of a level set has used up its share then
+  if (has_level_sets(project)) of_build.tolerance *= 1 - level_set_share;
   if (claim.volume) {
-    ask_stack(rules, refinement, *claim.volume);
-    ask_continuation(rules, refinement, *claim.volume);
+    ask_stack(rules, of_build, *claim.volume);
+    ask_continuation(rules, of_build, *claim.volume);
   }
   inputs.add_throws(rules);
   std::vector<std::string> found, doubts;  // the run tells them
