@@ -268,7 +268,7 @@ output: {{directory: out, formats: [vtu]}}
 
     def test_a_horizon_on_both_sides_is_not_told_by_where_it_ends(self):
         """205 m2 on the fault where it ends exchanged the names of two regions, in which it lies with 4 and 1.2 km2 (990086). Its borders stay
-        open here: continued by default, one of its regions bears two units where the checker gives it one (docs/limits.md)."""
+        open here: continued by default, one of its regions bears two units where the checker gives it one, which is open."""
         with patch.object(RandomModel, "write", write_with_open_borders):
             self.assert_pass(990086, light=True)
 

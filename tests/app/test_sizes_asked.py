@@ -72,7 +72,7 @@ class SizesAsked(ProgramTest):
         """Larger sizes alone leave the salt dome at 50,000 elements: sizes grow sooner away from its surfaces then."""
         with open(os.path.join(SOURCE, "samples", "salt-dome", "project.yaml")) as file:
             text = file.read().replace("file: surfaces/", "file: " + os.path.join(SOURCE, "samples", "salt-dome", "surfaces/"))
-        for wanted in (10_000,):  # 30,000 come to 42,000, with a warning (docs/limits.md)
+        for wanted in (10_000,):  # 30,000 come to 42,000, with a warning: open
             project = self.write("dome.yaml", re.sub(r"(?m)^mesh:.*$", "mesh: {target_elements: %d}" % wanted, text))
             self.run_program(project, "-o", self.folder)
             report = self.report(self.path("salt_dome.report.json"))
