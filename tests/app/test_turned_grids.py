@@ -181,7 +181,7 @@ class TurnedGrids(ProgramTest):
 
     def test_needles_that_ask_for_most_elements_are_told_before_the_work(self):
         """In exact mode rows some millimetres off the sides stay there. Rows on the sides leave no needle to tell of."""
-        words = "short edges of the input ask for most"
+        words = "for short edges of the input"
         for decimals in (3, None):
             with self.subTest(decimals=decimals):
                 project = self.write_model(Model(2, decimals), "{honour: exact, max_elements: 1000}")
