@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -173,6 +174,9 @@ std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface,
   std::map<std::pair<VertexIndex, VertexIndex>, Index> triangle_at;
   for (const BorderEdge& e : edges) triangle_at[{e.a, e.b}] = e.triangle;
   CutOffBorder cut_off(surface, edges, row, walls);
+  double largest = 0;  // coordinate
+  for (std::size_t i = 0; i < 3; ++i) largest = std::max({largest, std::abs(box.min[i]), std::abs(box.max[i])});
+  const double rounding = 1024 * std::numeric_limits<double>::epsilon() * largest;
   std::vector<BorderChain> chains;
   for (const std::vector<VertexIndex>& vertices : border_loops(edges).loops) {
     std::vector<LoopEdge> loop;
@@ -185,6 +189,7 @@ std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface,
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
         e.hit = wall_before(surface, e, row, walls, within);
+      if (e.hit && e.goes_on && e.hit->share <= rounding) e.goes_on = false;  // it ends on the wall, up to rounding
       const bool is_beyond = !is_within(box, middle, 0);
       if (is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
         e.hit = Walls::Hit{};
