@@ -11,8 +11,8 @@ namespace geomesh::app {
 class Colours {
  public:
   Colours() = default;  ///< none
-  /// Of what is printed to this file descriptor: none where it is no terminal, a dumb one, or the variable NO_COLOR is
-  /// set and not empty (no-color.org).
+  /// Colours for output to this file descriptor. There are none if it is no terminal or a dumb one, or if the variable
+  /// NO_COLOR is set and not empty (no-color.org).
   static Colours of(int descriptor);
 
   std::string error(std::string_view text) const { return painted("31;1", text); }

@@ -31,7 +31,7 @@ std::string json_string(std::string_view text) {
   return quoted + "\"";
 }
 
-/// What a geologist knows as one step. Empty: a step of its own.
+/// Name of the step that a geologist knows this stage as part of. Empty: the stage is a step of its own.
 std::string_view step_of(std::string_view stage) {
   return stage == "delaunay" || stage == "recover" || stage == "classify" ? "mesh" : "";
 }

@@ -26,7 +26,7 @@ struct Gap {
 ///   - facets and segments are parallel up to 16 degrees. Parts that converge faster meet at an angle, which is a cause
 ///     of
 ///     its own.
-/// So an element over the hollow of one curved surface spans no gap.
+/// An element over the hollow of one curved surface spans no gap.
 class GapFinder {
  public:
   /// `angle` in degrees: parts at this angle or more are not parallel. `fixed_vertices`: whether vertices of the input

@@ -14,7 +14,7 @@
 ///   4. no array of the mesh changes its length: each block has a stock of free slots, and makes no vertices;
 ///   5. each block has a clock of its own, which continues that of the mesh. The times of a vertex are those of its
 ///      block.
-/// So a walk around a vertex or an edge of a block reads nothing that another block writes: each face that it crosses
+/// Therefore a walk around a vertex or an edge of a block reads nothing that another block writes: each face that it crosses
 /// has a vertex of the block, so it cannot have three of another. Code that reads a cell beyond the face opposite to
 /// its vertex checks first which block it belongs to.
 ///

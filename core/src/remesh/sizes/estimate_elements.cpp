@@ -25,7 +25,7 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
   return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
 }
 
-/// Where the field has too many small sizes to look at all of them, from what larger ones come to.
+/// Integrals over the mesh. A field with too many small sizes to sample is extrapolated from larger ones.
 SizeIntegrals integrals_of(const DomainMesh& mesh, const SizeField& size) {
   constexpr double larger = 8;  // squared from try to try: sizes in other units are soon left behind
   constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, and some tenths

@@ -24,7 +24,7 @@ SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh&
 /// The same with the tolerance that the options ask for.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
-/// The same without what bends and gaps ask for.
+/// Sizes by name alone, without those that bends and gaps impose.
 SizeField sizes_asked_by_name(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options);
 
 /// For a mesh that is sparse inside (RefineOptions::sparse_growth): on surfaces and curves as they are now what is

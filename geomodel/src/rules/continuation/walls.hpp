@@ -32,7 +32,7 @@ class Walls {
   /// The first wall on the way from a to b, other than surface `but_not`. Walls that hold a itself do not count where
   /// the way leaves them.
   std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
-  /// The same without the sides of the model volume.
+  /// Like first_hit, but ignores the sides of the model volume.
   std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
 
   /// All surfaces that meet the way, ascending, without the sides of the model volume.
