@@ -72,12 +72,6 @@ void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   }
 }
 
-bool faces_upward(const TriangulatedSurface& s) {
-  double up = 0;
-  for (const Triangle& t : s.triangles) up += cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]).z;
-  return up >= 0;
-}
-
 /// Settling passes corrections on from vertex to vertex, so that beside a level place (the sea at height 0) they decay
 /// below what exact arithmetic can hold. Such heights are zero up to rounding by any measure, and are set to it.
 void flush_heights_that_vanish(std::vector<Vec3>& points) {
@@ -89,7 +83,7 @@ void flush_heights_that_vanish(std::vector<Vec3>& points) {
 TriangulatedSurface sheet_of(const MapSheets& sheets, std::size_t horizon, const MapSamples& samples,
                              const TriangulatedSurface& given, const MapFrame& frame) {
   TriangulatedSurface s = given;
-  const bool faces_up = faces_upward(given);
+  const bool faces_up = geomodel::faces_up(given, Frame{});
   s.points.clear();
   s.triangles.clear();
   std::vector<VertexIndex> row(sheets.points.size(), no_vertex);
@@ -117,7 +111,7 @@ TriangulatedSurface sheet_of(const MapSheets& sheets, std::size_t horizon, const
 /// The horizon from both sides of its faults, oriented as it was.
 TriangulatedSurface surface_of(SidedHorizon sided, const TriangulatedSurface& given, const MapFrame& frame) {
   TriangulatedSurface s = given;
-  const bool faces_up = faces_upward(given);
+  const bool faces_up = geomodel::faces_up(given, Frame{});
   s.points = std::move(sided.points);
   s.triangles = std::move(sided.triangles);
   for (Vec3& p : s.points) {

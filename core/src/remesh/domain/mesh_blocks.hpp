@@ -14,9 +14,9 @@
 ///   4. no array of the mesh changes its length: each block has a stock of free slots, and makes no vertices;
 ///   5. each block has a clock of its own, which continues that of the mesh. The times of a vertex are those of its
 ///      block.
-/// Therefore a walk around a vertex or an edge of a block reads nothing that another block writes: each face that it crosses
-/// has a vertex of the block, so it cannot have three of another. Code that reads a cell beyond the face opposite to
-/// its vertex checks first which block it belongs to.
+/// Therefore a walk around a vertex or an edge of a block reads nothing that another block writes: each face that it
+/// crosses has a vertex of the block, so it cannot have three of another. Code that reads a cell beyond the face
+/// opposite to its vertex checks first which block it belongs to.
 ///
 /// Operations that reach a frozen cell, or find no free slot, are noted in BlockEdit::was_stopped, and done later by
 /// other blocks or by one thread.

@@ -192,7 +192,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const bool rescues_bad = mends_bad_cells(tools, schedule);
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
-  RaisedBefore raised{.much_gained = schedule.much_gained};
+  RaisedBefore raised{.gains = {}, .end = 0, .much_gained = schedule.much_gained};
   const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(shape_at_percentile(mesh, schedule.floor_percentile, context.threads), least,

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/format_list.hpp"
-#include "formats/surfaces/colours.hpp"
 #include "formats/surfaces/face_nodes.hpp"
+#include "geomesh/geomodel/palette.hpp"
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "writers/text_file.hpp"
@@ -54,11 +54,11 @@ class Scene {
 
   /// Regions first, by id, then surfaces in the order of their labels.
   void add_materials() {
-    for (const Region& region : mesh_.source->regions) add_material(region.name);
+    Palette units(Palette::Of::units);
+    for (const Region& region : mesh_.source->regions) add_material(region.name, units.colour_of(region.name));
   }
-  std::size_t add_material(const std::string& name) {
+  std::size_t add_material(const std::string& name, const Colour& c) {
     ordered_json& list = json_["materials"];
-    const Colour& c = colour_of(list.size());
     list.push_back(
         {{"name", name},
          {"doubleSided", true},
@@ -106,7 +106,7 @@ class Scene {
       const std::size_t first = indices_.size();
       for (const VertexIndex v : block.nodes) indices_.push_back(nodes_.number_of[v]);
       const bool is_boundary = block.region_plus == 0 && block.region_minus != 0;
-      if (!is_boundary && own == SIZE_MAX) own = add_material(name);
+      if (!is_boundary && own == SIZE_MAX) own = add_material(name, surface_colours_.colour_of(name));
       parts.push_back({{"attributes", {{"POSITION", 0}}},
                        {"indices", add_accessor(first, block.nodes.size())},
                        {"material", is_boundary ? static_cast<std::size_t>(block.region_minus - 1) : own},
@@ -138,6 +138,7 @@ class Scene {
 
   const SolverMesh& mesh_;
   FaceNodes nodes_;
+  Palette surface_colours_{Palette::Of::surfaces};
   Box3 box_;
   Vec3 centre_{0, 0, 0};
   std::vector<std::uint32_t> indices_;

@@ -2,8 +2,8 @@
 // Wavefront OBJ of the surfaces: one object for each, with colours in NAME.mtl. Followed: "Object Files (.obj)",
 // Wavefront Advanced Visualizer, appendix B.
 #include "formats/format_list.hpp"
-#include "formats/surfaces/colours.hpp"
 #include "formats/surfaces/face_nodes.hpp"
+#include "geomesh/geomodel/palette.hpp"
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "writers/text_file.hpp"
@@ -41,9 +41,10 @@ void write_objects(OutputText& out, const SolverMesh& mesh, const std::vector<Na
 }
 
 void write_colours(OutputText& out, const std::vector<NamedFaces>& named) {
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    const Colour& c = colour_of(i);
-    out << "newmtl " << named[i].name << "\nKd " << c[0] << " " << c[1] << " " << c[2] << "\n";
+  Palette surfaces(Palette::Of::surfaces);
+  for (const NamedFaces& faces : named) {
+    const Colour c = surfaces.colour_of(faces.name);
+    out << "newmtl " << faces.name << "\nKd " << c[0] << " " << c[1] << " " << c[2] << "\n";
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "geomesh/core/predicates.hpp"
 #include "naming/sums.hpp"
+#include "rules/planar/borders.hpp"
 #include "rules/planar/planar_fill.hpp"
 #include "rules/throw/sheet_sides.hpp"
 
@@ -165,12 +166,6 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-bool faces_up(const TriangulatedSurface& s) {
-  double up = 0;
-  for (const Triangle& t : s.triangles) up += cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]).z;
-  return up >= 0;
-}
-
 /// What gaps are filled between, and what was.
 struct Filling {
   const Walls& walls;
@@ -183,7 +178,7 @@ struct Filling {
 /// False where the edges cross each other in the map.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, Filling& filling) {
   Gaps gaps(surface, edges);
-  gaps.set_faces_up(faces_up(surface));
+  gaps.set_faces_up(faces_up(surface, Frame{}));
   if (!gaps.find(filling.within, filling.box)) return false;
   if (gaps.add_tips(filling.tips) && !gaps.find(filling.within, filling.box)) return false;
   gaps.append(surface, filling.walls, filling.bridged);

@@ -5,34 +5,14 @@
 #include <set>
 
 #include "naming/region_facts.hpp"
-#include "naming/sums.hpp"
 #include "rules/continuation/apron.hpp"
 #include "rules/continuation/bridges.hpp"
+#include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 constexpr Index given_part = 0;  ///< part of the triangles that no continuation made
-
-double area_from(const TriangulatedSurface& s, std::size_t first) {
-  CompensatedSum sum;
-  for (std::size_t t = first; t < s.triangles.size(); ++t) {
-    const Triangle& v = s.triangles[t];
-    sum.add(norm(cross(s.points[v[1]] - s.points[v[0]], s.points[v[2]] - s.points[v[0]])) / 2);
-  }
-  return sum.value();
-}
-
-/// The map for horizons, the mean plane for faults.
-Frame frame_of(const TriangulatedSurface& s) {
-  if (s.kind == SurfaceKind::horizon) return {};
-  Vec3 mean{0, 0, 0};
-  for (const Triangle& v : s.triangles) {
-    const Vec3 a = cross(s.points[v[1]] - s.points[v[0]], s.points[v[2]] - s.points[v[0]]);
-    mean = mean + (dot(a, mean) < 0 ? -1.0 : 1.0) * a;
-  }
-  return frame_of_normal(s.points[s.triangles.front()[0]], mean);
-}
 
 /// One surface on its way to its walls.
 class Continuing {

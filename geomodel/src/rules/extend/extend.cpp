@@ -21,28 +21,6 @@ constexpr double margin = 0.05;        // how far beyond the box the continuatio
 constexpr double slope_radius = 0.05;  // radius for the mean slope near a border point, in surface diagonals
 constexpr double steepest_slope = 3;   // steeper mean slopes in the frame are not continued
 
-Vec3 area_vector(const TriangulatedSurface& s, Index t) {
-  const Triangle& v = s.triangles[t];
-  return 0.5 * cross(s.points[v[1]] - s.points[v[0]], s.points[v[2]] - s.points[v[0]]);
-}
-
-double area_from(const TriangulatedSurface& s, std::size_t first) {
-  CompensatedSum sum;
-  for (std::size_t t = first; t < s.triangles.size(); ++t) sum.add(norm(area_vector(s, static_cast<Index>(t))));
-  return sum.value();
-}
-
-/// The map for horizons and what is flat enough; the mean plane for faults and bodies.
-Frame frame_of(const TriangulatedSurface& s) {
-  if (s.kind == SurfaceKind::horizon) return {};
-  Vec3 mean{0, 0, 0};
-  for (Index t = 0; t < s.triangles.size(); ++t) {
-    const Vec3 a = area_vector(s, t);
-    mean = mean + (dot(a, mean) < 0 ? -1.0 : 1.0) * a;
-  }
-  return frame_of_normal(s.points[s.triangles.front()[0]], mean);
-}
-
 /// The surface's border in its frame: points without repeats and edges between them.
 struct PlanarBorder {
   std::vector<BorderEdge> edges;
@@ -165,16 +143,6 @@ Box3 extended_area(const TriangulatedSurface& s, const Frame& frame, const Box3&
     for (VertexIndex v : t) area.add(frame.to_frame(s.points[v]));
   const double extra = margin * norm(box.max - box.min) * (1 + rim / 8.0);
   return {area.min - Vec3{extra, extra, 0}, area.max + Vec3{extra, extra, 0}};
-}
-
-/// Whether most triangles as given face up in the frame: added ones are stored alike.
-bool faces_up(const TriangulatedSurface& s, const Frame& frame) {
-  CompensatedSum up;
-  for (Index t = 0; t < s.triangles.size(); ++t) {
-    const Vec3 a = area_vector(s, t);
-    up.add(frame.is_map ? a.z : dot(a, frame.w));
-  }
-  return up.value() >= 0;
 }
 
 Triangle oriented(Triangle t, bool up) {

@@ -9,6 +9,13 @@
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
+namespace {
+
+Vec3 area_vector(const TriangulatedSurface& s, const Triangle& t) {
+  return 0.5 * cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
+}
+
+}  // namespace
 
 std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface) {
   const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
@@ -70,6 +77,32 @@ Frame frame_of_normal(const Vec3& origin, const Vec3& normal) {
   frame.u = (1 / norm(u)) * u;
   frame.v = cross(frame.w, frame.u);
   return frame;
+}
+
+Frame frame_of(const TriangulatedSurface& surface) {
+  if (surface.kind == SurfaceKind::horizon) return {};
+  Vec3 mean{0, 0, 0};
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 a = area_vector(surface, t);
+    mean = mean + (dot(a, mean) < 0 ? -1.0 : 1.0) * a;
+  }
+  return frame_of_normal(surface.points[surface.triangles.front()[0]], mean);
+}
+
+bool faces_up(const TriangulatedSurface& surface, const Frame& frame) {
+  CompensatedSum up;
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 a = area_vector(surface, t);
+    up.add(frame.is_map ? a.z : dot(a, frame.w));
+  }
+  return up.value() >= 0;
+}
+
+double area_from(const TriangulatedSurface& surface, std::size_t first) {
+  CompensatedSum sum;
+  for (std::size_t t = first; t < surface.triangles.size(); ++t)
+    sum.add(norm(area_vector(surface, surface.triangles[t])));
+  return sum.value();
 }
 
 }  // namespace geomesh::geomodel

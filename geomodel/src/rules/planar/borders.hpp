@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Borders of a surface as read.
+/// Borders of a surface as read, and the frame in which a surface is continued.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -43,5 +44,15 @@ struct Frame {
 };
 /// Frame whose w is the direction of `normal`; the map where normal is zero.
 Frame frame_of_normal(const Vec3& origin, const Vec3& normal);
+
+/// The map for horizons; the mean plane for faults and bodies. Expects at least one triangle.
+Frame frame_of(const TriangulatedSurface& surface);
+
+/// Whether most of the area, as the triangles are given, faces up in the frame: triangles that are added are stored
+/// alike.
+bool faces_up(const TriangulatedSurface& surface, const Frame& frame);
+
+/// Area of the triangles from row `first` on.
+double area_from(const TriangulatedSurface& surface, std::size_t first);
 
 }  // namespace geomesh::geomodel
