@@ -81,6 +81,11 @@ class SurfaceGuard {
   /// rounding, and no face folds onto others in its plane.
   bool admits(const SurfacePart& before, const SurfacePart& after, const std::vector<SurfaceFace>& around = {}) const;
 
+  /// Returns whether no new face is reversed in its plane where the surfaces are exact; true within a tolerance, whose
+  /// proofs see folds. Corners are off an inclined plane by rounding, so elements with all corners on it may be
+  /// positive, and do not show a fold.
+  bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
+
   /// Whether all of a face is proven to be within the tolerance of the reference.
   bool is_proven_near_reference(const SurfaceFace& f) const;
 
@@ -119,9 +124,6 @@ class SurfaceGuard {
 
   /// Returns whether each new corner is within rounding of a removed face.
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
-  /// Returns whether no new face is reversed in its plane. Corners are off an inclined plane by rounding, so elements
-  /// with all corners on it may be positive, and do not show a fold.
-  bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;
   double rounding_ = 0;   // a distance that rounding alone makes, for exact

@@ -81,17 +81,18 @@ class CutOffBorder {
   std::set<Index> cut_off_;  ///< of sets of vertices
 };
 
-/// The nearest wall before an edge, with its distance as share.
+/// The nearest wall before an edge, with its distance from the edge as share. The search begins `rounding` within the
+/// surface, because a segment that begins on a wall does not meet it: an edge that lies on its wall has it at 0.
 std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, Index row, const Walls& walls,
-                                      double within) {
-  const Vec3 middle = 0.5 * (s.points[e.a] + s.points[e.b]);
+                                      double within, double rounding) {
   const Vec3 out = outward(s, e), along = normalized(s.points[e.b] - s.points[e.a]);
+  const Vec3 start = 0.5 * (s.points[e.a] + s.points[e.b]) - rounding * out;
   std::optional<Walls::Hit> nearest;
   for (const double turn : {0.0, 1.0, -1.0}) {
-    const Vec3 way = within * normalized(out + turn * along);
-    std::optional<Walls::Hit> hit = walls.first_hit(middle, middle + way, row);
+    const double length = within + rounding;
+    std::optional<Walls::Hit> hit = walls.first_hit(start, start + length * normalized(out + turn * along), row);
     if (!hit) continue;
-    hit->share *= within;
+    hit->share = std::max(0.0, hit->share * length - rounding);
     if (!nearest || hit->share < nearest->share) nearest = hit;
   }
   return nearest;
@@ -188,7 +189,7 @@ std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface,
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
-        e.hit = wall_before(surface, e, row, walls, within);
+        e.hit = wall_before(surface, e, row, walls, within, rounding);
       if (e.hit && e.goes_on && e.hit->share <= rounding) e.goes_on = false;  // it ends on the wall, up to rounding
       const bool is_beyond = !is_within(box, middle, 0);
       if (is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
