@@ -126,6 +126,7 @@ SurfaceSpec surface_of(const Fracture& fracture) {
   SurfaceSpec spec;
   spec.name = fracture.name;
   spec.kind = SurfaceKind::fault;
+  spec.rules.continues = false;  // its outline is known
   spec.file_as_written = "fractures";
   spec.given =
       std::make_shared<const FileContents>(given_surface(fracture.name, fracture.corners, std::move(triangles)));

@@ -170,7 +170,7 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
 }  // namespace
 
 std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
-                                             const Box3& box, double within) {
+                                             const Box3& box, double within, const std::vector<bool>& done) {
   const std::vector<BorderEdge> edges = border_edges(surface);
   std::map<std::pair<VertexIndex, VertexIndex>, Index> triangle_at;
   for (const BorderEdge& e : edges) triangle_at[{e.a, e.b}] = e.triangle;
@@ -185,6 +185,11 @@ std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface,
       const VertexIndex a = vertices[k], b = vertices[(k + 1) % vertices.size()];
       LoopEdge e{a, b, triangle_at.at({a, b}), norm(surface.points[b] - surface.points[a])};
       const Vec3 middle = 0.5 * (surface.points[a] + surface.points[b]);
+      if (e.triangle < done.size() && done[e.triangle]) {
+        e.goes_on = false;
+        loop.push_back(e);
+        continue;
+      }
       e.goes_on = !(cut_off.holds(a) && cut_off.holds(b));
       if (!e.goes_on)
         e.hit = Walls::Hit{};

@@ -77,7 +77,7 @@ class Gaps {
   }
 
   /// Adds the places where tips end in the gaps. False where there are none.
-  bool add_tips(const std::vector<TriangulatedSurface>& tips) {
+  bool add_tips(const std::vector<EdgeEnds>& tips) {
     std::vector<Box3> boxes;
     for (const Corners& t : gaps_) {
       Box3& box = boxes.emplace_back();
@@ -86,17 +86,15 @@ class Gaps {
     if (boxes.empty()) return false;
     const arrangement::BoxTree tree(boxes);
     std::vector<Vec3> found;
-    for (const TriangulatedSurface& wall : tips)
-      for (const BorderEdge& e : border_edges(wall)) {
-        Box3 way;
-        way.add(wall.points[e.a]);
-        way.add(wall.points[e.b]);
-        tree.boxes_meeting(way, [&](Index k) {
-          const Corners& t = gaps_[k];
-          const auto p = piercing(wall.points[e.a], wall.points[e.b], points_[t[0]], points_[t[1]], points_[t[2]]);
-          if (p && !is_on_border(t, *p)) found.push_back(*p);
-        });
-      }
+    for (const EdgeEnds& tip : tips) {
+      Box3 way;
+      for (const Vec3& p : tip) way.add(p);
+      tree.boxes_meeting(way, [&](Index k) {
+        const Corners& t = gaps_[k];
+        const auto p = piercing(tip[0], tip[1], points_[t[0]], points_[t[1]], points_[t[2]]);
+        if (p && !is_on_border(t, *p)) found.push_back(*p);
+      });
+    }
     std::sort(found.begin(), found.end(), [](const Vec3& a, const Vec3& b) { return compare_lexicographic(a, b) < 0; });
     const auto same_place = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; };
     found.erase(std::unique(found.begin(), found.end(), same_place), found.end());
@@ -104,12 +102,14 @@ class Gaps {
     return !found.empty();
   }
 
-  void append(TriangulatedSurface& to, const Walls& walls, Bridged& bridged) const {
+  void append(TriangulatedSurface& to, const Walls& walls, const std::function<bool(const Vec3&)>& counts,
+              Bridged& bridged) const {
     std::vector<VertexIndex> row(points_.size(), no_vertex);
     std::copy(rows_.begin(), rows_.end(), row.begin());
     double largest = 0;
     for (const Corners& t : gaps_) {
-      if (crosses_wall(t, walls)) continue;
+      const Vec3 centre = (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
+      if (!counts(centre) || crosses_wall(t, walls)) continue;
       Triangle own;
       for (std::size_t i = 0; i < 3; ++i) {
         if (row[t[i]] == no_vertex) {
@@ -123,7 +123,7 @@ class Gaps {
       to.triangles.push_back(own);
       ++bridged.n_triangles;
       bridged.area += area;
-      if (area > largest) bridged.place = (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
+      if (area > largest) bridged.place = centre;
       largest = std::max(largest, area);
     }
   }
@@ -169,9 +169,10 @@ class Gaps {
 /// What gaps are filled between, and what was.
 struct Filling {
   const Walls& walls;
-  const std::vector<TriangulatedSurface>& tips;
+  const std::vector<EdgeEnds>& tips;
   const Box3& box;
   double within;
+  const std::function<bool(const Vec3&)>& counts;
   Bridged bridged{};
 };
 
@@ -181,15 +182,15 @@ bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, 
   gaps.set_faces_up(faces_up(surface, Frame{}));
   if (!gaps.find(filling.within, filling.box)) return false;
   if (gaps.add_tips(filling.tips) && !gaps.find(filling.within, filling.box)) return false;
-  gaps.append(surface, filling.walls, filling.bridged);
+  gaps.append(surface, filling.walls, filling.counts, filling.bridged);
   return true;
 }
 
 }  // namespace
 
-Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<TriangulatedSurface>& tips,
-                    const Box3& box, double within) {
-  Filling filling{walls, tips, box, within};
+Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<EdgeEnds>& tips,
+                    const Box3& box, double within, const std::function<bool(const Vec3&)>& counts) {
+  Filling filling{walls, tips, box, within, counts};
   const std::vector<BorderEdge> edges = border_edges(surface);
   if (edges.empty() || bridge(surface, edges, filling)) return filling.bridged;
   const std::vector<Index> sheet =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/continuation/end_at_walls.hpp"
+#include "rules/framework/end_at_walls.hpp"
 
 #include <algorithm>
 #include <set>

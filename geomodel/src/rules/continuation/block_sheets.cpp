@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/block_sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+#include "rules/planar/borders.hpp"
+#include "rules/planar/planar_fill.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+using MapEdge = std::pair<VertexIndex, VertexIndex>;
+
+/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
+constexpr double steepest_slope = 3;
+/// Places of the grid are apart by this share of the distance: a disc of that radius that fits into a gap covers some.
+constexpr double step_of_distance = 0.5;
+
+/// The triangles of a horizon with their blocks and neighbours.
+class Division {
+ public:
+  Division(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters)
+      : horizon_(horizon), row_(row), framework_(framework), cutters_(cutters) {
+    const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
+    for (const Triangle& t : horizon.triangles) triangles_.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
+    std::map<MapEdge, bool> crosses;
+    for (Index t = 0; t < triangles_.size(); ++t)
+      for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { at_edge_[std::minmax(a, b)].push_back(t); });
+    for (const auto& [edge, _] : at_edge_) crosses[edge] = is_parted(edge.first, edge.second);
+    for (Index t = 0; t < triangles_.size(); ++t) {
+      bool is_crossing = false;
+      for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { is_crossing |= crosses.at(std::minmax(a, b)); });
+      crosses_.push_back(is_crossing);
+      block_.push_back(is_crossing ? no_index : block_of(t));
+    }
+  }
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+
+  /// Triangles of the block, those that hang together with them outside of the model, and those next to these that
+  /// cross a wall.
+  std::vector<Index> sheet_of(Index block) const {
+    std::vector<Index> sheet;
+    std::vector<bool> taken(triangles_.size(), false);
+    for (Index t = 0; t < triangles_.size(); ++t)
+      if (block_[t] == block) {
+        sheet.push_back(t);
+        taken[t] = true;
+      }
+    for (std::size_t k = 0; k < sheet.size(); ++k) {
+      if (crosses_[sheet[k]]) continue;
+      for_each_edge_of(sheet[k], [&](VertexIndex a, VertexIndex b) {
+        for (const Index other : at_edge_.at(std::minmax(a, b)))
+          if (!taken[other] && block_[other] == no_index) {
+            taken[other] = true;
+            sheet.push_back(other);
+          }
+      });
+    }
+    return sheet;
+  }
+
+ private:
+  template <class F>
+  void for_each_edge_of(Index t, F&& visit) const {
+    for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
+  }
+  bool is_parted(VertexIndex a, VertexIndex b) const {
+    const Vec3 &p = horizon_.points[a], &q = horizon_.points[b];
+    return cutters_.first_surface(p, q, row_) || cutters_.first_surface(q, p, row_);
+  }
+  /// By the first of some places of the triangle that lies in the model.
+  Index block_of(Index t) const {
+    const Vec3 &a = horizon_.points[triangles_[t][0]], &b = horizon_.points[triangles_[t][1]],
+               &c = horizon_.points[triangles_[t][2]];
+    const Vec3 centre = (1.0 / 3) * (a + b + c);
+    for (const Vec3& p : {centre, 0.5 * (centre + a), 0.5 * (centre + b), 0.5 * (centre + c), a, b, c})
+      if (const Index block = framework_.block_at(p); block != no_index) return block;
+    return no_index;
+  }
+
+  const TriangulatedSurface& horizon_;
+  Index row_;
+  const BlockFramework& framework_;
+  const Walls& cutters_;
+  std::vector<Triangle> triangles_;  ///< over the first of equal points
+  std::map<MapEdge, std::vector<Index>> at_edge_;
+  std::vector<bool> crosses_;
+  std::vector<Index> block_;
+};
+
+/// The continuation of one sheet.
+class Continuation {
+ public:
+  struct Setting {
+    const TriangulatedSurface& horizon;
+    Index row;
+    const BlockFramework& framework;
+    const Walls& walls;
+    double within;
+  };
+  Continuation(const Setting& setting, Index block, const std::vector<Triangle>& sheet)
+      : s_(setting), block_(block), step_(step_of_distance * setting.within) {
+    find_border(sheet);
+    add_grid();
+    find_open_places();
+  }
+
+  /// None where the border crosses itself in the map.
+  std::optional<BlockExtension> make() {
+    std::vector<Vec2> places;
+    for (const Vec3& p : points_) places.push_back({p.x, p.y});
+    const auto all = triangulate_plane(places, constraints_);
+    if (!all) return std::nullopt;
+    BlockExtension made;
+    std::set<Index> walls;
+    std::set<std::pair<Index, Index>> border(constraints_.begin(), constraints_.end());
+    for (const PlanarTriangle& t : *all) {
+      if (t.depth % 2 != 0 || !is_filled(t.vertices, walls)) continue;
+      book(t.vertices, border, made);
+      Triangle own;
+      for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t.vertices[i], made);
+      if (!faces_up_) std::swap(own[1], own[2]);
+      made.triangles.push_back(own);
+    }
+    made.walls.assign(walls.begin(), walls.end());
+    return made;
+  }
+
+ private:
+  struct Edge {
+    Vec3 a, b;
+    Vec2 slope;
+  };
+
+  void find_border(const std::vector<Triangle>& sheet) {
+    std::map<MapEdge, std::pair<int, const Triangle*>> uses;
+    CompensatedSum up;
+    for (const Triangle& t : sheet) {
+      const Vec3 n = normal(t);
+      up.add(n.z);
+      for (std::size_t i = 0; i < 3; ++i) {
+        auto& use = uses[std::minmax(t[i], t[(i + 1) % 3])];
+        ++use.first;
+        use.second = &t;
+      }
+    }
+    faces_up_ = up.value() >= 0;
+    std::map<VertexIndex, Index> index;
+    const auto row = [&](VertexIndex v) {
+      const auto [at, is_new] = index.emplace(v, static_cast<Index>(points_.size()));
+      if (is_new) {
+        points_.push_back(s_.horizon.points[v]);
+        rows_.push_back(v);
+      }
+      return at->second;
+    };
+    for (const auto& [edge, use] : uses) {
+      if (use.first != 1) continue;
+      const Index a = row(edge.first), b = row(edge.second);
+      constraints_.emplace_back(std::min(a, b), std::max(a, b));
+      const Vec3 n = normal(*use.second);
+      const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
+      edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}});
+    }
+    distance_.assign(points_.size(), 0);
+    for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
+    n_border_ = points_.size();
+  }
+
+  Vec3 normal(const Triangle& t) const {
+    const std::vector<Vec3>& p = s_.horizon.points;
+    return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+  }
+
+  /// The place with the height that the border has there, and its distance from the border.
+  std::pair<Vec3, double> continued_at(const Vec2& p) const {
+    double least = std::numeric_limits<double>::infinity(), z = 0;
+    for (const Edge& e : edges_) {
+      const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
+      const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+      const Vec3 foot = e.a + t * (e.b - e.a);
+      const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
+      if (!(d < least)) continue;
+      least = d;
+      const double share = d > s_.within ? s_.within / d : 1;
+      z = foot.z + share * (e.slope.x * x + e.slope.y * y);
+    }
+    return {{p.x, p.y, z}, least};
+  }
+
+  /// Places over the block's box on a grid whose origin depends on the place in space alone.
+  void add_grid() {
+    const Box3& box = s_.framework.bounds(block_);
+    const auto first = [&](double v) { return static_cast<std::int64_t>(std::floor(v / step_)) - 1; };
+    const auto last = [&](double v) { return static_cast<std::int64_t>(std::ceil(v / step_)) + 1; };
+    for (std::int64_t j = first(box.min.y); j <= last(box.max.y); ++j)
+      for (std::int64_t i = first(box.min.x); i <= last(box.max.x); ++i) {
+        const auto [p, d] = continued_at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
+        if (d < step_ / 2) continue;
+        points_.push_back(p);
+        distance_.push_back(d);
+        in_block_.push_back(s_.framework.block_at(p) == block_);
+      }
+  }
+
+  /// Whether a wall is within the distance, looking in eight directions of the map.
+  bool has_wall_near(const Vec3& p) const {
+    constexpr int n_directions = 8;
+    for (int k = 0; k < n_directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n_directions;
+      const Vec3 way{s_.within * std::cos(angle), s_.within * std::sin(angle), 0};
+      if (s_.walls.first_hit(p, p + way, s_.row)) return true;
+    }
+    return false;
+  }
+
+  void find_open_places() {
+    for (std::size_t v = n_border_; v < points_.size(); ++v)
+      if (in_block_[v] && distance_[v] > s_.within && !has_wall_near(points_[v])) open_.push_back(points_[v]);
+  }
+  bool is_open(const Vec3& p) const {
+    return std::any_of(open_.begin(), open_.end(),
+                       [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < s_.within; });
+  }
+
+  /// Whether the triangle fills some of the block that is not open. Adds the walls that it runs through.
+  bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const {
+    bool reaches_in = false;
+    for (const Index v : t) {
+      if (!in_block_[v]) continue;
+      if (is_open(points_[v])) return false;
+      reaches_in = true;
+    }
+    std::set<Index> crossed;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const Index s : s_.walls.surfaces_on(points_[t[i]], points_[t[(i + 1) % 3]]))
+        if (s != s_.row) crossed.insert(s);
+    if (!reaches_in && crossed.empty()) return false;
+    walls.insert(crossed.begin(), crossed.end());
+    return true;
+  }
+
+  void book(const std::array<Index, 3>& t, const std::set<std::pair<Index, Index>>& border,
+            BlockExtension& made) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = t[i], b = t[(i + 1) % 3];
+      if (border.contains(std::minmax(a, b))) made.length += norm(points_[b] - points_[a]);
+      if (in_block_[a] && distance_[a] > made.farthest) {
+        made.farthest = distance_[a];
+        made.place = points_[a];
+      }
+    }
+  }
+
+  VertexIndex row_of(Index v, BlockExtension& made) {
+    if (v < n_border_) return rows_[v];
+    const auto [at, is_new] = added_.emplace(v, no_vertex);
+    if (is_new) {
+      at->second = static_cast<VertexIndex>(s_.horizon.points.size() + made.added.size());
+      made.added.push_back(points_[v]);
+    }
+    return at->second;
+  }
+
+  Setting s_;
+  Index block_;
+  double step_;
+  std::vector<Vec3> points_;  ///< those of the border, then those of the grid
+  std::vector<VertexIndex> rows_;
+  std::vector<double> distance_;
+  std::vector<bool> in_block_;
+  std::size_t n_border_ = 0;
+  std::vector<std::pair<Index, Index>> constraints_;
+  std::vector<Edge> edges_;
+  std::vector<Vec3> open_;
+  std::map<Index, VertexIndex> added_;
+  bool faces_up_ = true;
+};
+
+}  // namespace
+
+DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
+                                  const Walls& cutters, const Walls& walls, double within) {
+  const Division division(horizon, row, framework, cutters);
+  DividedHorizon divided{
+      std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
+  for (Index b = 0; b < framework.n_blocks(); ++b) {
+    const std::vector<Index> rows = division.sheet_of(b);
+    if (rows.empty()) continue;
+    std::vector<Triangle> sheet;
+    for (const Index t : rows) sheet.push_back(division.triangles()[t]);
+    std::optional<BlockExtension> extension;
+    if (!framework.has_tip(b)) extension = Continuation({horizon, row, framework, walls, within}, b, sheet).make();
+    if (extension) {
+      if (!extension->triangles.empty()) divided.extensions.push_back(std::move(*extension));
+      continue;
+    }
+    for (const Index t : rows) divided.is_continued[t] = false;
+    divided.block_is_continued[b] = false;
+  }
+  return divided;
+}
+
+}  // namespace geomesh::geomodel

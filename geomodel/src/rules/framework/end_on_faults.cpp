@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/framework/end_on_faults.hpp"
+
+#include <algorithm>
+
+#include "rules/framework/end_at_walls.hpp"
+#include "rules/framework/overshoots.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+std::vector<Index> faults_of(const std::vector<TriangulatedSurface>& surfaces) {
+  std::vector<Index> rows;
+  for (Index s = 0; s < surfaces.size(); ++s)
+    if (surfaces[s].kind == SurfaceKind::fault) rows.push_back(s);
+  return rows;
+}
+
+std::vector<Index> without(std::vector<Index> rows, Index row) {
+  std::erase(rows, row);
+  return rows;
+}
+
+/// What is left of a surface in the soup.
+TriangulatedSurface left_of(const WorkingSoup& working, const TriangulatedSurface& surface, Index row) {
+  TriangulatedSurface left = surface;
+  left.points = working.soup.points;
+  left.triangles.clear();
+  for (Index f = 0; f < working.origins.size(); ++f)
+    if (working.has(f, row)) left.triangles.push_back(working.soup.facets[f]);
+  return left;
+}
+
+/// Edges of one facet alone.
+std::vector<EdgeEnds> tips_of(const WorkingSoup& working) {
+  std::vector<EdgeEnds> tips;
+  const auto& points = working.soup.points;
+  for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
+    const auto n = std::count_if(edge.begin(), edge.end(), [&](const EdgeUse& u) { return working.alive(u.facet); });
+    if (n == 1) tips.push_back({points[edge[0].a], points[edge[0].b]});
+  });
+  return tips;
+}
+
+}  // namespace
+
+void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                double within, const TakenOff& taken) {
+  for (Index s = 0; s < built.part_of_triangle.size(); ++s)
+    if (surfaces[s].kind == SurfaceKind::fault && !built.part_of_triangle[s].empty())
+      taken.area[s] += end_at_walls(working, surfaces, built, s);
+  const std::vector<Index> faults = faults_of(surfaces);
+  for (const Index s : built.overshooting)
+    taken.area[s] += remove_overshoots(working, s, without(faults, s), within, surfaces[s].name, taken.notes);
+}
+
+EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
+  const std::vector<Index> faults = faults_of(built.surfaces);
+  std::vector<TriangulatedSurface> alone = built.surfaces;
+  for (TriangulatedSurface& s : alone)
+    if (s.kind != SurfaceKind::fault) s.triangles.clear();
+  const ArrangementResult arranged = arrange(alone, {}, {}, {});
+  WorkingSoup working(arranged.soup);
+  const double within = rules.continuation.within_of_faults;
+  for (const Index s : faults)
+    if (within > 0 && ends_by_default(built.surfaces, rules, s) &&
+        !overshoots_of(working, s, without(faults, s), within).empty())
+      built.rows.overshooting.push_back(s);
+  std::vector<double> area(alone.size(), 0);
+  std::vector<std::string> notes;  // told where the model's own soup is cut
+  end_faults(working, alone, built.rows, within, {area, notes});
+  EndedFaults ended{built.surfaces, tips_of(working)};
+  for (const Index s : faults)
+    if (area[s] > 0) ended.surfaces[s] = left_of(working, built.surfaces[s], s);
+  return ended;
+}
+
+bool ends_by_default(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules, Index row) {
+  const SurfaceRules& rule = rules.of(row);
+  const auto has_throw_there = [&](const SurfaceRules& of) {
+    return std::find(of.throw_at.begin(), of.throw_at.end(), surfaces[row].name) != of.throw_at.end();
+  };
+  return !surfaces[row].triangles.empty() && rule.continues && rule.extend == Extend::none &&
+         std::none_of(rules.surfaces.begin(), rules.surfaces.end(), has_throw_there);
+}
+
+}  // namespace geomesh::geomodel
