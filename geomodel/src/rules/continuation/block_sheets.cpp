@@ -21,8 +21,8 @@ using MapEdge = std::pair<VertexIndex, VertexIndex>;
 
 /// Steeper slopes are continued level: a sheet that is folded over there has no one height.
 constexpr double steepest_slope = 3;
-/// Places of the grid are apart by this share of the distance: a disc of that radius that fits into a gap covers some.
-constexpr double step_of_distance = 0.5;
+/// Places of the grid are apart by this share of the radius, so that a disc that fits into a gap covers some of them.
+constexpr double step_of_radius = 0.5;
 
 /// The triangles of a horizon with their blocks and neighbours.
 class Division {
@@ -108,7 +108,7 @@ class Continuation {
     double within;
   };
   Continuation(const Setting& setting, Index block, const std::vector<Triangle>& sheet)
-      : s_(setting), block_(block), step_(step_of_distance * setting.within) {
+      : s_(setting), block_(block), radius_(setting.within / 2), step_(step_of_radius * radius_) {
     find_border(sheet);
     add_grid();
     find_open_places();
@@ -212,24 +212,24 @@ class Continuation {
       }
   }
 
-  /// Whether a wall is within the distance, looking in eight directions of the map.
+  /// Whether a wall is within the radius, looking along four lines of the map. A wall that holds the place counts.
   bool has_wall_near(const Vec3& p) const {
-    constexpr int n_directions = 8;
-    for (int k = 0; k < n_directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / n_directions;
-      const Vec3 way{s_.within * std::cos(angle), s_.within * std::sin(angle), 0};
-      if (s_.walls.first_hit(p, p + way, s_.row)) return true;
+    constexpr int n_lines = 4;
+    for (int k = 0; k < n_lines; ++k) {
+      const double angle = std::numbers::pi * k / n_lines;
+      const Vec3 way{radius_ * std::cos(angle), radius_ * std::sin(angle), 0};
+      if (s_.walls.first_hit(p - way, p + way, s_.row)) return true;
     }
     return false;
   }
 
   void find_open_places() {
     for (std::size_t v = n_border_; v < points_.size(); ++v)
-      if (in_block_[v] && distance_[v] > s_.within && !has_wall_near(points_[v])) open_.push_back(points_[v]);
+      if (in_block_[v] && distance_[v] > radius_ && !has_wall_near(points_[v])) open_.push_back(points_[v]);
   }
   bool is_open(const Vec3& p) const {
     return std::any_of(open_.begin(), open_.end(),
-                       [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < s_.within; });
+                       [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < radius_; });
   }
 
   /// Whether the triangle fills some of the block that is not open. Adds the walls that it runs through.
@@ -241,23 +241,36 @@ class Continuation {
       reaches_in = true;
     }
     std::set<Index> crossed;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (const Index s : s_.walls.surfaces_on(points_[t[i]], points_[t[(i + 1) % 3]]))
+    bool leaves = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
+      for (const Index s : s_.walls.surfaces_on(a, b))
         if (s != s_.row) crossed.insert(s);
-    if (!reaches_in && crossed.empty()) return false;
+      leaves = leaves || s_.walls.first_hit(a, b, s_.row) || s_.walls.first_hit(b, a, s_.row);
+    }
+    if (!reaches_in && !leaves) return false;
+    if (leaves && crossed.empty()) crossed.insert(Walls::side_of_volume);
     walls.insert(crossed.begin(), crossed.end());
     return true;
   }
 
+  /// The length of border, the farthest place before a wall, and what lies in the model.
   void book(const std::array<Index, 3>& t, const std::set<std::pair<Index, Index>>& border,
             BlockExtension& made) const {
+    const auto look_at = [&](const Vec3& p, double distance) {
+      if (distance <= made.farthest) return;
+      made.farthest = distance;
+      made.place = p;
+    };
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
       if (border.contains(std::minmax(a, b))) made.length += norm(points_[b] - points_[a]);
-      if (in_block_[a] && distance_[a] > made.farthest) {
-        made.farthest = distance_[a];
-        made.place = points_[a];
-      }
+      if (!in_block_[a]) continue;
+      look_at(points_[a], distance_[a]);
+      const auto hit = s_.walls.first_hit(points_[a], points_[b], s_.row);
+      if (!hit) continue;
+      const Vec3 p = points_[a] + hit->share * (points_[b] - points_[a]);
+      look_at(p, continued_at({p.x, p.y}).second);
     }
   }
 
@@ -273,7 +286,7 @@ class Continuation {
 
   Setting s_;
   Index block_;
-  double step_;
+  double radius_, step_;
   std::vector<Vec3> points_;  ///< those of the border, then those of the grid
   std::vector<VertexIndex> rows_;
   std::vector<double> distance_;

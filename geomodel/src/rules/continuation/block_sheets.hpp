@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 struct BlockExtension {
   std::vector<Vec3> added;          ///< points, with rows after the surface's own
   std::vector<Triangle> triangles;  ///< oriented as the surface is
-  std::vector<Index> walls;         ///< surfaces that they run through, ascending
+  std::vector<Index> walls;         ///< surfaces that they run through, ascending; Walls::side_of_volume last
   double length = 0;                ///< of the border that goes on, m
   double farthest = 0;              ///< distance of the farthest place in the block from what is given, m
   Vec3 place;                       ///< there

@@ -49,7 +49,9 @@ class Continuing {
     for (BlockExtension& made : divided.extensions) {
       append({std::move(made.added), std::move(made.triangles), {}, {}}, n_given_points_);
       part_.resize(surface().triangles.size(), next_part());
-      book({made.length, made.farthest, made.place, {}, made.walls});
+      const std::vector<Index> before = made.walls;
+      std::erase(made.walls, Walls::side_of_volume);
+      book({made.length, made.farthest, made.place, before, made.walls});
     }
     finish();
   }
