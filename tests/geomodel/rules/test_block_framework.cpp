@@ -32,9 +32,10 @@ TriangulatedSurface rectangle(const std::string& name, const std::array<Vec3, 4>
 TriangulatedSurface leaning_fault() {
   return rectangle("f", {Vec3{4.9, -1, -1}, {4.9, side + 1, -1}, {6.1, side + 1, side + 1}, {6.1, -1, side + 1}});
 }
-/// The plane y = 5 from a place along x to beyond the model.
-TriangulatedSurface branch(double from) {
-  return rectangle("g", {Vec3{from, 5, -1}, {side + 1, 5, -1}, {side + 1, 5, side + 1}, {from, 5, side + 1}});
+/// The plane y = 5 to beyond the model, from a distance beyond that fault on.
+TriangulatedSurface branch(double beyond) {
+  return rectangle(
+      "g", {Vec3{4.9 - beyond, 5, -1}, {side + 1, 5, -1}, {side + 1, 5, side + 1}, {6.1 - beyond, 5, side + 1}});
 }
 
 BuiltSurfaces built_of(const std::vector<TriangulatedSurface>& surfaces) {
@@ -79,7 +80,7 @@ void require_blocks(const BlockFramework& framework, F&& kind_at) {
 }  // namespace
 
 TEST_CASE("Faults divide the model into blocks, and each place lies in the block that the planes tell") {
-  BuiltSurfaces built = built_of({leaning_fault(), branch(2)});
+  BuiltSurfaces built = built_of({leaning_fault(), branch(3)});
   const ModelRules rules = rules_of_box();
   const BlockFramework framework(built, rules);  // g goes on for 3 m beyond f, and ends there
   CHECK(framework.n_blocks() == 3);
@@ -91,7 +92,7 @@ TEST_CASE("Faults divide the model into blocks, and each place lies in the block
 }
 
 TEST_CASE("A fault that runs a little beyond another one ends there, and leaves no tip in the block beyond") {
-  BuiltSurfaces built = built_of({leaning_fault(), branch(5.2)});
+  BuiltSurfaces built = built_of({leaning_fault(), branch(0.3)});
   const ModelRules rules = rules_of_box();
   const EndedFaults ended = ended_faults(built, rules);
   CHECK(built.rows.overshooting == std::vector<Index>{1});
@@ -108,18 +109,18 @@ TEST_CASE("A fault that runs a little beyond another one ends there, and leaves 
 }
 
 TEST_CASE("A fault keeps its end where a rule tells its extent, and where it goes on for longer than the distance") {
-  BuiltSurfaces built = built_of({leaning_fault(), branch(5.2)});
+  BuiltSurfaces built = built_of({leaning_fault(), branch(0.3)});
   ModelRules rules = rules_of_box();
   rules.surfaces.resize(2);
   rules.surfaces[1].continues = false;
   CHECK(ended_faults(built, rules).surfaces[1].triangles == built.surfaces[1].triangles);
   CHECK(built.rows.overshooting.empty());
-  built = built_of({leaning_fault(), branch(3)});
+  built = built_of({leaning_fault(), branch(2)});
   CHECK(ended_faults(built, rules_of_box()).surfaces[1].triangles == built.surfaces[1].triangles);
 }
 
 TEST_CASE("The line on which a fault ends on another one is no tip") {
-  BuiltSurfaces built = built_of({leaning_fault(), branch(5.2)});
+  BuiltSurfaces built = built_of({leaning_fault(), branch(0.3)});
   for (const EdgeEnds& tip : ended_faults(built, rules_of_box()).tips)
     for (const Vec3& p : tip)
       CHECK((p.x < 0 || p.x > side || p.y < 0 || p.y > side || p.z < 0 || p.z > side || p.x > 5 + p.z / 10 + 0.1));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "common/union_find.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
 #include "rules/planar/borders.hpp"
@@ -44,6 +45,8 @@ class Division {
   }
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// Whether the horizon ends at an edge, over the first of equal points.
+  bool is_border(VertexIndex a, VertexIndex b) const { return at_edge_.at(std::minmax(a, b)).size() == 1; }
 
   /// Triangles of the block, those that hang together with them outside of the model, and those next to these that
   /// cross a wall.
@@ -106,6 +109,7 @@ class Continuation {
     const BlockFramework& framework;
     const Walls& walls;
     double within;
+    const Division& division;
   };
   Continuation(const Setting& setting, Index block, const std::vector<Triangle>& sheet)
       : s_(setting), block_(block), radius_(setting.within / 2), step_(step_of_radius * radius_) {
@@ -120,12 +124,13 @@ class Continuation {
     for (const Vec3& p : points_) places.push_back({p.x, p.y});
     const auto all = triangulate_plane(places, constraints_);
     if (!all) return std::nullopt;
+    const std::vector<bool> begins_at_border = beside_border(*all);
     BlockExtension made;
     std::set<Index> walls;
-    std::set<std::pair<Index, Index>> border(constraints_.begin(), constraints_.end());
-    for (const PlanarTriangle& t : *all) {
-      if (t.depth % 2 != 0 || !is_filled(t.vertices, walls)) continue;
-      book(t.vertices, border, made);
+    for (std::size_t k = 0; k < all->size(); ++k) {
+      const PlanarTriangle& t = (*all)[k];
+      if (!begins_at_border[k] || !is_filled(t.vertices, walls)) continue;
+      book(t.vertices, made);
       Triangle own;
       for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t.vertices[i], made);
       if (!faces_up_) std::swap(own[1], own[2]);
@@ -136,6 +141,33 @@ class Continuation {
   }
 
  private:
+  /// Per triangle, whether it lies outside of the sheet and hangs together with a place where the horizon ends: where
+  /// the sheet ends because the horizon goes on beyond a wall there is nothing to continue.
+  std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all) const {
+    const std::set<std::pair<Index, Index>> constraints(constraints_.begin(), constraints_.end());
+    std::map<std::pair<Index, Index>, Index> at_edge;
+    UnionFind joined(all.size());
+    const auto for_each_edge_of = [&](Index t, auto&& visit) {
+      for (std::size_t i = 0; i < 3; ++i)
+        visit(std::pair<Index, Index>(std::minmax(all[t].vertices[i], all[t].vertices[(i + 1) % 3])));
+    };
+    for (Index t = 0; t < all.size(); ++t)
+      for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
+        if (constraints.contains(e)) return;
+        const auto [at, is_new] = at_edge.emplace(e, t);
+        if (!is_new) joined.unite(at->second, t);
+      });
+    std::set<Index> begin;
+    for (Index t = 0; t < all.size(); ++t)
+      if (all[t].depth % 2 == 0)
+        for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
+          if (is_border_.contains(e)) begin.insert(joined.find(t));
+        });
+    std::vector<bool> is_beside(all.size());
+    for (Index t = 0; t < all.size(); ++t) is_beside[t] = begin.contains(joined.find(t));
+    return is_beside;
+  }
+
   struct Edge {
     Vec3 a, b;
     Vec2 slope;
@@ -167,6 +199,7 @@ class Continuation {
       if (use.first != 1) continue;
       const Index a = row(edge.first), b = row(edge.second);
       constraints_.emplace_back(std::min(a, b), std::max(a, b));
+      if (s_.division.is_border(edge.first, edge.second)) is_border_.insert(constraints_.back());
       const Vec3 n = normal(*use.second);
       const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
       edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}});
@@ -255,8 +288,7 @@ class Continuation {
   }
 
   /// The length of border, the farthest place before a wall, and what lies in the model.
-  void book(const std::array<Index, 3>& t, const std::set<std::pair<Index, Index>>& border,
-            BlockExtension& made) const {
+  void book(const std::array<Index, 3>& t, BlockExtension& made) const {
     const auto look_at = [&](const Vec3& p, double distance) {
       if (distance <= made.farthest) return;
       made.farthest = distance;
@@ -264,7 +296,7 @@ class Continuation {
     };
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
-      if (border.contains(std::minmax(a, b))) made.length += norm(points_[b] - points_[a]);
+      if (is_border_.contains(std::minmax(a, b))) made.length += norm(points_[b] - points_[a]);
       if (!in_block_[a]) continue;
       look_at(points_[a], distance_[a]);
       const auto hit = s_.walls.first_hit(points_[a], points_[b], s_.row);
@@ -293,6 +325,7 @@ class Continuation {
   std::vector<bool> in_block_;
   std::size_t n_border_ = 0;
   std::vector<std::pair<Index, Index>> constraints_;
+  std::set<std::pair<Index, Index>> is_border_;  ///< constraints at which the horizon ends, not this sheet alone
   std::vector<Edge> edges_;
   std::vector<Vec3> open_;
   std::map<Index, VertexIndex> added_;
@@ -312,7 +345,8 @@ DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row,
     std::vector<Triangle> sheet;
     for (const Index t : rows) sheet.push_back(division.triangles()[t]);
     std::optional<BlockExtension> extension;
-    if (!framework.has_tip(b)) extension = Continuation({horizon, row, framework, walls, within}, b, sheet).make();
+    if (!framework.has_tip(b))
+      extension = Continuation({horizon, row, framework, walls, within, division}, b, sheet).make();
     if (extension) {
       if (!extension->triangles.empty()) divided.extensions.push_back(std::move(*extension));
       continue;
