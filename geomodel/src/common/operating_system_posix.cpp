@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The services of operating_system.hpp on Linux, macOS and other systems of POSIX.
 #ifndef _WIN32
 #include <dlfcn.h>
 #include <fcntl.h>
