@@ -8,7 +8,7 @@ import subprocess
 import unittest
 
 from document_pages import PageTest, blocks_of
-from geomesh_program import PROGRAM, SOURCE, has_module
+from geomesh_program import SOURCE, has_module
 
 
 class Tutorials(PageTest):
