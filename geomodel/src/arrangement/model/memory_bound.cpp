@@ -15,7 +15,7 @@ namespace geomesh::geomodel::arrangement {
 std::size_t default_memory_bound() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   std::size_t bytes =
-      pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : std::size_t{1} << 33;
+      pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : std::size_t{3} << 30;
   std::size_t of_container = 0;
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)
     bytes = std::min(bytes, of_container);  // "max" is no number
