@@ -16,7 +16,9 @@ class Families(ProgramTest):
     def assert_right(self, family, seeds=SEEDS):
         for seed in seeds:
             with self.subTest(family=family, seed=seed):
-                self.assertIn(" ok ", run(PROGRAM, family, seed, "bare"))
+                folder = self.path("%s%d" % (family, seed))
+                self.assertIn(" ok ", run(PROGRAM, family, seed, "bare", keep=folder))
+                self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "project.yaml"))
 
     def test_grids_that_end_before_the_sides_of_the_model(self):
         self.assert_right("short_grids")
