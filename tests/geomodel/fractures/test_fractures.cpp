@@ -132,7 +132,8 @@ TEST_CASE("drawn families reach their density, keep their radii and scatter as F
 }
 
 TEST_CASE("a fracture is a plane polygon whose border stays, and a bent or continued surface is none", "[fractures]") {
-  TriangulatedSurface square{.name = "square", .kind = SurfaceKind::fault};
+  TriangulatedSurface square;
+  square.kind = SurfaceKind::fault;
   square.points = {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
   TriangulatedSurface bent = square, inner = square, horizon = square;
