@@ -128,6 +128,7 @@ SurfaceSpec surface_of(const Fracture& fracture) {
   spec.kind = SurfaceKind::fault;
   spec.rules.continues = false;  // its outline is known
   spec.file_as_written = "fractures";
+  spec.rules.continues = false;  // a fracture ends where its polygon ends
   spec.given =
       std::make_shared<const FileContents>(given_surface(fracture.name, fracture.corners, std::move(triangles)));
   return spec;
