@@ -126,7 +126,6 @@ SurfaceSpec surface_of(const Fracture& fracture) {
   SurfaceSpec spec;
   spec.name = fracture.name;
   spec.kind = SurfaceKind::fault;
-  spec.rules.continues = false;  // its outline is known
   spec.file_as_written = "fractures";
   spec.rules.continues = false;  // a fracture ends where its polygon ends
   spec.given =
