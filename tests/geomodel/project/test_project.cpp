@@ -162,7 +162,7 @@ TEST_CASE("The two lengths of nearness are read under their names and, with a no
   REQUIRE(before.notes.size() == 2);
   CHECK(before.notes[1].find("surfaces_within") != std::string::npos);
   CHECK_THROWS_WITH(read_project(f.write(start + "merge_within: 1\ntolerance: 1\n")),
-                    Contains("leave out one of them"));
+                    Catch::Matchers::Contains("leave out one of them"));
 }
 
 TEST_CASE("attributes do not take the names of arrays that the mesh file has", "[project]") {
