@@ -24,6 +24,8 @@ using MapEdge = std::pair<VertexIndex, VertexIndex>;
 constexpr double steepest_slope = 3;
 /// Places of the grid are apart by this share of the radius, so that a disc that fits into a gap covers some of them.
 constexpr double step_of_radius = 0.5;
+/// More places of a grid than this take seconds: the distance is a tiny share of the model then.
+constexpr double most_places = 1e6;
 
 /// The triangles of a horizon with their blocks and neighbours.
 class Division {
@@ -100,47 +102,67 @@ class Division {
   std::vector<Index> block_;
 };
 
-/// The continuation of one sheet.
-class Continuation {
+/// The border of a sheet, and the heights at which it is continued.
+class SheetBorder {
  public:
-  struct Setting {
-    const TriangulatedSurface& horizon;
-    Index row;
-    const BlockFramework& framework;
-    const Walls& walls;
-    double within;
-    const Division& division;
-  };
-  Continuation(const Setting& setting, Index block, const std::vector<Triangle>& sheet)
-      : s_(setting), block_(block), radius_(setting.within / 2), step_(step_of_radius * radius_) {
-    find_border(sheet);
-    add_grid();
-    find_open_places();
-  }
-
-  /// None where the border crosses itself in the map.
-  std::optional<BlockExtension> make() {
-    std::vector<Vec2> places;
-    for (const Vec3& p : points_) places.push_back({p.x, p.y});
-    const auto all = triangulate_plane(places, constraints_);
-    if (!all) return std::nullopt;
-    const std::vector<bool> begins_at_border = beside_border(*all);
-    BlockExtension made;
-    std::set<Index> walls;
-    for (std::size_t k = 0; k < all->size(); ++k) {
-      const PlanarTriangle& t = (*all)[k];
-      if (!begins_at_border[k] || !is_filled(t.vertices, walls)) continue;
-      book(t.vertices, made);
-      Triangle own;
-      for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t.vertices[i], made);
-      if (!faces_up_) std::swap(own[1], own[2]);
-      made.triangles.push_back(own);
+  SheetBorder(const TriangulatedSurface& horizon, const Division& division, const std::vector<Triangle>& sheet,
+              double within)
+      : horizon_(horizon), within_(within) {
+    std::map<MapEdge, std::pair<int, const Triangle*>> uses;
+    CompensatedSum up;
+    for (const Triangle& t : sheet) {
+      const Vec3 n = normal(t);
+      up.add(n.z);
+      for (std::size_t i = 0; i < 3; ++i) {
+        auto& use = uses[std::minmax(t[i], t[(i + 1) % 3])];
+        ++use.first;
+        use.second = &t;
+      }
     }
-    made.walls.assign(walls.begin(), walls.end());
-    return made;
+    faces_up_ = up.value() >= 0;
+    std::map<VertexIndex, Index> index;
+    const auto row = [&](VertexIndex v) {
+      const auto [at, is_new] = index.emplace(v, static_cast<Index>(points_.size()));
+      if (is_new) {
+        points_.push_back(horizon.points[v]);
+        rows_.push_back(v);
+      }
+      return at->second;
+    };
+    for (const auto& [edge, use] : uses) {
+      if (use.first != 1) continue;
+      const Index a = row(edge.first), b = row(edge.second);
+      constraints_.emplace_back(std::min(a, b), std::max(a, b));
+      if (division.is_border(edge.first, edge.second)) is_end_.insert(constraints_.back());
+      const Vec3 n = normal(*use.second);
+      const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
+      edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}});
+    }
   }
 
- private:
+  const std::vector<Vec3>& points() const { return points_; }
+  VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
+  const std::vector<std::pair<Index, Index>>& edges() const { return constraints_; }
+  /// Whether the horizon ends at an edge of points a < b, not this sheet alone.
+  bool is_end(const std::pair<Index, Index>& edge) const { return is_end_.contains(edge); }
+  bool faces_up() const { return faces_up_; }
+
+  /// The place with the height that the border has there, and its distance from the border.
+  std::pair<Vec3, double> continued_at(const Vec2& p) const {
+    double least = std::numeric_limits<double>::infinity(), z = 0;
+    for (const Edge& e : edges_) {
+      const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
+      const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+      const Vec3 foot = e.a + t * (e.b - e.a);
+      const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
+      if (!(d < least)) continue;
+      least = d;
+      const double share = d > within_ ? within_ / d : 1;
+      z = foot.z + share * (e.slope.x * x + e.slope.y * y);
+    }
+    return {{p.x, p.y, z}, least};
+  }
+
   /// Per triangle, whether it lies outside of the sheet and hangs together with a place where the horizon ends: where
   /// the sheet ends because the horizon goes on beyond a wall there is nothing to continue.
   std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all) const {
@@ -161,73 +183,87 @@ class Continuation {
     for (Index t = 0; t < all.size(); ++t)
       if (all[t].depth % 2 == 0)
         for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
-          if (is_border_.contains(e)) begin.insert(joined.find(t));
+          if (is_end_.contains(e)) begin.insert(joined.find(t));
         });
     std::vector<bool> is_beside(all.size());
     for (Index t = 0; t < all.size(); ++t) is_beside[t] = begin.contains(joined.find(t));
     return is_beside;
   }
 
+ private:
   struct Edge {
     Vec3 a, b;
     Vec2 slope;
   };
 
-  void find_border(const std::vector<Triangle>& sheet) {
-    std::map<MapEdge, std::pair<int, const Triangle*>> uses;
-    CompensatedSum up;
-    for (const Triangle& t : sheet) {
-      const Vec3 n = normal(t);
-      up.add(n.z);
-      for (std::size_t i = 0; i < 3; ++i) {
-        auto& use = uses[std::minmax(t[i], t[(i + 1) % 3])];
-        ++use.first;
-        use.second = &t;
-      }
-    }
-    faces_up_ = up.value() >= 0;
-    std::map<VertexIndex, Index> index;
-    const auto row = [&](VertexIndex v) {
-      const auto [at, is_new] = index.emplace(v, static_cast<Index>(points_.size()));
-      if (is_new) {
-        points_.push_back(s_.horizon.points[v]);
-        rows_.push_back(v);
-      }
-      return at->second;
-    };
-    for (const auto& [edge, use] : uses) {
-      if (use.first != 1) continue;
-      const Index a = row(edge.first), b = row(edge.second);
-      constraints_.emplace_back(std::min(a, b), std::max(a, b));
-      if (s_.division.is_border(edge.first, edge.second)) is_border_.insert(constraints_.back());
-      const Vec3 n = normal(*use.second);
-      const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
-      edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}});
-    }
-    distance_.assign(points_.size(), 0);
-    for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
-    n_border_ = points_.size();
-  }
-
   Vec3 normal(const Triangle& t) const {
-    const std::vector<Vec3>& p = s_.horizon.points;
+    const std::vector<Vec3>& p = horizon_.points;
     return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
   }
 
-  /// The place with the height that the border has there, and its distance from the border.
-  std::pair<Vec3, double> continued_at(const Vec2& p) const {
-    double least = std::numeric_limits<double>::infinity(), z = 0;
-    for (const Edge& e : edges_) {
-      const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
-      const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
-      const Vec3 foot = e.a + t * (e.b - e.a);
-      const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
-      if (!(d < least)) continue;
-      least = d;
-      const double share = d > s_.within ? s_.within / d : 1;
-      z = foot.z + share * (e.slope.x * x + e.slope.y * y);
+  const TriangulatedSurface& horizon_;
+  double within_;
+  std::vector<Vec3> points_;
+  std::vector<VertexIndex> rows_;
+  std::vector<std::pair<Index, Index>> constraints_;
+  std::set<std::pair<Index, Index>> is_end_;
+  std::vector<Edge> edges_;
+  bool faces_up_ = true;
+};
+
+/// The continuation of one sheet.
+class Continuation {
+ public:
+  struct Setting {
+    const TriangulatedSurface& horizon;
+    Index row;
+    const BlockFramework& framework;
+    const Walls& walls;
+    double within;
+    const Division& division;
+  };
+  Continuation(const Setting& setting, Index block, const std::vector<Triangle>& sheet)
+      : s_(setting),
+        block_(block),
+        radius_(setting.within / 2),
+        step_(step_of_radius * radius_),
+        border_(setting.horizon, setting.division, sheet, setting.within),
+        points_(border_.points()),
+        distance_(points_.size(), 0),
+        n_border_(points_.size()) {
+    for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
+    if (!has_few_places()) return;
+    add_grid();
+    find_open_places();
+  }
+
+  /// None where the border crosses itself in the map, and where the distance is too short for a grid.
+  std::optional<BlockExtension> make() {
+    if (!has_few_places()) return std::nullopt;
+    std::vector<Vec2> places;
+    for (const Vec3& p : points_) places.push_back({p.x, p.y});
+    const auto all = triangulate_plane(places, border_.edges());
+    if (!all) return std::nullopt;
+    const std::vector<bool> begins_at_border = border_.beside_border(*all);
+    BlockExtension made;
+    std::set<Index> walls;
+    for (std::size_t k = 0; k < all->size(); ++k) {
+      const PlanarTriangle& t = (*all)[k];
+      if (!begins_at_border[k] || !is_filled(t.vertices, walls)) continue;
+      book(t.vertices, made);
+      Triangle own;
+      for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t.vertices[i], made);
+      if (!border_.faces_up()) std::swap(own[1], own[2]);
+      made.triangles.push_back(own);
     }
-    return {{p.x, p.y, z}, least};
+    made.walls.assign(walls.begin(), walls.end());
+    return made;
+  }
+
+ private:
+  bool has_few_places() const {
+    const Vec3 extent = s_.framework.bounds(block_).max - s_.framework.bounds(block_).min;
+    return (extent.x / step_) * (extent.y / step_) <= most_places;
   }
 
   /// Places over the block's box on a grid whose origin depends on the place in space alone.
@@ -237,7 +273,7 @@ class Continuation {
     const auto last = [&](double v) { return static_cast<std::int64_t>(std::ceil(v / step_)) + 1; };
     for (std::int64_t j = first(box.min.y); j <= last(box.max.y); ++j)
       for (std::int64_t i = first(box.min.x); i <= last(box.max.x); ++i) {
-        const auto [p, d] = continued_at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
+        const auto [p, d] = border_.continued_at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
         if (d < step_ / 2) continue;
         points_.push_back(p);
         distance_.push_back(d);
@@ -296,18 +332,18 @@ class Continuation {
     };
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
-      if (is_border_.contains(std::minmax(a, b))) made.length += norm(points_[b] - points_[a]);
+      if (border_.is_end(std::minmax(a, b))) made.length += norm(points_[b] - points_[a]);
       if (!in_block_[a]) continue;
       look_at(points_[a], distance_[a]);
       const auto hit = s_.walls.first_hit(points_[a], points_[b], s_.row);
       if (!hit) continue;
       const Vec3 p = points_[a] + hit->share * (points_[b] - points_[a]);
-      look_at(p, continued_at({p.x, p.y}).second);
+      look_at(p, border_.continued_at({p.x, p.y}).second);
     }
   }
 
   VertexIndex row_of(Index v, BlockExtension& made) {
-    if (v < n_border_) return rows_[v];
+    if (v < n_border_) return border_.row(v);
     const auto [at, is_new] = added_.emplace(v, no_vertex);
     if (is_new) {
       at->second = static_cast<VertexIndex>(s_.horizon.points.size() + made.added.size());
@@ -319,17 +355,13 @@ class Continuation {
   Setting s_;
   Index block_;
   double radius_, step_;
+  SheetBorder border_;
   std::vector<Vec3> points_;  ///< those of the border, then those of the grid
-  std::vector<VertexIndex> rows_;
   std::vector<double> distance_;
   std::vector<bool> in_block_;
-  std::size_t n_border_ = 0;
-  std::vector<std::pair<Index, Index>> constraints_;
-  std::set<std::pair<Index, Index>> is_border_;  ///< constraints at which the horizon ends, not this sheet alone
-  std::vector<Edge> edges_;
+  std::size_t n_border_;
   std::vector<Vec3> open_;
   std::map<Index, VertexIndex> added_;
-  bool faces_up_ = true;
 };
 
 }  // namespace
