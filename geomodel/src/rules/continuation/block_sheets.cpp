@@ -211,17 +211,19 @@ class SheetBorder {
   bool faces_up_ = true;
 };
 
+/// What is continued, and in what; all outlive its use.
+struct Setting {
+  const TriangulatedSurface& horizon;
+  Index row;
+  const BlockFramework& framework;
+  const Walls& walls;
+  double within;
+  const Division& division;
+};
+
 /// The continuation of one sheet.
 class Continuation {
  public:
-  struct Setting {
-    const TriangulatedSurface& horizon;
-    Index row;
-    const BlockFramework& framework;
-    const Walls& walls;
-    double within;
-    const Division& division;
-  };
   Continuation(const Setting& setting, Index block, const std::vector<Triangle>& sheet)
       : s_(setting),
         block_(block),
