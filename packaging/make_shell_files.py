@@ -49,7 +49,7 @@ def manual(overview, helps, version, date):
         parts += [".SH %s" % ("GEOMESH " + name).upper().replace("-", "\\-"), ".nf", roff(text), ".fi"]
     parts += [".SH FILES", ".TP", "/usr/share/geomesh/samples", "Whole projects that run as they are.", ".TP",
               "/usr/share/geomesh/project.schema.json", "The JSON schema of the project file.", ".SH SEE ALSO",
-              "The manual in /usr/share/doc/geomesh."]
+              "The documents in /usr/share/doc/geomesh, of the package geomesh-doc."]
     return "\n".join(parts) + "\n"
 
 

@@ -29,6 +29,13 @@ OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "lib
 # libstdc++ and libgcc_s may be older on the system than those that the wheel was built with: they go in as well.
 TO_BUNDLE_ANYWAY = {"libstdc++.so.6", "libgcc_s.so.1", "libz.so.1"}
 MOST_BYTES = 40 * 10**6
+# What a wheel under the GPL, version 3 or later, may carry: Debian's packages by the licence that each is taken under. A library of any
+# other package ends the script, so that somebody reads its licence first.
+LICENCES = {
+    "libgcc-s1": "GPL-3 with the runtime library exception", "libstdc++6": "GPL-3 with the runtime library exception", "libgmp10": "LGPL-3+",
+    "libgmpxx4ldbl": "LGPL-3+", "libmpfr6": "LGPL-3+", "libtbb12": "Apache-2.0", "libtbbbind-2-5": "Apache-2.0", "libyaml-cpp0.7": "MIT", "libpugixml1v5": "MIT",
+    "libgeographiclib23": "MIT", "libgeographic23": "MIT", "liblz4-1": "BSD-2-clause", "liblzma5": "public domain", "zlib1g": "Zlib", "libmetis5": "Apache-2.0",
+    "libhwloc15": "BSD-3-clause", "libudev1": "LGPL-2.1+", "libcap2": "BSD-3-clause"}
 
 
 def run(*words):
@@ -100,6 +107,15 @@ class Wheel:
         self.take_libraries(target, ".")
         return new
 
+    def verify(self):
+        """Every library that a file names is one of the system or lies in the wheel, and nothing is looked for at places of this machine."""
+        inside = {os.path.basename(f) for f in self.elf_files}
+        for file in self.elf_files:
+            outside = [name for name in needed(file) if name not in inside and name not in OF_THE_SYSTEM - TO_BUNDLE_ANYWAY]
+            places = run("patchelf", "--print-rpath", file).strip()
+            if outside or not all(place.startswith("$ORIGIN") for place in places.split(":") if place):
+                raise SystemExit("%s needs %s and looks in %r" % (file, outside, places))
+
     def tag(self):
         major, minor = max(glibc_of(f) for f in self.elf_files)
         version = "cp%d%d" % sys.version_info[:2]
@@ -114,6 +130,8 @@ class Wheel:
                 asked = subprocess.run(["dpkg", "-S", place], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
                 if asked.returncode == 0:
                     package = asked.stdout.split(":")[0]
+                    if package not in LICENCES:
+                        raise SystemExit("%s is of the package %s: read its licence and enter it in LICENCES" % (library, package))
                     texts["LICENSE." + package] = "/usr/share/doc/%s/copyright" % package
                     break
             else:
@@ -189,6 +207,7 @@ def write(wheel, table, folder):
 def main(repository, stage, folder):
     wheel = Wheel(repository, stage)
     wheel.bundle()
+    wheel.verify()
     path = write(wheel, project(repository), folder)
     size = os.path.getsize(path)
     print("%s: %.1f MB, %d libraries: %s" % (os.path.basename(path), size / 1e6, len(wheel.new_names), ", ".join(sorted(wheel.new_names))))

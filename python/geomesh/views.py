@@ -23,7 +23,8 @@ def program() -> str:
     for found in (os.environ.get("GEOMESH_PROGRAM"), shutil.which("geomesh"), built):
         if found and os.access(found, os.X_OK):
             return found
-    raise UsageError("pictures are drawn by the program geomesh, which is not on the path")
+    raise UsageError("pictures are drawn by the program geomesh, which is not on the path: install the packages geomesh "
+                     "and geomesh-picture, or set GEOMESH_PROGRAM. Mesh.plot and a page (write(\"mesh.html\")) need neither")
 
 
 def draw(result: _geomodel.JobResult, file: str, view: str, size: Size, options: "dict[str, Any]") -> None:

@@ -45,5 +45,8 @@ def test_nbconvert_executes_a_notebook(name, tmp_path):
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600)
     assert done.returncode == 0, done.stdout
     with open(tmp_path / name, encoding="utf-8") as file:
-        printed = "".join("".join(output.get("text", "")) for cell in json.load(file)["cells"] for output in cell.get("outputs", []))
-    assert "faces of base_sandstone" in printed
+        outputs = [output for cell in json.load(file)["cells"] for output in cell.get("outputs", [])]
+    assert "faces of base_sandstone" in "".join("".join(output.get("text", "")) for output in outputs)
+    shown = ["".join(output.get("data", {}).get("text/html", "")) for output in outputs]
+    assert any("<iframe" in page for page in shown)  # the mesh
+    assert any("<table" in page and "sandstone" in page for page in shown)  # its regions

@@ -20,7 +20,7 @@ SLOWNESS = 10 if os.environ.get("GEOMESH_SANITIZE") else 1  # of programs that s
 
 DONE, BUG, USAGE, BAD_INPUT, CANNOT_MESH, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
-FORMATS_OF_MODULES = ("exodus", "med", "xdmf")
+FORMATS_OF_MODULES = ("exodus", "med", "xdmf", "seissol", "vtkhdf")
 
 
 def has_module(name):

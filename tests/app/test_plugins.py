@@ -7,7 +7,7 @@ import struct
 import subprocess
 import unittest
 
-from geomesh_program import DONE, PROGRAM, USAGE, ProgramTest
+from geomesh_program import DONE, PROGRAM, SLOWNESS, USAGE, ProgramTest
 
 MODULE = os.path.join(os.path.dirname(PROGRAM), "geomesh-gdal.so")
 
@@ -88,7 +88,9 @@ class EveryModule(ProgramTest):
                    "surfaces: [{name: top, kind: horizon, file: cube.off, crs: 'epsg:4326'}]\noutput: {directory: ., formats: [vtu]}\n")
         for module, headers, arguments in (("exodus", "libnetcdf-dev", ["convert", "cube.vtu", "-o", "cube.e"]), ("exodus", "libnetcdf-dev", ["check", "is.e"]),
                                            ("med", "libmedc-dev", ["convert", "cube.vtu", "-o", "cube.med"]), ("med", "libmedc-dev", ["check", "is.med"]),
-                                           ("xdmf", "libhdf5-dev", ["convert", "cube.vtu", "-o", "cube.xdmf"]), ("proj", "libproj-dev", ["project.yaml"])):
+                                           ("xdmf", "libhdf5-dev", ["convert", "cube.vtu", "-o", "cube.xdmf"]),
+                                           ("seissol", "libhdf5-dev", ["convert", "cube.vtu", "-o", "cube.puml"]),
+                                           ("vtkhdf", "libhdf5-dev", ["convert", "cube.vtu", "-o", "cube.vtkhdf"]), ("proj", "libproj-dev", ["project.yaml"])):
             if arguments[-1].startswith("is."):
                 self.write(arguments[-1], "no mesh")
             done = subprocess.run([alone, *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=self.timeout)
@@ -106,6 +108,16 @@ class EveryModule(ProgramTest):
         for name in ("libgdal", "libvtk", "libproj", "libhdf5", "libnetcdf", "libmed", "libmpi"):
             self.assertNotIn(name, libraries)
         self.assertLessEqual(len(libraries.splitlines()), 20, libraries)
+
+    @unittest.skipIf(SLOWNESS > 1, "skipped: sanitizers start slowly")
+    def test_the_program_starts_within_eight_milliseconds(self):
+        """Time of the processor, the least of many starts: what else runs on the machine would add to the time on the clock."""
+        def start():
+            child = os.posix_spawn(PROGRAM, [PROGRAM, "--version"], os.environ, file_actions=[(os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)])
+            _, status, use = os.wait4(child, 0)
+            self.assertEqual(status, 0)
+            return use.ru_utime + use.ru_stime
+        self.assertLess(min(start() for _ in range(50)), 0.008)
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ class Progress(ProgramTest):
     def test_writing_tells_how_many_of_its_formats_are_done(self):
         project = self.copy_of_sample("faulted-layers", "{size: 200}")
         with open(project) as file:
-            text = file.read().replace("formats: [vtu]", "formats: [vtu, msh, inp, exodus]")
+            text = file.read().replace("formats: [vtu]", "formats: [vtu, msh, inp, tetgen]")
         with open(project, "w") as file:
             file.write(text)
         events, _ = self.events(project, "-o", self.path("out"), "--threads", "1")

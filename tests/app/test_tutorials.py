@@ -8,7 +8,7 @@ import subprocess
 import unittest
 
 from document_pages import PageTest, blocks_of
-from geomesh_program import PROGRAM, SOURCE
+from geomesh_program import SOURCE, has_module
 
 
 class Tutorials(PageTest):
@@ -76,13 +76,14 @@ class Tutorials(PageTest):
 
     @unittest.skipUnless(subprocess.run(["/usr/bin/python3", "-c", "import dolfinx"], stderr=subprocess.DEVNULL).returncode == 0,
                          "skipped: python3-dolfinx is not installed")
+    @unittest.skipUnless(has_module("xdmf"), "skipped: built without the module geomesh-xdmf")
     def test_horizons_in_csv_become_a_solved_dolfinx_model_with_the_same_temperature(self):
         said = self.run_page("docs/tutorials/horizons-to-dolfinx.md")
         temperature = float(re.search(r"mean temperature of top_sand: ([0-9.]+)", said).group(1))
         self.assertAlmostEqual(temperature, 10 + 60 * 400 / (400 + 75 + 450), delta=0.5)
 
     @unittest.skipUnless(shutil.which("gdaltransform"), "skipped: gdal-bin is not installed")
-    @unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(PROGRAM), "geomesh-gdal.so")), "skipped: built without GDAL")
+    @unittest.skipUnless(has_module("gdal"), "skipped: built without the module geomesh-gdal")
     def test_rasters_in_degrees_are_meshed_on_a_national_grid_where_they_lie(self):
         said = self.run_page("docs/tutorials/rasters-in-degrees.md")
         self.assertIn("The mesh passes", said)

@@ -6,11 +6,13 @@
 #include <fstream>
 
 #include "geomesh/core/error.hpp"
+#include "mesh_readers/netcdf_header.hpp"
 
 namespace geomesh::geomodel {
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& path) : path_(path) {
   if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
+  if (!netcdf_header_is_sound(path)) refuse("its header does not fit into the file: it is damaged");
   if (nc_open(path.c_str(), NC_NOWRITE, &file_) != NC_NOERR) refuse("it is no Exodus file (netCDF), or damaged");
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/module.hpp"
 
-#include <dlfcn.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/operating_system.hpp"
 #include "geomesh/core/error.hpp"
 
 namespace geomesh::geomodel {
@@ -19,15 +18,13 @@ namespace fs = std::filesystem;
 void anchor() {}
 
 /// The folder of the program, or of the shared library, that holds this code.
-fs::path own_folder() {
-  Dl_info info;
-  if (dladdr(reinterpret_cast<void*>(&anchor), &info) == 0 || !info.dli_fname) return {};
-  std::error_code error;
-  // The main program is named as it was called, which need not be a path.
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path named = fs::weakly_canonical(info.dli_fname, error);
-  return (fs::exists(named, error) && named.has_parent_path() ? named : self).parent_path();
-}
+fs::path own_folder() { return file_of_code(&anchor).parent_path(); }
+
+#ifdef _WIN32
+constexpr char between_folders = ';';  // a colon stands behind the letter of a drive
+#else
+constexpr char between_folders = ':';
+#endif
 
 /// In the order of search.
 std::vector<fs::path> plugin_folders() {
@@ -35,9 +32,9 @@ std::vector<fs::path> plugin_folders() {
   if (const char* given = std::getenv("GEOMESH_PLUGINS")) {
     std::string_view rest = given;
     while (!rest.empty()) {
-      const std::size_t colon = rest.find(':');
-      if (colon != 0) folders.emplace_back(rest.substr(0, colon));
-      rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
+      const std::size_t end = rest.find(between_folders);
+      if (end != 0) folders.emplace_back(rest.substr(0, end));
+      rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
     }
   }
   const fs::path own = own_folder();
@@ -59,13 +56,14 @@ std::string listed(const std::vector<fs::path>& folders) {
 
 /// The table in the file, or null with the reason.
 const void* load(const fs::path& file, const ModuleName& module, bool (*fits)(const void* table), std::string& reason) {
-  void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  reason = "no reason given";
+  void* const library = open_library(file, reason);
+  if (!library) return nullptr;
   using Function = const void* (*)();
-  const auto function = library ? reinterpret_cast<Function>(dlsym(library, module.function)) : nullptr;
+  const auto function = reinterpret_cast<Function>(function_of_library(library, module.function, reason));
   if (function && fits(function())) return function();
-  const char* const error = function ? "it is of another version of geomesh" : dlerror();
-  reason = error ? error : "no reason given";
-  if (library) dlclose(library);
+  if (function) reason = "it is of another version of geomesh";
+  close_library(library);
   return nullptr;
 }
 

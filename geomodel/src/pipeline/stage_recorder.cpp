@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/stage_recorder.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
+
+#include "common/operating_system.hpp"
 
 namespace geomesh::geomodel {
 
-double process_cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
+double process_cpu_seconds() { return use_of_this_process().cpu_seconds; }
 
-std::size_t process_peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kilobytes
-}
+std::size_t process_peak_bytes() { return use_of_this_process().peak_bytes; }
 
 StageRecorder::StageRecorder(const RunContext& outer, std::string stop_after)
     : inner_(outer), stop_after_(std::move(stop_after)) {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a file may be written, found out before hours are spent on what goes into it.
-#include <signal.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <string_view>
 
+#include "common/operating_system.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/writers.hpp"
 
@@ -31,13 +27,13 @@ fs::path nearest_existing(fs::path folder) {
 constexpr std::string_view part_end = ".part";
 
 /// The process that a name such as "dome.vtu.1234.part" was written by; 0: no such name.
-pid_t writer_of(std::string_view name) {
+long writer_of(std::string_view name) {
   if (!name.ends_with(part_end)) return 0;
   name.remove_suffix(part_end.size());
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos) return 0;
   const char *const first = name.data() + dot + 1, *const last = name.data() + name.size();
-  pid_t pid = 0;
+  long pid = 0;
   const auto [end, status] = std::from_chars(first, last, pid);
   return status == std::errc() && end == last && pid > 0 ? pid : 0;
 }
@@ -48,8 +44,8 @@ void remove_left_parts(const fs::path& file) {
   const std::string start = file.stem().string() + ".";
   for (fs::directory_iterator entry(file.parent_path(), ec), end; !ec && entry != end; entry.increment(ec)) {
     const std::string name = entry->path().filename().string();
-    const pid_t writer = name.starts_with(start) ? writer_of(name) : 0;
-    if (writer > 0 && kill(writer, 0) != 0 && errno == ESRCH) {
+    const long writer = name.starts_with(start) ? writer_of(name) : 0;
+    if (writer > 0 && !may_be_running(writer)) {
       std::error_code ignored;
       fs::remove_all(entry->path(), ignored);
     }
@@ -66,7 +62,7 @@ OutputTarget output_target(const fs::path& file) {
   fs::path real = file;
   if (fs::is_symlink(fs::symlink_status(file, ignored))) real = fs::weakly_canonical(file, ec);
   if (ec) refuse(file, ec.message());
-  return {real, real.string() + "." + std::to_string(getpid()) + std::string(part_end)};
+  return {real, real.string() + "." + std::to_string(id_of_this_process()) + std::string(part_end)};
 }
 
 void require_writable(const fs::path& file) {
@@ -74,8 +70,8 @@ void require_writable(const fs::path& file) {
   if (target.is_direct()) return;
   const fs::path folder = nearest_existing(fs::absolute(target.file).parent_path());
   if (!fs::is_directory(folder)) refuse(file, folder.string() + " is a file, not a folder");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    refuse(file, "the folder " + folder.string() + ": " + std::strerror(errno) + "; choose another with -o");
+  if (const std::string reason = why_not_writable(folder); !reason.empty())
+    refuse(file, "the folder " + folder.string() + ": " + reason + "; choose another with -o");
   remove_left_parts(fs::absolute(target.file));
 }
 

@@ -11,6 +11,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "has_module.hpp"
 #include "plane_files.hpp"
 #include "scratch.hpp"
 
@@ -305,6 +306,10 @@ TEST_CASE("broken surface files are refused with the place and what was expected
     const auto error = error_of(c.name, c.bytes);
     REQUIRE(error);
     INFO(error->second);
+    if (std::string_view(c.name).ends_with(".tif") && !testing::has_module("gdal")) {
+      CHECK(error->second.find("apt install geomesh-gdal") != std::string::npos);
+      continue;
+    }
     CHECK(error->first == ErrorKind::invalid_input);
     CHECK(error->second.find(c.words) != std::string::npos);
   }

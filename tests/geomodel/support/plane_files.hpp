@@ -51,6 +51,7 @@ struct PlaneFile {
 std::vector<PlaneFile> triangle_plane_files();
 /// Grids and regular points, DXF and OMF.
 std::vector<PlaneFile> grid_plane_files();
+/// All of them, without GeoTIFF where its module was not built.
 std::vector<PlaneFile> plane_files();
 /// The bytes of one of them.
 std::string plane_file(const std::string& name);

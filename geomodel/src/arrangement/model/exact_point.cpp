@@ -42,6 +42,14 @@ ExactPoint normalised(ExactPoint p) {
   }
   return p;
 }
+std::uint64_t lowest_64_bits(const mpz_class& positive) {
+  if constexpr (sizeof(unsigned long) >= sizeof(std::uint64_t)) {
+    return mpz_get_ui(positive.get_mpz_t());
+  } else {  // Windows, and machines of 32 bits
+    const mpz_class high = positive >> 32;
+    return std::uint64_t{mpz_get_ui(high.get_mpz_t())} << 32 | (mpz_get_ui(positive.get_mpz_t()) & 0xFFFFFFFFu);
+  }
+}
 Sign to_sign(int s) { return s > 0 ? Sign::positive : s < 0 ? Sign::negative : Sign::zero; }
 
 }  // namespace
@@ -56,7 +64,11 @@ ExactFrame::ExactFrame(std::span<const Vec3> points) {
 
 mpz_class ExactFrame::to_integer(double value) const {
   const auto [mantissa, exponent] = split(value);
-  mpz_class result = static_cast<long>(mantissa);
+  mpz_class result;
+  if constexpr (sizeof(long) >= sizeof mantissa)
+    result = static_cast<long>(mantissa);
+  else
+    result = static_cast<double>(mantissa);  // exact, where GMP's `long` has 32 bits
   const int up = exponent + shift_;
   if (mantissa != 0) mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(up));
   return result;
@@ -87,7 +99,7 @@ double ExactFrame::ratio(const mpz_class& numerator, const mpz_class& denominato
     d <<= static_cast<mp_bitcnt_t>(-scale);
   mpz_class q, r;
   mpz_tdiv_qr(q.get_mpz_t(), r.get_mpz_t(), n.get_mpz_t(), d.get_mpz_t());
-  std::uint64_t bits = mpz_get_ui(q.get_mpz_t());
+  std::uint64_t bits = lowest_64_bits(q);
   if (sgn(r) != 0) bits |= 1;
   const double magnitude = std::ldexp(static_cast<double>(bits), static_cast<int>(-scale - shift_));
   return sgn(numerator) < 0 ? -magnitude : magnitude;

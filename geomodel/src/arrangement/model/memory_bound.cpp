@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrangement/model/memory_bound.hpp"
 
-#include <unistd.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 #include "arrangement/model/ingest.hpp"
+#include "common/operating_system.hpp"
 #include "geomesh/core/error.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
 std::size_t default_memory_bound() {
-  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-  std::size_t bytes =
-      pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : std::size_t{1} << 33;
-  std::size_t of_container = 0;
-  if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)
-    bytes = std::min(bytes, of_container);  // "max" is no number
-  return bytes / 4 * 3;
+  constexpr std::size_t where_unknown = std::size_t{1} << 33;
+  const std::size_t bytes = memory_of_machine();
+  return (bytes == 0 ? where_unknown : bytes) / 4 * 3;
 }
 
 void MemoryUse::refuse(const Vec3& place) const {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <string>
+
+#include "mesh_readers/netcdf_header.hpp"
+#include "scratch.hpp"
+
+using namespace geomesh::geomodel;
+
+namespace {
+
+std::string number(std::uint64_t value, int width) {
+  std::string bytes;
+  for (int i = width - 1; i >= 0; --i) bytes += static_cast<char>(value >> 8 * i & 0xFF);
+  return bytes;
+}
+
+/// A file with a dimension `n` of 2, a global attribute and a variable `x` of n doubles with an attribute of its own.
+std::string sound_file(int version) {
+  const int width = version == 5 ? 8 : 4, offset = version == 1 ? 4 : 8;
+  const auto name = [&](char letter) { return number(1, width) + std::string{letter, 0, 0, 0}; };
+  const std::string units =
+      number(12, 4) + number(1, width) + name('u') + number(2, 4) + number(2, width) + std::string{'k', 'm', 0, 0};
+  std::string file = "CDF" + number(static_cast<std::uint64_t>(version), 1) + number(0, width);
+  file += number(10, 4) + number(1, width) + name('n') + number(2, width) + units;
+  file += number(11, 4) + number(1, width) + name('x') + number(1, width) + number(0, width) + units + number(6, 4) +
+          number(16, width) + number(file.size(), offset);
+  return file + std::string(16, '\0');
+}
+
+bool is_sound(const std::string& bytes) {
+  const std::filesystem::path file = testing::scratch_folder() / "header.e";
+  std::ofstream(file, std::ios::binary) << bytes;
+  return netcdf_header_is_sound(file);
+}
+
+}  // namespace
+
+TEST_CASE("headers of classic netCDF files are sound, those of other kinds are left to their libraries", "[netcdf]") {
+  for (const int version : {1, 2, 5}) CHECK(is_sound(sound_file(version)));
+  CHECK(is_sound("\x89HDF\r\n\x1a\n and so on"));
+  CHECK(is_sound("solid of an STL file"));
+  CHECK(is_sound("CDF\x07"));
+}
+
+TEST_CASE("a header of netCDF that does not fit into its file is found, wherever it is damaged", "[netcdf]") {
+  for (const int version : {1, 2, 5}) {
+    const std::string whole = sound_file(version);
+    const std::size_t header = whole.size() - 16;
+    for (std::size_t end = 4; end < header; ++end) {
+      INFO("version " << version << ", cut at " << end);
+      CHECK_FALSE(is_sound(whole.substr(0, end)));
+    }
+    // Every count, length of a name and id of a dimension in turn becomes far too large.
+    const std::size_t width = version == 5 ? 8 : 4, list = 4 + width;
+    const std::size_t n_dimensions = 4 + list, attributes = 4 + width + list + width + 4 + width;
+    const std::size_t attribute = list + width + 4 + 4 + width + 4, variables = attributes + attribute;
+    for (const std::size_t at :
+         {n_dimensions, n_dimensions + width, attributes + 4, attributes + list, attributes + list + width + 4 + 4,
+          variables + 4, variables + list, variables + list + width + 4, variables + list + width + 4 + width}) {
+      INFO("version " << version << ", the number at " << at);
+      std::string damaged = whole;
+      damaged[at] = 0x7F;
+      CHECK_FALSE(is_sound(damaged));
+    }
+  }
+}
