@@ -22,6 +22,7 @@ struct Answer {
   std::size_t tetrahedra = 0;
   std::size_t exact_calls = 0, walk_steps = 0, deferred = 0;
   std::size_t added_points = 0;  ///< recovery only
+  double volume = 0;             ///< recovery only: of all regions together
   ElementShapes shapes;          ///< refinement only
   double meshing_cpu_s = 0;  ///< refinement only: from the start of the run to the mesh, its shapes not yet measured
   std::array<double, 4> stage_cpu_s{};  ///< refinement only: delaunay, recover and classify, refine, improve

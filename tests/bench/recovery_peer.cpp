@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "corpus_run.hpp"
+#include "recovery_families.hpp"
 
 namespace geomesh::bench {
 
@@ -92,6 +93,7 @@ Measurement measure_ours(const PiecewiseLinearComplex& plc, const Tetrahedralize
     Answer answer;
     answer.tetrahedra = out.tetrahedra.size();
     for (VertexIndex row : out.input_vertex) answer.added_points += row == no_vertex;
+    answer.volume = test::volume_of(out);
     return answer;
   };
   const Job judge = [&] {

@@ -28,15 +28,22 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
   return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
 }
 
-/// Steiner points that are left become doubles. What no double does for goes off segments and facets first, where
-/// stars are larger. The attempt ends where that does not help. Returns how many points no double does for then.
+/// Steiner points that are left become doubles. Points that no double near them suits are taken off segments and facets
+/// first, where stars are larger; then all doubles of their stars are tried. The attempt ends where that does not help,
+/// because another attempt does all of the model's work again. Returns how many points have no double then.
 std::size_t round_steiner_points(Recovery& recovery) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned run = 0; run < recover::recovery_budget.rounding_runs; ++run) {
     if (run > 0) recover::remove_added_points(recovery, BoundaryPoints::must_go);
-    const std::vector<VertexIndex> left = recover::round_exact_points(recovery);
+    std::vector<VertexIndex> left = recover::round_exact_points(recovery);
     if (left.empty()) return 0;
     if (left.size() >= n_before || run + 1 == recover::recovery_budget.rounding_runs) {
+      if (recovery.doubles == recover::DoublesTried::near_places) {
+        recovery.doubles = recover::DoublesTried::all_of_star;
+        left = recover::round_exact_points(recovery);
+        recovery.doubles = recover::DoublesTried::near_places;
+        if (left.empty()) return 0;
+      }
       recovery.end(recover::error_of_rounding(recovery, left));
       return left.size();
     }
@@ -96,6 +103,7 @@ RecoveryOutcome RecoveryRun::recover() {
     recovery.attempt = attempt.number;
     recovery.doubles = attempt.doubles;
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
+    recovery.may_change_to_exact = options_.recover.mode == MeshMode::constrained;
     recovery.least_spacing = least_spacing_;
     recover_stages(attempt, recovery);
     n_decided_ += mesh.exact_places().n_decided();

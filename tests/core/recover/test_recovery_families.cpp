@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families whose recovery took time without bound: plates whose caps are triangulated by needles that cross each other.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -10,15 +11,6 @@ using namespace geomesh;
 using namespace geomesh::test;
 
 namespace {
-
-double volume_of(const ConstrainedTetrahedralization& mesh) {
-  double sum = 0;
-  for (const Tetrahedron& t : mesh.tetrahedra) {
-    const Vec3& o = mesh.points[t[0]];
-    sum += dot(cross(mesh.points[t[1]] - o, mesh.points[t[2]] - o), mesh.points[t[3]] - o) / 6;
-  }
-  return sum;
-}
 
 std::size_t n_added(const ConstrainedTetrahedralization& mesh) {
   std::size_t n = 0;
@@ -59,6 +51,16 @@ TEST_CASE("a thin plate whose caps are 3,000 needles each that cross each other 
   options.thickness = 0.001;
   const FamilyModel model = plate_of_needles(options);
   CHECK(check(model) <= model.plc.points.size() / 100);
+}
+
+TEST_CASE("a tenth of each family is meshed within its bounds", "[recover][judged][families]") {
+  for (const ModelFamily& family : model_families())
+    for (unsigned i = 2; i < 30; i += 6) {  // the larger ones take minutes: families_bench
+      const FamilyModel model = family.make(i);
+      const bool has_needles = family.name == "plates" || family.name == "fans";
+      const std::size_t n_points = model.plc.points.size();
+      CHECK(check(model) <= std::max<std::size_t>(1, has_needles ? n_points / 10 : n_points / 200));
+    }
 }
 
 TEST_CASE("fans, sheets and lines of points are meshed", "[recover][judged][families]") {

@@ -204,4 +204,48 @@ FamilyModel points_on_line(unsigned n) {
   return {"line_" + std::to_string(n), std::move(builder.plc), 27};
 }
 
+double volume_of(const ConstrainedTetrahedralization& mesh) {
+  double sum = 0;
+  for (const Tetrahedron& t : mesh.tetrahedra) {
+    const Vec3& o = mesh.points[t[0]];
+    sum += dot(cross(mesh.points[t[1]] - o, mesh.points[t[2]] - o), mesh.points[t[3]] - o) / 6;
+  }
+  return sum;
+}
+
+namespace {
+
+/// The i-th of ModelFamily::n_models sizes in geometric progression.
+unsigned size_of(unsigned i, double first, double last) {
+  return static_cast<unsigned>(std::round(first * std::pow(last / first, i / (ModelFamily::n_models - 1.0))));
+}
+
+FamilyModel plate(unsigned i) {
+  PlateOptions options;
+  options.seed = i;
+  options.n = size_of(i, 100, 20000);
+  options.triangles = static_cast<CapTriangles>(i % 3);
+  options.thickness = std::pow(0.1, 1 + i % 4 % 3);
+  options.layers = 1 + i % 5 % 3;
+  options.has_hole = i % 7 == 3;
+  options.is_tilted = i % 2 == 1;
+  return plate_of_needles(options);
+}
+
+FamilyModel fans(unsigned i) { return crossing_fans(i, size_of(i, 10, 2000), std::pow(0.1, 1 + i % 3)); }
+
+FamilyModel sheets(unsigned i) {
+  return flat_sheets(size_of(i, 2, 200), 4 + i % 4 * 4, std::pow(10.0, -6 + i * 11 % 50 * 6 / 49.0));
+}
+
+FamilyModel line(unsigned i) { return points_on_line(size_of(i, 100, 100000)); }
+
+}  // namespace
+
+const std::vector<ModelFamily>& model_families() {
+  static const std::vector<ModelFamily> families{
+      {"plates", plate}, {"fans", fans}, {"sheets", sheets}, {"lines", line}};
+  return families;
+}
+
 }  // namespace geomesh::test

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geomesh/core/plc.hpp"
+#include "geomesh/core/tetrahedralize.hpp"
 
 namespace geomesh::test {
 
@@ -44,5 +45,23 @@ FamilyModel flat_sheets(unsigned n, unsigned cells, double gap);
 
 /// `n` isolated points on one line through a box that no axis is parallel to.
 FamilyModel points_on_line(unsigned n);
+
+/// Volume of all tetrahedra together.
+double volume_of(const ConstrainedTetrahedralization& mesh);
+
+/// A family of 50 models whose sizes grow geometrically and whose other options alternate, so that a time that is not
+/// near to linear, or a model that falls out of the row, is seen.
+struct ModelFamily {
+  static constexpr unsigned n_models = 50;
+
+  std::string name;
+  FamilyModel (*make)(unsigned i);  ///< i < n_models
+};
+
+/// - plates: ellipses of 100 to 20,000 points, one to three layers, with holes, tilted, 1e-1 to 1e-3 thick;
+/// - fans: 10 to 2,000 needles that cross each other, 1e-1 to 1e-3 apart;
+/// - sheets: 2 to 200 sheets 1e-6 to 1 of their size apart;
+/// - lines: 100 to 100,000 points on a line.
+const std::vector<ModelFamily>& model_families();
 
 }  // namespace geomesh::test

@@ -3,6 +3,7 @@
 /// first crosses the mesh. So the part before it is an edge, and the part behind it crosses one simplex less.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "common/geometry.hpp"
 #include "recover/constrained/crossed_cells.hpp"
@@ -110,36 +111,94 @@ bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, unsigned h
   return recover_segment_by_flips(recovery, s.a, s.b, halvings < recovery_budget.halvings_deep ? deepest : 0);
 }
 
-/// The attempt ends where no point can be placed or `most_points` do not suffice.
-void recover_by_points(Recovery& recovery, Missing first) {
-  ConstrainedMesh& mesh = recovery.mesh;
-  Constraints& constraints = recovery.constraints;
-  std::vector<Missing> stack{first};
-  std::size_t points_left = most_points(mesh, constraints.subsegments[first.subsegment]);
-  while (!stack.empty()) {
-    recovery.context.check_cancelled();
-    const Missing item = stack.back();
-    stack.pop_back();
-    if (!constraints.subsegments[item.subsegment].live) continue;
-    const Subsegment s = constraints.subsegments[item.subsegment];
-    if (mesh.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery, s, item.halvings)) continue;
-    if (recovery.has_ended()) return;
-    const VertexIndex x = recovery.has_exact_points ? step_along_segment(recovery, item.subsegment)
-                                                    : insert_on_segment(recovery, item.subsegment);
-    if (x == no_vertex || points_left-- == 0)
-      recovery.end(error_of_segment_not_recovered(recovery, item.subsegment));
-    else
-      recovery.count_added_point();
-    if (recovery.has_ended()) return;
-    const bool inside_facet = s.segment == no_index;
-    constraints.vertices.resize(mesh.points().size());
-    constraints.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment,
-                               inside_facet ? s.facet : s.segment};
-    const auto halves = constraints.split_subsegment(item.subsegment, x);
-    stack.push_back({halves[1], item.halvings + 1});
-    stack.push_back({halves[0], item.halvings + 1});
+/// Recovery of subsegments by points, which can be taken back.
+class PointsOnSegments {
+ public:
+  explicit PointsOnSegments(Recovery& recovery)
+      : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints) {}
+
+  /// Rounded points may end in a cascade (docs/decisions/recovery.md). Then all of them are taken back and made again
+  /// as points that are held exactly, which ends: what flips have done for the other segments is kept.
+  void recover(const std::vector<Index>& subsegments) {
+    if (recovery_.has_exact_points || !recovery_.may_change_to_exact) return recover_each(subsegments);
+    const std::size_t mark = mesh_.mark();
+    recover_each(subsegments);
+    if (!recovery_.has_ended()) return mesh_.keep();
+    mesh_.roll_back(mark);
+    undo();
+    recovery_.context.note(LogLevel::debug, std::string("points are held exactly: ") + recovery_.dead_end->what());
+    recovery_.dead_end.reset();
+    recovery_.has_exact_points = true;
+    recover_each(subsegments);
   }
-}
+
+ private:
+  struct Split {
+    Index subsegment;
+    VertexIndex x;
+    std::size_t first_piece;
+  };
+
+  void recover_each(const std::vector<Index>& subsegments) {
+    for (const Index s : subsegments) {
+      recovery_.context.check_cancelled();
+      recover_one(s);
+      if (recovery_.has_ended()) return;
+    }
+  }
+
+  /// The attempt ends where no point can be placed or `most_points` do not suffice.
+  void recover_one(Index first) {
+    std::vector<Missing> stack{{first, 0}};
+    std::size_t points_left = most_points(mesh_, constraints_.subsegments[first]);
+    while (!stack.empty() && !recovery_.has_ended()) {
+      recovery_.context.check_cancelled();
+      const Missing item = stack.back();
+      stack.pop_back();
+      const Subsegment s = constraints_.subsegments[item.subsegment];
+      if (!s.live || mesh_.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery_, s, item.halvings))
+        continue;
+      if (recovery_.has_ended()) return;
+      const VertexIndex x = recovery_.has_exact_points ? step_along_segment(recovery_, item.subsegment)
+                                                       : insert_on_segment(recovery_, item.subsegment);
+      if (x == no_vertex || points_left-- == 0)
+        recovery_.end(error_of_segment_not_recovered(recovery_, item.subsegment));
+      else
+        recovery_.count_added_point();
+      if (x == no_vertex) return;
+      const std::array<Index, 2> halves = split(item.subsegment, x);
+      stack.push_back({halves[1], item.halvings + 1});
+      stack.push_back({halves[0], item.halvings + 1});
+    }
+  }
+
+  std::array<Index, 2> split(Index subsegment, VertexIndex x) {
+    const Subsegment& s = constraints_.subsegments[subsegment];
+    const bool inside_facet = s.segment == no_index;
+    constraints_.vertices.resize(mesh_.points().size());
+    constraints_.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment,
+                                inside_facet ? s.facet : s.segment};
+    splits_.push_back({subsegment, x, constraints_.n_pieces()});
+    return constraints_.split_subsegment(subsegment, x);
+  }
+
+  /// The mesh has been rolled back already.
+  void undo() {
+    for (; !splits_.empty(); splits_.pop_back()) {
+      const auto& [subsegment, x, first_piece] = splits_.back();
+      constraints_.undo_split(subsegment, x, first_piece);
+      mesh_.forget(x);
+      mesh_.drop_last_point();
+      --recovery_.n_points_added;
+    }
+    constraints_.vertices.resize(mesh_.points().size());
+  }
+
+  Recovery& recovery_;
+  ConstrainedMesh& mesh_;
+  Constraints& constraints_;
+  std::vector<Split> splits_;
+};
 
 }  // namespace
 
@@ -184,11 +243,8 @@ void recover_segments(Recovery& recovery) {
       recovery.hard_segments.push_back(hard.segment);
     }
   }
-  for (Index s : missing) {
-    recovery.context.check_cancelled();
-    recover_by_points(recovery, {s, 0});
-    if (recovery.has_ended()) return;
-  }
+  PointsOnSegments(recovery).recover(missing);
+  if (recovery.has_ended()) return;
   recovery.statistics.edges_reinserted += n_missing_before;
 }
 

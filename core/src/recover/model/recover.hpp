@@ -45,6 +45,8 @@ struct Recovery {
   /// it is begun again.
   double least_spacing = 0;
   bool has_exact_points = false;  ///< Steiner points are held exactly (exact_places.hpp) and rounded at the end
+  /// Whether has_exact_points may become true where a rounded point leads to a dead end, for all points from then on.
+  bool may_change_to_exact = false;
   DoublesTried doubles = DoublesTried::near_places;
   unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
 
