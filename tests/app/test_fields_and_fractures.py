@@ -84,6 +84,28 @@ class Fractures(ProgramTest):
         self.assertEqual(len(both), 1)
         self.assertAlmostEqual(lengths[both[0]], 4, delta=1e-9)
 
+    def test_a_fracture_that_stops_short_of_a_side_ends_there(self):
+        self.write("short.csv", "2,2,5,9.6,2,5,9.6,8,5,2,8,5\n")
+        report = self.mesh("{file: short.csv}", "mesh: {refine: none}\n")
+        area = next(s["area"] for s in report["surfaces"] if s["name"] == "fracture_1")
+        self.assertAlmostEqual(area, 7.6 * 6, delta=1e-9)
+
+    def test_discs_of_a_network_keep_their_areas_when_they_are_meshed_to_a_size(self):
+        families = ("{seed: 3, corners: 12, families: [{name: steep, dip_direction: 70, dip: 80, kappa: 10, radius: 1.5, count: 12},"
+                    " {name: flat, dip: 10, kappa: 10, radius: 1.5, count: 12}]}")
+        bare = {s["name"]: s["area"] for s in self.mesh(families, "mesh: {refine: none}\n")["surfaces"]}
+        meshed = self.mesh(families, "mesh: {size: 1.2}\n")
+        for surface in meshed["surfaces"]:
+            self.assertAlmostEqual(surface["area"] / bare[surface["name"]], 1, delta=1e-9, msg=surface["name"])
+        self.assertGreater(len([c for c in meshed["curves"] if c["kind"] == "intersection" and "steep" in c["name"]]), 5)
+
+    def test_fractures_nearer_to_each_other_than_the_tolerance_stay_apart(self):
+        self.write("near.csv", "2,2,5,8,2,5,8,8,5,2,8,5\n2,5,5.004,8,5,5.004,8,5,8,2,5,8\n")
+        report = self.mesh("{file: near.csv}", "mesh: {size: 2}\n")
+        areas = {s["name"]: s["area"] for s in report["surfaces"]}
+        self.assertAlmostEqual(areas["fracture_2"], 6 * 2.996, delta=1e-8)
+        self.assertEqual([c["name"] for c in report["curves"] if "fracture_1" in c["name"] and "fracture_2" in c["name"]], [])
+
     def test_a_fracture_outside_is_reported(self):
         self.write("far.csv", "2,2,5,8,2,5,8,8,5\n20,2,5,28,2,5,28,8,5\n")
         printed = self.run_program(self.write("far.yaml", "box: {min: [0, 0, 0], max: [10, 10, 10]}\n"

@@ -10,6 +10,9 @@
 
 namespace geomesh::geomodel {
 
+/// Share of a polygon's size by which its corners may be off one plane: files round their numbers to five digits or so.
+inline constexpr double plane_share = 1e-3;
+
 struct Fracture {
   std::string name;
   std::vector<Vec3> corners;  ///< in order, three or more, the last joined to the first

@@ -13,8 +13,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of a polygon's size by which its corners may be off one plane: files round their numbers to five digits or so.
-constexpr double plane_share = 1e-3;
 constexpr double degree = std::numbers::pi / 180;
 
 using Fields = std::vector<std::string_view>;

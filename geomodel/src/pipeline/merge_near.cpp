@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "fractures/plane_polygons.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "naming/region_facts.hpp"
 
@@ -113,7 +114,8 @@ ArrangementResult arrange_merging_asked(PreparedModel& model, const std::vector<
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context) {
   if (options.tolerance > 0) return arrange_merging_asked(model, wells, options, context);
-  double distance = merging_distance(model.refinement);
+  // A network of fractures keeps its areas and junctions unless the project itself gives a tolerance.
+  double distance = is_fracture_network(model.surfaces, model.rules) ? 0 : merging_distance(model.refinement);
   const unsigned rounds = options.max_rounding_rounds;
   for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
     options.tolerance = distance;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "fractures/plane_polygons.hpp"
 #include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine_conforming.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -177,6 +178,21 @@ RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetra
   }
 }
 
+/// Points that stay in their places while surfaces are remeshed: named points, and the corners of fractures.
+std::vector<VertexIndex> fixed_points(const PreparedModel& model) {
+  const PolygonSoup& soup = model.arrangement.soup;
+  std::vector<VertexIndex> fixed;
+  for (const auto& p : soup.isolated_points) fixed.push_back(p.v);
+  const std::vector<bool> polygons = plane_polygons(model.surfaces, model.rules);
+  if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return fixed;
+  std::vector<bool> is_corner;  // by row in the concatenated points of the surfaces
+  for (std::size_t s = 0; s < polygons.size(); ++s)
+    is_corner.insert(is_corner.end(), model.surfaces[s].points.size(), polygons[s]);
+  for (VertexIndex v = 0; v < soup.points.size(); ++v)
+    if (soup.input_point[v] < is_corner.size() && is_corner[soup.input_point[v]]) fixed.push_back(v);
+  return fixed;
+}
+
 }  // namespace
 
 std::vector<Index> facet_parents(const PreparedModel& model) {
@@ -265,11 +281,9 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   options.facet_parent = facet_parents(model);
   options.segment_curve = segment_curves(model);
   if (std::any_of(model.surfaces.begin(), model.surfaces.end(),
-                  [](const auto& s) { return s.kind == SurfaceKind::box; })) {
+                  [](const auto& s) { return s.kind == SurfaceKind::box; }))
     // Other points inside of a box side are left of pieces that were cut away: nobody's.
-    options.fixed_points.emplace();
-    for (const auto& p : model.arrangement.soup.isolated_points) options.fixed_points->push_back(p.v);
-  }
+    options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)
     options.size.sources.push_back({near.place - model.origin, near.asked.size, near.asked.radius});

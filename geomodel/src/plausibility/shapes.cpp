@@ -70,7 +70,8 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         {s.name},
                         "horizon " + s.name + " dips by " + short_words(dip) + " degrees in the mean, as a fault does",
                         "if it is one, give kind: fault"});
-  if (s.kind == SurfaceKind::fault && is_level)
+  const bool is_fracture = s.file == "fractures";  // its kind is not the user's word
+  if (s.kind == SurfaceKind::fault && is_level && !is_fracture)
     findings.push_back({Finding::Sureness::probable,
                         "level fault",
                         {s.name},

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fractures/generate.hpp"
+#include "fractures/plane_polygons.hpp"
 #include "fractures/read_fractures.hpp"
 #include "geomesh/core/error.hpp"
 #include "scratch.hpp"
@@ -128,4 +129,24 @@ TEST_CASE("drawn families reach their density, keep their radii and scatter as F
   CHECK(sum_of_cosines / static_cast<double>(found.size()) == Approx(1 - 1.0 / 30).margin(0.005));
   CHECK(generate_fractures({family}, box, 24, 9)[7].corners == found[7].corners);
   CHECK(generate_fractures({family}, box, 24, 10)[7].corners != found[7].corners);
+}
+
+TEST_CASE("a fracture is a plane polygon whose border stays, and a bent or continued surface is none", "[fractures]") {
+  TriangulatedSurface square;
+  square.kind = SurfaceKind::fault;
+  square.points = {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  TriangulatedSurface bent = square, inner = square, horizon = square;
+  bent.points[2].z = 0.6;
+  inner.points.push_back({0.5, 0.5, 0.25});
+  inner.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  horizon.kind = SurfaceKind::horizon;
+  ModelRules rules;
+  rules.surfaces.resize(5);
+  for (std::size_t s = 0; s < 4; ++s) rules.surfaces[s].continues = false;
+  const std::vector<TriangulatedSurface> surfaces{square, bent, inner, horizon, square};
+  CHECK(plane_polygons(surfaces, rules) == std::vector<bool>{true, false, false, false, false});
+  CHECK_FALSE(is_fracture_network(surfaces, rules));
+  CHECK(is_fracture_network({square}, rules));
+  CHECK_FALSE(is_fracture_network({}, rules));
 }

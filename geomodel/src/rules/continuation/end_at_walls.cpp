@@ -2,7 +2,8 @@
 #include "rules/continuation/end_at_walls.hpp"
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <span>
 
 #include "common/union_find.hpp"
 #include "naming/sheets.hpp"
@@ -17,33 +18,59 @@ class ContinuedFacets {
  public:
   ContinuedFacets(const WorkingSoup& working, const TriangulatedSurface& surface, const std::vector<Index>& part,
                   Index row)
-      : surface_(surface),
-        part_(part),
-        merged_(merge_equal_points(surface.points)),
-        first_(working.origins.size() + 1) {
+      : working_(working), surface_(surface), part_(part), merged_(merge_equal_points(surface.points)) {
     for (Index f = 0; f < working.origins.size(); ++f) {
-      first_[f] = static_cast<Index>(triangle_.size());
+      const std::size_t before = triangle_.size();
       for (const Origin& o : working.origins[f])
         if (o.surface == row) triangle_.push_back(o.triangle);
+      if (triangle_.size() == before) continue;
+      facets_.push_back(f);
+      first_.push_back(static_cast<Index>(before));
     }
-    first_.back() = static_cast<Index>(triangle_.size());
+    first_.push_back(static_cast<Index>(triangle_.size()));
     joined_ = UnionFind(triangle_.size() + 1);  // the last: what was given
     for (Index k = 0; k < triangle_.size(); ++k)
       if (part_[triangle_[k]] == 0) joined_.unite(k, given());
   }
 
+  const std::vector<Index>& facets() const { return facets_; }  ///< ascending
+
+  /// Visits each edge of these facets once, with all facets of the soup that meet there.
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const {
+    std::vector<std::array<VertexIndex, 2>> edges;
+    for (const Index f : facets_)
+      for (unsigned i = 0; i < 3; ++i) {
+        const Triangle& t = working_.soup.facets[f];
+        edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+      }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const auto& [a, b] : edges) {
+      const auto first = std::lower_bound(working_.uses.begin(), working_.uses.end(), EdgeUse{a, b, 0});
+      auto last = first;
+      while (last != working_.uses.end() && last->a == a && last->b == b) ++last;
+      visit(std::span<const EdgeUse>(first, last));
+    }
+  }
+
   /// Joins the facets that meet at one edge.
   void join(std::span<const EdgeUse> edge) {
     here_.clear();
-    for (const EdgeUse& use : edge)
-      for (Index k = first_[use.facet]; k < first_[use.facet + 1]; ++k) here_.push_back(k);
+    for (const EdgeUse& use : edge) {
+      const auto at = std::lower_bound(facets_.begin(), facets_.end(), use.facet);
+      if (at == facets_.end() || *at != use.facet) continue;
+      const auto i = static_cast<std::size_t>(at - facets_.begin());
+      for (Index k = first_[i]; k < first_[i + 1]; ++k) here_.push_back(k);
+    }
     for (std::size_t i = 0; i < here_.size(); ++i)
       for (std::size_t j = i + 1; j < here_.size(); ++j)
         if (hang_together(triangle_[here_[i]], triangle_[here_[j]])) joined_.unite(here_[i], here_[j]);
   }
 
-  bool is_cut_off(Index facet, Index triangle) {
-    for (Index k = first_[facet]; k < first_[facet + 1]; ++k)
+  /// `i`: position in facets().
+  bool is_cut_off(std::size_t i, Index triangle) {
+    for (Index k = first_[i]; k < first_[i + 1]; ++k)
       if (triangle_[k] == triangle) return joined_.find(k) != joined_.find(given());
     return false;
   }
@@ -59,10 +86,12 @@ class ContinuedFacets {
     return false;
   }
 
+  const WorkingSoup& working_;
   const TriangulatedSurface& surface_;
   const std::vector<Index>& part_;
   std::vector<VertexIndex> merged_;
-  std::vector<Index> first_;     ///< per facet
+  std::vector<Index> facets_;
+  std::vector<Index> first_;     ///< per facet of these
   std::vector<Index> triangle_;  ///< of the surface
   UnionFind joined_{0};
   std::vector<Index> here_;
@@ -75,7 +104,7 @@ double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>
   const std::vector<Index>& part = built.part_of_triangle[row];
   const std::vector<Index>& walls = built.continued_to[row];
   ContinuedFacets facets(working, surfaces[row], part, row);
-  for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
+  facets.for_each_edge([&](std::span<const EdgeUse> edge) {
     const bool is_at_wall = std::any_of(edge.begin(), edge.end(), [&](const EdgeUse& use) {
       return std::any_of(working.origins[use.facet].begin(), working.origins[use.facet].end(),
                          [&](const Origin& o) { return std::binary_search(walls.begin(), walls.end(), o.surface); });
@@ -83,9 +112,9 @@ double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>
     if (!is_at_wall) facets.join(edge);
   });
   double removed = 0;
-  for (Index f = 0; f < working.origins.size(); ++f)
-    removed += working.remove({f}, [&](const Origin& o) {
-      return o.surface == row && part[o.triangle] != 0 && facets.is_cut_off(f, o.triangle);
+  for (std::size_t i = 0; i < facets.facets().size(); ++i)
+    removed += working.remove({facets.facets()[i]}, [&](const Origin& o) {
+      return o.surface == row && part[o.triangle] != 0 && facets.is_cut_off(i, o.triangle);
     });
   return removed;
 }
