@@ -67,7 +67,7 @@ geomodel::RefinementSettings RefinementFlags::settings() const {
   s.size.base.curvature_angle = curvature_.value_or(0);
   s.size.background = size_from_;
   if (tolerance_) s.honour = Honour::tolerance;
-  s.tolerance = tolerance_.value_or(0);
+  if (tolerance_) s.tolerance = geomodel::ToleranceLedger::of_length(*tolerance_);
   s.sizes_on_surfaces = !inside_only_;
   if (quality_ == "fast") s.quality = QualityLevel::fast;
   if (quality_ == "best") s.quality = QualityLevel::best;

@@ -70,7 +70,7 @@ class Model:
         Unit, horizon, unit, ..., unit, youngest first: names the regions.
     **keys
         Further keys of a project file (docs/project-file.md), as dicts and lists: ``crs``, ``rules``, ``regions``,
-        ``groups``, ``attributes``, ``tolerance``, ``output``.
+        ``groups``, ``attributes``, ``merge_within``, ``output``.
 
     Raises
     ------
@@ -212,7 +212,7 @@ class Model:
 
         Notes
         -----
-        The surface is refined until it is within a quarter of ``mesh.tolerance`` of the field's own: proven for grids
+        The surface is refined until it is within a quarter of ``mesh.surfaces_within`` of the field's own: proven for grids
         and tetrahedra, found at 20,000 samples for functions, which may hide features smaller than a fiftieth of the
         box.
 
@@ -283,7 +283,7 @@ class Model:
         log : callable, optional
             ``log(level, text)`` with level "debug", "info" or "warning".
         **mesh
-            Keys of `mesh` in a project file: ``quality``, ``refine``, ``honour``, ``tolerance``, ``mode`` ...
+            Keys of `mesh` in a project file: ``quality``, ``refine``, ``honour``, ``surfaces_within``, ``mode`` ...
 
         Returns
         -------

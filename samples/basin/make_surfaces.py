@@ -37,7 +37,7 @@ surfaces:
   - {name: base_jurassic,   kind: horizon, file: surfaces/base_jurassic.asc,   crs: geographic}
 column: [quaternary, base_quaternary, tertiary, base_tertiary, jurassic, base_jurassic, basement]
 rules: {topography: relief}
-mesh: {size: {global: SIZE, input_edges: false, gap_layers: none}, honour: tolerance, tolerance: TOLERANCE, quality: fast}
+mesh: {size: {global: SIZE, input_edges: false, gap_layers: none}, honour: tolerance, surfaces_within: TOLERANCE, quality: fast}
 output: {directory: out, formats: [vtu]}
 """
 

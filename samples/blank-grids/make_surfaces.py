@@ -41,7 +41,7 @@ surfaces:
 column: [overburden, top_shale, shale, top_sand, sand, top_coal, coal, base_coal, underburden]
 wells:
 WELLS
-mesh: {size: {global: SIZE, input_edges: false, gap_layers: none}, honour: tolerance, tolerance: TOLERANCE, quality: fast}
+mesh: {size: {global: SIZE, input_edges: false, gap_layers: none}, honour: tolerance, surfaces_within: TOLERANCE, quality: fast}
 output: {directory: out, formats: [vtu]}
 """
 

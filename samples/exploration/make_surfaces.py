@@ -35,7 +35,7 @@ surfaces:
   - {name: west_fault,   kind: fault,   file: surfaces/west_fault.ts}
   - {name: east_fault,   kind: fault,   file: surfaces/east_fault.ts}
 column: [cover, granite_top, granite]
-mesh: {size: {global: SIZE, input_edges: false, gap_layers: none}, honour: tolerance, tolerance: TOLERANCE}
+mesh: {size: {global: SIZE, input_edges: false, gap_layers: none}, honour: tolerance, surfaces_within: TOLERANCE}
 output: {directory: out, formats: [vtu]}
 """
 

@@ -49,7 +49,7 @@ column: [overburden, top_reservoir, upper, top_middle, middle, top_lower, lower,
 wells:
 WELLS
 rules: {min_thickness: THICKNESS}
-mesh: {size: {global: OUTER, units: {upper: SIZE, middle: SIZE, lower: SIZE}, input_edges: false, gap_layers: none}, honour: tolerance, tolerance: THICKNESS, quality: fast}
+mesh: {size: {global: OUTER, units: {upper: SIZE, middle: SIZE, lower: SIZE}, input_edges: false, gap_layers: none}, honour: tolerance, surfaces_within: THICKNESS, quality: fast}
 output: {directory: out, formats: [vtu]}
 """
 

@@ -122,7 +122,7 @@ class SizesAsked(ProgramTest):
         self.write("h0.ts", triangles_ts("h0", points, [t for c in cells for t in ((c, c + 1, c + 31), (c + 1, c + 32, c + 31))]))
         text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\ncolumn: [a, h0, b]\nmesh: {size: 150, tolerance: 1}\n"
         told, line = self.announced(self.run_program(self.write("model.yaml", text), "-o", self.folder))
-        self.assertRegex(line, "more to follow bends of the surfaces within 1 m; for fewer: mesh: {tolerance: L}")
+        self.assertRegex(line, "more to follow bends of the surfaces within 1 m; for fewer: mesh: {surfaces_within: L}")
         self.assertLess(abs(self.report(self.path("model.report.json"))["tetrahedra"] / told - 1), 0.3)
         text = text.replace("{size: 150, tolerance: 1}", "{size: 150, max_elements: 1000}")
         refused = self.run_program(self.write("model.yaml", text), "-o", self.folder, status=CANNOT_MESH)

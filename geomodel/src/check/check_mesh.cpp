@@ -169,7 +169,7 @@ double long_edge_by_volume(const JudgedMesh& mesh) {
 /// No promise above a twentieth of the mesh's long edges is believed.
 void adopt_told_tolerance(const CheckRequest& request, const JudgedMesh& mesh, Claim& claim, CheckResult& result) {
   const auto report = report_beside(request.mesh);
-  const nlohmann::json::json_pointer told("/input/mesh/tolerance");
+  const nlohmann::json::json_pointer told("/tolerance/requested");
   if (request.within >= 0 || mesh.cells.empty()) return;
   if (!report || !report->contains(told) || !report->at(told).is_number()) return;
   const double most = long_edge_by_volume(mesh) / 20, promised = report->at(told).get<double>();

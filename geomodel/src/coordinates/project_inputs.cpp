@@ -57,6 +57,16 @@ std::string gridding_note(const SurfaceSpec& spec, const GriddedSurface& g) {
          length_text(g.largest_residual);
 }
 
+/// What making a surface from its data moved. It takes nothing of the tolerance, which counts from the surface made.
+void book(ProjectInputs& inputs, const SurfaceSpec& spec, const char* stage, double moved,
+          std::optional<Vec3> place = std::nullopt) {
+  ToleranceUse use{stage};
+  use.moved = std::abs(moved);
+  use.surface = spec.name;
+  if (moved != 0) use.place = place;
+  inputs.uses.push_back(std::move(use));
+}
+
 TriangulatedSurface surface_of_points(const PointSet& set, const SurfaceSpec& spec, const std::optional<Box3>& box,
                                       ProjectInputs& inputs) {
   if (spec.gridding.to_box && !box)
@@ -70,6 +80,7 @@ TriangulatedSurface surface_of_points(const PointSet& set, const SurfaceSpec& sp
   }
   GriddedSurface made = grid_points(set.points, spec.gridding, over, box ? &*box : nullptr);
   inputs.notes.push_back(gridding_note(spec, made));
+  book(inputs, spec, "gridding", made.largest_residual, made.largest_place);
   if (made.n_outside > 0) {
     inputs.warnings.push_back(spec.name + ": " + std::to_string(made.n_outside) +
                               " of its points are not over the surface made from them");
@@ -84,12 +95,14 @@ void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs
     inputs.notes.push_back(spec.name + ": smoothed in " + std::to_string(spec.smooth) +
                            " passes; vertices moved by rms " + length_text(change.rms_move) + ", at most " +
                            length_text(change.largest_move));
+    book(inputs, spec, "smoothing", change.largest_move);
   }
   if (spec.resample > 0) {
     const SurfaceChange change = resample_surface(surface, spec.resample, over);
     inputs.notes.push_back(spec.name + ": remade with edges of about " + length_text(spec.resample) + " (" +
                            std::to_string(change.n_triangles) + " triangles); former vertices are off it by rms " +
                            length_text(change.rms_move) + ", at most " + length_text(change.largest_move));
+    book(inputs, spec, "resampling", change.largest_move);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
+#include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "geomesh/geomodel/tops.hpp"
 
 namespace geomesh::geomodel {
@@ -26,6 +27,7 @@ struct ProjectInputs {
   std::optional<VolumeSpec> volume{};                          ///< for make_volume with the origin (0, 0, 0)
   std::vector<std::vector<std::string>> faults_of_polygons{};  ///< per surface: those that its fault polygons tell
   std::vector<std::string> notes{}, warnings{};
+  std::vector<ToleranceUse> uses{};  ///< how far surfaces are off the data that they were made from
 
   /// Adds these faults to throw_at of horizons that have no list of their own.
   void add_throws(ModelRules& rules) const;

@@ -70,12 +70,12 @@ std::string box_words(const Box3& box) { return place_words(box.min) + " to " + 
 double distance_for(const Project& project, const Box3& bounds) {
   RefinementSettings settings = project.mesh.refinement;
   if (!settings.refine || settings.honour == Honour::exact) {
-    settings.tolerance_share = default_tolerance_share;
+    settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
     settings.derive_size = settings.derive_size || !(settings.size.base.global > 0);
   }
   Box3 upright = bounds;  // depth counts downwards; lengths are the same
   settle_sizes(settings, upright, project.naming.attributes, project.output.origin);
-  return level_set_share * settings.tolerance;
+  return level_set_share * settings.tolerance.left();
 }
 
 std::string field_words(const LevelSetSpec& spec) {
@@ -180,10 +180,11 @@ class GroupMaker {
                                " places the surface may be farther than " + short_words(found.distance) +
                                " from its field, as near " + place_words(found.beyond_place));
     if (found.n_unresolved > 0)
-      made_.warnings.push_back(spec.name + ": its field bends within less than " + short_words(found.distance) +
-                               " near " + place_words(found.unresolved_place) +
-                               ", so that sheets nearer to each other than that may be one; a smaller mesh.tolerance "
-                               "would tell them apart");
+      made_.warnings.push_back(
+          spec.name + ": its field bends within less than " + short_words(found.distance) + " near " +
+          place_words(found.unresolved_place) +
+          ", so that sheets nearer to each other than that may be one; a smaller mesh.surfaces_within "
+          "would tell them apart");
     if (topology.n_bad_edges > 0)
       made_.warnings.push_back(spec.name + ": more than two sheets of it meet along " +
                                std::to_string(topology.n_bad_edges) + " edges, as near " +

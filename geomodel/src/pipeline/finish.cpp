@@ -124,10 +124,7 @@ void require_valid(const ModelMesh& mesh, const PreparedModel& model, unsigned t
 
 /// By bringing surfaces together, by rounding, and within a tolerance.
 double moved_at_most(const PreparedModel& model) {
-  const RefinementSettings& refinement = model.refinement;
-  const double tolerance =
-      refinement.honour == Honour::tolerance ? refinement.tolerance + refinement.tolerance_used : 0;
-  return tolerance + model.arrangement.merging.displacement.largest + model.arrangement.rounding.largest;
+  return model.refinement.tolerance.bound() + model.arrangement.rounding.largest;
 }
 
 ModelMesh name_and_verify(const ConstrainedTetrahedralization& core, std::vector<CellArray> arrays,
@@ -173,8 +170,8 @@ QualityReport judge_quality(const ConstrainedTetrahedralization& core, const Mod
   if (model.refinement.refine) {
     options.asked = &refined.asked;
     options.facet_patch = refined.kept_patch;
-    options.tolerance = model.refinement.honour == Honour::tolerance ? model.refinement.tolerance : 0;
-    options.tolerance_share = model.refinement.tolerance_share;
+    options.tolerance = model.refinement.tolerance.left();
+    options.tolerance_share = model.refinement.tolerance.left_share();
   }
   for (const std::int32_t region : mesh.tet_region) options.group.push_back(static_cast<Index>(region - 1));
   options.n_groups = mesh.regions.size();
@@ -243,12 +240,20 @@ void write_reports(const OutputPlan& plan, Report& report, const PreparedModel& 
   }
 }
 
+/// What remeshing moved: proven to be within what was left for it, so that nothing is taken.
+ToleranceUse use_of(const RefineStatistics& statistics) {
+  ToleranceUse use{"remeshing"};
+  use.moved = std::max(statistics.deviation_result_to_input, statistics.deviation_input_to_result);
+  return use;
+}
+
 Report begin_report(const PreparedModel& model) {
   Report report;
   report.command = model.command;
   report.name = model.name;
   report.input_json = model.input_json;
   report.arrangement = &model.arrangement;
+  report.tolerance = &model.refinement.tolerance;
   return report;
 }
 
@@ -310,6 +315,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   report.input_json = model.input_json;  // sizes may follow from a number of elements
   const bool refine = model.refinement.refine;
   if (refine) report.refinement = refined.statistics;
+  if (model.refinement.tolerance.left() > 0) model.refinement.tolerance.take(use_of(refined.statistics));
   undo_z_scale(model, refined.mesh);
   free_split_corners(refined.mesh, model, options.split, recorder.context().threads);
   const ConstrainedTetrahedralization& core = refined.mesh;
@@ -325,8 +331,8 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
     tell_share(0);
     mesh = name_and_verify(core, make_cell_arrays(model.refinement.cell_arrays, core, size), model, recorder);
     set_volumes_of_input(mesh, core, volumes_of_input);
-    if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance);
-    for (std::string& text : volume_changes(mesh, model.refinement.tolerance))
+    if (!volumes_of_input.empty()) require_volumes_within(mesh, model.refinement.tolerance.left());
+    for (std::string& text : volume_changes(mesh, model.refinement.tolerance.left()))
       warn(model.warnings, recorder.context(), std::move(text));
     tell_share(verified_share);
     report.quality = judge_quality(core, mesh, model, refined, recorder.context().threads);
@@ -338,7 +344,7 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
            "fault zones were opened once the mesh was made; shapes are told of the mesh without them");
     }
     if (options.order == ElementOrder::second && refine && model.refinement.honour == Honour::tolerance)
-      mesh.curved_edges = curved_edges(mesh, model.surfaces, model.refinement.tolerance);
+      mesh.curved_edges = curved_edges(mesh, model.surfaces, model.refinement.tolerance.left());
     report.solver = judge_solvers(core, mesh, size, recorder.context().threads);
     if (model.options.recover.mode == MeshMode::conforming)
       report.voronoi_dual = measure_voronoi_dual(core.points, core.tetrahedra);
@@ -430,7 +436,7 @@ VerifiedModel mesh_and_verify(PreparedModel& model, StageRecorder& recorder) {
     const StageScope stage(recorder.context(), "verify");
     meshed.mesh = name_and_verify(meshed.refined.mesh, {}, model, recorder);
     set_volumes_of_input(meshed.mesh, meshed.refined.mesh, volumes_of_input);
-    if (!volumes_of_input.empty()) require_volumes_within(meshed.mesh, model.refinement.tolerance);
+    if (!volumes_of_input.empty()) require_volumes_within(meshed.mesh, model.refinement.tolerance.left());
     return meshed;
   } catch (const ModelError&) {
     throw;

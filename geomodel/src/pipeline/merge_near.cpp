@@ -25,7 +25,7 @@ std::optional<ArrangementResult> try_merging(const PreparedModel& model, const s
                                              const ArrangementOptions& options, const RunContext& context) {
   try {
     ArrangementResult found = arrange(model.surfaces, wells, model.points, options, context);
-    if (found.merging.displacement.largest <= most_of_tolerance * model.refinement.tolerance) return found;
+    if (found.merging.displacement.largest <= most_of_tolerance * model.refinement.tolerance.left()) return found;
     context.note(LogLevel::debug, "merging within " + short_words(options.tolerance) + " moves something by " +
                                       short_words(found.merging.displacement.largest) + ", too far");
   } catch (const Error& error) {
@@ -52,11 +52,20 @@ void tell_merging(PreparedModel& model, ArrangementResult& found, double distanc
            short_words(merging.displacement.largest) + " " + model.unit);
 }
 
-void take_from_tolerance(RefinementSettings& refinement, double moved) {
-  const double left = 1 - moved / refinement.tolerance;
-  refinement.tolerance_used += moved;
-  refinement.tolerance *= left;
-  refinement.tolerance_share *= left;
+/// What merging, and mending at places too thin for any rounding, moved.
+ToleranceUse use_of(const ArrangementResult::Merging& merging) {
+  ToleranceUse use{"merging", merging.displacement.largest};
+  use.moved = use.taken;
+  use.place = merging.displacement.where;
+  return use;
+}
+
+/// Books what was allowed by `merge_within`, or what mending moved without any tolerance.
+ArrangementResult booked_apart(PreparedModel& model, ArrangementResult found) {
+  ToleranceUse use = use_of(found.merging);
+  use.by_own_key = true;
+  if (use.taken > 0) model.refinement.tolerance.take(std::move(use));
+  return found;
 }
 
 /// What stood against merging within a distance.
@@ -113,7 +122,7 @@ ArrangementResult arrange_merging_asked(PreparedModel& model, const std::vector<
 
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context) {
-  if (options.tolerance > 0) return arrange_merging_asked(model, wells, options, context);
+  if (options.tolerance > 0) return booked_apart(model, arrange_merging_asked(model, wells, options, context));
   // A network of fractures keeps its areas and junctions unless the project itself gives a tolerance.
   double distance = is_fracture_network(model.surfaces, model.rules) ? 0 : merging_distance(model.refinement);
   const unsigned rounds = options.max_rounding_rounds;
@@ -124,12 +133,12 @@ ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<P
     auto found = try_merging(model, wells, options, context);
     if (!found) continue;
     tell_merging(model, *found, distance, context);
-    take_from_tolerance(model.refinement, found->merging.displacement.largest);
+    if (found->merging.displacement.largest > 0) model.refinement.tolerance.take(use_of(found->merging));
     return std::move(*found);
   }
   if (options.merging == ArrangementOptions::MergingOf::surfaces_that_meet) options.tolerance = 0;
   options.max_rounding_rounds = rounds;
-  return arrange(model.surfaces, wells, model.points, options, context);
+  return booked_apart(model, arrange(model.surfaces, wells, model.points, options, context));
 }
 
 }  // namespace geomesh::geomodel

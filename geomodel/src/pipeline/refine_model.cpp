@@ -267,8 +267,8 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   const RefinementSettings& settings = model.refinement;
   RefineOptions options;
   options.honour = settings.honour;
-  options.tolerance = settings.tolerance;
-  options.tolerance_share = settings.tolerance_share;
+  options.tolerance = settings.tolerance.left();
+  options.tolerance_share = settings.tolerance.left_share();
   options.size_surfaces = settings.sizes_on_surfaces;
   options.quality = settings.quality;
   options.quality_measure = settings.quality_measure;

@@ -103,7 +103,8 @@ std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance)
     texts.push_back(name + " has " + short_words(100 * std::abs(change)) + (change < 0 ? " % less" : " % more") +
                     " volume than its surfaces enclosed before they were remeshed (" + volume_words(now, mesh.unit) +
                     ", before " + volume_words(given, mesh.unit) + "): they may move by " + short_words(tolerance) +
-                    " " + mesh.unit + ". A smaller tolerance (mesh: {tolerance: L}) or smaller sizes keep more of it");
+                    " " + mesh.unit +
+                    ". A smaller tolerance (mesh: {surfaces_within: L}) or smaller sizes keep more of it");
   }
   return texts;
 }

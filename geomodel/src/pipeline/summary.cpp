@@ -86,15 +86,28 @@ void add_regions(const ModelMesh& mesh, std::vector<std::string>& lines) {
   }
 }
 
+/// The surface that gridding, smoothing or resampling put farthest off its data; null: none is off.
+const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
+  const ToleranceUse* farthest = nullptr;
+  for (const ToleranceUse& use : ledger.uses()) {
+    const bool is_of_data = use.stage == "gridding" || use.stage == "smoothing" || use.stage == "resampling";
+    if (is_of_data && *use.moved > (farthest ? *farthest->moved : 0)) farthest = &use;
+  }
+  return farthest;
+}
+
 /// How long edges are, and what steers the mesh where the user did not say it.
 std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   const std::string& unit = mesh.unit;
   std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
   if (r.size.base.global > 0) text += ", of " + short_words(r.size.base.global) + " " + unit + " requested";
   if (r.derive_size) text += " (derived from the model; mesh: {size: L} asks for others)";
-  if (r.tolerance_share > 0)
-    text += "; surfaces are within " + short_words(r.tolerance + r.tolerance_used) + " " + unit +
+  if (r.tolerance.follows_sizes())
+    text += "; surfaces are within " + short_words(r.tolerance.requested()) + " " + unit +
             " of the input (mesh: {honour: exact} keeps them)";
+  if (const ToleranceUse* const farthest = farthest_off_data(r.tolerance))
+    text += "; " + farthest->surface + " is up to " + short_words(*farthest->moved) + " " + unit +
+            " off the data that it was made from";
   return text;
 }
 

@@ -63,11 +63,10 @@ void settle(PreparedModel& model, const RefineOptions& options) {
   RefinementSettings& settings = model.refinement;
   settings.size.base.global = options.size.global;
   settings.size.base.gradation = options.size.gradation;
-  settings.tolerance = options.tolerance;
+  settings.tolerance.rescale_left(options.tolerance);
   auto input = nlohmann::ordered_json::parse(model.input_json, nullptr, false);
   if (input.is_discarded()) return;
   if (options.size.global > 0) input["mesh"]["size"] = options.size.global;
-  if (options.honour == Honour::tolerance) input["mesh"]["tolerance"] = settings.tolerance + settings.tolerance_used;
   model.input_json = input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -103,7 +102,8 @@ CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahed
 void announce_count(PreparedModel& model, const CountedOptions& counted, const RunContext& context) {
   const RefineOptions& options = counted.options;
   const bool may_move = options.honour == Honour::tolerance;
-  const double tolerance = may_move ? options.tolerance + model.refinement.tolerance_used : 0;
+  const double tolerance =
+      may_move ? options.tolerance + model.refinement.tolerance.requested() - model.refinement.tolerance.left() : 0;
   const std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
                                         options.size.from_input_edges && options.size_surfaces);
   const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);

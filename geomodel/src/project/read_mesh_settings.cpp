@@ -178,18 +178,21 @@ SizeKeysGiven read_size(const YamlValue& value, const Project& project, Refineme
 }
 
 /// What the project says of its surfaces; empty where it says nothing.
-std::optional<std::string> read_honour(const YamlMap& mesh, RefinementSettings& settings) {
-  const auto honour = mesh.find("honour"), tolerance = mesh.find("tolerance");
+std::optional<std::string> read_honour(const YamlMap& mesh, RefinementSettings& settings,
+                                       std::vector<std::string>& notes) {
+  const auto honour = mesh.find("honour"), tolerance = find_renamed(mesh, "surfaces_within", "tolerance", notes);
   std::optional<std::string> word;
   if (honour && honour->is_map()) {
     honour->problem(
-        "exact or tolerance was expected, found a map; give 'honour: tolerance' and beside it 'tolerance', a length");
+        "exact or tolerance was expected, found a map; give 'honour: tolerance' and beside it 'surfaces_within', a "
+        "length");
   } else if (honour) {
     word = honour->choice({"exact", "tolerance"});
   }
   if (tolerance && word == "exact")
     tolerance->problem("has no meaning while surfaces are kept exactly; give 'honour: tolerance' with it");
-  if (tolerance) read_positive(*tolerance, settings.tolerance);
+  if (double length = 0; tolerance && (read_positive(*tolerance, length), length > 0))
+    settings.tolerance = ToleranceLedger::of_length(length);
   if (tolerance && !honour) word = "tolerance";
   if (word == "tolerance") settings.honour = Honour::tolerance;
   return word;
@@ -213,9 +216,9 @@ void read_limits(const YamlMap& mesh, RefinementSettings& settings) {
 }  // namespace
 
 const std::vector<std::string_view>& refinement_keys() {
-  static const std::vector<std::string_view> keys{"refine",      "size",           "quality",      "quality_measure",
-                                                  "honour",      "tolerance",      "max_elements", "time_budget",
-                                                  "cell_arrays", "target_elements"};
+  static const std::vector<std::string_view> keys{
+      "refine",    "size",         "quality",     "quality_measure", "honour",         "surfaces_within",
+      "tolerance", "max_elements", "time_budget", "cell_arrays",     "target_elements"};
   return keys;
 }
 
@@ -232,7 +235,7 @@ void follow_sizes(const SizeKeysGiven& given, RefinementSettings& settings) {
   SizeOptions& base = settings.size.base;
   settings.refine = true;
   settings.honour = Honour::tolerance;
-  if (!(settings.tolerance > 0)) settings.tolerance_share = default_tolerance_share;
+  if (!(settings.tolerance.left() > 0)) settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
   if (!given.input_edges) base.from_input_edges = false;
   if (!given.gap_layers) base.gap_layers = default_gap_layers;
   settings.derive_size = !(base.global > 0) && settings.size.background.empty() && settings.size.by_depth.empty();
@@ -259,7 +262,7 @@ void read_refinement(const YamlMap& mesh, Project& project) {
     const auto name = measure->choice({quality_measure_names.begin(), quality_measure_names.end()});
     settings.quality_measure = quality_measure_of(name.value_or("")).value_or(QualityMeasure::dihedral);
   }
-  const auto honour = read_honour(mesh, settings);
+  const auto honour = read_honour(mesh, settings, project.notes);
   read_limits(mesh, settings);
   const auto word = refine ? refine->choice({"none", "default"}) : std::nullopt;
   const bool is_asked = size || quality || measure || honour || word == "default" || settings.target_elements > 0;

@@ -102,8 +102,9 @@ class ProjectReader {
   }
 
   void read_root(const YamlValue& root) {
-    const YamlMap map(root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "fractures", "column",
-                             "rules", "regions", "groups", "attributes", "colours", "tolerance", "mesh", "output"});
+    const YamlMap map(
+        root, {"name", "crs", "box", "surfaces", "wells", "tops", "points", "fractures", "column", "rules", "regions",
+               "groups", "attributes", "colours", "merge_within", "tolerance", "mesh", "output"});
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
@@ -130,7 +131,7 @@ class ProjectReader {
     finish_volume(root, project_);
     finish_rules(root, project_);
     finish_below(root, project_);
-    if (const auto v = map.find("tolerance")) read_tolerance(*v);
+    if (const auto v = find_renamed(map, "merge_within", "tolerance", project_.notes)) read_merge_within(*v);
     if (const auto v = map.find("mesh")) {
       read_mesh(*v);
     } else {
@@ -398,10 +399,10 @@ class ProjectReader {
     read_refinement(map, project_);
   }
 
-  void read_tolerance(const YamlValue& value) {
+  void read_merge_within(const YamlValue& value) {
     const auto length = value.number();
     if (!length) return;
-    project_.tolerance = *length;
+    project_.merge_within = *length;
     if (*length < 0) value.problem("a length of zero or more was expected");
   }
 

@@ -29,13 +29,13 @@ const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> ho
     {"box", {"min", "max", "margin", "polygon", "azimuth", "center"}},
     {"mesh",
      {"mode", "refine", "size", "quality", "quality_measure", "preserve_boundary", "cluster_distance", "honour",
-      "tolerance", "max_elements", "time_budget", "cell_arrays"}},
+      "surfaces_within", "tolerance", "max_elements", "time_budget", "cell_arrays"}},
     {"mesh.size", {"input_edges", "on_surfaces", "curvature", "gap_layers", "gradation"}},
     {"output",
      {"formats", "directory", "origin", "groups", "inner_faces", "curves", "order", "region_array", "single_grid",
       "node_arrays", "compression", "split", "fault_zone", "cohesive"}},
     {"the top of the file",
-     {"column", "wells", "points", "regions", "groups", "attributes", "colours", "surfaces", "rules"}}};
+     {"column", "wells", "points", "regions", "groups", "attributes", "colours", "surfaces", "rules", "merge_within"}}};
 
 std::string home_of(std::string_view key) {
   for (const auto& [home, keys] : homes)
@@ -217,6 +217,16 @@ std::optional<YamlValue> YamlMap::require(std::string_view key, const char* what
   auto value = find(key);
   if (!value && is_map_) value_.problem("the key '" + std::string(key) + "' is missing: " + what);
   return value;
+}
+
+std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name, std::string_view former,
+                                      std::vector<std::string>& notes) {
+  auto value = map.find(name), old = map.find(former);
+  if (!old) return value;
+  if (value)
+    old->problem("is the former name of '" + std::string(name) + "', which is given too; leave out one of them");
+  notes.push_back("the key '" + old->name() + "' is now called '" + std::string(name) + "'; it is read as before");
+  return old;
 }
 
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected) {

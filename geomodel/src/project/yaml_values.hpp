@@ -72,6 +72,11 @@ class YamlMap {
   std::vector<std::pair<std::string, YamlValue>> entries_;
 };
 
+/// A key that was given another name: under its name or the former one, of which a note is left. Reports where both are
+/// given.
+std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name, std::string_view former,
+                                      std::vector<std::string>& notes);
+
 /// Entries of a map whose keys are the user's own names; `expected` is told where it is no map.
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 

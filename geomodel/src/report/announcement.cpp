@@ -25,7 +25,7 @@ std::array<Part, 4> parts_of(const ElementEstimate& e, double tolerance, const s
                          : Part{e.by_sizes, "for sizes asked of units, surfaces and places", "larger sizes there"};
   return {{sizes,
            {e.by_thin_units, "in thin units", "rules: {min_thickness: L}, which closes units that are thinner"},
-           {e.by_bends, "to follow bends of the surfaces" + within, "mesh: {tolerance: L} with a larger L"},
+           {e.by_bends, "to follow bends of the surfaces" + within, "mesh: {surfaces_within: L} with a larger L"},
            {e.by_gaps, "in gaps between surfaces", "mesh: {size: {gap_layers: none}}, with flatter elements there"}}};
 }
 

@@ -134,6 +134,29 @@ json continued_json(std::span<const ContinuedSurface> continued) {
   return list;
 }
 
+json tolerance_json(const ToleranceLedger& ledger) {
+  json uses = json::array();
+  for (const ToleranceUse& use : ledger.uses()) {
+    json entry{{"stage", use.stage}, {"taken", use.taken}};
+    if (use.by_own_key) entry["by_own_key"] = true;
+    if (use.moved) entry["moved"] = *use.moved;
+    if (!use.surface.empty()) entry["surface"] = use.surface;
+    if (use.place) entry["place"] = to_json(*use.place);
+    uses.push_back(std::move(entry));
+  }
+  return {{"requested", ledger.requested()},
+          {"follows_sizes", ledger.follows_sizes()},
+          {"left", ledger.left()},
+          {"uses", std::move(uses)}};
+}
+
+/// The tolerance is told in the input as well, as the largest distance that was requested.
+void add_tolerance(const ToleranceLedger& ledger, json& root) {
+  if (root.contains("input") && root["input"].contains("mesh") && ledger.requested() > 0)
+    root["input"]["mesh"]["tolerance"] = ledger.requested();
+  if (ledger.requested() > 0 || !ledger.uses().empty()) root["tolerance"] = tolerance_json(ledger);
+}
+
 json stack_json(const SettledStack& stack) {
   json horizons = json::array(), units = json::array();
   for (const SettledHorizon& h : stack.horizons)
@@ -232,6 +255,7 @@ std::string to_json(const Report& report) {
   }
   if (report.mesh) add_mesh(*report.mesh, root);
   if (report.arrangement) add_arrangement(*report.arrangement, surface_names(report), root);
+  if (report.tolerance) add_tolerance(*report.tolerance, root);
   if (report.stack) root["stack"] = stack_json(*report.stack);
   if (!report.continued.empty()) root["continued"] = continued_json(report.continued);
   if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});

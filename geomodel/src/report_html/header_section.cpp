@@ -74,8 +74,8 @@ std::string size_words(const Report& report, const Json& asked) {
   const auto& edges = report.quality->measured.whole.edge_length;
   out += "edges are " + number(edges.mean) + " " + unit + " long in the mean, " + number(edges.min) + " " + unit +
          " at least";
-  if (const double tolerance = number_at(asked, "tolerance"); tolerance > 0)
-    out += "; surfaces are within " + number(tolerance) + " " + unit + " of the input";
+  if (report.tolerance && report.tolerance->requested() > 0)
+    out += "; surfaces are within " + number(report.tolerance->requested()) + " " + unit + " of the input";
   return out;
 }
 

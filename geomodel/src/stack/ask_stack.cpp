@@ -38,7 +38,7 @@ TriangulatedSurface box_surface(const Box3& b) {
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume) {
   if (!refinement.refine || refinement.honour != Honour::tolerance || volume.bounds.empty()) return;
   StackRules& stack = rules.stack;
-  stack.tolerance = refinement.tolerance;
+  stack.tolerance = refinement.tolerance.left();
   // Triangles larger than the model have no place in its map: the map's shorter side is the largest size there.
   const Box3& b = volume.bounds;
   stack.size = std::min({size_in_map(refinement.size, rules.column), b.max.x - b.min.x, b.max.y - b.min.y});

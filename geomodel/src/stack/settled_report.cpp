@@ -158,4 +158,20 @@ std::vector<std::string> notes_of(const SettledStack& stack) {
   return notes;
 }
 
+std::vector<ToleranceUse> uses_of(const SettledStack& stack) {
+  ToleranceUse whole{"settling", stack_share * stack.tolerance};
+  whole.moved = 0;
+  std::vector<ToleranceUse> uses;
+  for (const SettledHorizon& h : stack.horizons) {
+    if (h.largest_off > *whole.moved) whole.moved = h.largest_off, whole.surface = h.name;
+    if (!(h.area_moved > 0)) continue;
+    ToleranceUse& beyond = uses.emplace_back(ToleranceUse{"order and thickness"});
+    beyond.moved = h.largest_move;
+    beyond.surface = h.name;
+    beyond.place = h.place;
+  }
+  uses.insert(uses.begin(), std::move(whole));
+  return uses;
+}
+
 }  // namespace geomesh::geomodel

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geomesh/geomodel/stack.hpp"
+#include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
 #include "stack/throw/fault_strips.hpp"
 
@@ -24,5 +25,9 @@ SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from);
 
 /// A sentence a horizon that was moved and a unit that thins out.
 std::vector<std::string> notes_of(const SettledStack& stack);
+
+/// What settling used of the tolerance: the share that approximating the horizons may use, with the largest distance
+/// measured from their points; and, apart from it, moves that order and thickness required, one entry a horizon.
+std::vector<ToleranceUse> uses_of(const SettledStack& stack);
 
 }  // namespace geomesh::geomodel

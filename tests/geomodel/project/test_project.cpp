@@ -129,7 +129,7 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK(r.size.near[0].asked.radius == 3);
   CHECK(r.size.near[1].asked.size == 0.25);
   CHECK(r.honour == Honour::tolerance);
-  CHECK(r.tolerance == 0.125);
+  CHECK(r.tolerance.left() == 0.125);
   CHECK(r.quality == QualityLevel::best);
   CHECK(r.quality_measure == QualityMeasure::mean_ratio);
   CHECK(r.max_elements == 1000);
@@ -139,12 +139,30 @@ TEST_CASE("sizes are read by name, with and without radius", "[project]") {
   CHECK(by_default.refine);
   CHECK(by_default.honour == Honour::tolerance);
   CHECK(by_default.derive_size);
-  CHECK(by_default.tolerance_share == default_tolerance_share);
+  CHECK(by_default.tolerance.left_share() == default_tolerance_share);
   CHECK_FALSE(by_default.size.base.from_input_edges);
   CHECK_FALSE(read_project(f.write(std::string(two_surfaces) + "mesh: {refine: none}\n")).mesh.refinement.refine);
-  CHECK(read_project(f.write(std::string(two_surfaces) + "mesh: {tolerance: 2}\n")).mesh.refinement.tolerance == 2);
+  CHECK(read_project(f.write(std::string(two_surfaces) + "mesh: {tolerance: 2}\n")).mesh.refinement.tolerance.left() ==
+        2);
   CHECK_FALSE(read_project(f.write(std::string(two_surfaces) + "mesh: {size: {on_surfaces: false}}\n"))
                   .mesh.refinement.sizes_on_surfaces);
+}
+
+TEST_CASE("The two lengths of nearness are read under their names and, with a note, under the former ones",
+          "[project]") {
+  const ProjectFolder f;
+  const std::string start(two_surfaces);
+  const Project now = read_project(f.write(start + "merge_within: 0.5\nmesh: {surfaces_within: 2}\n"));
+  CHECK(now.merge_within == 0.5);
+  CHECK(now.mesh.refinement.tolerance.requested() == 2);
+  CHECK(now.notes.empty());
+  const Project before = read_project(f.write(start + "tolerance: 0.5\nmesh: {tolerance: 2}\n"));
+  CHECK(before.merge_within == 0.5);
+  CHECK(before.mesh.refinement.tolerance.requested() == 2);
+  REQUIRE(before.notes.size() == 2);
+  CHECK(before.notes[1].find("surfaces_within") != std::string::npos);
+  CHECK_THROWS_WITH(read_project(f.write(start + "merge_within: 1\ntolerance: 1\n")),
+                    Catch::Matchers::Contains("leave out one of them"));
 }
 
 TEST_CASE("attributes do not take the names of arrays that the mesh file has", "[project]") {
@@ -232,7 +250,7 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {size: -5}\n", "mesh.size: a number above zero was expected"},
       {s + "mesh: {refine: none, size: 5}\n", "mesh.refine: none contradicts"},
       {s + "mesh: {honour: {tolerance: 2}}\n",
-       "found a map; give 'honour: tolerance' and beside it 'tolerance', a length"},
+       "found a map; give 'honour: tolerance' and beside it 'surfaces_within', a length"},
       {s + "mesh: {honour: exact, tolerance: 2}\n", "mesh.tolerance: has no meaning while surfaces are kept exactly"},
       {s + "mesh: {size: {min: 5, max: 2}}\n", "mesh.size: min is greater than max"},
       {s + "mesh: {size: {units: {a: {size: 2, radius: 3}}}}\n", "mesh.size.units: a size inside of a has no radius"},

@@ -69,10 +69,10 @@ TEST_CASE("A size is derived from the bounds, with two digits", "[refinement]") 
   CHECK(derived_size(box, 1e4) == 770);
   RefinementSettings settings;
   settings.derive_size = true;
-  settings.tolerance_share = default_tolerance_share;
+  settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
   settle_sizes(settings, box, {}, {});
   CHECK(settings.size.base.global == 360);
-  CHECK(settings.tolerance == 18);
+  CHECK(settings.tolerance.left() == 18);
 }
 
 TEST_CASE("A frequency asks for a share of the wavelength of the slower wave", "[refinement]") {

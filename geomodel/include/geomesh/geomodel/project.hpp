@@ -112,9 +112,10 @@ struct Project {
   ModelRules rules;  ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
   NamingRules
       naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
-  GivenColours colours;  ///< of units and surfaces, for pictures
-  double tolerance = 0;  ///< points, edges and facets nearer to each other than this merge
+  GivenColours colours;     ///< of units and surfaces, for pictures
+  double merge_within = 0;  ///< points, edges and facets nearer to each other than this merge
   MeshSpec mesh;
+  std::vector<std::string> notes;  ///< of keys that are read under a former name
   OutputSpec output;
 };
 

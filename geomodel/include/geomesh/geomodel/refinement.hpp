@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geomesh/core/refine.hpp"
+#include "geomesh/geomodel/tolerance_ledger.hpp"
 
 namespace geomesh::geomodel {
 
@@ -43,13 +44,7 @@ struct RefinementSettings {
   QualityLevel quality = QualityLevel::standard;
   QualityMeasure quality_measure = QualityMeasure::dihedral;
   Honour honour = Honour::exact;
-  double tolerance = 0;  ///< Honour::tolerance: a length
-  /// Honour::tolerance: how far surfaces may be off follows the size asked at the place, of which it is this share;
-  /// `tolerance` is then set by settle_sizes. 0: `tolerance` everywhere.
-  double tolerance_share = 0;
-  /// Of what was promised, what stages before refinement have used: how far they moved surfaces. `tolerance` is the
-  /// rest.
-  double tolerance_used = 0;
+  ToleranceLedger tolerance;      ///< Honour::tolerance; its length is set by settle_sizes where it follows the sizes
   bool derive_size = false;       ///< nobody asks for a size of the whole model: settle_sizes derives one
   double derived_elements = 1e5;  ///< for about so many elements
   double target_elements = 0;     ///< all sizes are scaled so that about so many elements come out; 0: none

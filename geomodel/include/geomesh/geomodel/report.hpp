@@ -20,6 +20,7 @@
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/solver_verdict.hpp"
 #include "geomesh/geomodel/stack.hpp"
+#include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "geomesh/geomodel/tops.hpp"
 
 namespace geomesh::geomodel {
@@ -51,6 +52,7 @@ struct Report {
   std::string input_json;  ///< the input as understood, a JSON object in text ("" if none)
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
+  const ToleranceLedger* tolerance = nullptr;
   const ModelMesh* mesh = nullptr;
   const SettledStack* stack = nullptr;            ///< where the stack was settled
   std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to what bounds them

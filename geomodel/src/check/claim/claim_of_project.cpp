@@ -139,7 +139,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
                Vec3{});
   RefinementSettings of_build = refinement;  // the triangulation of a level set has used up its share then
-  if (has_level_sets(project)) of_build.tolerance *= 1 - level_set_share;
+  if (has_level_sets(project)) of_build.tolerance.take({"level sets", level_set_share * of_build.tolerance.left()});
   if (claim.volume) {
     ask_stack(rules, of_build, *claim.volume);
     ask_continuation(rules, of_build, *claim.volume);
@@ -167,15 +167,15 @@ Claim claim_of_project(const std::filesystem::path& file) {
                                     [&](const SettledHorizon& h) { return h.name == claim.surfaces[row].name; });
     claim.trims.back().n_given_triangles = (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
-  claim.merging = project.tolerance;
+  claim.merging = project.merge_within;
   claim.output = project.output.options;
   claim.refined = refinement.refine;
   claim.cell_arrays = refinement.cell_arrays;
   claim.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
-    claim.within = refinement.tolerance;  // not together with crs.z_scale
-  claim.within_by_count =
-      claim.within > 0 && refinement.tolerance_share > 0 && (refinement.derive_size || refinement.target_elements > 0);
+    claim.within = refinement.tolerance.requested();  // not together with crs.z_scale
+  claim.within_by_count = claim.within > 0 && refinement.tolerance.follows_sizes() &&
+                          (refinement.derive_size || refinement.target_elements > 0);
   return claim;
 }
 

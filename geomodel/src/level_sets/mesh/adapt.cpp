@@ -127,10 +127,11 @@ class Adapter {
   void bisect(const std::vector<std::size_t>& chosen) {
     mesh_.bisect(chosen);
     if (mesh_.cells().size() <= limits_.most_cells) return;
-    throw Error(ErrorKind::cannot_mesh,
-                "more than " + std::to_string(limits_.most_cells) +
-                    " cells would be needed to follow the isosurface; allow a larger mesh.tolerance or give the field "
-                    "on a smoother grid");
+    throw Error(
+        ErrorKind::cannot_mesh,
+        "more than " + std::to_string(limits_.most_cells) +
+            " cells would be needed to follow the isosurface; allow a larger mesh.surfaces_within or give the field "
+            "on a smoother grid");
   }
 
   /// Vertices of cells in which an isosurface passes by the signs at their corners.

@@ -153,7 +153,7 @@ void name_by_unit_and_block(PreparedModel& model) {
 void ask_of_thin_units(PreparedModel& model) {
   if (model.stack.sizes.empty()) return;
   RefinementSettings& r = model.refinement;
-  r.tolerance_share = std::min(r.tolerance_share > 0 ? r.tolerance_share : 1, stack_tolerance_of_size);
+  r.tolerance.limit_share(stack_tolerance_of_size);
   std::vector<SizeSource>& sources = r.size.base.sources;
   sources.insert(sources.end(), model.stack.sizes.begin(), model.stack.sizes.end());
 }
@@ -169,9 +169,7 @@ void build(PreparedModel& model, const RunContext& context) {
   model.continued = std::move(built.continued);
   if (model.stack.settled) {
     for (std::string& text : notes_of(model.stack)) note(model.notes, context, std::move(text));
-    model.refinement.tolerance_used += stack_share * model.refinement.tolerance;
-    model.refinement.tolerance *= 1 - stack_share;  // settling may have used the rest
-    model.refinement.tolerance_share *= 1 - stack_share;
+    for (ToleranceUse& use : uses_of(model.stack)) model.refinement.tolerance.take(std::move(use));
     ask_of_thin_units(model);
     name_by_unit_and_block(model);
   }

@@ -9,6 +9,7 @@
 #include "geomesh/geomodel/words.hpp"
 #include "grid_sizes/size_grid.hpp"
 #include "level_sets/level_surfaces.hpp"
+#include "naming/region_facts.hpp"
 #include "pipeline/jobs/prepare.hpp"
 #include "plausibility/plausibility.hpp"
 
@@ -69,10 +70,8 @@ void refuse_sizes(const PreparedModel& model, const Box3& bounds) {
 
 /// The triangulation of a level set is off its field by a share of the tolerance; the mesh is left the rest.
 void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
-  if (!has_level_sets(project)) return;
-  r.tolerance_used += level_set_share * r.tolerance;
-  r.tolerance *= 1 - level_set_share;
-  r.tolerance_share *= 1 - level_set_share;
+  if (has_level_sets(project) && r.tolerance.left() > 0)
+    r.tolerance.take({"level sets", level_set_share * r.tolerance.left()});
 }
 
 /// What was not asked for and yet steers the mesh.
@@ -83,10 +82,31 @@ void tell_sizes(PreparedModel& model, const RunContext& context) {
          "edges of about " + short_words(r.size.base.global) + " " + model.unit +
              ": nothing asks for a size (mesh: {size: L}), so the model's volume does, for about " +
              short_words(r.derived_elements) + " elements");
-  if (r.tolerance_share > 0)
+  if (r.tolerance.follows_sizes())
     note(model.notes, context,
          "surfaces may be off the input by a twentieth of the size asked at the place, here " +
-             short_words(r.tolerance) + " " + model.unit + " at most, and by half of the gap to the next at most");
+             short_words(r.tolerance.left()) + " " + model.unit +
+             " at most, and by half of the gap to the next at most");
+}
+
+/// The tolerance counts from the surfaces as they were made. Where one of them is farther off its data than that, the
+/// user is told, because "within the tolerance of the input" would be read as "of the data".
+void book_misfits(PreparedModel& model, std::vector<ToleranceUse> uses, const RunContext& context) {
+  ToleranceLedger& ledger = model.refinement.tolerance;
+  for (ToleranceUse& use : uses) {
+    if (ledger.requested() > 0 && *use.moved > ledger.requested()) {
+      const std::string near = use.place ? " near " + to_text(*use.place) : std::string();
+      const char* const cure = use.stage == "gridding"
+                                   ? "a smaller spacing or smoothing (gridding: {spacing: L, "
+                                     "smoothing: L}) is nearer to the points"
+                                   : "fewer passes (smooth) or shorter edges (resample) move it less";
+      warn(model.warnings, context,
+           use.surface + ": " + use.stage + " put the surface " + short_words(*use.moved) + " " + model.unit +
+               " off its data" + near + ", while the mesh keeps it within " + short_words(ledger.requested()) + " " +
+               model.unit + "; " + cure);
+    }
+    ledger.take(std::move(use));
+  }
 }
 
 std::string describe_input(const Project& project, const PreparedModel& model) {
@@ -114,7 +134,6 @@ std::string describe_input(const Project& project, const PreparedModel& model) {
                    {"preserve_boundary", project.mesh.options.recover.preserve_boundary}};
   const RefinementSettings& refinement = model.refinement;
   if (refinement.refine && refinement.size.base.global > 0) input["mesh"]["size"] = refinement.size.base.global;
-  if (refinement.honour == Honour::tolerance) input["mesh"]["tolerance"] = refinement.tolerance;
   input["output"] = {{"formats", project.output.formats},
                      {"origin", {project.output.origin.x, project.output.origin.y, project.output.origin.z}}};
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -143,6 +162,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
     StageScope stage(context, "read");
     return read_project_inputs(project, context);
   }();
+  for (const std::string& text : project.notes) note(model.notes, context, text);
   for (std::string& text : inputs.notes) note(model.notes, context, std::move(text));
   for (std::string& text : inputs.warnings) warn(model.warnings, context, std::move(text));
   if (inputs.volume) {
@@ -165,10 +185,11 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
   load_background(model.refinement.size, model.origin);
   ArrangementOptions options;
-  options.tolerance = project.tolerance;
+  options.tolerance = project.merge_within;
   settle_sizes(model.refinement, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces),
                model.naming.attributes, model.origin);
   refuse_sizes(model, inputs.volume ? model.volume.bounds : bounds_of(model.surfaces));
+  book_misfits(model, std::move(inputs.uses), context);
   use_tolerance_of_level_sets(project, model.refinement);
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;

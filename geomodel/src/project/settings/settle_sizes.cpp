@@ -89,19 +89,21 @@ void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAt
     size.global = derived_size(bounds, settings.derived_elements);
   }
   add_depths(settings.size, origin);
-  if (!(settings.tolerance_share > 0)) return;
+  if (!settings.tolerance.follows_sizes()) return;
   double greatest = size.global > 0 ? size.global : derived_size(bounds, settings.derived_elements);
   if (size.max_size > 0) greatest = std::min(greatest, size.max_size);
-  settings.tolerance = settings.tolerance_share * greatest;
+  settings.tolerance.follow_size(greatest);
 }
 
 double merging_distance(const RefinementSettings& settings) {
   constexpr double share_of_tolerance = 0.2;
   const NamedSizes& size = settings.size;
-  const bool is_within_tolerance = settings.refine && settings.honour == Honour::tolerance && settings.tolerance > 0;
+  const bool is_within_tolerance =
+      settings.refine && settings.honour == Honour::tolerance && settings.tolerance.left() > 0;
   if (!is_within_tolerance || !size.background.empty()) return 0;
-  const double share = settings.tolerance_share > 0 ? settings.tolerance_share : default_tolerance_share;
-  double least = settings.tolerance / share;
+  const ToleranceLedger& tolerance = settings.tolerance;
+  const double share = tolerance.follows_sizes() ? tolerance.left_share() : default_tolerance_share;
+  double least = tolerance.left() / share;
   if (size.base.global > 0) least = std::min(least, size.base.global);
   const auto ask = [&](const AskedSize& asked) { least = asked.size > 0 ? std::min(least, asked.size) : least; };
   for (const auto* named : {&size.units, &size.surfaces, &size.curves})
@@ -116,7 +118,7 @@ RefinementSettings preview_settings() {
   preview.refine = preview.derive_size = true;
   preview.derived_elements = 1e4;
   preview.honour = Honour::tolerance;
-  preview.tolerance_share = default_tolerance_share;
+  preview.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
   preview.quality = QualityLevel::fast;
   preview.size.base.from_input_edges = false;
   preview.size.base.gap_layers = 0;

@@ -58,7 +58,7 @@ class Range {
   void require_not_short(const std::string& key, double size) const { require_size(key, std::min(size, longest_)); }
 
   void require_tolerance(double tolerance) const {
-    const std::string key = "mesh.tolerance: a tolerance of " + length_words(tolerance);
+    const std::string key = "mesh.surfaces_within: a tolerance of " + length_words(tolerance);
     const std::string start = "; a thousandth of the diagonal, " + short_words(0.001 * diagonal_) +
                               ", is a good start. Is it in the model's units?";
     if (tolerance > greatest_tolerance * diagonal_)
@@ -114,8 +114,8 @@ void require_sizes_in_range(const RefinementSettings& settings, const Box3& boun
   require_all("curves", size.curves);
   for (const PlaceSize& near : size.near) range.require_size("mesh.size.near", near.asked.size);
   for (const NamedSizes::DepthSize& row : size.by_depth) range.require_size("mesh.size.by_depth", row.size);
-  if (settings.honour == Honour::tolerance && !(settings.tolerance_share > 0))
-    range.require_tolerance(settings.tolerance);
+  if (settings.honour == Honour::tolerance && !settings.tolerance.follows_sizes())
+    range.require_tolerance(settings.tolerance.left());
 }
 
 }  // namespace geomesh::geomodel
