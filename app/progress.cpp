@@ -84,9 +84,7 @@ void Progress::attach(RunContext& context) {
   context.stage = [this](std::string_view name, bool begins) { on_stage(name, begins); };
   context.progress = [this](std::size_t done, std::size_t total) { on_progress(done, total); };
   context.log = [this](LogLevel level, std::string_view text) { on_log(level, text); };
-#ifndef __EMSCRIPTEN__  // whose program has one thread; its page counts the seconds itself
   if (verbosity_ != Verbosity::quiet && style_ != ProgressStyle::lines) ticker_ = std::thread([this] { tick(); });
-#endif
 }
 
 /// Stages that say nothing for a while are seen to run.

@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include "geomesh/geomodel/writers.hpp"
+
 namespace geomesh::app {
 namespace {
 
@@ -17,14 +19,17 @@ int status_of(int number) { return 128 + number; }
 constexpr unsigned seconds_to_end = 1;
 
 extern "C" void on_signal(int number) {
-  if (at_once || cancelled.exchange(true)) _exit(status_of(number));
+  if (at_once || cancelled.exchange(true)) {
+    geomodel::remove_files_being_written();
+    _exit(status_of(number));
+  }
   received = number;
   alarm(seconds_to_end);
 }
 
-/// Files that are complete have their names already; what was being written is left as NAME.PID.part, which the next
-/// run removes.
+/// Files that are complete have their names already; what was being written is removed.
 extern "C" void on_alarm(int) {
+  geomodel::remove_files_being_written();
   constexpr char text[] = "\ninterrupted: nothing more was written\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
   _exit(status_of(received));

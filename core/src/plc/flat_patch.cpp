@@ -69,8 +69,7 @@ void FlatPatch::sort_corners() {
 
 std::span<const Index> FlatPatch::corners_at(VertexIndex v) const {
   const auto [first, last] = std::ranges::equal_range(corners_, v, {}, [&](Index c) { return vertex(c); });
-  return std::span(corners_).subspan(static_cast<std::size_t>(first - corners_.begin()),
-                                     static_cast<std::size_t>(last - first));
+  return {first, last};
 }
 
 std::vector<FlatPatch::Edge> FlatPatch::inner_edges() const {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elements of second order, declared in check/judged/judged_mesh.hpp and check/within/within_tolerance.hpp.
+#include <CGAL/Mpzf.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,7 +10,6 @@
 #include <set>
 
 #include "check/exact/deviation.hpp"
-#include "check/exact/multi_word.hpp"
 #include "check/judged/faults.hpp"
 #include "check/judged/judged_mesh.hpp"
 #include "check/within/within_tolerance.hpp"
@@ -88,7 +89,7 @@ bool all_positive(const std::array<Vec3, 10>& nodes) {
   const double of_difference = units_of_difference * unit * largest + unit * longest;
   const double error =
       units_of_determinants * (longest + of_difference) * (longest + of_difference) * (of_difference + unit * longest);
-  std::optional<Controls<MultiWord>> exact;
+  std::optional<Controls<CGAL::Mpzf>> exact;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i; j < 4; ++j)
       for (std::size_t l = j; l < 4; ++l) {

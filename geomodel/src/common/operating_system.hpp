@@ -29,6 +29,9 @@ std::string why_not_writable(const std::filesystem::path& folder);
 /// Makes a file of that many bytes whose room on the disk is taken. False where there is no room or no access.
 bool make_file_of(const std::filesystem::path& file, std::size_t bytes);
 
+/// Removes a file, if it is there, by a call that a handler of signals may make.
+void remove_in_handler(const char* file) noexcept;
+
 /// A library loaded by its file: null, with the system's reason, where that fails.
 void* open_library(const std::filesystem::path& file, std::string& reason);
 /// Null where the library has no function of that name.

@@ -45,6 +45,8 @@ long id_of_this_process() { return getpid(); }
 
 bool may_be_running(long process) { return kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH; }
 
+void remove_in_handler(const char* file) noexcept { unlink(file); }
+
 std::string why_not_writable(const fs::path& folder) {
   return access(folder.c_str(), W_OK | X_OK) == 0 ? std::string() : std::strerror(errno);
 }

@@ -54,6 +54,8 @@ bool may_be_running(long process) {
   return !known || status == STILL_ACTIVE;
 }
 
+void remove_in_handler(const char* file) noexcept { DeleteFileA(file); }
+
 std::string why_not_writable(const fs::path& folder) {
   // Rights of a folder are lists that only an attempt evaluates as the system does.
   const fs::path trial = folder / (L"geomesh." + std::to_wstring(GetCurrentProcessId()) + L".part");

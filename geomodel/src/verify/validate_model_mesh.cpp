@@ -120,8 +120,7 @@ using NamedFaults = std::map<std::string, FaultList>;
 void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
   const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed(); });
-  const auto n_tets = static_cast<std::size_t>(first_listed - uses.begin());
-  const std::span<const FaceUse> tets = uses.first(n_tets), listed = uses.subspan(n_tets);
+  const std::span<const FaceUse> tets(uses.begin(), first_listed), listed(first_listed, uses.end());
   if (tets.size() == 2 && listed.empty() && tets[0].even() != tets[1].even() &&
       m.tet_region[tets[0].row()] == m.tet_region[tets[1].row()])
     return;  // most faces

@@ -180,10 +180,8 @@ bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b,
     return false;
   if (!has_room(tools, cavity, p, room) || (curve == no_index && !moves_on_patch && is_barred_by_gap(tools, cavity, p)))
     return false;
-  const std::vector<SurfaceFace> before_faces = faces_at_edge(mesh, cavity, a, b);
-  const SurfacePart after = surface_of(mesh, cavity, p);
-  if (moves_on_patch ? !tools.guard.admits({before_faces, {}}, after)
-                     : !tools.guard.keeps_sides(before_faces, after.faces))
+  const bool is_guarded = moves_on_patch || (tools.guard.exact() && curve != no_index);
+  if (is_guarded && !tools.guard.admits({faces_at_edge(mesh, cavity, a, b), {}}, surface_of(mesh, cavity, p)))
     return false;
   fill_from_edge(tools, cavity, a, b, p);
   ++tools.statistics.improving_insertions;

@@ -75,7 +75,8 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
   if (tools.stays(cavity, mesh.curve_of(a, b))) return std::nullopt;
   const Vec3 p = place ? *place : 0.5 * (mesh.point(a) + mesh.point(b));
   if (!star_is_positive(mesh, cavity, p)) return std::nullopt;
-  if (!tools.guard.keeps_sides(faces_at_edge(mesh, cavity, a, b), surface_of(mesh, cavity, p).faces))
+  if (tools.guard.exact() &&
+      !tools.guard.keeps_sides(faces_at_edge(mesh, cavity, a, b), surface_of(mesh, cavity, p).faces))
     return std::nullopt;
   if (min_shape > 0 && !(star_shape(mesh, cavity, p, min_shape) > min_shape)) return std::nullopt;
   const VertexIndex v = fill_from_edge(tools, cavity, a, b, p);

@@ -303,7 +303,6 @@ bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std:
 }
 
 bool SurfaceGuard::keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const {
-  if (!exact()) return true;
   const auto leans = [&](Index patch) { return patch < planes_.size() && planes_[patch].axis == 3; };
   const auto seen = [&](const SurfaceFace& f) {
     const Vec3& n = planes_[f.patch].normal;

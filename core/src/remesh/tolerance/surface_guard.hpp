@@ -81,9 +81,8 @@ class SurfaceGuard {
   /// rounding, and no face folds onto others in its plane.
   bool admits(const SurfacePart& before, const SurfacePart& after, const std::vector<SurfaceFace>& around = {}) const;
 
-  /// Returns whether no new face is reversed in its plane where the surfaces are exact; true within a tolerance, whose
-  /// proofs see folds. Corners are off an inclined plane by rounding, so elements with all corners on it may be
-  /// positive, and do not show a fold.
+  /// Returns whether no new face is reversed in its plane. Only for exact. Corners are off an inclined plane by
+  /// rounding, so elements with all corners on it may be positive, and do not show a fold.
   bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   /// Whether all of a face is proven to be within the tolerance of the reference.

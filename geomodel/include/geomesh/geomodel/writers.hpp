@@ -25,13 +25,29 @@ OutputTarget output_target(const std::filesystem::path& file);
 /// there, as missing ones are made) may not be written to. Removes what killed runs left beside it (NAME.PID.part).
 void require_writable(const std::filesystem::path& file);
 
+/// A file that is removed where a signal ends the process while it is being written. At most 64 at once are known;
+/// what is beyond that is left to the next run, which removes it by its name.
+class FileBeingWritten {
+ public:
+  explicit FileBeingWritten(const std::filesystem::path& temporary);
+  ~FileBeingWritten();
+  FileBeingWritten(const FileBeingWritten&) = delete;
+  FileBeingWritten& operator=(const FileBeingWritten&) = delete;
+
+ private:
+  void* place_ = nullptr;
+};
+
+/// For a handler of signals that ends the process afterwards: nothing in it allocates or locks.
+void remove_files_being_written() noexcept;
+
 /// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws. Devices and
-/// pipes
-/// (/dev/stdout) are written to as they are.
+/// pipes (/dev/stdout) are written to as they are.
 template <class F>
 void write_complete_or_absent(const std::filesystem::path& file, F&& write) {
   const OutputTarget target = output_target(file);
   if (target.is_direct()) return write(target.file);
+  const FileBeingWritten watched(target.temporary);
   try {
     write(target.temporary);
     std::filesystem::rename(target.temporary, target.file);

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 
 std::size_t default_memory_bound() {
-  constexpr std::size_t where_unknown = std::size_t{3} << 30;
+  constexpr std::size_t where_unknown = std::size_t{1} << 33;
   const std::size_t bytes = memory_of_machine();
   return (bytes == 0 ? where_unknown : bytes) / 4 * 3;
 }

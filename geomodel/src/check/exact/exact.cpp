@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/exact/exact.hpp"
 
+#include <CGAL/Mpzf.h>
+
 #include <cmath>
 #include <utility>
-
-#include "check/exact/multi_word.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
-using Exact = MultiWord;
+using Exact = CGAL::Mpzf;
 
 /// Below this a product may have lost bits to underflow and the filter must not decide.
 constexpr double underflow_guard = 1e-280;

@@ -2,8 +2,8 @@
 /// @file
 /// The checker's own exact arithmetic: signs of orientation and in-sphere determinants, and volumes, from doubles. A
 /// float filter with a forward error bound decides the common case (bounds as in Shewchuk 1997, "Adaptive precision
-/// floating-point arithmetic", section 4, rounded up); multi-word floats (multi_word.hpp, exact under +, - and *)
-/// decide the rest. Independent of core/ on purpose.
+/// floating-point arithmetic", section 4, rounded up); multi-word floats (CGAL::Mpzf, exact under +, - and *) decide
+/// the rest. Independent of core/ on purpose.
 #pragma once
 
 #include <array>

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The temporaries of this process, in fixed places, so that a handler of signals can remove them.
+#include <array>
+#include <atomic>
+#include <cstring>
+
+#include "common/operating_system.hpp"
+#include "geomesh/geomodel/writers.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr std::size_t most_files = 64, longest_name = 4096;
+
+/// Claimed by one writer at a time. Its name is read by the handler only while it is ready, which is when it is whole.
+struct Place {
+  std::atomic<bool> claimed{false}, ready{false};
+  std::array<char, longest_name> name{};
+};
+std::array<Place, most_files> places;
+
+}  // namespace
+
+FileBeingWritten::FileBeingWritten(const std::filesystem::path& temporary) {
+  const std::string name = temporary.string();
+  if (name.size() >= longest_name) return;
+  for (Place& place : places) {
+    if (place.claimed.exchange(true)) continue;
+    std::memcpy(place.name.data(), name.c_str(), name.size() + 1);
+    place.ready = true;
+    place_ = &place;
+    return;
+  }
+}
+
+FileBeingWritten::~FileBeingWritten() {
+  if (!place_) return;
+  auto& place = *static_cast<Place*>(place_);
+  place.ready = false;
+  place.claimed = false;
+}
+
+void remove_files_being_written() noexcept {
+  for (const Place& place : places)
+    if (place.ready) remove_in_handler(place.name.data());
+}
+
+}  // namespace geomesh::geomodel
