@@ -12,7 +12,7 @@
 #include "common/union_find.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
-#include "rules/planar/borders.hpp"
+#include "rules/continuation/border_chains.hpp"
 #include "rules/planar/planar_fill.hpp"
 
 namespace geomesh::geomodel {
@@ -30,8 +30,10 @@ constexpr double most_places = 1e6;
 /// The triangles of a horizon with their blocks and neighbours.
 class Division {
  public:
-  Division(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters)
+  Division(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
+           const std::map<MapEdge, BorderState>& states)
       : horizon_(horizon), row_(row), framework_(framework), cutters_(cutters) {
+    for (const auto& [edge, state] : states) states_[std::minmax(edge.first, edge.second)] = state;
     const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
     for (const Triangle& t : horizon.triangles) triangles_.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
     std::map<MapEdge, bool> crosses;
@@ -47,8 +49,11 @@ class Division {
   }
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  /// Whether the horizon ends at an edge, over the first of equal points.
-  bool is_border(VertexIndex a, VertexIndex b) const { return at_edge_.at(std::minmax(a, b)).size() == 1; }
+  /// Of an edge at which the horizon ends, over the first of equal points; nothing where it goes on.
+  std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const {
+    const auto at = states_.find(std::minmax(a, b));
+    return at == states_.end() ? std::nullopt : std::optional(at->second);
+  }
 
   /// Triangles of the block, those that hang together with them outside of the model, and those next to these that
   /// cross a wall.
@@ -96,7 +101,8 @@ class Division {
   Index row_;
   const BlockFramework& framework_;
   const Walls& cutters_;
-  std::vector<Triangle> triangles_;  ///< over the first of equal points
+  std::map<MapEdge, BorderState> states_;  ///< of the horizon's border
+  std::vector<Triangle> triangles_;        ///< over the first of equal points
   std::map<MapEdge, std::vector<Index>> at_edge_;
   std::vector<bool> crosses_;
   std::vector<Index> block_;
@@ -133,23 +139,30 @@ class SheetBorder {
       if (use.first != 1) continue;
       const Index a = row(edge.first), b = row(edge.second);
       constraints_.emplace_back(std::min(a, b), std::max(a, b));
-      if (division.is_border(edge.first, edge.second)) is_end_.insert(constraints_.back());
+      const std::optional<BorderState> state = division.border_state(edge.first, edge.second);
+      if (state == BorderState::before_wall) is_end_.insert(constraints_.back());
       const Vec3 n = normal(*use.second);
       const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
-      edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}});
+      edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z},
+                        state == BorderState::met_wall});
     }
   }
 
   const std::vector<Vec3>& points() const { return points_; }
   VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
   const std::vector<std::pair<Index, Index>>& edges() const { return constraints_; }
-  /// Whether the horizon ends at an edge of points a < b, not this sheet alone.
+  /// Whether the horizon stops short of a wall at an edge of points a < b.
   bool is_end(const std::pair<Index, Index>& edge) const { return is_end_.contains(edge); }
   bool faces_up() const { return faces_up_; }
 
-  /// The place with the height that the border has there, and its distance from the border.
-  std::pair<Vec3, double> continued_at(const Vec2& p) const {
+  struct Place {
+    Vec3 at;            ///< with the height that the border has there
+    double distance;    ///< from the border in the map
+    bool has_met_wall;  ///< the border has, where it is nearest
+  };
+  Place continued_at(const Vec2& p) const {
     double least = std::numeric_limits<double>::infinity(), z = 0;
+    bool has_met_wall = false;
     for (const Edge& e : edges_) {
       const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
       const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
@@ -157,14 +170,15 @@ class SheetBorder {
       const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
       if (!(d < least)) continue;
       least = d;
+      has_met_wall = e.has_met_wall;
       const double share = d > within_ ? within_ / d : 1;
       z = foot.z + share * (e.slope.x * x + e.slope.y * y);
     }
-    return {{p.x, p.y, z}, least};
+    return {{p.x, p.y, z}, least, has_met_wall};
   }
 
-  /// Per triangle, whether it lies outside of the sheet and hangs together with a place where the horizon ends: where
-  /// the sheet ends because the horizon goes on beyond a wall there is nothing to continue.
+  /// Per triangle, whether it lies outside of the sheet and hangs together with a place where the horizon stops short
+  /// of a wall: where the sheet ends because the horizon goes on beyond a wall there is nothing to continue.
   std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all) const {
     const std::set<std::pair<Index, Index>> constraints(constraints_.begin(), constraints_.end());
     std::map<std::pair<Index, Index>, Index> at_edge;
@@ -194,6 +208,7 @@ class SheetBorder {
   struct Edge {
     Vec3 a, b;
     Vec2 slope;
+    bool has_met_wall;
   };
 
   Vec3 normal(const Triangle& t) const {
@@ -275,11 +290,11 @@ class Continuation {
     const auto last = [&](double v) { return static_cast<std::int64_t>(std::ceil(v / step_)) + 1; };
     for (std::int64_t j = first(box.min.y); j <= last(box.max.y); ++j)
       for (std::int64_t i = first(box.min.x); i <= last(box.max.x); ++i) {
-        const auto [p, d] = border_.continued_at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
-        if (d < step_ / 2) continue;
-        points_.push_back(p);
-        distance_.push_back(d);
-        in_block_.push_back(s_.framework.block_at(p) == block_);
+        const auto p = border_.continued_at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
+        if (p.distance < step_ / 2) continue;
+        points_.push_back(p.at);
+        distance_.push_back(p.distance);
+        in_block_.push_back(!p.has_met_wall && s_.framework.block_at(p.at) == block_);
       }
   }
 
@@ -340,7 +355,7 @@ class Continuation {
       const auto hit = s_.walls.first_hit(points_[a], points_[b], s_.row);
       if (!hit) continue;
       const Vec3 p = points_[a] + hit->share * (points_[b] - points_[a]);
-      look_at(p, border_.continued_at({p.x, p.y}).second);
+      look_at(p, border_.continued_at({p.x, p.y}).distance);
     }
   }
 
@@ -360,7 +375,7 @@ class Continuation {
   SheetBorder border_;
   std::vector<Vec3> points_;  ///< those of the border, then those of the grid
   std::vector<double> distance_;
-  std::vector<bool> in_block_;
+  std::vector<bool> in_block_;  ///< and to be filled: not where the border has met its wall
   std::size_t n_border_;
   std::vector<Vec3> open_;
   std::map<Index, VertexIndex> added_;
@@ -369,8 +384,9 @@ class Continuation {
 }  // namespace
 
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
-                                  const Walls& cutters, const Walls& walls, double within) {
-  const Division division(horizon, row, framework, cutters);
+                                  const Walls& cutters, const Walls& walls, const Box3& box, double within) {
+  const auto states = border_states(horizon, row, walls, box, within);
+  const Division division(horizon, row, framework, cutters, states);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
   for (Index b = 0; b < framework.n_blocks(); ++b) {

@@ -35,6 +35,6 @@ struct DividedHorizon {
 /// of the border, with its slope up to the distance. `cutters`: faults and bodies; `walls`: horizons and the sides,
 /// too. O(n log n) in the triangles, and the product of border edges and grid places in a block.
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
-                                  const Walls& cutters, const Walls& walls, double within);
+                                  const Walls& cutters, const Walls& walls, const Box3& box, double within);
 
 }  // namespace geomesh::geomodel

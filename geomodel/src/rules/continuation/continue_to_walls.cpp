@@ -34,7 +34,7 @@ class Continuing {
   /// A horizon: block by block, and where that does not do, along its border.
   void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<EdgeEnds>& tips) {
     begin();
-    DividedHorizon divided = continue_in_blocks(surface(), row_, framework, cutters, walls_, within_);
+    DividedHorizon divided = continue_in_blocks(surface(), row_, framework, cutters, walls_, rules_.bounds, within_);
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
       const Bridged bridged = bridge_gaps(surface(), cutters, tips, rules_.bounds, within_, [&](const Vec3& p) {
         const Index block = framework.block_at(p);
