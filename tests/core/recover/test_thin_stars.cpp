@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Added points whose stars are thinner than an ulp: their doubles are those that the lattice has in the star.
+// Added points whose stars are thinner than an ulp. As doubles from the moment they were made they ended in a cascade,
+// and only the search of all doubles of their stars ended it; made again exactly, they have doubles near their places.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -33,23 +34,11 @@ std::vector<ThinStar> thin_stars() {
 
 }  // namespace
 
-TEST_CASE("stars thinner than an ulp have no double near the places of their points", "[recover]") {
+TEST_CASE("points with stars thinner than an ulp are made so that they have doubles near their places",
+          "[recover][judged]") {
   for (ThinStar model : thin_stars()) {
     INFO(model.name);
-    model.options.recover.max_attempts = recover::recovery_budget.attempts - 1;  // without the last one
-    try {
-      tetrahedralize(read(model), model.options);
-      FAIL("the model has become too easy to test the search of all doubles");
-    } catch (const Error& e) {
-      CHECK(e.kind() == ErrorKind::cannot_mesh);
-      CHECK(std::string(e.what()).find("no double") != std::string::npos);
-    }
-  }
-}
-
-TEST_CASE("stars thinner than an ulp get doubles elsewhere in them", "[recover][judged]") {
-  for (const ThinStar& model : thin_stars()) {
-    INFO(model.name);
+    model.options.recover.max_attempts = recover::recovery_budget.attempts - 1;  // without the search of all doubles
     CHECK(run_and_judge(read(model), model.options).trouble == "");
   }
 }

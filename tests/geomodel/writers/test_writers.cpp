@@ -13,6 +13,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
+#include "geomesh/geomodel/writers.hpp"
 #include "hand_made.hpp"
 #include "test_places.hpp"
 
@@ -259,4 +260,23 @@ TEST_CASE("what cannot be written leaves no file, and an unknown format is refus
     CHECK(!fs::exists(missing));
   }
   CHECK_THROWS_AS(write_format(mesh, "doc", "model"), Error);
+}
+
+TEST_CASE("a file being written is removed by a handler of signals, one that is finished is not", "[writers]") {
+  const fs::path folder = fresh_folder("being-written");
+  const auto write = [](const fs::path& file, const char* text) { std::ofstream(file) << text; };
+  write_complete_or_absent(folder / "whole.txt", [&](const fs::path& temporary) { write(temporary, "all"); });
+  fs::path unfinished;
+  const auto write_half = [&](const fs::path& temporary) {
+    unfinished = temporary;
+    write(temporary, "half");
+    remove_files_being_written();
+    CHECK_FALSE(fs::exists(unfinished));
+    throw Error(ErrorKind::interrupted, "interrupted");
+  };
+  CHECK_THROWS_AS(write_complete_or_absent(folder / "half.txt", write_half), Error);
+  write(unfinished, "of another file");
+  remove_files_being_written();  // nothing of that name is watched any more
+  CHECK(fs::exists(unfinished));
+  CHECK(bytes_of(folder / "whole.txt") == "all");
 }
