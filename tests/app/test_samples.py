@@ -146,8 +146,8 @@ class Samples(ProgramTest):
         self.assertLess(areas["border"], math.pi * 20 ** 2 * 0.9)  # ends outside of the block
         self.assertEqual(sum(name.startswith("flat_") for name in areas), 6)
         steep = sum(area for name, area in areas.items() if name.startswith("steep_"))
-        self.assertGreater(steep, 0.03e6 * (1 - 1e-9))
-        self.assertLess(steep, 0.03e6 + math.pi * 30 ** 2)
+        self.assertGreater(steep, 0.02e6 * (1 - 1e-9))
+        self.assertLess(steep, 0.02e6 + math.pi * 30 ** 2)
 
     def test_sediment_grains(self):
         self.run_with_expected("sediment-grains")

@@ -103,7 +103,7 @@ RecoveryOutcome RecoveryRun::recover() {
     recovery.attempt = attempt.number;
     recovery.doubles = attempt.doubles;
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
-    recovery.may_change_to_exact = options_.recover.mode == MeshMode::constrained;
+    recovery.may_change_to_exact = options_.recover.mode == MeshMode::constrained && options_.recover.max_attempts > 1;
     recovery.least_spacing = least_spacing_;
     recover_stages(attempt, recovery);
     n_decided_ += mesh.exact_places().n_decided();

@@ -24,7 +24,9 @@ enum class MeshMode {
 struct RecoverOptions {
   MeshMode mode = MeshMode::constrained;
   bool preserve_boundary = false;  ///< no new point on any facet or segment of the PLC, only inside regions
-  /// constrained: where added points end in a dead end, recovery is begun again; 1 to 12, and with 12 once more
+  /// constrained: where added points end in a dead end, recovery is begun again; 1 to 12, and with 12 once more. With 1
+  /// added points are doubles from the moment they are made, and none is held exactly: fast, for callers with another
+  /// way.
   unsigned max_attempts = 12;
   std::size_t max_steiner_per_facet =
       200;  ///< conforming: a facet with small angles (or a segment's facets) is given up, and listed, beyond this

@@ -157,7 +157,8 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
 
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
   const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
-  constexpr unsigned most_attempts = 8;  // the caller has another way
+  constexpr unsigned most_attempts =
+      1;  // the caller has another way, and exact points near an ulp's needle take minutes
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), most_attempts, context, nullptr);
   if (!fresh) return false;
   inherit(mesh, *fresh);
