@@ -36,7 +36,9 @@ class Families(ProgramTest):
         self.assert_right("network")
 
     def test_a_fault_that_dies_out(self):
+        """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""
         self.assert_right("dying_fault")
+        self.assert_right("dying_fault", (2,))
 
 
 if __name__ == "__main__":

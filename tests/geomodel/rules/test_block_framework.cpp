@@ -121,7 +121,7 @@ TEST_CASE("A fault keeps its end where a rule tells its extent, and where it goe
 
 TEST_CASE("The line on which a fault ends on another one is no tip") {
   BuiltSurfaces built = built_of({leaning_fault(), branch(0.3)});
-  for (const EdgeEnds& tip : ended_faults(built, rules_of_box()).tips)
-    for (const Vec3& p : tip)
+  for (const FaultTip& tip : ended_faults(built, rules_of_box()).tips)
+    for (const Vec3& p : tip.ends)
       CHECK((p.x < 0 || p.x > side || p.y < 0 || p.y > side || p.z < 0 || p.z > side || p.x > 5 + p.z / 10 + 0.1));
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
 #include "rules/continuation/apron.hpp"
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/bridges.hpp"
@@ -27,16 +28,17 @@ class Continuing {
   /// A fault: in its mean plane.
   void go_on() {
     begin();
-    add_aprons({});
+    add_aprons({}, {frame_of(surface())});
     finish();
   }
 
   /// A horizon: block by block, and where that does not do, along its border.
-  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<EdgeEnds>& tips) {
+  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips) {
     begin();
     DividedHorizon divided = continue_in_blocks(surface(), row_, framework, cutters, walls_, rules_.bounds, within_);
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
-      const Bridged bridged = bridge_gaps(surface(), cutters, tips, rules_.bounds, within_, [&](const Vec3& p) {
+      const std::vector<Frame> frames = frames_along(surface(), tips);
+      const Bridged bridged = bridge_gaps(surface(), cutters, tips, frames, rules_.bounds, within_, [&](const Vec3& p) {
         const Index block = framework.block_at(p);
         return block == no_index || !divided.block_is_continued[block];
       });
@@ -44,7 +46,7 @@ class Continuing {
       ledger_.area_filled = bridged.area;
       ledger_.place_filled = bridged.place;
       part_.resize(surface().triangles.size(), given_part);
-      add_aprons(divided.is_continued);
+      add_aprons(divided.is_continued, frames);
     }
     for (BlockExtension& made : divided.extensions) {
       append({std::move(made.added), std::move(made.triangles), {}, {}}, n_given_points_);
@@ -78,12 +80,11 @@ class Continuing {
 
   Index next_part() const { return 1 + *std::max_element(part_.begin(), part_.end()); }
 
-  void add_aprons(const std::vector<bool>& done) {
+  void add_aprons(const std::vector<bool>& done, const std::vector<Frame>& frames) {
     const std::size_t n_points = surface().points.size();
-    const ApronSetting setting{frame_of(surface()), within_, rules_.bounds};
     const std::vector<BorderChain> chains = chains_before_walls(surface(), row_, walls_, rules_.bounds, within_, done);
     std::vector<Apron> aprons;
-    for (const BorderChain& chain : chains) aprons.push_back(make_apron(surface(), row_, chain, walls_, setting));
+    for (const BorderChain& chain : chains) aprons.push_back(apron_of(chain, frames));
     for (std::size_t k = 0; k < aprons.size(); ++k) {
       if (aprons[k].triangles.empty()) continue;
       append(aprons[k], n_points);
@@ -91,6 +92,15 @@ class Continuing {
       for (const Index side : aprons[k].side) part_.push_back(n_parts + side);
       book({chains[k].length, chains[k].farthest, chains[k].place, chains[k].walls, aprons[k].walls});
     }
+  }
+
+  /// In the first frame in which the chain does not cross itself.
+  Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
+    for (const Frame& frame : frames) {
+      Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
+      if (!apron.crosses_itself) return apron;
+    }
+    return {};
   }
 
   void finish() {

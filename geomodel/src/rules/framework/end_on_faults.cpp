@@ -32,12 +32,23 @@ TriangulatedSurface left_of(const WorkingSoup& working, const TriangulatedSurfac
 }
 
 /// Edges of one facet alone.
-std::vector<EdgeEnds> tips_of(const WorkingSoup& working) {
-  std::vector<EdgeEnds> tips;
+std::vector<FaultTip> tips_of(const WorkingSoup& working, const std::vector<Index>& faults) {
+  std::vector<FaultTip> tips;
   const auto& points = working.soup.points;
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
-    const auto n = std::count_if(edge.begin(), edge.end(), [&](const EdgeUse& u) { return working.alive(u.facet); });
-    if (n == 1) tips.push_back({points[edge[0].a], points[edge[0].b]});
+    Index facet = no_index;
+    std::size_t n = 0;
+    for (const EdgeUse& u : edge)
+      if (working.alive(u.facet)) {
+        facet = u.facet;
+        ++n;
+      }
+    if (n != 1) return;
+    const Triangle& t = working.soup.facets[facet];
+    const auto fault = std::find_if(faults.begin(), faults.end(), [&](Index s) { return working.has(facet, s); });
+    tips.push_back({{points[edge[0].a], points[edge[0].b]},
+                    cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]),
+                    fault == faults.end() ? no_index : *fault});
   });
   return tips;
 }
@@ -69,7 +80,7 @@ EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
   std::vector<double> area(alone.size(), 0);
   std::vector<std::string> notes;  // told where the model's own soup is cut
   end_faults(working, alone, built.rows, within, {area, notes});
-  EndedFaults ended{built.surfaces, tips_of(working)};
+  EndedFaults ended{built.surfaces, tips_of(working, faults)};
   for (const Index s : faults)
     if (area[s] > 0) ended.surfaces[s] = left_of(working, built.surfaces[s], s);
   return ended;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geomesh/geomodel/model_rules.hpp"
+#include "rules/framework/fault_tip.hpp"
 #include "rules/planar/pieces.hpp"
-#include "rules/planar/reach.hpp"
 
 namespace geomesh::geomodel {
 
@@ -27,7 +27,7 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
 /// Faults and what is left of their borders.
 struct EndedFaults {
   std::vector<TriangulatedSurface> surfaces;  ///< those given, with the faults as end_faults will leave them
-  std::vector<EdgeEnds> tips;                 ///< borders of faults that lie on no other fault
+  std::vector<FaultTip> tips;
 };
 /// From an arrangement of the faults alone. Sets BuiltRows::overshooting. Faults with a rule of their own for their
 /// extent are not cut. Horizons that are continued to these surfaces do not take a stub beyond a fault for the wall of
