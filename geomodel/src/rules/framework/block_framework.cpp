@@ -20,31 +20,15 @@ bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
          orient3d(t[0], t[2], t[3], p) != -orient3d(t[0], t[2], t[3], t[1]);
 }
 
-/// The soup of faults, bodies and sides, with the sides after the surfaces.
-PolygonSoup soup_of_walls(const BuiltSurfaces& built, const ModelRules& rules, std::vector<TriangulatedSurface>& all) {
-  all = built.surfaces;
-  for (TriangulatedSurface& s : all)
-    if (s.kind != SurfaceKind::fault && s.kind != SurfaceKind::body) s.triangles.clear();
-  ArrangementOptions options;
-  if (rules.continuation.sides.size() == 1)  // a box is one surface
-    options.box = rules.continuation.bounds;
-  else
-    options.volume = rules.continuation.sides;
-  const ArrangementResult arranged = arrange(all, {}, {}, options);
-  all.insert(all.end(), arranged.box_sides.begin(), arranged.box_sides.end());
-  WorkingSoup working(arranged.soup);
-  std::vector<double> area(all.size(), 0);
-  std::vector<std::string> notes;
-  end_faults(working, all, built.rows, rules.continuation.within_of_faults, {area, notes});
-  return working.result();
-}
-
 }  // namespace
 
 BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rules) {
-  std::vector<TriangulatedSurface> all;
-  const PolygonSoup soup = soup_of_walls(built, rules, all);
-  const ModelPlc plc = make_plc(soup, all, {});
+  const ArrangedWalls walls = arrange_walls(built, rules, {SurfaceKind::fault, SurfaceKind::body});
+  WorkingSoup working(walls.soup);
+  std::vector<double> area(walls.surfaces.size(), 0);
+  std::vector<std::string> notes;  // told where the model's own soup is cut
+  end_faults(working, walls.surfaces, built.rows, rules.continuation.within_of_faults, {area, notes});
+  const ModelPlc plc = make_plc(working.result(), walls.surfaces, {});
   ConstrainedTetrahedralization mesh = tetrahedralize(plc.plc);
   has_tip_.assign(mesh.n_components, false);
   for (const auto& face : mesh.faces) {

@@ -65,13 +65,26 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
     taken.area[s] += remove_overshoots(working, s, without(faults, s), within, surfaces[s].name, taken.notes);
 }
 
+ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds) {
+  ArrangedWalls walls{built.surfaces, {}};
+  for (TriangulatedSurface& s : walls.surfaces)
+    if (!kinds.contains(s.kind)) s.triangles.clear();
+  ArrangementOptions options;
+  if (rules.continuation.sides.size() == 1)  // a box is one surface
+    options.box = rules.continuation.bounds;
+  else
+    options.volume = rules.continuation.sides;
+  ArrangementResult arranged = arrange(walls.surfaces, {}, {}, options);
+  walls.surfaces.insert(walls.surfaces.end(), arranged.box_sides.begin(), arranged.box_sides.end());
+  walls.soup = std::move(arranged.soup);
+  return walls;
+}
+
 EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
   const std::vector<Index> faults = faults_of(built.surfaces);
-  std::vector<TriangulatedSurface> alone = built.surfaces;
-  for (TriangulatedSurface& s : alone)
-    if (s.kind != SurfaceKind::fault) s.triangles.clear();
-  const ArrangementResult arranged = arrange(alone, {}, {}, {});
-  WorkingSoup working(arranged.soup);
+  ArrangedWalls walls = arrange_walls(built, rules, {SurfaceKind::fault});
+  const std::vector<TriangulatedSurface>& alone = walls.surfaces;
+  WorkingSoup working(walls.soup);
   const double within = rules.continuation.within_of_faults;
   for (const Index s : faults)
     if (within > 0 && ends_by_default(built.surfaces, rules, s) &&
