@@ -387,8 +387,8 @@ class Continuation {
 
 }  // namespace
 
-DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
-                                  const Walls& cutters, const Walls& walls, const Box3& box, double within) {
+DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting) {
+  const auto& [framework, cutters, walls, box, within] = setting;
   const auto states = border_states(horizon, row, walls, box, within);
   const Division division(horizon, row, framework, cutters, states);
   DividedHorizon divided{

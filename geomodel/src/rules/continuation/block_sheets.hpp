@@ -29,12 +29,20 @@ struct DividedHorizon {
   std::vector<BlockExtension> extensions;
 };
 
+/// In what a horizon is continued; all but the last outlive its use.
+struct BlockSetting {
+  const BlockFramework& framework;
+  const Walls& cutters;  ///< faults and bodies
+  const Walls& walls;    ///< horizons and the sides, too
+  const Box3& box;       ///< of the model
+  double within = 0;     ///< m
+};
+
 /// Continues the horizon in each block. In the map, a place of the block is filled unless a disc of radius `within`
 /// that meets neither what is given nor a wall covers it: gaps narrower than twice the distance are closed whatever
 /// their length, and where the horizon ends in the open its border stays open. Heights are those of the nearest place
-/// of the border, with its slope up to the distance. `cutters`: faults and bodies; `walls`: horizons and the sides,
-/// too. O(n log n) in the triangles, and the product of border edges and grid places in a block.
-DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
-                                  const Walls& cutters, const Walls& walls, const Box3& box, double within);
+/// of the border, with its slope up to the distance. O(n log n) in the triangles, and the product of border edges and
+/// grid places in a block.
+DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting);
 
 }  // namespace geomesh::geomodel

@@ -24,6 +24,14 @@ double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area2 > 0 ? u * v * w / (2 * area2) : std::numeric_limits<double>::infinity();
 }
 
+/// The side of an obtuse triangle beyond which its circumcentre lies: from that corner to the next.
+std::optional<std::size_t> side_before_centre(const std::array<Vec2, 3>& t) {
+  const auto length = [&](std::size_t i) { return std::hypot(t[(i + 1) % 3].x - t[i].x, t[(i + 1) % 3].y - t[i].y); };
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::hypot(length((i + 1) % 3), length((i + 2) % 3)) < length(i)) return i;
+  return std::nullopt;
+}
+
 /// Where the way from p to q meets the triangle, its border included.
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Sign from = orient3d(a, b, c, p), to = orient3d(a, b, c, q);
@@ -67,7 +75,13 @@ class Gaps {
     gaps_.clear();
     for (const PlanarTriangle& t : *all) {
       const auto& v = t.vertices;
-      if (t.depth % 2 != 0 || has_room(v, places, within)) continue;
+      const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
+      if (t.depth % 2 != 0) continue;
+      if (circumradius(corners[0], corners[1], corners[2]) > within) {
+        // A disc has room here, but where its centre lies beyond a border, which has the surface.
+        const auto side = side_before_centre(corners);
+        if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
+      }
       Box3 own;
       for (const Index i : v) own.add(points_[i]);
       const bool is_in_box = own.max.x > box.min.x && own.min.x < box.max.x && own.max.y > box.min.y &&
@@ -135,21 +149,6 @@ class Gaps {
   void set_faces_up(bool up) { faces_up_ = up; }
 
  private:
-  /// Whether a disc of that radius has room beside the triangle. The circumcircle of an obtuse one lies beyond its
-  /// longest side, where a border has the surface.
-  bool has_room(const Corners& t, const std::vector<Vec2>& places, double within) const {
-    if (circumradius(places[t[0]], places[t[1]], places[t[2]]) <= within) return false;
-    const auto length = [&](std::size_t i) {
-      const Vec2 &a = places[t[i]], &b = places[t[(i + 1) % 3]];
-      return std::hypot(b.x - a.x, b.y - a.y);
-    };
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (length(i) > length(longest)) longest = i;
-    const std::size_t next = (longest + 1) % 3, apex = (longest + 2) % 3;
-    const bool is_obtuse = std::hypot(length(next), length(apex)) < length(longest);
-    return !(is_obtuse && is_border_.contains(std::minmax(t[longest], t[next])));
-  }
   /// Whether a place in a gap triangle lies on one of its sides that is part of the border, as seen.
   bool is_on_border(const Corners& t, const Vec3& p) const {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -191,23 +190,14 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-/// What gaps are filled between, and what was.
-struct Filling {
-  const Walls& walls;
-  const std::vector<FaultTip>& tips;
-  const Box3& box;
-  double within;
-  const std::function<bool(const Vec3&)>& counts;
-  Bridged bridged{};
-};
-
 /// False where the edges cross each other as seen that way.
-bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame, Filling& filling) {
+bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
+            const GapSetting& setting, Bridged& bridged) {
   Gaps gaps(surface, edges, frame);
   gaps.set_faces_up(faces_up(surface, frame));
-  if (!gaps.find(filling.within, filling.box)) return false;
-  if (gaps.add_tips(filling.tips) && !gaps.find(filling.within, filling.box)) return false;
-  gaps.append(surface, filling.walls, filling.counts, filling.bridged);
+  if (!gaps.find(setting.within, setting.box)) return false;
+  if (gaps.add_tips(setting.tips) && !gaps.find(setting.within, setting.box)) return false;
+  gaps.append(surface, setting.walls, setting.counts, bridged);
   return true;
 }
 
@@ -231,20 +221,18 @@ std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::v
   return frames;
 }
 
-Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<FaultTip>& tips,
-                    const std::vector<Frame>& frames, const Box3& box, double within,
-                    const std::function<bool(const Vec3&)>& counts) {
-  Filling filling{walls, tips, box, within, counts};
+Bridged bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
+  Bridged bridged;
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty()) return filling.bridged;
-  for (const Frame& frame : frames)
-    if (bridge(surface, edges, frame, filling)) return filling.bridged;
+  if (edges.empty()) return bridged;
+  for (const Frame& frame : setting.frames)
+    if (bridge(surface, edges, frame, setting, bridged)) return bridged;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, frames.front(), filling);
-  return filling.bridged;
+  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting, bridged);
+  return bridged;
 }
 
 }  // namespace geomesh::geomodel

@@ -23,14 +23,22 @@ struct Bridged {
 /// other as seen along its dip.
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips);
 
+/// Between what gaps are filled, and which; all but the numbers outlive its use.
+struct GapSetting {
+  const Walls& walls;
+  const std::vector<FaultTip>& tips;
+  const std::vector<Frame>& frames;
+  Box3 box;
+  double within = 0;                        ///< m
+  std::function<bool(const Vec3&)> counts;  ///< whether a place is to be filled
+};
+
 /// Fills what lies between borders of the surface in the map with the triangles of the borders' constrained Delaunay
 /// triangulation whose circumcircle has a radius of at most `within` and whose sides cross no wall. Where the tip of a
 /// wall ends in such a triangle it becomes a point of the surface, so that what is filled begins exactly at the tip.
 /// Only triangles whose centroid `counts` accepts are added. The first of the frames is used in which borders do not
 /// cross; a surface with several heights over a place in all of them is filled part by part. Appends to the surface;
 /// rows as given stay.
-Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<FaultTip>& tips,
-                    const std::vector<Frame>& frames, const Box3& box, double within,
-                    const std::function<bool(const Vec3&)>& counts);
+Bridged bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
 
 }  // namespace geomesh::geomodel

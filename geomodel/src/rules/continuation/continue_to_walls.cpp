@@ -35,13 +35,14 @@ class Continuing {
   /// A horizon: block by block, and where that does not do, along its border.
   void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips) {
     begin();
-    DividedHorizon divided = continue_in_blocks(surface(), row_, framework, cutters, walls_, rules_.bounds, within_);
+    DividedHorizon divided = continue_in_blocks(surface(), row_, {framework, cutters, walls_, rules_.bounds, within_});
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
       const std::vector<Frame> frames = frames_along(surface(), tips);
-      const Bridged bridged = bridge_gaps(surface(), cutters, tips, frames, rules_.bounds, within_, [&](const Vec3& p) {
+      const auto counts = [&](const Vec3& p) {
         const Index block = framework.block_at(p);
         return block == no_index || !divided.block_is_continued[block];
-      });
+      };
+      const Bridged bridged = bridge_gaps(surface(), {cutters, tips, frames, rules_.bounds, within_, counts});
       ledger_.n_filled = bridged.n_triangles;
       ledger_.area_filled = bridged.area;
       ledger_.place_filled = bridged.place;
