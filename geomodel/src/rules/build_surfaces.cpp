@@ -10,6 +10,7 @@
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
 #include "rules/fault_ends.hpp"
+#include "rules/framework/up_to_walls.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
 
@@ -63,6 +64,25 @@ std::vector<TriangulatedSurface> BuiltSurfaces::model_surfaces() const {
   return kept;
 }
 
+namespace {
+
+/// The stack is settled by what lies in the blocks: continuations go on beyond walls, over what is given there.
+bool settle(BuiltSurfaces& built, const ModelRules& rules) {
+  const bool any =
+      std::any_of(built.continued.begin(), built.continued.end(), [](const ContinuedSurface& c) { return c.area > 0; });
+  if (!any || !asks_for_settling(rules.stack)) return settle_stack(built, rules);
+  const std::vector<TriangulatedSurface> given = built.surfaces;
+  std::vector<TriangulatedSurface> cut = horizons_up_to_walls(built, rules);
+  for (Index s = 0; s < cut.size(); ++s)
+    if (!cut[s].triangles.empty()) built.surfaces[s] = cut[s];
+  const bool settled = settle_stack(built, rules);
+  for (Index s = 0; s < cut.size(); ++s)
+    if (!cut[s].triangles.empty() && !built.rows.part_of_triangle[s].empty()) built.surfaces[s] = given[s];
+  return settled;
+}
+
+}  // namespace
+
 BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
                              const RunContext& context) {
   BuiltSurfaces built;
@@ -109,7 +129,7 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
   pass_on();
   continue_horizons(built, rules, log);
   if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
-  if (!settle_stack(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
+  if (!settle(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
     apply_min_thickness(built, rules);
   return built;
 }
