@@ -332,13 +332,9 @@ class Continuation {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
       for (const Index s : s_.walls.surfaces_on(a, b))
         if (s != s_.row) crossed.insert(s);
-      const auto from_a = s_.walls.first_hit(a, b, s_.row), from_b = s_.walls.first_hit(b, a, s_.row);
-      leaves = leaves || from_a || from_b;
-      // The way between two walls may be in the block though none of its ends is.
-      if (!reaches_in && from_a && from_b)
-        reaches_in = s_.framework.block_at(a + 0.5 * (from_a->share + 1 - from_b->share) * (b - a)) == block_;
+      leaves = leaves || s_.walls.first_hit(a, b, s_.row) || s_.walls.first_hit(b, a, s_.row);
     }
-    if (!reaches_in) return false;
+    if (!reaches_in && !leaves) return false;
     if (leaves && crossed.empty()) crossed.insert(Walls::side_of_volume);
     walls.insert(crossed.begin(), crossed.end());
     return true;
