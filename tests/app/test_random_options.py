@@ -26,7 +26,8 @@ def may_take_long(seed):
 
 class RandomOptionsTest(ProgramTest):
     def test_what_was_wrong(self):
-        """3105: a horizon lost what crosses its faults, since its blocks could not be continued. 3129: the judge missed a salt that lies beside the volume. 3061 and 3116 were refused, since no doubles
+        """3105: a horizon lost what crosses its faults, since its blocks could not be continued. 3129: the judge missed a salt that lies
+        beside the volume. 3061 and 3116 were refused, since no doubles
         keep apart what merging within the project's tolerance leaves. 3108: a fault below a horizon parted it. 5143: what crosses a short fault
         inside left a hole. 6065: a sheet that runs on across one of two faults lost what lies between them. 3236: borders of several horizons
         are one line, and a settled one got a crack there. 3485: merging left a flap of a fault. 3500: it moved a horizon by five tolerances. 6169: a bottom that stops short at a corner

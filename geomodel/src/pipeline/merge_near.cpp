@@ -123,7 +123,7 @@ ArrangementResult arrange_merging_asked(PreparedModel& model, const std::vector<
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context) {
   if (options.tolerance > 0) return booked_apart(model, arrange_merging_asked(model, wells, options, context));
-  // A network of fractures keeps its areas and junctions unless the project itself gives a tolerance.
+  // A network of fractures keeps its areas and junctions unless the project has `merge_within`.
   double distance = is_fracture_network(model.surfaces, model.rules) ? 0 : merging_distance(model.refinement);
   const unsigned rounds = options.max_rounding_rounds;
   for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {

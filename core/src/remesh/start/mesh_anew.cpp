@@ -157,8 +157,8 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
 
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
   const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
-  constexpr unsigned most_attempts =
-      1;  // the caller has another way, and exact points near an ulp's needle take minutes
+  // The caller has another way, and more attempts hold points exactly, which takes minutes beside a needle an ulp wide.
+  constexpr unsigned most_attempts = 1;
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), most_attempts, context, nullptr);
   if (!fresh) return false;
   inherit(mesh, *fresh);

@@ -25,8 +25,8 @@ OutputTarget output_target(const std::filesystem::path& file);
 /// there, as missing ones are made) may not be written to. Removes what killed runs left beside it (NAME.PID.part).
 void require_writable(const std::filesystem::path& file);
 
-/// A file that is removed where a signal ends the process while it is being written. At most 64 at once are known;
-/// what is beyond that is left to the next run, which removes it by its name.
+/// Makes a file that is being written known to remove_files_being_written, as long as this object lives. At most 64
+/// are known at once; others are left to the next run, which removes them by their names (require_writable).
 class FileBeingWritten {
  public:
   explicit FileBeingWritten(const std::filesystem::path& temporary);
@@ -38,7 +38,7 @@ class FileBeingWritten {
   void* place_ = nullptr;
 };
 
-/// For a handler of signals that ends the process afterwards: nothing in it allocates or locks.
+/// For a handler of signals that ends the process afterwards: it neither allocates nor locks.
 void remove_files_being_written() noexcept;
 
 /// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws. Devices and

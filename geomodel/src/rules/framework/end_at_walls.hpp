@@ -11,8 +11,8 @@ namespace geomesh::geomodel {
 /// Removes from the soup the parts of continuations of surface `row` that the walls at which they end
 /// (BuiltRows::continued_to) cut off from what was given. A continuation hangs together with what was given where both
 /// share a corner of the surface, and with nothing else that it crosses: continuations from both sides of a fault cross
-/// each other beyond it. Gives the area removed. O(n log m) for n facets of the
-/// surface among m of the soup, and one pass over these.
+/// each other beyond it. Gives the area removed. O(n log m) for n facets of the surface among m of the soup, and one
+/// pass over these.
 double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                     Index row);
 
