@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geomesh/core/predicates.hpp"
+
 namespace geomesh::geomodel {
 
 std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points) {

@@ -44,13 +44,6 @@ bool is_within(const Box3& box, const Vec3& p, double room) {
          p.y < box.max.y + room && p.z < box.max.z + room;
 }
 
-/// Whether all of an edge lies outside of the model, beyond one side of its box.
-bool is_beyond(const Box3& box, const Vec3& a, const Vec3& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (std::max(a[i], b[i]) < box.min[i] || std::min(a[i], b[i]) > box.max[i]) return true;
-  return false;
-}
-
 /// Border vertices that a wall cuts off from all inner vertices: the surface has met its wall before it ends there, or
 /// ends on it. A wall that ends inside the surface cuts nothing off: round its end a vertex hangs together with others.
 class CutOffBorder {
@@ -202,7 +195,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       else if (is_within(box, middle, std::max(within, e.length)))
         e.hit = wall_before(surface, e, row, walls, within, rounding);
       if (e.hit && e.goes_on && e.hit->share <= rounding) e.goes_on = false;  // it ends on the wall, up to rounding
-      if (is_beyond(box, surface.points[a], surface.points[b])) {
+      if (!is_within(box, middle, 0)) {
         e.hit = Walls::Hit{};
         e.counts = false;
       }

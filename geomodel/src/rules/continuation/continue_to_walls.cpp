@@ -171,7 +171,7 @@ std::vector<Index> rows_of(const std::vector<TriangulatedSurface>& surfaces, std
 bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row) {
   const SurfaceRules& rule = rules.of(row);
   return built.surfaces[row].triangles.empty() || !rule.continues || rule.extend != Extend::none ||
-         !built.rows.block_of_triangle[row].empty();
+         !rule.throw_at.empty();
 }
 
 }  // namespace
