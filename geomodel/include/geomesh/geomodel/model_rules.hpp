@@ -128,9 +128,11 @@ struct BuiltRows {
   std::vector<std::vector<Index>> part_of_triangle;
   /// Per surface: rows of the surfaces at which its continuations end, ascending.
   std::vector<std::vector<Index>> continued_to;
+  /// Rows of the faults that run a little beyond faults on which they end, ascending.
+  std::vector<Index> overshooting;
   bool any_continued() const {
-    return std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
-                       [](const auto& part) { return !part.empty(); });
+    return !overshooting.empty() || std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
+                                                [](const auto& part) { return !part.empty(); });
   }
 
   static constexpr Index of_every_block = no_index;   ///< runs on beyond the end of a fault with throw

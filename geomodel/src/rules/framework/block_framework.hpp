@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The fault blocks of a model: what faults, bodies and the sides of the model divide its volume into.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "arrangement/search/bvh.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
+
+namespace geomesh::geomodel {
+
+/// Faults and bodies alone are intersected with the sides of the model and tetrahedralized; a block is a component of
+/// that mesh, so every place lies in one block, exactly, but for the walls themselves. A fault that ends inside leaves
+/// one block round its tip.
+///
+/// Invariants: the tetrahedra fill the model's volume and do not overlap (tetrahedralize validates its result); a wall
+/// lies on faces of the mesh alone.
+class BlockFramework {
+ public:
+  /// Of the built faults and bodies, cut where end_faults cuts them. Expects ContinuationRules::sides. Throws as
+  /// arrange and tetrahedralize do.
+  BlockFramework(const BuiltSurfaces& built, const ModelRules& rules);
+
+  Index n_blocks() const { return static_cast<Index>(has_tip_.size()); }
+  /// The block that holds p, no_index outside of the model. On a wall the block of a tetrahedron that touches it.
+  /// O(log n) for tetrahedra of like size.
+  Index block_at(const Vec3& p) const;
+  /// Whether a wall ends inside the block, so that both of its sides belong to it.
+  bool has_tip(Index block) const { return has_tip_[block]; }
+  const Box3& bounds(Index block) const { return bounds_[block]; }
+
+ private:
+  std::vector<Vec3> points_;
+  std::vector<Tetrahedron> tetrahedra_;
+  std::vector<Index> block_;  ///< per tetrahedron
+  std::vector<bool> has_tip_;
+  std::vector<Box3> bounds_;
+  std::unique_ptr<arrangement::BoxTree> tree_;
+};
+
+}  // namespace geomesh::geomodel

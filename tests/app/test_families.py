@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Models of the families whose unit is known at each place, as a new user gives them: at most one point in a thousand lies in the wrong unit.
+tests/families/measure.py runs more of them."""
+import os
+import sys
+
+from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+
+sys.path.insert(0, os.path.join(SOURCE, "tests", "families"))
+from measure import run  # noqa: E402
+
+SEEDS = range(4) if NIGHTLY else range(1, 2)
+
+
+class Families(ProgramTest):
+    def assert_right(self, family, seeds=SEEDS):
+        for seed in seeds:
+            with self.subTest(family=family, seed=seed):
+                folder = self.path("%s%d" % (family, seed))
+                self.assertIn(" ok ", run(PROGRAM, family, seed, "bare", keep=folder))
+                self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "project.yaml"))
+
+    def test_grids_that_end_before_the_sides_of_the_model(self):
+        self.assert_right("short_grids")
+
+    def test_salt_with_horizons_that_end_before_it(self):
+        self.assert_right("salt_gaps")
+
+    def test_thrusts_that_repeat_horizons(self):
+        self.assert_right("thrust")
+
+    def test_faults_that_cross_and_meet_each_other(self):
+        self.assert_right("conjugate")
+
+    def test_networks_of_faults_that_end_on_each_other_with_misfits(self):
+        self.assert_right("network")
+
+    def test_a_fault_that_dies_out(self):
+        """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""
+        self.assert_right("dying_fault")
+        self.assert_right("dying_fault", (2,))
+
+
+if __name__ == "__main__":
+    main()
