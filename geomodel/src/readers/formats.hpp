@@ -55,6 +55,9 @@ FileContents read_irap_binary(const InputFile& file);
 bool is_geotiff(const InputFile& file);
 FileContents read_geotiff(const InputFile& file);
 
+bool is_netcdf(const InputFile& file);
+FileContents read_netcdf(const InputFile& file);
+
 bool is_dxf(const InputFile& file);
 FileContents read_dxf(const InputFile& file);
 

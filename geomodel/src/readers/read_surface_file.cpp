@@ -29,6 +29,7 @@ constexpr std::array formats{
     Format{"VTK legacy", ".vtk", is_vtk_legacy, read_vtk_legacy},
     Format{"OFF", ".off", is_off, read_off},
     Format{"GeoTIFF", ".tif .tiff", is_geotiff, read_geotiff},
+    Format{"netCDF or HDF5 grid", ".nc .nc4 .cdf .h5 .hdf5", is_netcdf, read_netcdf},
     Format{"OMF", ".omf", is_omf, read_omf},
     Format{"DXF", ".dxf", is_dxf, read_dxf},
     Format{"Surfer grid (text)", "", is_surfer_text, read_surfer_text},
@@ -84,10 +85,6 @@ constexpr std::array strangers{
              ".gpkg",
              "a GeoPackage is not read: convert it, e.g. ogr2ogr -f CSV points.csv FILE.gpkg -lco GEOMETRY=AS_XYZ, or "
              "to DXF with ogr2ogr -f DXF lines.dxf FILE.gpkg"},
-    Stranger{{"CDF", 3}, ".nc", "a netCDF grid is not read: convert it with gdal_translate -of GTiff FILE.nc grid.tif"},
-    Stranger{{"\x89HDF", 4},
-             ".nc4 .h5 .hdf5",
-             "an HDF5 or netCDF-4 grid is not read: convert it with gdal_translate -of GTiff FILE grid.tif"},
     Stranger{{"\xff\xfe", 2}, "", "the text is UTF-16 ('Unicode text'): save it as CSV or as text in UTF-8"},
 };
 
