@@ -70,6 +70,13 @@ FileContents read_earth_vision(const InputFile& file);
 bool is_petrel_points(const InputFile& file);
 FileContents read_petrel_points(const InputFile& file);
 
+/// Shapefile, GeoPackage, GeoJSON.
+bool is_vector(const InputFile& file);
+FileContents read_vector(const InputFile& file);
+
+bool is_charisma(const InputFile& file);
+FileContents read_charisma(const InputFile& file);
+
 bool is_xyz(const InputFile& file);
 FileContents read_xyz(const InputFile& file);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// The border between the reader of netCDF and HDF5 grids and the module that reads these files by netCDF
-/// (netcdf_module.cpp). Types of C++ cross it, so both sides are of one build.
+/// (geomodel/plugins/netcdf_grids.cpp). Types of C++ cross it, so both sides are of one build.
 #pragma once
 
 #include <filesystem>

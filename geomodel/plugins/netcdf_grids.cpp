@@ -2,6 +2,8 @@
 // Grids in netCDF and HDF5 files by the netCDF library: a part of the module geomesh-exodus. Axes are found as the CF
 // conventions say (coordinate variables, two-dimensional ones named by the attribute `coordinates`); where an HDF5 file
 // names no axes, one-dimensional variables of the right length and a known name are taken.
+#include "readers/grids/netcdf_grids.hpp"
+
 #include <netcdf.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 
 #include "geomesh/core/error.hpp"
 #include "mesh_readers/netcdf_header.hpp"
-#include "readers/grids/netcdf_grids.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -199,6 +200,59 @@ struct Places {
   bool over_both = false;
 };
 
+/// Of well-known text: the code of its last AUTHORITY["EPSG","25832"] or ID["EPSG",25832], which is the system's own;
+/// else the name.
+std::string system_of_text(const std::string& text) {
+  const std::size_t end = text.rfind("\"EPSG\",");
+  if (end != std::string::npos && text.size() - end < 24) {
+    std::string code;
+    for (const char c : text.substr(end + 7))
+      if (c >= '0' && c <= '9') code += c;
+    if (!code.empty()) return "epsg:" + code;
+  }
+  const std::size_t open = text.find("[\""), close = open == std::string::npos ? open : text.find('"', open + 2);
+  return close == std::string::npos ? "" : text.substr(open + 2, close - open - 2);
+}
+
+/// By the variable that `grid_mapping` names: its EPSG code, or the name in its text.
+std::string system_of(const File& file, const Variable& v) {
+  const std::string mapping = file.text(v, "grid_mapping");
+  if (mapping.empty()) return "";
+  for (const Variable& m : file.variables()) {
+    if (m.name != mapping) continue;
+    std::string code = lower(file.text(m, "epsg_code"));
+    if (code.empty())
+      if (const auto number = file.numbers(m.group, m.id, "epsg_code"); !number.empty())
+        code = std::to_string(static_cast<long long>(number[0]));
+    if (!code.empty()) return code.starts_with("epsg:") ? code : "epsg:" + code;
+    for (const char* key : {"crs_wkt", "spatial_ref"})
+      if (const std::string system = system_of_text(file.text(m, key)); !system.empty()) return system;
+  }
+  return "";
+}
+
+bool has_equal_steps(const std::vector<double>& places) {
+  const auto n = static_cast<double>(places.size() - 1);
+  const double step = (places.back() - places.front()) / n;
+  constexpr double rounding = 1e-4;  // of a step: places in single precision
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (std::abs(places[i] - places.front() - static_cast<double>(i) * step) > rounding * std::abs(step)) return false;
+  return true;
+}
+
+std::vector<double> heights_of(const File& file, const Variable& v) {
+  std::vector<double> heights = file.values(v);
+  std::vector<double> none = file.numbers(v.group, v.id, "_FillValue");
+  for (const double value : file.numbers(v.group, v.id, "missing_value")) none.push_back(value);
+  const auto scale = file.numbers(v.group, v.id, "scale_factor"), offset = file.numbers(v.group, v.id, "add_offset");
+  for (double& h : heights) {
+    const bool is_none = !std::isfinite(h) || std::find(none.begin(), none.end(), h) != none.end();
+    h = is_none ? std::numeric_limits<double>::quiet_NaN()
+                : h * (scale.empty() ? 1 : scale[0]) + (offset.empty() ? 0 : offset[0]);
+  }
+  return heights;
+}
+
 class GridFinder {
  public:
   explicit GridFinder(const File& file) : file_(file) {}
@@ -273,7 +327,7 @@ class GridFinder {
     g.positive = lower(file_.text(v, "positive"));
     g.geographic = is_geographic(file_, *places.x);
     if (!g.geographic) g.xy_unit = file_.text(*places.x, "units");
-    g.system = system_of(v);
+    g.system = system_of(file_, v);
     const auto registration = file_.numbers(file_.root(), NC_GLOBAL, "node_offset");
     g.cell_centred = !registration.empty() && registration[0] == 1;
     fill(v, places, g);
@@ -284,7 +338,7 @@ class GridFinder {
     const std::vector<std::size_t> axes = v.axes();
     g.lattice.n_rows = v.counts[axes[0]];
     g.lattice.n_columns = v.counts[axes[1]];
-    const std::vector<double> heights = heights_of(v), x = file_.values(*places.x), y = file_.values(*places.y);
+    const std::vector<double> heights = heights_of(file_, v), x = file_.values(*places.x), y = file_.values(*places.y);
     g.lattice.nodes.reserve(heights.size());
     for (std::size_t j = 0; j < g.lattice.n_rows; ++j)
       for (std::size_t i = 0; i < g.lattice.n_columns; ++i) {
@@ -296,61 +350,6 @@ class GridFinder {
         g.lattice.nodes.push_back(p);
       }
     g.regular = !places.over_both && has_equal_steps(x) && has_equal_steps(y);
-  }
-
-  static bool has_equal_steps(const std::vector<double>& places) {
-    const auto n = static_cast<double>(places.size() - 1);
-    const double step = (places.back() - places.front()) / n;
-    constexpr double rounding = 1e-4;  // of a step: places in single precision
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (std::abs(places[i] - places.front() - static_cast<double>(i) * step) > rounding * std::abs(step))
-        return false;
-    return true;
-  }
-
-  std::vector<double> heights_of(const Variable& v) const {
-    std::vector<double> heights = file_.values(v);
-    std::vector<double> none = file_.numbers(v.group, v.id, "_FillValue");
-    for (const double value : file_.numbers(v.group, v.id, "missing_value")) none.push_back(value);
-    const auto scale = file_.numbers(v.group, v.id, "scale_factor"),
-               offset = file_.numbers(v.group, v.id, "add_offset");
-    for (double& h : heights) {
-      const bool is_none = !std::isfinite(h) || std::find(none.begin(), none.end(), h) != none.end();
-      h = is_none ? std::numeric_limits<double>::quiet_NaN()
-                  : h * (scale.empty() ? 1 : scale[0]) + (offset.empty() ? 0 : offset[0]);
-    }
-    return heights;
-  }
-
-  /// By the variable that `grid_mapping` names: its EPSG code, or the name in its text.
-  std::string system_of(const Variable& v) const {
-    const std::string mapping = file_.text(v, "grid_mapping");
-    if (mapping.empty()) return "";
-    for (const Variable& m : file_.variables()) {
-      if (m.name != mapping) continue;
-      std::string code = lower(file_.text(m, "epsg_code"));
-      if (code.empty())
-        if (const auto number = file_.numbers(m.group, m.id, "epsg_code"); !number.empty())
-          code = std::to_string(static_cast<long long>(number[0]));
-      if (!code.empty()) return code.starts_with("epsg:") ? code : "epsg:" + code;
-      for (const char* key : {"crs_wkt", "spatial_ref"})
-        if (const std::string system = system_of_text(file_.text(m, key)); !system.empty()) return system;
-    }
-    return "";
-  }
-
-  /// Of well-known text: the code of its last AUTHORITY["EPSG","25832"] or ID["EPSG",25832], which is the system's own;
-  /// else the name.
-  static std::string system_of_text(const std::string& text) {
-    const std::size_t end = text.rfind("\"EPSG\",");
-    if (end != std::string::npos && text.size() - end < 24) {
-      std::string code;
-      for (const char c : text.substr(end + 7))
-        if (c >= '0' && c <= '9') code += c;
-      if (!code.empty()) return "epsg:" + code;
-    }
-    const std::size_t open = text.find("[\""), close = open == std::string::npos ? open : text.find('"', open + 2);
-    return close == std::string::npos ? "" : text.substr(open + 2, close - open - 2);
   }
 
   const File& file_;
