@@ -282,6 +282,11 @@ class MapPrograms(ProgramTest):
             self.assertIn("polyline gap: 5 points", printed)
             self.assertIn("have no heights", printed)
 
+    def test_a_shapefile_without_its_index_names_the_files_that_belong_together(self):
+        self.convert("f", [("LineString", line, {}) for line in STICKS])
+        os.remove(self.path("f.shx"))
+        self.assertIn("(.shp, .shx, .dbf, .prj) belong together", self.run_program("info", self.path("f.shp"), status=BAD_INPUT))
+
     def test_nothing_is_written_beside_the_files_and_damage_is_refused(self):
         self.convert("f", [("LineString", line, {}) for line in STICKS])
         for file in ("f.shp", "f.gpkg"):
@@ -293,7 +298,7 @@ class MapPrograms(ProgramTest):
         for file in ("f.shp", "f.gpkg", "f.geojson"):
             self.run_program("info", self.path(file))
         for file in ("cut.shp", "cut.gpkg"):
-            self.assertRegex(self.run_program("info", self.path(file), status=BAD_INPUT), "cannot be read|holds no lines")
+            self.assertRegex(self.run_program("info", self.path(file), status=BAD_INPUT), "cannot be read|holds no lines|belong together")
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
 

@@ -67,6 +67,7 @@ struct Stranger {
   const char* advice;
 };
 constexpr std::array strangers{
+    Stranger{{}, ".zip .gz .7z .rar .kmz", "an archive is not read: unpack it, and name the file that was in it"},
     Stranger{{"PK\x03\x04", 4},
              ".xlsx .xlsm .ods",
              "a workbook of Excel or LibreOffice is not read: save the sheet with the points as CSV"},

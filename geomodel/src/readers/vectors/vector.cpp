@@ -35,6 +35,10 @@ std::string name_of(const VectorFeature& feature) {
 class VectorReader {
  public:
   explicit VectorReader(const InputFile& file) : file_(file), found_(vector_module().read(file.path.c_str())) {
+    if (found_.error.find(".shx") != std::string::npos)
+      file.fail(
+          "the file with the same name and the ending .shx is missing or damaged: the files of a Shapefile (.shp, "
+          ".shx, .dbf, .prj) belong together, so copy all of them");
     if (!found_.error.empty()) file.fail(found_.error);
   }
 
