@@ -13,11 +13,11 @@ SEEDS = range(4) if NIGHTLY else range(1, 2)
 
 
 class Families(ProgramTest):
-    def assert_right(self, family, seeds=SEEDS):
+    def assert_right(self, family, seeds=SEEDS, form="bare"):
         for seed in seeds:
             with self.subTest(family=family, seed=seed):
                 folder = self.path("%s%d" % (family, seed))
-                self.assertIn(" ok ", run(PROGRAM, family, seed, "bare", keep=folder))
+                self.assertIn(" ok ", run(PROGRAM, family, seed, form, keep=folder))
                 self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "project.yaml"))
 
     def test_grids_that_end_before_the_sides_of_the_model(self):
@@ -30,10 +30,16 @@ class Families(ProgramTest):
         self.assert_right("thrust")
 
     def test_faults_that_cross_and_meet_each_other(self):
+        """Sheets of two blocks lie at one height in the last one: beyond the fault between them they were merged, which left a hole."""
         self.assert_right("conjugate")
+        self.assert_right("conjugate", (5,))
 
     def test_networks_of_faults_that_end_on_each_other_with_misfits(self):
         self.assert_right("network")
+
+    def test_networks_with_throw_are_as_quick(self):
+        """Blocks that were continued each across all others had no mesh in 110 CPU s."""
+        self.assert_right("network", (10,), "careful")
 
     def test_a_fault_that_dies_out(self):
         """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""
