@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "common/default_gaps.hpp"
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "pipeline/refine_model.hpp"
-#include "project/settings/default_gaps.hpp"
 #include "report/announcement.hpp"
 
 namespace geomesh::geomodel {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-#include "project/settings/default_gaps.hpp"
+#include "common/default_gaps.hpp"
 
 namespace geomesh::geomodel {
 
