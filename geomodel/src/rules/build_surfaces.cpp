@@ -42,6 +42,8 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
         continue;
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
+      if (std::vector<Index>& part = built.rows.part_of_triangle[row]; !part.empty())
+        part.resize(fault.triangles.size(), 0);  // it goes with what parts blocks
     }
 }
 

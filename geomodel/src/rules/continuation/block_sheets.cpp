@@ -386,12 +386,13 @@ class Continuation {
 }  // namespace
 
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting) {
-  const auto& [framework, cutters, walls, box, within, fills_blocks] = setting;
+  const auto& [framework, cutters, walls, box, within, fills_blocks, is_left_out] = setting;
   const auto states = border_states(horizon, row, walls, box, fills_blocks ? norm(box.max - box.min) : within);
   const Division division(horizon, row, framework, cutters, states);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
   for (Index b = 0; b < framework.n_blocks(); ++b) {
+    if (!is_left_out.empty() && is_left_out[b]) continue;
     const std::vector<Index> rows = division.sheet_of(b);
     if (rows.empty()) continue;
     std::vector<Triangle> sheet;

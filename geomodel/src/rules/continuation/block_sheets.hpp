@@ -38,6 +38,7 @@ struct BlockSetting {
   double within = 0;     ///< m
   /// Places are filled however far from the data of their block they are.
   bool fills_blocks = false;
+  std::vector<bool> is_left_out{};  ///< per block: the horizon has no place there; empty: none
 };
 
 /// Continues the horizon in each block. In the map, a place of the block is filled unless a disc of radius `within`

@@ -10,6 +10,7 @@
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/bridges.hpp"
 #include "rules/framework/end_on_faults.hpp"
+#include "rules/framework/fault_roofs.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
@@ -33,18 +34,16 @@ class Continuing {
   }
 
   /// A horizon: block by block, and where that does not do, along its border.
-  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips,
-                bool fills_blocks) {
+  void go_on_in(const BlockSetting& setting, const std::vector<FaultTip>& tips) {
     begin();
-    DividedHorizon divided =
-        continue_in_blocks(surface(), row_, {framework, cutters, walls_, rules_.bounds, within_, fills_blocks});
+    DividedHorizon divided = continue_in_blocks(surface(), row_, setting);
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
       const std::vector<Frame> frames = frames_along(surface(), tips);
       const auto counts = [&](const Vec3& p) {
-        const Index block = framework.block_at(p);
+        const Index block = setting.framework.block_at(p);
         return block == no_index || !divided.block_is_continued[block];
       };
-      const Bridged bridged = bridge_gaps(surface(), {cutters, tips, frames, rules_.bounds, within_, counts});
+      const Bridged bridged = bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
       ledger_.n_filled = bridged.n_triangles;
       ledger_.area_filled = bridged.area;
       ledger_.place_filled = bridged.place;
@@ -170,11 +169,73 @@ std::vector<Index> rows_of(const std::vector<TriangulatedSurface>& surfaces, std
   return rows;
 }
 
+void continue_fault_to(BuiltSurfaces& built, Index row, const Walls& walls, const ModelRules& rules,
+                       const BuildLog& log) {
+  Continuing fault(built, row, walls, rules.continuation, rules.continuation.within_of_faults);
+  fault.go_on();
+  fault.tell(log);
+}
+
 bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row) {
   const SurfaceRules& rule = rules.of(row);
   return built.surfaces[row].triangles.empty() || !rule.continues || rule.extend != Extend::none ||
          !rule.throw_at.empty();
 }
+
+/// Horizons continued in the blocks of one framework.
+class HorizonContinuation {
+ public:
+  /// `built`: what bounds the blocks; it outlives this, and gets BuiltRows::overshooting.
+  HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
+      : rules_(rules),
+        fill_blocks_(fill_blocks),
+        roofs_(horizons_of(built.rows.roofs)),
+        ended_(ended_faults(built, rules)),
+        framework_(built, rules),
+        cutters_(ended_.surfaces, with_roofs(rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body})), {}),
+        walls_(ended_.surfaces,
+               rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon}),
+               rules.continuation.sides) {}
+
+  void run(BuiltSurfaces& built, const std::vector<Index>& rows, const BuildLog& log) const {
+    const ContinuationRules& how = rules_.continuation;
+    for (const Index row : rows) {
+      Continuing horizon(built, row, walls_, how, how.within_of_horizons);
+      const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
+      horizon.go_on_in({framework_, cutters_, walls_, how.bounds, how.within_of_horizons, fills_blocks,
+                        left_out(built.surfaces, row)},
+                       ended_.tips);
+      horizon.tell(log);
+    }
+  }
+
+ private:
+  std::vector<Index> with_roofs(std::vector<Index> rows) const {
+    rows.insert(rows.end(), roofs_.begin(), roofs_.end());
+    std::ranges::sort(rows);
+    return rows;
+  }
+
+  /// Blocks above a roof that is younger than the horizon, and below one that is older.
+  std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
+    const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
+    std::vector<bool> blocks(framework_.n_blocks(), false);
+    for (const Index roof : roofs_) {
+      if (position(row) == rules_.column.end() || position(roof) == rules_.column.end()) continue;
+      const int side = position(roof) < position(row) ? 1 : -1;
+      for (Index b = 0; b < framework_.n_blocks(); ++b)
+        if (framework_.side_of_roof(b, roof) == side) blocks[b] = true;
+    }
+    return blocks;
+  }
+
+  const ModelRules& rules_;
+  const std::vector<Index>& fill_blocks_;
+  std::vector<Index> roofs_;
+  EndedFaults ended_;
+  BlockFramework framework_;
+  Walls cutters_, walls_;
+};
 
 }  // namespace
 
@@ -182,34 +243,47 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   const ContinuationRules& how = rules.continuation;
   if (!(how.within_of_faults > 0)) return;
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
-  const Walls walls(built.surfaces, faults, how.sides);
+  const std::vector<TriangulatedSurface> given = built.surfaces;
+  const Walls walls(given, faults, how.sides);
+  built.rows.roofs = fault_roofs(given, rules);
   for (const Index row : faults) {
-    if (!ends_by_default(built.surfaces, rules, row)) continue;
-    Continuing fault(built, row, walls, how, how.within_of_faults);
-    fault.go_on();
-    fault.tell(log);
+    std::vector<Index> own;
+    for (const auto& [fault, roof] : built.rows.roofs)
+      if (fault == row) own.push_back(roof);
+    const bool by_default = ends_by_default(given, rules, row);
+    if (!by_default && own.empty()) continue;
+    if (own.empty()) {
+      continue_fault_to(built, row, walls, rules, log);
+    } else {
+      if (by_default) own.insert(own.end(), faults.begin(), faults.end());
+      continue_fault_to(built, row, Walls(given, own, by_default ? how.sides : std::vector<TriangulatedSurface>{}),
+                        rules, log);
+    }
   }
 }
 
 void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
                        const BuildLog& log) {
-  const ContinuationRules& how = rules.continuation;
-  if (!(how.within_of_horizons > 0)) return;
-  const std::vector<Index> cutters = rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body});
-  const std::vector<Index> all = rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon});
-  if (std::none_of(all.begin(), all.end(), [&](Index row) {
-        return built.surfaces[row].kind == SurfaceKind::horizon && !keeps_border(built, rules, row);
-      }))
-    return;
-  const EndedFaults ended = ended_faults(built, rules);
-  const BlockFramework framework(built, rules);
-  const Walls explained(ended.surfaces, cutters, {}), walls(ended.surfaces, all, how.sides);
-  for (const Index row : all) {
-    if (built.surfaces[row].kind != SurfaceKind::horizon || keeps_border(built, rules, row)) continue;
-    Continuing horizon(built, row, walls, how, how.within_of_horizons);
-    horizon.go_on_in(framework, explained, ended.tips, std::ranges::count(fill_blocks, row) > 0);
-    horizon.tell(log);
+  if (!(rules.continuation.within_of_horizons > 0)) return;
+  std::vector<Index> left;
+  for (const Index row : rows_of(built.surfaces, {SurfaceKind::horizon}))
+    if (!keeps_border(built, rules, row)) left.push_back(row);
+  if (left.empty()) return;
+  const std::vector<Index> roofs = horizons_of(built.rows.roofs);
+  std::vector<Index> first;  // these become walls of the blocks below
+  for (const Index row : left)
+    if (std::ranges::binary_search(roofs, row)) first.push_back(row);
+  std::erase_if(left, [&](Index row) { return std::ranges::binary_search(roofs, row); });
+  if (!first.empty()) {
+    BuiltSurfaces above = built;
+    for (const auto& [fault, _] : built.rows.roofs) above.surfaces[fault].triangles.clear();
+    above.rows.roofs.clear();
+    HorizonContinuation(above, rules, fill_blocks).run(built, first, log);
   }
+  BuiltSurfaces walls = built;
+  HorizonContinuation continuation(walls, rules, fill_blocks);
+  built.rows.overshooting = walls.rows.overshooting;
+  continuation.run(built, left, log);
 }
 
 }  // namespace geomesh::geomodel

@@ -3,7 +3,9 @@
 /// The fault blocks of a model: what faults, bodies and the sides of the model divide its volume into.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "arrangement/search/bvh.hpp"
@@ -12,7 +14,7 @@
 
 namespace geomesh::geomodel {
 
-/// Faults and bodies alone are intersected with the sides of the model and tetrahedralized; a block is a component of
+/// Faults, bodies and the horizons at which faults end are intersected with the sides of the model and tetrahedralized; a block is a component of
 /// that mesh, so every place lies in one block, exactly, but for the walls themselves. A fault that ends inside leaves
 /// one block round its tip.
 ///
@@ -30,6 +32,9 @@ class BlockFramework {
   Index block_at(const Vec3& p) const;
   /// Whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
+  /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::roofs), -1 on the lower one,
+  /// 0 where it does not touch the horizon.
+  int side_of_roof(Index block, Index horizon) const;
   const Box3& bounds(Index block) const { return bounds_[block]; }
 
  private:
@@ -37,6 +42,7 @@ class BlockFramework {
   std::vector<Tetrahedron> tetrahedra_;
   std::vector<Index> block_;  ///< per tetrahedron
   std::vector<bool> has_tip_;
+  std::map<std::pair<Index, Index>, double> side_;  ///< by block and roof: area above the roof less area below, in the map
   std::vector<Box3> bounds_;
   std::unique_ptr<arrangement::BoxTree> tree_;
 };

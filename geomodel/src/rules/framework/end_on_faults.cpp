@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rules/framework/end_at_walls.hpp"
+#include "rules/framework/fault_roofs.hpp"
 #include "rules/framework/overshoots.hpp"
 
 namespace geomesh::geomodel {
@@ -46,9 +47,10 @@ std::vector<FaultTip> tips_of(const WorkingSoup& working, const std::vector<Inde
     if (n != 1) return;
     const Triangle& t = working.soup.facets[facet];
     const auto fault = std::find_if(faults.begin(), faults.end(), [&](Index s) { return working.has(facet, s); });
+    if (fault == faults.end()) return;
     tips.push_back({{points[edge[0].a], points[edge[0].b]},
                     cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]),
-                    fault == faults.end() ? no_index : *fault});
+                    *fault});
   });
   return tips;
 }
@@ -63,12 +65,15 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
   const std::vector<Index> faults = faults_of(surfaces);
   for (const Index s : built.overshooting)
     taken.area[s] += remove_overshoots(working, s, without(faults, s), within, surfaces[s].name, taken.notes);
+  end_at_roofs(working, surfaces, built, within, taken.area, taken.notes);
 }
 
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds) {
   ArrangedWalls walls{built.surfaces, {}};
-  for (TriangulatedSurface& s : walls.surfaces)
-    if (!kinds.contains(s.kind)) s.triangles.clear();
+  const std::vector<Index> roofs = horizons_of(built.rows.roofs);
+  for (Index s = 0; s < walls.surfaces.size(); ++s)
+    if (!kinds.contains(walls.surfaces[s].kind) && !std::ranges::binary_search(roofs, s))
+      walls.surfaces[s].triangles.clear();
   ArrangementOptions options;
   if (rules.continuation.sides.size() == 1)  // a box is one surface
     options.box = rules.continuation.bounds;

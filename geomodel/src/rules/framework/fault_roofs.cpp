@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/framework/fault_roofs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <ranges>
+
+#include "geomesh/core/surface_distance.hpp"
+#include "rules/framework/overshoots.hpp"
+#include "rules/planar/borders.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+using Run = std::vector<Vec3>;
+
+bool is_inside(const Box3& box, const Vec3& p) {
+  return p.x > box.min.x && p.y > box.min.y && p.z > box.min.z && p.x < box.max.x && p.y < box.max.y && p.z < box.max.z;
+}
+
+/// Runs of the border in the model, each from where it enters to where it leaves.
+std::vector<Run> runs_inside(const TriangulatedSurface& fault, const Box3& box) {
+  std::vector<Run> runs;
+  for (std::vector<VertexIndex> loop : border_loops(border_edges(fault)).loops) {
+    const auto outside =
+        std::ranges::find_if(loop, [&](VertexIndex v) { return !is_inside(box, fault.points[v]); });
+    if (outside != loop.end()) std::rotate(loop.begin(), outside, loop.end());
+    Run run;
+    for (const VertexIndex v : loop) {
+      if (is_inside(box, fault.points[v])) {
+        run.push_back(fault.points[v]);
+      } else if (!run.empty()) {
+        runs.push_back(std::move(run));
+        run.clear();
+      }
+    }
+    if (!run.empty()) runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+/// How a run lies beside a horizon.
+struct Beside {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
+  bool any_above = false;
+};
+Beside beside(const Run& run, const SurfaceDistance& horizon) {
+  Beside found;
+  for (const Vec3& p : run) {
+    const Vec3 q = horizon.closest(p);
+    const double d = norm(p - q);
+    found.nearest = std::min(found.nearest, d);
+    found.farthest = std::max(found.farthest, d);
+    found.any_above = found.any_above || p.z >= q.z;
+  }
+  return found;
+}
+
+/// The horizons that a fault may end at.
+class Horizons {
+ public:
+  Horizons(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) : within_(rules.continuation.within_of_faults) {
+    for (Index s = 0; s < surfaces.size(); ++s) {
+      if (surfaces[s].kind != SurfaceKind::horizon || surfaces[s].triangles.empty()) continue;
+      if (std::ranges::find(rules.column, surfaces[s].name) == rules.column.end()) continue;
+      Box3 box;
+      for (const Vec3& p : surfaces[s].points) box.add(p);
+      for (std::size_t i = 0; i < 3; ++i) box.min[i] -= within_, box.max[i] += within_;
+      horizons_.push_back({s, rules.of(s).base == BaseRule::erode, box,
+                           SurfaceDistance(surfaces[s].points, surfaces[s].triangles)});
+    }
+  }
+
+  /// Those at which a fault with these runs ends.
+  std::vector<Index> roofs_of(const std::vector<Run>& runs) const {
+    std::vector<Index> rows;
+    for (const Run& run : runs) {
+      std::optional<Index> best;
+      double farthest = within_;
+      for (const Horizon& h : horizons_) {
+        if (std::ranges::none_of(run, [&](const Vec3& p) { return is_inside(h.near, p); })) continue;
+        const Beside found = beside(run, h.distance);
+        if (h.erodes && found.nearest <= within_) rows.push_back(h.row);
+        if (h.erodes || !found.any_above || found.farthest > farthest) continue;
+        farthest = found.farthest;
+        best = h.row;
+      }
+      if (best) rows.push_back(*best);
+    }
+    std::ranges::sort(rows);
+    rows.erase(std::ranges::unique(rows).begin(), rows.end());
+    return rows;
+  }
+
+ private:
+  struct Horizon {
+    Index row;
+    bool erodes;
+    Box3 near;
+    SurfaceDistance distance;
+  };
+  double within_;
+  std::vector<Horizon> horizons_;
+};
+
+}  // namespace
+
+std::vector<std::pair<Index, Index>> fault_roofs(const std::vector<TriangulatedSurface>& surfaces,
+                                                 const ModelRules& rules) {
+  std::vector<std::pair<Index, Index>> roofs;
+  if (!(rules.continuation.within_of_faults > 0)) return roofs;
+  std::optional<Horizons> horizons;
+  for (Index s = 0; s < surfaces.size(); ++s) {
+    const SurfaceRules rule = rules.of(s);
+    if (surfaces[s].kind != SurfaceKind::fault || surfaces[s].triangles.empty() || !rule.continues ||
+        rule.extend != Extend::none || !rule.stop_at.empty())
+      continue;
+    const std::vector<Run> runs = runs_inside(surfaces[s], rules.continuation.bounds);
+    if (runs.empty()) continue;
+    if (!horizons) horizons.emplace(surfaces, rules);
+    for (const Index h : horizons->roofs_of(runs)) roofs.emplace_back(s, h);
+  }
+  return roofs;
+}
+
+std::vector<Index> horizons_of(const std::vector<std::pair<Index, Index>>& roofs) {
+  std::vector<Index> rows;
+  for (const auto& [_, horizon] : roofs) rows.push_back(horizon);
+  std::ranges::sort(rows);
+  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  return rows;
+}
+
+void end_at_roofs(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                  double within, std::vector<double>& area, std::vector<std::string>& notes) {
+  for (const auto& [fault, horizon] : built.roofs)
+    area[fault] += remove_overshoots(working, fault, {horizon}, within, surfaces[fault].name, notes);
+}
+
+}  // namespace geomesh::geomodel
