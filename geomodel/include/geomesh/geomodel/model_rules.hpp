@@ -133,8 +133,9 @@ struct BuiltRows {
   /// Rows of faults, each with that of a horizon at which it ends (an unconformity), ascending.
   std::vector<std::pair<Index, Index>> roofs;
   bool any_continued() const {
-    return !overshooting.empty() || !roofs.empty() || std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
-                                                [](const auto& part) { return !part.empty(); });
+    return !overshooting.empty() || !roofs.empty() ||
+           std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
+                       [](const auto& part) { return !part.empty(); });
   }
 
   static constexpr Index of_every_block = no_index;   ///< runs on beyond the end of a fault with throw

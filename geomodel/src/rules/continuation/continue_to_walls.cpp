@@ -193,8 +193,7 @@ class HorizonContinuation {
         ended_(ended_faults(built, rules)),
         framework_(built, rules),
         cutters_(ended_.surfaces, with_roofs(rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body})), {}),
-        walls_(ended_.surfaces,
-               rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon}),
+        walls_(ended_.surfaces, rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon}),
                rules.continuation.sides) {}
 
   void run(BuiltSurfaces& built, const std::vector<Index>& rows, const BuildLog& log) const {

@@ -14,9 +14,9 @@
 
 namespace geomesh::geomodel {
 
-/// Faults, bodies and the horizons at which faults end are intersected with the sides of the model and tetrahedralized; a block is a component of
-/// that mesh, so every place lies in one block, exactly, but for the walls themselves. A fault that ends inside leaves
-/// one block round its tip.
+/// Faults, bodies and the horizons at which faults end are intersected with the sides of the model and tetrahedralized;
+/// a block is a component of that mesh, so every place lies in one block, exactly, but for the walls themselves. A
+/// fault that ends inside leaves one block round its tip.
 ///
 /// Invariants: the tetrahedra fill the model's volume and do not overlap (tetrahedralize validates its result); a wall
 /// lies on faces of the mesh alone.
@@ -42,7 +42,8 @@ class BlockFramework {
   std::vector<Tetrahedron> tetrahedra_;
   std::vector<Index> block_;  ///< per tetrahedron
   std::vector<bool> has_tip_;
-  std::map<std::pair<Index, Index>, double> side_;  ///< by block and roof: area above the roof less area below, in the map
+  std::map<std::pair<Index, Index>, double>
+      side_;  ///< by block and roof: area above the roof less area below, in the map
   std::vector<Box3> bounds_;
   std::unique_ptr<arrangement::BoxTree> tree_;
 };

@@ -15,9 +15,8 @@ double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>
                                  {surfaces[row], row, built.part_of_triangle[row], built.continued_to[row]});
   double removed = 0;
   for (const auto& [facet, triangle] : cut_off)
-    removed += working.remove({facet}, [&, t = triangle](const PolygonSoup::Origin& o) {
-      return o.surface == row && o.triangle == t;
-    });
+    removed += working.remove(
+        {facet}, [&, t = triangle](const PolygonSoup::Origin& o) { return o.surface == row && o.triangle == t; });
   return removed;
 }
 

@@ -7,6 +7,7 @@
 #include <ranges>
 
 #include "geomesh/core/surface_distance.hpp"
+#include "naming/sums.hpp"
 #include "rules/framework/overshoots.hpp"
 #include "rules/planar/borders.hpp"
 
@@ -23,8 +24,7 @@ bool is_inside(const Box3& box, const Vec3& p) {
 std::vector<Run> runs_inside(const TriangulatedSurface& fault, const Box3& box) {
   std::vector<Run> runs;
   for (std::vector<VertexIndex> loop : border_loops(border_edges(fault)).loops) {
-    const auto outside =
-        std::ranges::find_if(loop, [&](VertexIndex v) { return !is_inside(box, fault.points[v]); });
+    const auto outside = std::ranges::find_if(loop, [&](VertexIndex v) { return !is_inside(box, fault.points[v]); });
     if (outside != loop.end()) std::rotate(loop.begin(), outside, loop.end());
     Run run;
     for (const VertexIndex v : loop) {
@@ -60,15 +60,16 @@ Beside beside(const Run& run, const SurfaceDistance& horizon) {
 /// The horizons that a fault may end at.
 class Horizons {
  public:
-  Horizons(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) : within_(rules.continuation.within_of_faults) {
+  Horizons(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
+      : within_(rules.continuation.within_of_faults) {
     for (Index s = 0; s < surfaces.size(); ++s) {
       if (surfaces[s].kind != SurfaceKind::horizon || surfaces[s].triangles.empty()) continue;
       if (std::ranges::find(rules.column, surfaces[s].name) == rules.column.end()) continue;
       Box3 box;
       for (const Vec3& p : surfaces[s].points) box.add(p);
       for (std::size_t i = 0; i < 3; ++i) box.min[i] -= within_, box.max[i] += within_;
-      horizons_.push_back({s, rules.of(s).base == BaseRule::erode, box,
-                           SurfaceDistance(surfaces[s].points, surfaces[s].triangles)});
+      horizons_.push_back(
+          {s, rules.of(s).base == BaseRule::erode, box, SurfaceDistance(surfaces[s].points, surfaces[s].triangles)});
     }
   }
 
