@@ -103,18 +103,18 @@ static CountedOptions scaled_to_target(const PreparedModel& model, const Constra
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
   constexpr double most_over_target = 2;  // 200,000 elements, beyond which the first mesh of a model is a burden
-  constexpr double worth_it = 0.7;        // flatter elements in gaps for fewer by a smaller part are no bargain
   const RefinementSettings& settings = model.refinement;
   if (!may_derive(settings)) {
     const ElementEstimate found = estimate_model(model, mesh, options);
     return {std::move(options), found};
   }
   CountedOptions chosen = scaled_to_target(model, mesh, options);
-  const double count = chosen.estimate.total();
-  if (count > most_over_target * settings.derived_elements && options.size.gap_layers == default_gap_layers) {
+  const double count = chosen.estimate.total(), most = most_over_target * settings.derived_elements;
+  if (count > most && options.size.gap_layers == default_gap_layers) {
     options.size.gap_layers = 0;
     CountedOptions without_gaps = scaled_to_target(model, mesh, std::move(options));
-    if (without_gaps.estimate.total() < worth_it * count) {
+    if (without_gaps.estimate.total() <=
+        most) {  // else, as where faults cross all over, elements would be flat in vain
       chosen = std::move(without_gaps);
       chosen.count_with_gaps = count;
     }

@@ -22,8 +22,8 @@ struct CountedOptions {
 /// Where the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume come to many
 /// more or fewer elements: the sizes are those by which the estimate is about settings.derived_elements, and settings
 /// and the report's input hold them. Where gaps between surfaces keep the estimate above twice that whatever the size,
-/// they ask for nothing, unless the project says what they are to ask for. Else, and where the project asks for any
-/// size, the options as they are.
+/// and it is below that without them, they ask for nothing, unless the project says what they are to ask for. Else, and
+/// where the project asks for any size, the options as they are.
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 
