@@ -33,11 +33,9 @@ class Continuing {
   }
 
   /// A horizon: block by block, and where that does not do, along its border.
-  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips,
-                bool fills_blocks) {
+  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips) {
     begin();
-    DividedHorizon divided =
-        continue_in_blocks(surface(), row_, {framework, cutters, walls_, rules_.bounds, within_, fills_blocks});
+    DividedHorizon divided = continue_in_blocks(surface(), row_, {framework, cutters, walls_, rules_.bounds, within_});
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
       const std::vector<Frame> frames = frames_along(surface(), tips);
       const auto counts = [&](const Vec3& p) {
@@ -191,8 +189,7 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   }
 }
 
-void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
-                       const BuildLog& log) {
+void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log) {
   const ContinuationRules& how = rules.continuation;
   if (!(how.within_of_horizons > 0)) return;
   const std::vector<Index> cutters = rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body});
@@ -207,7 +204,7 @@ void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std:
   for (const Index row : all) {
     if (built.surfaces[row].kind != SurfaceKind::horizon || keeps_border(built, rules, row)) continue;
     Continuing horizon(built, row, walls, how, how.within_of_horizons);
-    horizon.go_on_in(framework, explained, ended.tips, std::ranges::count(fill_blocks, row) > 0);
+    horizon.go_on_in(framework, explained, ended.tips);
     horizon.tell(log);
   }
 }
