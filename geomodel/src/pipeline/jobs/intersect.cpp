@@ -122,13 +122,14 @@ std::vector<std::vector<Index>> parts_that_may_go(const PreparedModel& model) {
   return parts;
 }
 
-/// Walls of continuations that are whole in the arrangement: faults that overshoot the ones on which they end are cut
-/// in the soup, and what ends at them is cut there, too.
+/// Walls of continued horizons that are whole in the arrangement: faults that overshoot the ones on which they end are
+/// cut in the soup, and what ends at them is cut there, too. So are continued faults: those that lie in each other to
+/// rounding are brought together first.
 std::vector<std::vector<Index>> walls_of_continuations(const PreparedModel& model) {
   const BuiltRows& rows = model.built_rows;
   std::vector<std::vector<Index>> walls = rows.continued_to;
   for (std::size_t s = 0; s < walls.size(); ++s) {
-    if (rows.part_of_triangle[s].empty()) walls[s].clear();
+    if (rows.part_of_triangle[s].empty() || model.surfaces[s].kind != SurfaceKind::horizon) walls[s].clear();
     std::erase_if(walls[s], [&](Index wall) {
       return std::binary_search(rows.overshooting.begin(), rows.overshooting.end(), wall);
     });
