@@ -234,6 +234,7 @@ struct Setting {
   const Walls& walls;
   double within;
   const Division& division;
+  bool fills_blocks;
 };
 
 /// The continuation of one sheet.
@@ -310,6 +311,7 @@ class Continuation {
   }
 
   void find_open_places() {
+    if (s_.fills_blocks) return;
     for (std::size_t v = n_border_; v < points_.size(); ++v)
       if (in_block_[v] && distance_[v] > radius_ && !has_wall_near(points_[v])) open_.push_back(points_[v]);
   }
@@ -384,8 +386,8 @@ class Continuation {
 }  // namespace
 
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting) {
-  const auto& [framework, cutters, walls, box, within] = setting;
-  const auto states = border_states(horizon, row, walls, box, within);
+  const auto& [framework, cutters, walls, box, within, fills_blocks] = setting;
+  const auto states = border_states(horizon, row, walls, box, fills_blocks ? norm(box.max - box.min) : within);
   const Division division(horizon, row, framework, cutters, states);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
@@ -396,7 +398,7 @@ DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row,
     for (const Index t : rows) sheet.push_back(division.triangles()[t]);
     std::optional<BlockExtension> extension;
     if (!framework.has_tip(b))
-      extension = Continuation({horizon, row, framework, walls, within, division}, b, sheet).make();
+      extension = Continuation({horizon, row, framework, walls, within, division, fills_blocks}, b, sheet).make();
     if (extension) {
       if (!extension->triangles.empty()) divided.extensions.push_back(std::move(*extension));
       continue;

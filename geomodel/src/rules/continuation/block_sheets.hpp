@@ -36,6 +36,8 @@ struct BlockSetting {
   const Walls& walls;    ///< horizons and the sides, too
   const Box3& box;       ///< of the model
   double within = 0;     ///< m
+  /// Places are filled however far from the data of their block they are.
+  bool fills_blocks = false;
 };
 
 /// Continues the horizon in each block. In the map, a place of the block is filled unless a disc of radius `within`

@@ -33,9 +33,11 @@ class Continuing {
   }
 
   /// A horizon: block by block, and where that does not do, along its border.
-  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips) {
+  void go_on_in(const BlockFramework& framework, const Walls& cutters, const std::vector<FaultTip>& tips,
+                bool fills_blocks) {
     begin();
-    DividedHorizon divided = continue_in_blocks(surface(), row_, {framework, cutters, walls_, rules_.bounds, within_});
+    DividedHorizon divided =
+        continue_in_blocks(surface(), row_, {framework, cutters, walls_, rules_.bounds, within_, fills_blocks});
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
       const std::vector<Frame> frames = frames_along(surface(), tips);
       const auto counts = [&](const Vec3& p) {
@@ -189,7 +191,8 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   }
 }
 
-void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log) {
+void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
+                       const BuildLog& log) {
   const ContinuationRules& how = rules.continuation;
   if (!(how.within_of_horizons > 0)) return;
   const std::vector<Index> cutters = rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body});
@@ -204,7 +207,7 @@ void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const Buil
   for (const Index row : all) {
     if (built.surfaces[row].kind != SurfaceKind::horizon || keeps_border(built, rules, row)) continue;
     Continuing horizon(built, row, walls, how, how.within_of_horizons);
-    horizon.go_on_in(framework, explained, ended.tips);
+    horizon.go_on_in(framework, explained, ended.tips, std::ranges::count(fill_blocks, row) > 0);
     horizon.tell(log);
   }
 }
