@@ -272,8 +272,8 @@ output: {{directory: out, formats: [vtu]}}
         with patch.object(RandomModel, "write", write_with_open_borders):
             self.assert_pass(990086, light=True)
 
-    def test_recovery_is_tried_in_other_orders_with_all_doubles(self):
-        """13,944 facets at coordinates of 12,000 km. The first such attempt left two points without a double, the next none (912956)."""
+    def test_all_doubles_of_stars_are_looked_through_within_an_attempt(self):
+        """13,944 facets at coordinates of 12,000 km, where points have no double near their places (912956)."""
         project = RandomModel(912956, light=True).write(self.path("orders"))
         status, printed = run(PROGRAM, [project, "--stop-after", "recover", "--quiet", "--threads", "1"], 120)
         self.assertEqual(status, 0, printed)

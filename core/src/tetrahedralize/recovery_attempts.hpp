@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "geomesh/core/tetrahedralize.hpp"
-#include "recover/model/recover.hpp"
 #include "recover/start/hard_parts_first.hpp"
 
 namespace geomesh {
@@ -26,7 +25,6 @@ struct Attempt {
   unsigned number = 0;  ///< from 0; also the seed of what is chosen at random
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
-  recover::DoublesTried doubles = recover::DoublesTried::near_places;
 
   /// How it differs from those before it, in a few words.
   const char* difference() const;
@@ -35,15 +33,8 @@ struct Attempt {
 /// The attempt of that number, given what those before it have learned.
 Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts);
 
-/// Too many points had no double where doubles were looked for, over all attempts of that kind.
-struct Hopeless {
-  bool near_places = false;
-  bool all_of_star = false;
-};
-
-/// The one after `attempt`; nothing after the last. Attempts with all doubles of stars, in other orders, come at the
-/// end, so what is meshed without them keeps its mesh. They come at once where doubles near places are hopeless.
+/// The one after `attempt`; nothing after the last.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
-                                     const recover::HardPartsFirst& hard_parts, const Hopeless& hopeless);
+                                     const recover::HardPartsFirst& hard_parts);
 
 }  // namespace geomesh

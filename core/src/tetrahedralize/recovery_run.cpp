@@ -38,12 +38,8 @@ std::size_t round_steiner_points(Recovery& recovery) {
     std::vector<VertexIndex> left = recover::round_exact_points(recovery);
     if (left.empty()) return 0;
     if (left.size() >= n_before || run + 1 == recover::recovery_budget.rounding_runs) {
-      if (recovery.doubles == recover::DoublesTried::near_places) {
-        recovery.doubles = recover::DoublesTried::all_of_star;
-        left = recover::round_exact_points(recovery);
-        recovery.doubles = recover::DoublesTried::near_places;
-        if (left.empty()) return 0;
-      }
+      recover::round_anywhere_in_stars(recovery, left);
+      if (left.empty()) return 0;
       recovery.end(recover::error_of_rounding(recovery, left));
       return left.size();
     }
@@ -101,7 +97,6 @@ RecoveryOutcome RecoveryRun::recover() {
     mesh.reseed(1 + attempt.number);
     Recovery recovery{mesh, model_.constraints, statistics_, context_, model_.input_vertex, plc_, names_, crossings};
     recovery.attempt = attempt.number;
-    recovery.doubles = attempt.doubles;
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
     recovery.may_change_to_exact = options_.recover.mode == MeshMode::constrained && options_.recover.max_attempts > 1;
     recovery.least_spacing = least_spacing_;
@@ -137,8 +132,7 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   };
   const auto round_points = [&] {
     if (!recovery.has_exact_points) return;
-    const bool all = attempt.doubles == recover::DoublesTried::all_of_star;
-    (all ? n_without_any_double_ : n_without_double_) += round_steiner_points(recovery);
+    n_without_double_ += round_steiner_points(recovery);
     if (recovery.has_ended()) return;
     recover::remove_added_points(recovery, boundary);  // in places that rounding has moved
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
@@ -172,16 +166,15 @@ Error RecoveryRun::with_way_out(const Error& dead_end) const {
 }
 
 /// What recovery finds wrong with the model is believed where the exact search for crossings agrees, and after the last
-/// attempt. Many points without a double near them make it the last one of its kind: another would fare no better. Many
-/// orientations decided make it the last one at all: another would take too long.
+/// attempt. Many points without a double make it the last one, since another would fare no better; so do many
+/// orientations decided, since another would take too long.
 std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const Error& dead_end,
                                                   const Recovery& recovery) const {
-  if (n_decided_ >= recover::recovery_budget.decisions_per_facet * plc_.n_facets() ||
+  if (n_without_double_ >= recover::recovery_budget.points_without_double ||
+      n_decided_ >= recover::recovery_budget.decisions_per_facet * plc_.n_facets() ||
       (dead_end.kind() == ErrorKind::invalid_input && recovery.has_crossings()))
     return std::nullopt;
-  const std::size_t most = recover::recovery_budget.points_without_double;
-  return geomesh::attempt_after(attempt, options_.recover, hard_parts_,
-                                {n_without_double_ >= most, n_without_any_double_ >= most});
+  return geomesh::attempt_after(attempt, options_.recover, hard_parts_);
 }
 
 }  // namespace geomesh

@@ -51,9 +51,8 @@ class RecoveryRun {
   RecoveryStatistics statistics_{};
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
-  std::size_t n_without_double_ = 0;      ///< points that no double near them did for, over attempts that try these
-  std::size_t n_without_any_double_ = 0;  ///< points that no double of their stars did for, over the other attempts
-  std::size_t n_decided_ = 0;             ///< orientations of exact places
+  std::size_t n_without_double_ = 0;  ///< points that no double of their stars did for, over all attempts
+  std::size_t n_decided_ = 0;         ///< orientations of exact places
 };
 
 }  // namespace geomesh

@@ -19,12 +19,6 @@
 
 namespace geomesh::recover {
 
-/// Which doubles are tried for a Steiner point that is held exactly.
-enum class DoublesTried {
-  near_places,  ///< within two ulps, and in cells beside its star
-  all_of_star,  ///< after these, any that its whole star sees
-};
-
 /// What every stage works on.
 struct Recovery {
   ConstrainedMesh& mesh;
@@ -47,7 +41,6 @@ struct Recovery {
   bool has_exact_points = false;  ///< Steiner points are held exactly (exact_places.hpp) and rounded at the end
   /// Whether has_exact_points may become true where a rounded point leads to a dead end, for all points from then on.
   bool may_change_to_exact = false;
-  DoublesTried doubles = DoublesTried::near_places;
   unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
 
   std::unordered_set<std::uint64_t> refuted_regions{};  ///< keys of those without a filling (region_filling.cpp)

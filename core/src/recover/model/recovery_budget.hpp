@@ -17,8 +17,6 @@ struct RecoveryBudget {
   /// one point is left each time, all of them are made (soup 7944 with its boundary kept is meshed in the ninth). Most
   /// too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
   std::size_t points_without_double = 12;
-  /// With all doubles of stars, each in another order (a model at coordinates of 12,000 km took 2).
-  unsigned attempts_all_of_star = 6;
   /// Orientations of exact places decided for each facet, over all attempts: from there on the model is refused. Needle
   /// plates and walls have taken at most 3,600 before their last attempt; eight slits take 115,000 in one.
   std::size_t decisions_per_facet = 500000;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -67,6 +68,13 @@ class SideMasks {
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
+  /// Of i < j and any other vertex, as sides({i, j, k}) has them.
+  Masks of_edge(LocalVertex i, LocalVertex j, LocalVertex k) const {
+    if (k < i) return of_sorted(k, i, j);
+    if (k > j) return of_sorted(i, j, k);
+    const Masks& m = of_sorted(i, k, j);
+    return {m.second, m.first};
+  }
   /// @}
 
   Masks sides(const LocalTriangle& t) {
@@ -111,14 +119,27 @@ class SideMasks {
     widening_ = error.widening;
     slack_ = error.slack;
   }
-  /// All (i, j, k, l) with i < j.
+  /// All (i, j, k, l) with i < j, without a branch: signs of a region are as good as random. What is not certain is
+  /// decided afterwards.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
     const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
+    Masks *const jk = &known_[row_of(0, j, k)], *const jl = &known_[row_of(0, j, l)],
+                 *const kl = &known_[row_of(0, k, l)];
+    VertexMask positive = 0, negative = 0;
     for (std::size_t i = 0; i < j; ++i) {
       filter::Estimate estimate = estimate_of(offsets_[i]);
       estimate.error = widening_ * estimate.error + slack_;
-      const Sign s =
-          estimate.certain() ? estimate.sign() : mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]);
+      const VertexMask p = estimate.value > estimate.error ? 1 : 0, n = estimate.value < -estimate.error ? 1 : 0;
+      jk[i].first |= p << l, jk[i].second |= n << l;
+      jl[i].first |= n << k, jl[i].second |= p << k;
+      kl[i].first |= p << j, kl[i].second |= n << j;
+      positive |= p << i, negative |= n << i;
+    }
+    Masks& of_others = known_[row_of(j, k, l)];
+    of_others.first |= negative, of_others.second |= positive;
+    for (VertexMask left = ((VertexMask{1} << j) - 1) & ~(positive | negative); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const Sign s = mesh_.orient(vertices_[i], vertices_[j], vertices_[k], vertices_[l]);
       if (s != Sign::zero) put(i, j, k, l, s);
     }
   }

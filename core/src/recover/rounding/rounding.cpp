@@ -225,9 +225,11 @@ std::vector<VertexIndex> round_exact_points(Recovery& recovery) {
     for (const VertexIndex v : left) make_room(recovery, v);
   }
   std::erase_if(left, [&](VertexIndex v) { return round_elsewhere(recovery, v); });
-  if (recovery.doubles == DoublesTried::all_of_star)
-    std::erase_if(left, [&](VertexIndex v) { return round_anywhere_in_star(recovery, v); });
   return left;
+}
+
+void round_anywhere_in_stars(Recovery& recovery, std::vector<VertexIndex>& left) {
+  std::erase_if(left, [&](VertexIndex v) { return round_anywhere_in_star(recovery, v); });
 }
 
 }  // namespace geomesh::recover

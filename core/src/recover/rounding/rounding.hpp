@@ -12,4 +12,8 @@ namespace geomesh::recover {
 /// for are returned; they are exact as before.
 std::vector<VertexIndex> round_exact_points(Recovery& recovery);
 
+/// Points of `left` inside regions take any double that their whole stars see, however thin these are. What none does
+/// for stays in `left`, as it is.
+void round_anywhere_in_stars(Recovery& recovery, std::vector<VertexIndex>& left);
+
 }  // namespace geomesh::recover

@@ -137,7 +137,7 @@ void FillingCandidates::find_allowed_faces() {
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
   std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // (a, b, c, .)
   for (LocalVertex c = 0; c < n_; ++c)
-    if (c != a && c != b) about[c] = sides_.sides({a, b, c});
+    if (c != a && c != b) about[c] = sides_.of_edge(a, b, c);
   for (LocalVertex c = 0; c < n_; ++c) {
     if (c == a || c == b) continue;
     for (VertexMask of_d = allowed_[c] & beyond(c) & ~(bit(a) | bit(b)); of_d != 0; of_d &= of_d - 1) {
@@ -147,7 +147,7 @@ void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
       if (!(about[c].first & bit(d))) of_e |= ~(about[d].first | about[c].second);
       of_e &= thirds(c, d) & beyond(d);
       if (of_e == 0) continue;
-      const SideMasks::Masks with_a = sides_.sides({c, d, a}), with_b = sides_.sides({c, d, b});
+      const SideMasks::Masks with_a = sides_.of_edge(c, d, a), with_b = sides_.of_edge(c, d, b);
       of_e &= (with_a.first & with_b.second) | (with_a.second & with_b.first);
       for (; of_e != 0; of_e &= of_e - 1) forbid_face({c, d, lowest(of_e)});
     }
