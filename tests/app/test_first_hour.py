@@ -178,7 +178,19 @@ MISTAKES = [
             said=["base_chalk: 6 nodes of 'base_chalk' have the height 1e+30", "left out"]),
     Mistake("-99999 without its key", files=[("base_chalk.asc", esri(-1500, "", HOLES, "-99999"))],
             said=["base_chalk: 6 nodes of 'base_chalk' have the height -99999", "left out"]),
+    Mistake("a slip of the decimal point in one node", files=[("base_chalk.asc", esri(-1500, "", [(6, 5)], "-149.2"))],
+            said=["horizon base_chalk: 1 vertex stands far above or below all neighbours", "above them at (433000, 5802500, -149.2)", "a slip in the file", "warning"]),
+    Mistake("two nodes with other slips", files=[("top_chalk.zmap", zmap(-1000, holes=[(3, 3), (8, 7)], hole="-1942.0"))],
+            said=["horizon top_chalk: 2 vertices stand far above or below all neighbours", "below them at"]),
     Mistake("a fault as points", said=["tetrahedra", "regions"]),
+    Mistake("a fault as sticks in one table",
+            files=[("F1.csv", "x,y,z,stick\n" + "".join("%.1f,%.1f,%.1f,%d\n" % (431500 + 600 * i, 5799500 + 500 * j, 200 - 1000 * i, j) for j in range(13) for i in range(4)))],
+            said=["all 4 units of the column have regions"], unsaid=["error"]),
+    Mistake("traces of a fault on the map", [("file: F1.csv", "file: F1.pl")],
+            files=[("F1.pl", "GOCAD PLine 1\nHEADER {\nname:F1\n}\nILINE\nVRTX 1 431500 5799000 0\nVRTX 2 431800 5806000 0\nSEG 1 2\nEND\n")], status=BAD_INPUT,
+            said=["surface F1: the lines of F1.pl all lie at height 0", "traces on a map"]),
+    Mistake("an archive", [("seafloor.csv", "seafloor.zip")], files=[("seafloor.zip", b"PK\x03\x04" + bytes(range(60)))], status=BAD_INPUT,
+            said=["unpack it"], unsaid=["Excel"]),
     Mistake("a body as points", [("file: salt.ts", "file: salt.csv")], files=[("salt.csv", "x,y,z\n" + "".join("%d,%d,%d\n" % (433000 + 7 * i * i, 5801000 + 53 * i, -1000 - 20 * (i * i % 11)) for i in range(12)))],
             status=BAD_INPUT,
             said=["surface salt", "a body needs a closed triangulated surface"]),
@@ -247,6 +259,12 @@ class FirstHour(ProgramTest):
         write_files(self)
         self.write("seafloor.csv", csv(-300, change=lambda p: (p[1], p[0], p[2])))
         self.assertIn("with x and y exchanged", self.run_program("info", self.write("model.yaml", PROJECT)))
+
+    def test_info_of_a_grid_tells_spikes_and_steps_are_none(self):
+        self.assertIn("base: 1 vertex stands", self.run_program("info", self.write("base.asc", esri(-1500, "", [(6, 5)], "-149.2"))))
+        lines = nodes(-1000)
+        stepped = "".join("%.1f,%.1f,%.2f\n" % (x, y, z - 300 * (x > X0 + 6 * STEP)) for line in lines for x, y, z in line)
+        self.assertNotIn("stands", self.run_program("info", self.write("step.csv", "x,y,z\n" + stepped)))
 
     def test_info_of_a_file_tells_no_data(self):
         printed = self.run_program("info", self.write("a.zmap", zmap(-1000, holes=HOLES)))

@@ -128,6 +128,21 @@ class SizesAsked(ProgramTest):
         refused = self.run_program(self.write("model.yaml", text), "-o", self.folder, status=CANNOT_MESH)
         self.assertRegex(refused, "more than the limit of 1,000 .mesh: {max_elements}.")
 
+    def test_by_default_gaps_do_not_ask_for_more_than_200000_elements(self):
+        """Grids that wedge out: gaps asked for 460,000 of 540,000 elements with surfaces within 238 m, whatever the size. The limit ends the
+        run before the work."""
+        with open(os.path.join(SOURCE, "samples", "blank-grids", "project.yaml")) as file:
+            text = file.read().replace("file: surfaces/", "file: " + os.path.join(SOURCE, "samples", "blank-grids", "surfaces/"))
+        text = re.sub(r"(?m)^mesh:.*$", "mesh: {%smax_elements: 101000}", text)
+        line = self.run_program(self.write("grids.yaml", text % ""), "-o", self.folder, status=CANNOT_MESH)
+        told = float(re.search("elements to come: about ([0-9,]+[0-9])", line).group(1).replace(",", ""))
+        self.assertTrue(50_000 < told < 200_000, line)
+        self.assertLess(float(re.search("surfaces within ([0-9.]+) m", line).group(1)), 30)
+        self.assertRegex(line, r"elements in gaps between surfaces may be flat, because without that about [0-9,]+ would come .mesh: .size: .gap_layers: 0.5")
+        asked = self.run_program(self.write("grids.yaml", text % "size: {gap_layers: 0.5}, "), "-o", self.folder, status=CANNOT_MESH)
+        self.assertNotIn("may be flat", asked)
+        self.assertGreater(float(re.search("elements to come: about ([0-9,]+[0-9])", asked).group(1).replace(",", "")), 200_000)
+
     def test_a_preview_is_coarse_whatever_the_project_asks(self):
         self.write("h0.ts", level("h0", -500, size=1000.0))
         text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\ncolumn: [a, h0, b]\nmesh: {size: 10}\n"

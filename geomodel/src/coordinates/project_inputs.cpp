@@ -12,6 +12,7 @@
 #include "geomesh/geomodel/fault_polygons.hpp"
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/section.hpp"
+#include "geomesh/geomodel/sticks.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "level_sets/level_surfaces.hpp"
 
@@ -32,8 +33,12 @@ Object* object_of(std::vector<Object>& objects, const SurfaceSpec& spec, bool on
   std::string names;
   for (const TriangulatedSurface& s : contents.surfaces) names += (names.empty() ? "" : ", ") + s.name;
   for (const PointSet& s : contents.point_sets) names += (names.empty() ? "" : ", ") + s.name;
+  std::string last;
+  for (const Polyline& line : contents.polylines)
+    if (const std::string name = name_without_part(line.name); name != last)
+      names += (names.empty() ? "" : ", ") + name, last = name;
   const std::string what = "surface " + spec.name + ": " + spec.file_as_written + " (" + contents.format + ")";
-  if (names.empty()) throw Error(ErrorKind::invalid_input, what + " holds no surface and no points");
+  if (names.empty()) throw Error(ErrorKind::invalid_input, what + " holds no surface, no points and no lines");
   throw Error(ErrorKind::invalid_input, what + " holds " + names + ", and none is called " +
                                             (spec.source.object.empty() ? spec.name : spec.source.object) +
                                             ": name the one you mean with 'object' in the entry");
@@ -106,6 +111,65 @@ void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs
   }
 }
 
+/// The lines that the entry means: those of the object asked for, of the entry's name, or all where they are of one
+/// object.
+std::vector<Polyline> lines_of(const FileContents& contents, const SurfaceSpec& spec, bool only_lines) {
+  const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
+  std::vector<Polyline> lines;
+  for (const Polyline& line : contents.polylines)
+    if (line.name == wanted || name_without_part(line.name) == wanted) lines.push_back(line);
+  if (!lines.empty() || !only_lines || contents.polylines.empty() || !spec.source.object.empty()) return lines;
+  const std::string object = name_without_part(contents.polylines.front().name);
+  const bool is_one_object = std::all_of(contents.polylines.begin(), contents.polylines.end(),
+                                         [&](const Polyline& line) { return name_without_part(line.name) == object; });
+  return is_one_object ? contents.polylines : lines;
+}
+
+/// Traces on a map, and contours of one height, are no sticks.
+void refuse_one_height(const std::vector<Polyline>& lines, const SurfaceSpec& spec) {
+  const double height = lines.front().points.front().z;
+  for (const Polyline& line : lines)
+    for (const Vec3& p : line.points)
+      if (p.z != height) return;
+  throw Error(
+      ErrorKind::invalid_input,
+      "surface " + spec.name + ": the lines of " + spec.file_as_written + " all lie at height " + length_text(height) +
+          ", as traces on a map do; lines that go down the surface (sticks), or at several heights, were expected");
+}
+
+/// The sticks of a fault as they are, unless a length of `gridding` or triangulation is asked for; the points of other
+/// lines, contours for one, are gridded.
+TriangulatedSurface surface_of_lines(const std::vector<Polyline>& lines, const SurfaceSpec& spec,
+                                     const std::optional<Box3>& box, ProjectInputs& inputs) {
+  const GriddingSpec& gridding = spec.gridding;
+  const bool as_points = spec.kind != SurfaceKind::fault || gridding.method == GriddingSpec::Method::triangulate ||
+                         gridding.spacing > 0 || gridding.smoothing > 0;
+  if (spec.kind == SurfaceKind::fault) refuse_one_height(lines, spec);
+  if (as_points) {
+    PointSet points{spec.name, spec.file_as_written, {}};
+    for (const Polyline& line : lines)
+      points.points.insert(points.points.end(), line.points.begin(), line.points.end());
+    return surface_of_points(points, spec, box, inputs);
+  }
+  SurfaceOfSticks made;
+  try {
+    made = surface_of_sticks(lines, spec.gridding.max_distance);
+  } catch (const Error& e) {
+    throw Error(e.kind(), "surface " + spec.name + ": " + spec.file_as_written + ": " + e.what());
+  }
+  inputs.notes.push_back(spec.name + ": surface made between " + std::to_string(made.n_sticks) +
+                         " lines, which it passes through");
+  if (made.n_gaps > 0)
+    inputs.warnings.push_back(spec.name + ": " + std::to_string(made.n_gaps) +
+                              " gaps between its lines are wider than gridding.max_distance and stay open");
+  if (made.n_folded > 0)
+    inputs.warnings.push_back(spec.name + ": its lines cross or double back near (" + length_text(made.fold.x) + ", " +
+                              length_text(made.fold.y) + ", " + length_text(made.fold.z) +
+                              "), and the surface folds at " + std::to_string(made.n_folded) +
+                              " triangles; gridding: {smoothing: L} makes a smooth surface near their points");
+  return std::move(made.surface);
+}
+
 /// The surface that the entry means, or that is made from its points or lines.
 TriangulatedSurface raw_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
                                 ProjectInputs& inputs) {
@@ -115,6 +179,9 @@ TriangulatedSurface raw_surface(FileContents& contents, const SurfaceSpec& spec,
     surface = std::move(*s);
   } else if (const PointSet* p = object_of(contents.point_sets, spec, one_object)) {
     surface = surface_of_points(*p, spec, box, inputs);
+  } else if (const auto lines = lines_of(contents, spec, contents.surfaces.empty() && contents.point_sets.empty());
+             !lines.empty()) {
+    surface = surface_of_lines(lines, spec, box, inputs);
   } else {
     refuse_choice(contents, spec);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one file holds, declared in geomesh/geomodel/info.hpp.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -11,6 +12,7 @@
 #include "geomesh/geomodel/readers.hpp"
 #include "mesh_readers/mesh_files.hpp"
 #include "naming/sums.hpp"
+#include "plausibility/spikes.hpp"
 #include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
@@ -129,6 +131,10 @@ void describe_surfaces(const std::filesystem::path& path, FileInfo& info) {
     if (surface.name.empty()) surface.name = path.stem().string();
     info.surfaces.push_back(measure_surface(surface));
     warn_of_surface(info.surfaces.back(), info.warnings);
+    const bool is_grid = std::any_of(info.grids.begin(), info.grids.end(),
+                                     [&](const GridSummary& grid) { return grid.surface == surface.name; });
+    if (const Spikes spikes = is_grid ? find_spikes(surface) : Spikes{}; spikes.n > 0)
+      info.warnings.push_back(surface.name + ": " + spikes_words(spikes, {}) + "; " + spikes_remedy);
   }
   for (const Polyline& line : contents.polylines) {
     CompensatedSum length;

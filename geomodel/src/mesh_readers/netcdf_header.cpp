@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <vector>
 
 namespace geomesh::geomodel {
 namespace {
@@ -17,28 +18,44 @@ constexpr std::uint64_t dimensions = 10, variables = 11, attributes = 12;  // ta
 class Header {
  public:
   Header(std::ifstream& file, std::uint64_t bytes, unsigned version)
-      : file_(file), left_(bytes), width_(version == 5 ? 8 : 4), width_of_offset_(version == 1 ? 4 : 8) {}
+      : file_(file),
+        bytes_(bytes),
+        left_(bytes - 4),
+        width_(version == 5 ? 8 : 4),
+        width_of_offset_(version == 1 ? 4 : 8) {}
 
   void check() {
     number(width_);  // of records
     const std::uint64_t n_dimensions = begin_list(dimensions, 2 * width_);
+    std::vector<std::uint64_t> lengths;
     for (std::uint64_t i = 0; i < n_dimensions; ++i) {
       skip_name();
-      number(width_);
+      lengths.push_back(number(width_));
     }
     check_attributes();
     for (std::uint64_t n = begin_list(variables, 4 * width_); n > 0; --n) {
       skip_name();
-      for (std::uint64_t rank = count(width_); rank > 0; --rank)
-        if (number(width_) >= n_dimensions) throw Damaged{};
+      std::uint64_t n_values = 1;
+      for (std::uint64_t rank = count(width_); rank > 0; --rank) {
+        const std::uint64_t dimension = number(width_);
+        if (dimension >= n_dimensions) throw Damaged{};
+        const std::uint64_t length = lengths[dimension];
+        if (length != 0 && n_values > bytes_ / length) throw Damaged{};
+        n_values *= length;  // 0 along the records, which are not checked
+      }
       check_attributes();
-      number(4);  // type
+      const std::uint64_t type = number(4);
+      if (type == 0 || type >= bytes_of_type.size()) throw Damaged{};
       number(width_);
-      number(width_of_offset_);
+      check_extent(number(width_of_offset_), n_values * bytes_of_type[type]);
     }
   }
 
  private:
+  /// Values end within the file. The library reads zeros behind its end.
+  void check_extent(std::uint64_t begin, std::uint64_t bytes) const {
+    if (bytes > 0 && (begin > bytes_ || bytes > bytes_ - begin)) throw Damaged{};
+  }
   std::uint64_t number(unsigned width) {
     std::array<unsigned char, 8> bytes{};
     take(width);
@@ -79,7 +96,7 @@ class Header {
   }
 
   std::ifstream& file_;
-  std::uint64_t left_;
+  std::uint64_t bytes_, left_;  // of the file, and of what follows
   unsigned width_, width_of_offset_;
 };
 
@@ -92,7 +109,7 @@ bool netcdf_header_is_sound(const std::filesystem::path& path) {
   const auto version = static_cast<unsigned>(magic[3]);
   if (version != 1 && version != 2 && version != 5) return true;  // the library refuses it
   try {
-    Header(file, std::filesystem::file_size(path) - magic.size(), version).check();
+    Header(file, std::filesystem::file_size(path), version).check();
   } catch (const Damaged&) {
     return false;
   }

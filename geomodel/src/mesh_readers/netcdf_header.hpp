@@ -9,9 +9,9 @@
 
 namespace geomesh::geomodel {
 
-/// False where a list, name or attribute would not fit into the file, a variable names a dimension that is not there,
-/// or the header ends early. True for files of other kinds, of which HDF5 is one. Linear in the header.
-/// Followed: "The NetCDF Classic Format Specification" (Unidata).
+/// False where a list, name, attribute or variable without records would not fit into the file, a variable names a
+/// dimension that is not there, or the header ends early. True for files of other kinds, of which HDF5 is one. Linear
+/// in the header. Followed: "The NetCDF Classic Format Specification" (Unidata).
 bool netcdf_header_is_sound(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "common/default_gaps.hpp"
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "pipeline/refine_model.hpp"
@@ -63,6 +64,7 @@ void settle(PreparedModel& model, const RefineOptions& options) {
   RefinementSettings& settings = model.refinement;
   settings.size.base.global = options.size.global;
   settings.size.base.gradation = options.size.gradation;
+  settings.size.base.gap_layers = options.size.gap_layers;
   settings.tolerance.rescale_left(options.tolerance);
   auto input = nlohmann::ordered_json::parse(model.input_json, nullptr, false);
   if (input.is_discarded()) return;
@@ -85,18 +87,40 @@ static bool may_derive(const RefinementSettings& settings) {
          size.surfaces.empty() && size.curves.empty() && size.near.empty() && size.layers.empty();
 }
 
-CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
-                                 RefineOptions options) {
+/// The options scaled to about settings.derived_elements, unless they are near to it as they are.
+static CountedOptions scaled_to_target(const PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+                                       RefineOptions options) {
   constexpr double near = 1.4;
-  const RefinementSettings& settings = model.refinement;
   const ElementEstimate found = estimate_model(model, mesh, options);
-  const double target = settings.derived_elements, off = found.total() / target;
-  if (!may_derive(settings) || (off <= near && off >= 1 / near)) return {std::move(options), found};
+  const double target = model.refinement.derived_elements, off = found.total() / target;
+  if (off <= near && off >= 1 / near) return {std::move(options), found};
   const double factor = first_factor(model, mesh, options, target, greatest_factor(model, options));
   options = scaled_sizes(std::move(options), factor);
-  settle(model, options);
   const ElementEstimate scaled = estimate_model(model, mesh, options);
   return {std::move(options), scaled};
+}
+
+CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+                                 RefineOptions options) {
+  constexpr double most_over_target = 2;  // 200,000 elements, beyond which the first mesh of a model is a burden
+  const RefinementSettings& settings = model.refinement;
+  if (!may_derive(settings)) {
+    const ElementEstimate found = estimate_model(model, mesh, options);
+    return {std::move(options), found};
+  }
+  CountedOptions chosen = scaled_to_target(model, mesh, options);
+  const double count = chosen.estimate.total(), most = most_over_target * settings.derived_elements;
+  if (count > most && options.size.gap_layers == default_gap_layers) {
+    options.size.gap_layers = 0;
+    CountedOptions without_gaps = scaled_to_target(model, mesh, std::move(options));
+    if (without_gaps.estimate.total() <=
+        most) {  // else, as where faults cross all over, elements would be flat in vain
+      chosen = std::move(without_gaps);
+      chosen.count_with_gaps = count;
+    }
+  }
+  settle(model, chosen.options);
+  return chosen;
 }
 
 void announce_count(PreparedModel& model, const CountedOptions& counted, const RunContext& context) {
@@ -104,8 +128,11 @@ void announce_count(PreparedModel& model, const CountedOptions& counted, const R
   const bool may_move = options.honour == Honour::tolerance;
   const double tolerance =
       may_move ? options.tolerance + model.refinement.tolerance.requested() - model.refinement.tolerance.left() : 0;
-  const std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
-                                        options.size.from_input_edges && options.size_surfaces);
+  std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
+                                  options.size.from_input_edges && options.size_surfaces);
+  if (counted.count_with_gaps > 0)
+    text += "; elements in gaps between surfaces may be flat, because without that about " +
+            rounded_count(counted.count_with_gaps) + " would come (mesh: {size: {gap_layers: 0.5}} asks for them)";
   const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);
   if (total > limit)
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +

@@ -19,7 +19,7 @@ struct Inspected {
 void doubt_places(const Inspected& model, std::vector<Finding>& findings);
 
 /// Horizons that stand upright, faults that cover the map, bodies that are open inside the model or enclose nothing,
-/// surfaces that are given twice.
+/// surfaces that are given twice, single vertices of horizons far above or below all neighbours.
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings);
 
 /// Horizons that stand in no column and yet lie in the order of its horizons.

@@ -9,6 +9,7 @@
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
 #include "plausibility/doubts.hpp"
+#include "plausibility/spikes.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -205,6 +206,16 @@ void doubt_twins(const Inspected& model, std::vector<Finding>& findings) {
   }
 }
 
+void doubt_spikes(const Inspected& model, const TriangulatedSurface& s, std::vector<Finding>& findings) {
+  const Spikes spikes = find_spikes(s);
+  if (spikes.n > 0)
+    findings.push_back({Finding::Sureness::probable,
+                        "spikes",
+                        {s.name},
+                        "horizon " + s.name + ": " + spikes_words(spikes, model.project.output.origin),
+                        spikes_remedy});
+}
+
 }  // namespace
 
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
@@ -216,6 +227,7 @@ void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
     if (surface.triangles.empty() || elsewhere.contains(surface.name)) continue;
     if (surface.kind != SurfaceKind::body) {
       doubt_kind(model, surface, findings);
+      if (surface.kind == SurfaceKind::horizon) doubt_spikes(model, surface, findings);
     } else if (rule.thickness > 0) {
       continue;
     } else if (is_closed(surface)) {

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <optional>
 
+#include "common/default_gaps.hpp"
+
 namespace geomesh::geomodel {
 
 namespace {
@@ -118,9 +120,6 @@ void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
     sizes.by_depth.push_back(entry);
   }
 }
-
-/// With surfaces within a tolerance: edges are at most two and a half times as long as a layer is thick.
-constexpr double default_gap_layers = 0.4;
 
 const std::vector<std::string_view>& size_keys() {
   static const std::vector<std::string_view> keys{"global",     "units",       "surfaces",    "curves",

@@ -6,6 +6,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/readers.hpp"
+#include "geomesh/geomodel/sticks.hpp"
 #include "readers/objects_of_file.hpp"
 
 namespace geomesh::geomodel {
@@ -68,7 +69,9 @@ std::vector<SurfaceSpec> entries_of_all_objects(const SurfaceSpec& spec) {
   std::set<std::string> taken;
   for (FileContents& object : objects_of_file(contents)) {
     SurfaceSpec entry = spec;
-    std::string name = object.surfaces.empty() ? object.point_sets.front().name : object.surfaces.front().name;
+    std::string name = !object.surfaces.empty()     ? object.surfaces.front().name
+                       : !object.point_sets.empty() ? object.point_sets.front().name
+                                                    : name_without_part(object.polylines.front().name);
     for (char& c : name)
       if (static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\'' || c == ',' || c == '/' || c == '\\') c = '_';
     std::string unique = name;
@@ -79,9 +82,9 @@ std::vector<SurfaceSpec> entries_of_all_objects(const SurfaceSpec& spec) {
     entries.push_back(std::move(entry));
   }
   if (entries.empty())
-    throw Error(ErrorKind::invalid_input, "surface " + spec.name + ": " + spec.file_as_written + " (" +
-                                              contents.format +
-                                              ") holds no surface and no points, of which object: \"*\" takes all");
+    throw Error(ErrorKind::invalid_input,
+                "surface " + spec.name + ": " + spec.file_as_written + " (" + contents.format +
+                    ") holds no surface, no points and no lines, of which object: \"*\" takes all");
   return entries;
 }
 

@@ -55,6 +55,9 @@ FileContents read_irap_binary(const InputFile& file);
 bool is_geotiff(const InputFile& file);
 FileContents read_geotiff(const InputFile& file);
 
+bool is_netcdf(const InputFile& file);
+FileContents read_netcdf(const InputFile& file);
+
 bool is_dxf(const InputFile& file);
 FileContents read_dxf(const InputFile& file);
 
@@ -66,6 +69,13 @@ FileContents read_earth_vision(const InputFile& file);
 
 bool is_petrel_points(const InputFile& file);
 FileContents read_petrel_points(const InputFile& file);
+
+/// Shapefile, GeoPackage, GeoJSON.
+bool is_vector(const InputFile& file);
+FileContents read_vector(const InputFile& file);
+
+bool is_charisma(const InputFile& file);
+FileContents read_charisma(const InputFile& file);
 
 bool is_xyz(const InputFile& file);
 FileContents read_xyz(const InputFile& file);

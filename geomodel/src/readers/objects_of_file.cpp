@@ -2,6 +2,9 @@
 #include "readers/objects_of_file.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "geomesh/geomodel/sticks.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -22,6 +25,18 @@ FileContents with_surface(const FileContents& contents, const TriangulatedSurfac
   return part;
 }
 
+/// One for the lines of each name, in the order in which the names come first.
+std::vector<FileContents> objects_of_lines(const FileContents& contents) {
+  std::vector<FileContents> objects;
+  std::map<std::string, std::size_t> row_of;
+  for (const Polyline& line : contents.polylines) {
+    const auto [row, is_new] = row_of.try_emplace(name_without_part(line.name), objects.size());
+    if (is_new) objects.push_back(without_objects(contents));
+    objects[row->second].polylines.push_back(line);
+  }
+  return objects;
+}
+
 }  // namespace
 
 std::vector<FileContents> objects_of_file(const FileContents& contents) {
@@ -31,6 +46,7 @@ std::vector<FileContents> objects_of_file(const FileContents& contents) {
     objects.push_back(without_objects(contents));
     objects.back().point_sets.push_back(set);
   }
+  if (objects.empty()) objects = objects_of_lines(contents);
   if (!objects.empty()) {
     objects.front().notes = contents.notes;
     objects.front().warnings = contents.warnings;

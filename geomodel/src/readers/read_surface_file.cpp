@@ -29,6 +29,8 @@ constexpr std::array formats{
     Format{"VTK legacy", ".vtk", is_vtk_legacy, read_vtk_legacy},
     Format{"OFF", ".off", is_off, read_off},
     Format{"GeoTIFF", ".tif .tiff", is_geotiff, read_geotiff},
+    Format{"netCDF or HDF5 grid", ".nc .nc4 .cdf .h5 .hdf5", is_netcdf, read_netcdf},
+    Format{"Shapefile, GeoPackage, GeoJSON", ".shp .gpkg .geojson", is_vector, read_vector},
     Format{"OMF", ".omf", is_omf, read_omf},
     Format{"DXF", ".dxf", is_dxf, read_dxf},
     Format{"Surfer grid (text)", "", is_surfer_text, read_surfer_text},
@@ -41,6 +43,7 @@ constexpr std::array formats{
     Format{"Irap classic grid", ".irap .gri .fgr", is_irap_text, read_irap_text},
     Format{"EarthVision", "", is_earth_vision, read_earth_vision},
     Format{"Petrel points", "", is_petrel_points, read_petrel_points},
+    Format{"Charisma fault sticks", "", is_charisma, read_charisma},
     Format{"STL", ".stl", is_stl, read_stl},
     Format{"OBJ", ".obj", is_obj, read_obj},
     Format{"points (XYZ, CSV)", ".xyz .csv .txt .dat .pts", is_xyz, read_xyz},
@@ -64,6 +67,7 @@ struct Stranger {
   const char* advice;
 };
 constexpr std::array strangers{
+    Stranger{{}, ".zip .gz .7z .rar .kmz", "an archive is not read: unpack it, and name the file that was in it"},
     Stranger{{"PK\x03\x04", 4},
              ".xlsx .xlsm .ods",
              "a workbook of Excel or LibreOffice is not read: save the sheet with the points as CSV"},
@@ -76,18 +80,6 @@ constexpr std::array strangers{
              ".las",
              "LAS holds logs along a well, not its path: give the deviation survey (MD, inclination, azimuth) or x, y, "
              "z of the path as a table"},
-    Stranger{{"\0\0\x27\x0a", 4},
-             ".shp",
-             "a Shapefile is not read: convert it, e.g. ogr2ogr -f CSV points.csv FILE.shp -lco GEOMETRY=AS_XYZ, or to "
-             "DXF with ogr2ogr -f DXF lines.dxf FILE.shp"},
-    Stranger{{"SQLite format 3", 15},
-             ".gpkg",
-             "a GeoPackage is not read: convert it, e.g. ogr2ogr -f CSV points.csv FILE.gpkg -lco GEOMETRY=AS_XYZ, or "
-             "to DXF with ogr2ogr -f DXF lines.dxf FILE.gpkg"},
-    Stranger{{"CDF", 3}, ".nc", "a netCDF grid is not read: convert it with gdal_translate -of GTiff FILE.nc grid.tif"},
-    Stranger{{"\x89HDF", 4},
-             ".nc4 .h5 .hdf5",
-             "an HDF5 or netCDF-4 grid is not read: convert it with gdal_translate -of GTiff FILE grid.tif"},
     Stranger{{"\xff\xfe", 2}, "", "the text is UTF-16 ('Unicode text'): save it as CSV or as text in UTF-8"},
 };
 

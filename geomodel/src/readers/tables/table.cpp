@@ -53,6 +53,11 @@ std::size_t group_rank(std::string_view n) {
   return it == std::end(words) ? 0 : static_cast<std::size_t>(it - std::begin(words)) + 1;
 }
 
+bool is_stick(std::string_view n) {
+  return one_of(n, {"stick", "stick_id", "stickid", "stick_no", "stick_nr", "stick_number", "stick number", "sticks",
+                    "fault_stick", "segment", "segment_id", "polyline", "polyline_id"});
+}
+
 }  // namespace
 
 std::pair<std::string, std::string> column_name_and_unit(std::string_view text) {
@@ -192,6 +197,8 @@ std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<s
       has_z = true;
       columns.depth = height.depth;
       columns.z_unit = unit;
+    } else if (is_stick(name) && !columns.stick) {
+      columns.stick = i;
     } else if (name == "column") {
       columns.column = i;
     } else if (name == "row") {
@@ -208,9 +215,14 @@ std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<s
 Table read_table(LineReader& lines, const Separation& separation, Columns columns, double null) {
   Table table;
   const std::size_t n_needed = std::max({columns.x, columns.y, columns.z}) + 1;
+  std::size_t n_segments = 0;
   while (lines.next()) {
     const std::string_view line = trim(lines.line());
     if (line.empty() || line.front() == '#' || line.front() == '!') continue;
+    if (line.front() == '>') {
+      ++n_segments;
+      continue;
+    }
     const std::vector<std::string_view> fields = separation.split(lines.line());
     if (fields.size() < n_needed)
       lines.fail("expected at least " + std::to_string(n_needed) + " columns, found " + std::to_string(fields.size()) +
@@ -238,6 +250,8 @@ Table read_table(LineReader& lines, const Separation& separation, Columns column
       continue;
     }
     if (columns.group && *columns.group < fields.size()) row.group = fields[*columns.group];
+    if (n_segments > 0) row.stick = std::to_string(n_segments);
+    if (columns.stick && *columns.stick < fields.size()) row.stick = fields[*columns.stick];
     const auto whole = [&](std::optional<std::size_t> c, std::size_t& out) {
       if (!c) return;
       const auto n = *c < fields.size() ? to_integer(fields[*c]) : std::nullopt;
@@ -249,6 +263,7 @@ Table read_table(LineReader& lines, const Separation& separation, Columns column
     whole(columns.row, row.row);
     table.rows.push_back(std::move(row));
   }
+  table.has_lines = columns.stick || n_segments > 0;
   table.columns = std::move(columns);
   return table;
 }
@@ -269,7 +284,7 @@ void choose_group(LineReader lines, const Separation& separation, const std::vec
   if (candidates.empty()) return;
   std::size_t n_rows = 0;
   while (lines.next()) {
-    if (trim(lines.line()).empty()) continue;
+    if (const auto line = trim(lines.line()); line.empty() || line.front() == '>') continue;
     ++n_rows;
     const auto fields = separation.split(lines.line());
     for (Candidate& c : candidates)
@@ -335,6 +350,34 @@ void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> p
 
 }  // namespace
 
+namespace {
+
+/// The lines of one group, in the order in which they begin.
+void add_lines(const InputFile& file, const std::string& name, const std::vector<const TableRow*>& rows,
+               FileContents& contents) {
+  std::vector<Vec3> points;
+  for (const TableRow* row : rows) points.push_back(row->point);
+  std::vector<double> heights;
+  for (const Vec3& p : points) heights.push_back(p.z);
+  const std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+  for (std::string& text :
+       describe_odd_heights(odd, name, "points", [&](std::size_t row) { return map_place_words(points[row]); }))
+    contents.warnings.push_back(std::move(text));
+  std::map<std::string, std::size_t> line_of;
+  std::vector<std::vector<Vec3>> lines;
+  for (const TableRow* row : rows) {
+    if (is_left_out(row->point.z, odd)) continue;
+    const auto [it, is_new] = line_of.try_emplace(row->stick, lines.size());
+    if (is_new) lines.emplace_back();
+    lines[it->second].push_back(row->point);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    contents.polylines.push_back(
+        {lines.size() == 1 ? name : name + "__" + std::to_string(i + 1), file.shown(), std::move(lines[i])});
+}
+
+}  // namespace
+
 void add_table(const InputFile& file, const Table& table, FileContents& contents) {
   if (table.rows.empty()) file.fail("the file holds no point with x, y and z");
   contents.frame.depth = contents.frame.z_named = table.columns.depth;
@@ -345,18 +388,24 @@ void add_table(const InputFile& file, const Table& table, FileContents& contents
   if (table.n_skipped > 0)
     contents.warnings.push_back(std::to_string(table.n_skipped) + " rows without a value of x, y or z are left out");
   std::vector<std::string> order;
-  std::map<std::string, std::vector<Vec3>> sets;
+  std::map<std::string, std::vector<const TableRow*>> sets;
   for (const TableRow& row : table.rows) {
     const auto [it, fresh] = sets.try_emplace(row.group);
     if (fresh) order.push_back(row.group);
-    it->second.push_back(row.point);
+    it->second.push_back(&row);
   }
   if (order.size() > 1)
     contents.notes.push_back("the points are parted by the column '" + table.columns.group_name + "'");
   for (const std::string& group : order) {
     std::string name = order.size() == 1 ? file.path.stem().string() : group;
     if (name.empty()) name = "(none)";
-    add_set(file, name, std::move(sets[group]), contents);
+    if (table.has_lines) {
+      add_lines(file, name, sets[group], contents);
+      continue;
+    }
+    std::vector<Vec3> points;
+    for (const TableRow* row : sets[group]) points.push_back(row->point);
+    add_set(file, name, std::move(points), contents);
   }
 }
 

@@ -35,6 +35,7 @@ std::pair<std::string, std::string> column_name_and_unit(std::string_view text);
 struct Columns {
   std::size_t x = 0, y = 1, z = 2;
   std::optional<std::size_t> group;        ///< a name that parts the points into sets
+  std::optional<std::size_t> stick;        ///< a number or name that divides the points of a set into lines
   std::optional<std::size_t> column, row;  ///< of a grid
   std::string group_name;
   bool depth = false, geographic = false;
@@ -59,21 +60,24 @@ void choose_group(LineReader lines, const Separation& separation, const std::vec
 /// One row of a table.
 struct TableRow {
   Vec3 point;
-  std::string group;
+  std::string group, stick;
   std::size_t column = 0, row = 0;  ///< of a grid, from 0
 };
 struct Table {
   Columns columns;
   std::vector<TableRow> rows;
   std::size_t n_skipped = 0;  ///< rows without a value of x, y or z
+  bool has_lines = false;     ///< the points are of lines, parted by a column or by lines that begin with >
 };
-/// The rows from the reader's next line on; blank lines and those that begin with # or ! are passed over. `null`:
+/// The rows from the reader's next line on; blank lines and those that begin with # or ! are passed over, and one that
+/// begins with > begins a new stick. `null`:
 /// heights of this size and more have no value. Throws Error{invalid_input} with the line where a field is no number or
 /// missing.
 Table read_table(LineReader& lines, const Separation& separation, Columns columns,
                  double null = std::numeric_limits<double>::infinity());
 
-/// Point sets of the table, one a group; a set that fills a regular lattice becomes a surface instead. Coordinates are
+/// Point sets of the table, one a group, or the lines of its sticks; a set that fills a regular lattice becomes a
+/// surface instead. Coordinates are
 /// not converted; contents.frame is filled. Throws Error{invalid_input} where there is no point.
 void add_table(const InputFile& file, const Table& table, FileContents& contents);
 

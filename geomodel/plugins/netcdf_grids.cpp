@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grids in netCDF and HDF5 files by the netCDF library: a part of the module geomesh-exodus. Axes are found as the CF
+// conventions say (coordinate variables, two-dimensional ones named by the attribute `coordinates`); where an HDF5 file
+// names no axes, one-dimensional variables of the right length and a known name are taken.
+#include "readers/grids/netcdf_grids.hpp"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "geomesh/core/error.hpp"
+#include "mesh_readers/netcdf_header.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+enum class Axis { none, x, y };
+
+/// One variable of the file.
+struct Variable {
+  int group = 0, id = 0;
+  std::string name, path;  ///< without and with its groups
+  nc_type type = NC_NAT;
+  std::vector<int> dimensions;
+  std::vector<std::size_t> counts;
+
+  /// Rows of `dimensions` with more than one entry.
+  std::vector<std::size_t> axes() const {
+    std::vector<std::size_t> rows;
+    for (std::size_t d = 0; d < counts.size(); ++d)
+      if (counts[d] != 1) rows.push_back(d);
+    return rows;
+  }
+  std::size_t size() const {
+    std::size_t n = 1;
+    for (const std::size_t c : counts) n *= c;
+    return n;
+  }
+  bool is_number() const { return type >= NC_BYTE && type <= NC_UINT64 && type != NC_CHAR; }
+};
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+bool one_of(const std::string& word, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
+}
+
+/// A netCDF or HDF5 file with all variables of all groups.
+class File {
+ public:
+  explicit File(const std::filesystem::path& path) : path_(path), bytes_(std::filesystem::file_size(path)) {
+    if (!netcdf_header_is_sound(path)) refuse("its header does not fit into the file: it is damaged");
+    if (nc_open(path.c_str(), NC_NOWRITE, &root_) != NC_NOERR)
+      refuse(
+          "the netCDF library cannot open it: it is damaged, or an HDF5 file of a kind that the library does not read");
+    collect(root_, "", 0);
+  }
+  ~File() {
+    if (root_ >= 0) nc_close(root_);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  const std::vector<Variable>& variables() const { return variables_; }
+  int root() const { return root_; }
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw Error(ErrorKind::invalid_input, path_.string() + ": " + why);
+  }
+
+  std::string text(int group, int id, const char* attribute) const {
+    nc_type type = NC_NAT;
+    std::size_t length = 0;
+    constexpr std::size_t most_letters = 1 << 16;
+    if (nc_inq_att(group, id, attribute, &type, &length) != NC_NOERR || length == 0 || length > most_letters) return "";
+    if (type == NC_STRING) {
+      std::vector<char*> texts(length, nullptr);
+      if (nc_get_att_string(group, id, attribute, texts.data()) != NC_NOERR) return "";
+      const std::string first = texts[0] ? texts[0] : "";
+      nc_free_string(length, texts.data());
+      return first;
+    }
+    if (type != NC_CHAR) return "";
+    std::string value(length, '\0');
+    if (nc_get_att_text(group, id, attribute, value.data()) != NC_NOERR) return "";
+    return value.c_str();
+  }
+  std::string text(const Variable& v, const char* attribute) const { return text(v.group, v.id, attribute); }
+
+  std::vector<double> numbers(int group, int id, const char* attribute) const {
+    nc_type type = NC_NAT;
+    std::size_t length = 0;
+    constexpr std::size_t most_values = 100;
+    if (nc_inq_att(group, id, attribute, &type, &length) != NC_NOERR || type == NC_CHAR || type == NC_STRING ||
+        length > most_values)
+      return {};
+    std::vector<double> values(length);
+    if (nc_get_att_double(group, id, attribute, values.data()) != NC_NOERR) return {};
+    return values;
+  }
+
+  /// All numbers of the variable. Throws where the file cannot hold so many: deflate packs 1032 to 1 at most.
+  std::vector<double> values(const Variable& v) const {
+    constexpr std::size_t most_packed = 1032;
+    if (v.size() / most_packed > bytes_)
+      refuse("the sizes of " + v.path + " are not those of what follows: it is damaged");
+    std::vector<double> values(v.size());
+    const std::vector<std::size_t> start(v.counts.size(), 0);
+    const int status = nc_get_vara_double(v.group, v.id, start.data(), v.counts.data(), values.data());
+    if (status != NC_NOERR && status != NC_ERANGE) refuse("its variable " + v.path + " cannot be read: it is damaged");
+    return values;
+  }
+
+ private:
+  void collect(int group, const std::string& above, int depth) {
+    constexpr int deepest = 16;
+    int n = 0;
+    if (nc_inq_nvars(group, &n) == NC_NOERR)
+      for (int id = 0; id < n; ++id)
+        if (auto v = variable(group, id)) {
+          v->path = above + v->name;
+          variables_.push_back(std::move(*v));
+        }
+    if (depth == deepest || nc_inq_grps(group, &n, nullptr) != NC_NOERR || n <= 0) return;
+    std::vector<int> groups(static_cast<std::size_t>(n));
+    if (nc_inq_grps(group, &n, groups.data()) != NC_NOERR) return;
+    for (const int inner : groups) {
+      char name[NC_MAX_NAME + 1] = {};
+      if (nc_inq_grpname(inner, name) == NC_NOERR) collect(inner, above + name + "/", depth + 1);
+    }
+  }
+
+  static std::optional<Variable> variable(int group, int id) {
+    Variable v;
+    v.group = group;
+    v.id = id;
+    char name[NC_MAX_NAME + 1] = {};
+    int n = 0;
+    if (nc_inq_varname(group, id, name) != NC_NOERR || nc_inq_vartype(group, id, &v.type) != NC_NOERR ||
+        nc_inq_varndims(group, id, &n) != NC_NOERR || n < 0 || n > NC_MAX_VAR_DIMS)
+      return std::nullopt;
+    v.name = name;
+    v.dimensions.resize(static_cast<std::size_t>(n));
+    if (n > 0 && nc_inq_vardimid(group, id, v.dimensions.data()) != NC_NOERR) return std::nullopt;
+    std::size_t all = 1;
+    for (const int d : v.dimensions) {
+      std::size_t length = 0;
+      if (nc_inq_dimlen(group, d, &length) != NC_NOERR) return std::nullopt;
+      if (length != 0 && all > (std::size_t{1} << 40) / length) return std::nullopt;  // no file holds so many
+      all *= length;
+      v.counts.push_back(length);
+    }
+    return v;
+  }
+
+  std::filesystem::path path_;
+  std::size_t bytes_;
+  int root_ = -1;
+  std::vector<Variable> variables_;
+};
+
+/// Which axis the values of a variable are along, by its attributes and its name.
+Axis axis_of(const File& file, const Variable& v) {
+  const std::string axis = lower(file.text(v, "axis")), standard = lower(file.text(v, "standard_name"));
+  const std::string unit = lower(file.text(v, "units")), name = lower(v.name);
+  if (axis == "x" || standard == "projection_x_coordinate" || standard == "longitude" ||
+      one_of(unit, {"degrees_east", "degree_east", "degrees_e"}))
+    return Axis::x;
+  if (axis == "y" || standard == "projection_y_coordinate" || standard == "latitude" ||
+      one_of(unit, {"degrees_north", "degree_north", "degrees_n"}))
+    return Axis::y;
+  if (one_of(name, {"x", "lon", "long", "longitude", "easting", "eastings", "east", "xs", "x_utm", "nav_lon"}))
+    return Axis::x;
+  if (one_of(name, {"y", "lat", "latitude", "northing", "northings", "north", "ys", "y_utm", "nav_lat"}))
+    return Axis::y;
+  return Axis::none;
+}
+
+bool is_geographic(const File& file, const Variable& v) {
+  const std::string unit = lower(file.text(v, "units")), name = lower(v.name),
+                    standard = lower(file.text(v, "standard_name"));
+  return unit.starts_with("degree") || standard == "longitude" || standard == "latitude" ||
+         one_of(name, {"lon", "long", "longitude", "nav_lon"});
+}
+
+/// The variables that give x and y of a grid's nodes: along the columns and rows, or over both.
+struct Places {
+  const Variable *x = nullptr, *y = nullptr;
+  std::size_t along_x = 0, along_y = 0;  ///< rows of the grid's `counts`; of no meaning where over both
+  bool over_both = false;
+};
+
+/// Of well-known text: the code of its last AUTHORITY["EPSG","25832"] or ID["EPSG",25832], which is the system's own;
+/// else the name.
+std::string system_of_text(const std::string& text) {
+  const std::size_t end = text.rfind("\"EPSG\",");
+  if (end != std::string::npos && text.size() - end < 24) {
+    std::string code;
+    for (const char c : text.substr(end + 7))
+      if (c >= '0' && c <= '9') code += c;
+    if (!code.empty()) return "epsg:" + code;
+  }
+  const std::size_t open = text.find("[\""), close = open == std::string::npos ? open : text.find('"', open + 2);
+  return close == std::string::npos ? "" : text.substr(open + 2, close - open - 2);
+}
+
+/// By the variable that `grid_mapping` names: its EPSG code, or the name in its text.
+std::string system_of(const File& file, const Variable& v) {
+  const std::string mapping = file.text(v, "grid_mapping");
+  if (mapping.empty()) return "";
+  for (const Variable& m : file.variables()) {
+    if (m.name != mapping) continue;
+    std::string code = lower(file.text(m, "epsg_code"));
+    if (code.empty())
+      if (const auto number = file.numbers(m.group, m.id, "epsg_code"); !number.empty())
+        code = std::to_string(static_cast<long long>(number[0]));
+    if (!code.empty()) return code.starts_with("epsg:") ? code : "epsg:" + code;
+    for (const char* key : {"crs_wkt", "spatial_ref"})
+      if (const std::string system = system_of_text(file.text(m, key)); !system.empty()) return system;
+  }
+  return "";
+}
+
+bool has_equal_steps(const std::vector<double>& places) {
+  const auto n = static_cast<double>(places.size() - 1);
+  const double step = (places.back() - places.front()) / n;
+  constexpr double rounding = 1e-4;  // of a step: places in single precision
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (std::abs(places[i] - places.front() - static_cast<double>(i) * step) > rounding * std::abs(step)) return false;
+  return true;
+}
+
+std::vector<double> heights_of(const File& file, const Variable& v) {
+  std::vector<double> heights = file.values(v);
+  std::vector<double> none = file.numbers(v.group, v.id, "_FillValue");
+  for (const double value : file.numbers(v.group, v.id, "missing_value")) none.push_back(value);
+  const auto scale = file.numbers(v.group, v.id, "scale_factor"), offset = file.numbers(v.group, v.id, "add_offset");
+  for (double& h : heights) {
+    const bool is_none = !std::isfinite(h) || std::find(none.begin(), none.end(), h) != none.end();
+    h = is_none ? std::numeric_limits<double>::quiet_NaN()
+                : h * (scale.empty() ? 1 : scale[0]) + (offset.empty() ? 0 : offset[0]);
+  }
+  return heights;
+}
+
+class GridFinder {
+ public:
+  explicit GridFinder(const File& file) : file_(file) {}
+
+  NetcdfGrids find() const {
+    NetcdfGrids found;
+    for (const Variable& v : file_.variables()) {
+      const std::size_t n_axes = v.axes().size();
+      if (!v.is_number() || n_axes < 2) continue;
+      if (n_axes > 2) {
+        found.others.push_back(v.path + " (" + std::to_string(n_axes) + " axes)");
+      } else if (axis_of(file_, v) != Axis::none) {
+        continue;  // places of other grids
+      } else if (const auto places = places_of(v)) {
+        found.grids.push_back(grid(v, *places));
+      } else {
+        found.others.push_back(v.path + " (no variables give x and y along its axes)");
+      }
+    }
+    return found;
+  }
+
+ private:
+  std::optional<Places> places_of(const Variable& v) const {
+    if (const auto both = places_over_both(v)) return both;
+    const std::vector<std::size_t> axes = v.axes();
+    const Variable *rows = along(v, axes[0], Axis::y), *columns = along(v, axes[1], Axis::x);
+    if (!rows && !columns) {  // x along the rows
+      rows = along(v, axes[0], Axis::x), columns = along(v, axes[1], Axis::y);
+    }
+    if (!rows || !columns || rows == columns) return std::nullopt;
+    const bool swapped = axis_of(file_, *rows) == Axis::x || axis_of(file_, *columns) == Axis::y;
+    if (swapped) return Places{rows, columns, axes[0], axes[1], false};
+    return Places{columns, rows, axes[1], axes[0], false};
+  }
+
+  /// The variable along an axis of `v`: the one of the dimension's name, else one of as many values whose name says
+  /// that it is `expected`, in the same group.
+  const Variable* along(const Variable& v, std::size_t axis, Axis expected) const {
+    char name[NC_MAX_NAME + 1] = {};
+    const std::size_t n = v.counts[axis];
+    if (nc_inq_dimname(v.group, v.dimensions[axis], name) == NC_NOERR)
+      for (const Variable& c : file_.variables())
+        if (c.name == name && c.counts.size() == 1 && c.dimensions[0] == v.dimensions[axis] && c.is_number()) return &c;
+    const Variable* found = nullptr;
+    for (const Variable& c : file_.variables()) {
+      if (c.group != v.group || !c.is_number() || c.axes().size() != 1 || c.size() != n) continue;
+      if (axis_of(file_, c) == expected && !found) found = &c;
+    }
+    return found;
+  }
+
+  std::optional<Places> places_over_both(const Variable& v) const {
+    const std::string listed = std::string(1, ' ').append(file_.text(v, "coordinates")).append(1, ' ');
+    Places places{nullptr, nullptr, 0, 0, true};
+    for (const Variable& c : file_.variables()) {
+      if (&c == &v || !c.is_number() || c.counts != v.counts) continue;
+      const bool is_named = listed.find(std::string(1, ' ').append(c.name).append(1, ' ')) != std::string::npos;
+      const Axis axis = axis_of(file_, c);
+      if (axis == Axis::none || (!is_named && c.group != v.group)) continue;
+      (axis == Axis::x ? places.x : places.y) = &c;
+    }
+    return places.x && places.y ? std::optional(places) : std::nullopt;
+  }
+
+  NetcdfGrid grid(const Variable& v, const Places& places) const {
+    NetcdfGrid g;
+    g.name = v.path;
+    const std::string standard = file_.text(v, "standard_name"), full = file_.text(v, "long_name");
+    g.z_name = !standard.empty() ? standard : !full.empty() ? full : v.name;
+    g.z_unit = file_.text(v, "units");
+    g.positive = lower(file_.text(v, "positive"));
+    g.geographic = is_geographic(file_, *places.x);
+    if (!g.geographic) g.xy_unit = file_.text(*places.x, "units");
+    g.system = system_of(file_, v);
+    const auto registration = file_.numbers(file_.root(), NC_GLOBAL, "node_offset");
+    g.cell_centred = !registration.empty() && registration[0] == 1;
+    fill(v, places, g);
+    return g;
+  }
+
+  void fill(const Variable& v, const Places& places, NetcdfGrid& g) const {
+    const std::vector<std::size_t> axes = v.axes();
+    g.lattice.n_rows = v.counts[axes[0]];
+    g.lattice.n_columns = v.counts[axes[1]];
+    const std::vector<double> heights = heights_of(file_, v), x = file_.values(*places.x), y = file_.values(*places.y);
+    g.lattice.nodes.reserve(heights.size());
+    for (std::size_t j = 0; j < g.lattice.n_rows; ++j)
+      for (std::size_t i = 0; i < g.lattice.n_columns; ++i) {
+        const std::size_t node = j * g.lattice.n_columns + i;
+        const auto row_of = [&](std::size_t axis) { return places.over_both ? node : axis == axes[0] ? j : i; };
+        const Vec3 p{x[row_of(places.along_x)], y[row_of(places.along_y)], heights[node]};
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+          file_.refuse("a place along the axes of " + v.path + " is no number");
+        g.lattice.nodes.push_back(p);
+      }
+    g.regular = !places.over_both && has_equal_steps(x) && has_equal_steps(y);
+  }
+
+  const File& file_;
+};
+
+NetcdfGrids read_grids(const std::filesystem::path& path) {
+  const File file(path);
+  return GridFinder(file).find();
+}
+
+}  // namespace
+
+}  // namespace geomesh::geomodel
+
+extern "C" __attribute__((visibility("default"))) const geomesh::geomodel::NetcdfGridModule* geomesh_netcdf_grids() {
+  static constexpr geomesh::geomodel::NetcdfGridModule module{GEOMESH_MODULE_VERSION, geomesh::geomodel::read_grids};
+  return &module;
+}
