@@ -129,7 +129,7 @@ std::vector<std::vector<Index>> walls_of_continuations(const PreparedModel& mode
   const BuiltRows& rows = model.built_rows;
   std::vector<std::vector<Index>> walls = rows.continued_to;
   for (std::size_t s = 0; s < walls.size(); ++s) {
-    if (rows.part_of_triangle[s].empty() || model.surfaces[s].kind != SurfaceKind::horizon) walls[s].clear();
+    if (rows.part_of_triangle[s].empty()) walls[s].clear();
     std::erase_if(walls[s], [&](Index wall) {
       return std::binary_search(rows.overshooting.begin(), rows.overshooting.end(), wall);
     });
