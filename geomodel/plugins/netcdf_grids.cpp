@@ -200,8 +200,8 @@ struct Places {
   bool over_both = false;
 };
 
-/// Of well-known text: the code of its last AUTHORITY["EPSG","25832"] or ID["EPSG",25832], which is the system's own;
-/// else the name.
+/// The system that a well-known text describes: the EPSG code of its last AUTHORITY["EPSG","25832"] or
+/// ID["EPSG",25832], which belongs to the whole system and not to a part of it. Its name where it has no such code.
 std::string system_of_text(const std::string& text) {
   const std::size_t end = text.rfind("\"EPSG\",");
   if (end != std::string::npos && text.size() - end < 24) {
@@ -214,7 +214,7 @@ std::string system_of_text(const std::string& text) {
   return close == std::string::npos ? "" : text.substr(open + 2, close - open - 2);
 }
 
-/// By the variable that `grid_mapping` names: its EPSG code, or the name in its text.
+/// The system is described by the variable that the attribute `grid_mapping` names. Returns its EPSG code, or its name.
 std::string system_of(const File& file, const Variable& v) {
   const std::string mapping = file.text(v, "grid_mapping");
   if (mapping.empty()) return "";

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "common/default_gaps.hpp"
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "pipeline/refine_model.hpp"
@@ -103,18 +102,18 @@ static CountedOptions scaled_to_target(const PreparedModel& model, const Constra
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
   constexpr double most_over_target = 2;  // 200,000 elements, beyond which the first mesh of a model is a burden
-  constexpr double worth_it = 0.7;        // flatter elements in gaps for fewer by a smaller part are no bargain
   const RefinementSettings& settings = model.refinement;
   if (!may_derive(settings)) {
     const ElementEstimate found = estimate_model(model, mesh, options);
     return {std::move(options), found};
   }
   CountedOptions chosen = scaled_to_target(model, mesh, options);
-  const double count = chosen.estimate.total();
-  if (count > most_over_target * settings.derived_elements && options.size.gap_layers == default_gap_layers) {
+  const double count = chosen.estimate.total(), most = most_over_target * settings.derived_elements;
+  if (count > most && settings.gaps_by_default) {
     options.size.gap_layers = 0;
     CountedOptions without_gaps = scaled_to_target(model, mesh, std::move(options));
-    if (without_gaps.estimate.total() < worth_it * count) {
+    // Where many faults cross, the count remains high without them, and elements would be flat in vain.
+    if (without_gaps.estimate.total() <= most) {
       chosen = std::move(without_gaps);
       chosen.count_with_gaps = count;
     }
@@ -131,8 +130,8 @@ void announce_count(PreparedModel& model, const CountedOptions& counted, const R
   std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
                                   options.size.from_input_edges && options.size_surfaces);
   if (counted.count_with_gaps > 0)
-    text += "; elements in gaps between surfaces may be flat, because without that about " +
-            rounded_count(counted.count_with_gaps) + " would come (mesh: {size: {gap_layers: 0.5}} asks for them)";
+    text += "; elements in gaps between surfaces may be flat, because about " + rounded_count(counted.count_with_gaps) +
+            " would come if each gap had layers of its own (mesh: {size: {gap_layers: 0.4}} asks for them)";
   const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);
   if (total > limit)
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +

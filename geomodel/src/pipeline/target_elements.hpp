@@ -16,14 +16,14 @@ RefineOptions scaled_sizes(RefineOptions options, double factor);
 struct CountedOptions {
   RefineOptions options;
   ElementEstimate estimate;
-  double count_with_gaps = 0;  ///< that they would ask for if gaps did too, which are left out for that; 0: nothing is
+  double count_with_gaps = 0;  ///< elements that would come if gaps asked for sizes; 0 where gaps do ask, or are not to
 };
 
 /// Where the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume come to many
 /// more or fewer elements: the sizes are those by which the estimate is about settings.derived_elements, and settings
-/// and the report's input hold them. Where gaps between surfaces keep the estimate above twice that whatever the size,
-/// they ask for nothing, unless the project says what they are to ask for. Else, and where the project asks for any
-/// size, the options as they are.
+/// and the report's input hold them. Gaps between surfaces ask for no sizes where the estimate is above twice that with
+/// them and below without them, unless the project says what they ask for. Otherwise, and where the project asks for
+/// any size, the options are returned as they are.
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 

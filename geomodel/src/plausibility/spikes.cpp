@@ -18,7 +18,7 @@ constexpr double part_of_each_end = 0.05;  ///< of the heights, left out of that
 constexpr std::size_t least_neighbours = 3;
 constexpr std::size_t least_vertices = 100;  ///< the summit of a surface of few triangles is none
 
-/// What surrounds a vertex.
+/// Heights of a vertex over its neighbours.
 struct Around {
   double above = std::numeric_limits<double>::infinity();  ///< least height over a neighbour
   double below = std::numeric_limits<double>::infinity();  ///< least depth under a neighbour

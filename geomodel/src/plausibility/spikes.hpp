@@ -27,7 +27,7 @@ Spikes find_spikes(const TriangulatedSurface& surface);
 /// "2 vertices stand far above or below all of their neighbours, ...", with the place moved by `origin`.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 
-/// What the user can do about them.
+/// The advice that follows a message about spikes.
 constexpr const char* spikes_remedy =
     "if it is a slip in the file, correct it there; no_data: VALUE in the entry leaves out all points of that height";
 

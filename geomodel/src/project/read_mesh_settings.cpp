@@ -5,8 +5,6 @@
 #include <charconv>
 #include <optional>
 
-#include "common/default_gaps.hpp"
-
 namespace geomesh::geomodel {
 
 namespace {
@@ -120,6 +118,9 @@ void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
     sizes.by_depth.push_back(entry);
   }
 }
+
+/// With surfaces within a tolerance: edges are at most two and a half times as long as a layer is thick.
+constexpr double default_gap_layers = 0.4;
 
 const std::vector<std::string_view>& size_keys() {
   static const std::vector<std::string_view> keys{"global",     "units",       "surfaces",    "curves",
@@ -236,7 +237,8 @@ void follow_sizes(const SizeKeysGiven& given, RefinementSettings& settings) {
   settings.honour = Honour::tolerance;
   if (!(settings.tolerance.left() > 0)) settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
   if (!given.input_edges) base.from_input_edges = false;
-  if (!given.gap_layers) base.gap_layers = default_gap_layers;
+  settings.gaps_by_default = !given.gap_layers;
+  if (settings.gaps_by_default) base.gap_layers = default_gap_layers;
   settings.derive_size = !(base.global > 0) && settings.size.background.empty() && settings.size.by_depth.empty();
 }
 

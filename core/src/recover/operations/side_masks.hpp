@@ -68,7 +68,7 @@ class SideMasks {
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
-  /// Of i < j and any other vertex, as sides({i, j, k}) has them.
+  /// Returns what sides({i, j, k}) does, for i < j and any other vertex k, without sorting the three.
   Masks of_edge(LocalVertex i, LocalVertex j, LocalVertex k) const {
     if (k < i) return of_sorted(k, i, j);
     if (k > j) return of_sorted(i, j, k);

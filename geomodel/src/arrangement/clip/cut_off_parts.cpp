@@ -7,7 +7,6 @@
 #include "arrangement/clip/clip.hpp"
 #include "common/equal_points.hpp"
 #include "common/union_find.hpp"
-#include "common/equal_points.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -66,7 +65,8 @@ class PartFacets {
     return std::any_of(edge.begin(), edge.end(), [&](const EdgeUse& use) {
       const auto origins = of_.origins_of(use.facet);
       return std::any_of(origins.begin(), origins.end(), [&](const PolygonSoup::Origin& o) {
-        return std::binary_search(in_.walls.begin(), in_.walls.end(), o.surface);
+        return std::binary_search(in_.walls.begin(), in_.walls.end(), o.surface) &&
+               !in_.lost.contains({use.facet, o.surface, o.triangle});
       });
     });
   }
@@ -111,18 +111,27 @@ std::vector<std::pair<Index, Index>> parts_cut_off(const FacetsWithOrigins& of, 
 
 void end_continuations(ClipContext context, const ArrangementOptions& options) {
   Arranged& arranged = context.arranged;
-  for (Index row = 0; row < options.ends_at.size(); ++row) {
-    if (options.ends_at[row].empty() || options.parts[row].empty()) continue;
-    const std::vector<EdgeUse> uses = sorted_edge_uses(arranged.facets);
-    const auto origins_of = [&](Index f) { return arranged.origins.of(f); };
-    const std::vector<std::pair<Index, Index>> cut_off = parts_cut_off(
-        {arranged.facets, uses, origins_of}, {context.surfaces[row], row, options.parts[row], options.ends_at[row]});
-    std::vector<std::uint8_t> which(arranged.facets.size(), 0);
-    for (const auto& [facet, triangle] : cut_off) which[facet] = 1;
-    remove_origins(arranged, which, [&](Index f, const Origin& o) {
-      return o.surface == row && std::binary_search(cut_off.begin(), cut_off.end(), std::pair(f, o.triangle));
-    });
+  const auto kind_of = [&](Index row) { return context.surfaces[row].kind; };
+  std::vector<Index> rows;
+  for (Index row = 0; row < options.ends_at.size(); ++row)
+    if (!options.ends_at[row].empty() && !options.parts[row].empty()) rows.push_back(row);
+  if (rows.empty()) return;
+  std::stable_partition(rows.begin(), rows.end(), [&](Index row) { return kind_of(row) == SurfaceKind::fault; });
+  const std::vector<EdgeUse> uses = sorted_edge_uses(arranged.facets);
+  const auto origins_of = [&](Index f) { return arranged.origins.of(f); };
+  LostParts lost;
+  std::vector<std::uint8_t> which(arranged.facets.size(), 0);
+  for (const Index row : rows) {
+    const auto cut_off = parts_cut_off({arranged.facets, uses, origins_of},
+                                       {context.surfaces[row], row, options.parts[row], options.ends_at[row], lost});
+    for (const auto& [facet, triangle] : cut_off) {
+      lost.insert({facet, row, triangle});
+      if (kind_of(row) != SurfaceKind::fault) which[facet] = 1;
+    }
   }
+  remove_origins(arranged, which, [&](Index f, const Origin& o) {
+    return kind_of(o.surface) != SurfaceKind::fault && lost.contains({f, o.surface, o.triangle});
+  });
 }
 
 }  // namespace geomesh::geomodel::arrangement

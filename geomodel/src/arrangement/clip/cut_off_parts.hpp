@@ -3,7 +3,9 @@
 /// What walls cut off from the given part of a surface.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,12 +22,16 @@ struct FacetsWithOrigins {
   std::function<std::span<const PolygonSoup::Origin>(Index)> origins_of;
 };
 
+/// Facet, row of the surface and its triangle, for each part of a facet that was found to be cut off.
+using LostParts = std::set<std::array<Index, 3>>;
+
 /// A surface in parts: part 0 is what was given, each other one continues it.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
-  Index row;                       ///< as in Origin::surface
-  const std::vector<Index>& part;  ///< per triangle
+  Index row;                        ///< as in Origin::surface
+  const std::vector<Index>& part;   ///< per triangle
   const std::vector<Index>& walls;  ///< rows of the surfaces at which the parts end, ascending
+  const LostParts& lost;            ///< of walls: nothing ends there
 };
 
 /// Facets, each with a triangle of the surface for which it stands, that walls cut off from what was given; ascending.

@@ -23,7 +23,8 @@ bool is_netcdf_file(const InputFile& file) {
   return head.size() == 4 && head.starts_with("CDF") && head[3] >= 1 && head[3] <= 5;
 }
 
-/// What the variable says about z: its standard or long name, its own name, and which way it counts.
+/// Whether heights count downwards. The attribute `positive` decides; without it the standard or long name, or the
+/// variable's own.
 bool is_depth(const NetcdfGrid& grid) {
   if (!grid.positive.empty()) return grid.positive == "down";
   const std::string own = grid.name.substr(grid.name.rfind('/') + 1);
@@ -59,7 +60,7 @@ FileContents contents_of(const InputFile& file, const NetcdfGrid& grid) {
   return contents;
 }
 
-/// A unit of something else than length: temperatures, percentages.
+/// Whether the values are lengths or travel times. Temperatures and percentages are not.
 bool is_height(const NetcdfGrid& grid) {
   return length_unit_in_metres(grid.z_unit).has_value() || is_time_unit(grid.z_unit);
 }

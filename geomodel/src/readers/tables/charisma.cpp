@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// What stands behind "INLINE-" and its relations; empty where the line begins otherwise.
+/// The rest of a line that begins with "INLINE-" or another type of line; empty where it begins with none.
 std::string_view behind_line_type(std::string_view line) {
   line = trim(line);
   for (const std::string_view type : {"INLINE-", "CROSSLINE-", "XLINE-", "CRSLINE-", "TRACE-", "RANDOM-"})

@@ -348,10 +348,6 @@ void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> p
   contents.point_sets.push_back({name, file.shown(), std::move(points)});
 }
 
-}  // namespace
-
-namespace {
-
 /// The lines of one group, in the order in which they begin.
 void add_lines(const InputFile& file, const std::string& name, const std::vector<const TableRow*>& rows,
                FileContents& contents) {

@@ -79,7 +79,8 @@ class VectorReader {
     points.insert(points.end(), feature.points.begin(), feature.points.end());
   }
 
-  /// Of a feature whose points have none: from its first column that names one.
+  /// The height of a feature whose points have none of their own: the value of its first column that is named as a
+  /// height. Nothing where the points have heights, or no column does.
   std::optional<double> height_of(const VectorFeature& feature) {
     if (feature.has_z) return std::nullopt;
     for (const auto& [column, value] : feature.numbers) {

@@ -158,10 +158,12 @@ class SheetBorder {
   struct Place {
     Vec3 at;            ///< with the height that the border has there
     double distance;    ///< from the border in the map
-    bool has_met_wall;  ///< the border has, where it is nearest
+    Vec2 slope;         ///< of the border where it is nearest
+    bool has_met_wall;  ///< the border has there
   };
   Place continued_at(const Vec2& p) const {
     double least = std::numeric_limits<double>::infinity(), z = 0;
+    Vec2 slope{0, 0};
     bool has_met_wall = false;
     for (const Edge& e : edges_) {
       const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
@@ -171,19 +173,22 @@ class SheetBorder {
       if (!(d < least)) continue;
       least = d;
       has_met_wall = e.has_met_wall;
+      slope = d > within_ ? Vec2{0, 0} : e.slope;
       const double share = d > within_ ? within_ / d : 1;
       z = foot.z + share * (e.slope.x * x + e.slope.y * y);
     }
-    return {{p.x, p.y, z}, least, has_met_wall};
+    return {{p.x, p.y, z}, least, slope, has_met_wall};
   }
 
-  /// Per triangle, whether it lies outside of the sheet and hangs together with a place where the horizon stops short
-  /// of a wall: where the sheet ends because the horizon goes on beyond a wall there is nothing to continue.
-  std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all) const {
+  /// Per triangle, whether it is kept, lies outside of the sheet, and hangs together, through those kept, with a place
+  /// where the horizon stops short of a wall: where the sheet ends because the horizon goes on beyond a wall there is
+  /// nothing to continue.
+  std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) const {
     const std::set<std::pair<Index, Index>> constraints(constraints_.begin(), constraints_.end());
     std::map<std::pair<Index, Index>, Index> at_edge;
     UnionFind joined(all.size());
     const auto for_each_edge_of = [&](Index t, auto&& visit) {
+      if (!is_kept[t]) return;
       for (std::size_t i = 0; i < 3; ++i)
         visit(std::pair<Index, Index>(std::minmax(all[t].vertices[i], all[t].vertices[(i + 1) % 3])));
     };
@@ -200,7 +205,7 @@ class SheetBorder {
           if (is_end_.contains(e)) begin.insert(joined.find(t));
         });
     std::vector<bool> is_beside(all.size());
-    for (Index t = 0; t < all.size(); ++t) is_beside[t] = begin.contains(joined.find(t));
+    for (Index t = 0; t < all.size(); ++t) is_beside[t] = is_kept[t] && begin.contains(joined.find(t));
     return is_beside;
   }
 
@@ -248,6 +253,7 @@ class Continuation {
         border_(setting.horizon, setting.division, sheet, setting.within),
         points_(border_.points()),
         distance_(points_.size(), 0),
+        slope_(points_.size(), Vec2{0, 0}),
         n_border_(points_.size()) {
     for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
     if (!has_few_places()) return;
@@ -262,12 +268,16 @@ class Continuation {
     for (const Vec3& p : points_) places.push_back({p.x, p.y});
     const auto all = triangulate_plane(places, border_.edges());
     if (!all) return std::nullopt;
-    const std::vector<bool> begins_at_border = border_.beside_border(*all);
+    std::vector<std::set<Index>> walls_of;
+    std::vector<bool> is_kept;
+    for (const PlanarTriangle& t : *all) is_kept.push_back(is_filled(t.vertices, walls_of.emplace_back()));
+    const std::vector<bool> begins_at_border = border_.beside_border(*all, is_kept);
     BlockExtension made;
     std::set<Index> walls;
     for (std::size_t k = 0; k < all->size(); ++k) {
       const PlanarTriangle& t = (*all)[k];
-      if (!begins_at_border[k] || !is_filled(t.vertices, walls)) continue;
+      if (!begins_at_border[k]) continue;
+      walls.insert(walls_of[k].begin(), walls_of[k].end());
       book(t.vertices, made);
       Triangle own;
       for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t.vertices[i], made);
@@ -295,16 +305,19 @@ class Continuation {
         if (p.distance < step_ / 2) continue;
         points_.push_back(p.at);
         distance_.push_back(p.distance);
+        slope_.push_back(p.slope);
         in_block_.push_back(!p.has_met_wall && s_.framework.block_at(p.at) == block_);
       }
   }
 
-  /// Whether a wall is within the radius, looking along four lines of the map. A wall that holds the place counts.
-  bool has_wall_near(const Vec3& p) const {
+  /// Whether a wall is within the radius of a place, looking along the sheet in four directions of the map. A wall that
+  /// holds the place counts.
+  bool has_wall_near(std::size_t v) const {
     constexpr int n_lines = 4;
     for (int k = 0; k < n_lines; ++k) {
       const double angle = std::numbers::pi * k / n_lines;
-      const Vec3 way{radius_ * std::cos(angle), radius_ * std::sin(angle), 0};
+      const double x = radius_ * std::cos(angle), y = radius_ * std::sin(angle);
+      const Vec3 &p = points_[v], way{x, y, slope_[v].x * x + slope_[v].y * y};
       if (s_.walls.first_hit(p - way, p + way, s_.row)) return true;
     }
     return false;
@@ -313,7 +326,7 @@ class Continuation {
   void find_open_places() {
     if (s_.fills_blocks) return;
     for (std::size_t v = n_border_; v < points_.size(); ++v)
-      if (in_block_[v] && distance_[v] > radius_ && !has_wall_near(points_[v])) open_.push_back(points_[v]);
+      if (in_block_[v] && distance_[v] > radius_ && !has_wall_near(v)) open_.push_back(points_[v]);
   }
   bool is_open(const Vec3& p) const {
     return std::any_of(open_.begin(), open_.end(),
@@ -337,6 +350,7 @@ class Continuation {
       leaves = leaves || s_.walls.first_hit(a, b, s_.row) || s_.walls.first_hit(b, a, s_.row);
     }
     if (!reaches_in && !leaves) return false;
+    if (!reaches_in && !s_.framework.overlaps(block_, {points_[t[0]], points_[t[1]], points_[t[2]]})) return false;
     if (leaves && crossed.empty()) crossed.insert(Walls::side_of_volume);
     walls.insert(crossed.begin(), crossed.end());
     return true;
@@ -377,6 +391,7 @@ class Continuation {
   SheetBorder border_;
   std::vector<Vec3> points_;  ///< those of the border, then those of the grid
   std::vector<double> distance_;
+  std::vector<Vec2> slope_;
   std::vector<bool> in_block_;  ///< and to be filled: not where the border has met its wall
   std::size_t n_border_;
   std::vector<Vec3> open_;

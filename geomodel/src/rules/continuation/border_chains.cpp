@@ -21,6 +21,7 @@ struct LoopEdge {
   Index triangle;
   double length;
   bool goes_on = true;              ///< false where the surface has met its wall
+  bool is_beyond = false;           ///< its middle lies outside of the model
   bool counts = true;               ///< false outside of the model, where what is continued is cut off with the rest
   std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is the distance in m
 };
@@ -195,7 +196,8 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       else if (is_within(box, middle, std::max(within, e.length)))
         e.hit = wall_before(surface, e, row, walls, within, rounding);
       if (e.hit && e.goes_on && e.hit->share <= rounding) e.goes_on = false;  // it ends on the wall, up to rounding
-      if (!is_within(box, middle, 0)) {
+      e.is_beyond = !is_within(box, middle, 0);
+      if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
         e.hit = Walls::Hit{};
         e.counts = false;
       }
@@ -214,9 +216,9 @@ std::map<std::pair<VertexIndex, VertexIndex>, BorderState> border_states(const T
   std::map<std::pair<VertexIndex, VertexIndex>, BorderState> states;
   for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, {}))
     for (const LoopEdge& e : loop)
-      states[{e.a, e.b}] = !e.goes_on || !e.counts ? BorderState::met_wall
-                           : e.hit                 ? BorderState::before_wall
-                                                   : BorderState::open;
+      states[{e.a, e.b}] = !e.goes_on || e.is_beyond ? BorderState::met_wall
+                           : e.hit                   ? BorderState::before_wall
+                                                     : BorderState::open;
   return states;
 }
 

@@ -2,11 +2,13 @@
 #include "rules/framework/block_framework.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "geomesh/core/predicates.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
 #include "rules/framework/end_on_faults.hpp"
 #include "rules/framework/fault_roofs.hpp"
 
@@ -19,6 +21,27 @@ bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
          orient3d(t[0], t[3], t[1], p) != -orient3d(t[0], t[3], t[1], t[2]) &&
          orient3d(t[1], t[3], t[2], p) != -orient3d(t[1], t[3], t[2], t[0]) &&
          orient3d(t[0], t[2], t[3], p) != -orient3d(t[0], t[2], t[3], t[1]);
+}
+
+/// The part of a convex polygon on the inner side of the face of a tetrahedron that is opposite to a corner.
+std::vector<Vec3> cut_at_face(const std::vector<Vec3>& polygon, const std::array<Vec3, 4>& t, std::size_t corner) {
+  const Vec3 &a = t[(corner + 1) % 4], &b = t[(corner + 2) % 4], &c = t[(corner + 3) % 4];
+  Vec3 inward = cross(b - a, c - a);
+  if (dot(inward, t[corner] - a) < 0) inward = -1.0 * inward;
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double at_p = dot(inward, p - a), at_q = dot(inward, q - a);
+    if (at_p >= 0) kept.push_back(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
+  }
+  return kept;
+}
+
+bool has_area(const std::vector<Vec3>& polygon) {
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    if (norm(cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0])) > 0) return true;
+  return false;
 }
 
 }  // namespace
@@ -81,6 +104,21 @@ Index BlockFramework::block_at(const Vec3& p) const {
     if (t < found && holds({points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]}, p)) found = t;
   });
   return found == no_index ? no_index : block_[found];
+}
+
+bool BlockFramework::overlaps(Index block, const std::array<Vec3, 3>& triangle) const {
+  Box3 box;
+  for (const Vec3& p : triangle) box.add(p);
+  bool found = false;
+  tree_->boxes_meeting(box, [&](Index t) {
+    if (found || block_[t] != block) return;
+    const Tetrahedron& v = tetrahedra_[t];
+    const std::array<Vec3, 4> corners{points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]};
+    std::vector<Vec3> polygon(triangle.begin(), triangle.end());
+    for (std::size_t k = 0; k < 4; ++k) polygon = cut_at_face(polygon, corners, k);
+    found = has_area(polygon);
+  });
+  return found;
 }
 
 }  // namespace geomesh::geomodel

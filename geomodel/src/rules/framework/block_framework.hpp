@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ class BlockFramework {
   /// The block that holds p, no_index outside of the model. On a wall the block of a tetrahedron that touches it.
   /// O(log n) for tetrahedra of like size.
   Index block_at(const Vec3& p) const;
+  /// Whether some of the triangle lies in the block. Decided by clipping in doubles: a triangle that reaches in by no
+  /// more than rounding may be told either way. O(log n + k) for the k tetrahedra near the triangle.
+  bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
   /// Whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
   /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::roofs), -1 on the lower one,

@@ -12,7 +12,7 @@ double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>
   const auto origins_of = [&](Index f) { return std::span<const PolygonSoup::Origin>(working.origins[f]); };
   const auto cut_off =
       arrangement::parts_cut_off({working.soup.facets, working.uses, origins_of},
-                                 {surfaces[row], row, built.part_of_triangle[row], built.continued_to[row]});
+                                 {surfaces[row], row, built.part_of_triangle[row], built.continued_to[row], {}});
   double removed = 0;
   for (const auto& [facet, triangle] : cut_off)
     removed += working.remove(
